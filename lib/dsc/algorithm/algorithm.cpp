@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/algorithm/algorithm.h"
+
+#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/algorithm/mesh_update.h"
+
+namespace dsc {
+
+template <class Real>
+Algorithm<Real> default_algorithm() {
+    return {.upkeep = {{"interface upkeep", &upkeep_interface<Real>}},
+            .motion = {{"movement", &move_vertices<Real>}, {"mesh update", &update_mesh<Real>}}};
+}
+
+template Algorithm<double> default_algorithm();
+template Algorithm<float> default_algorithm();
+
+} // namespace dsc

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/algorithm/interface_upkeep.h"
+
+#include "dsc/operations/edge_collapse.h"
+#include "dsc/operations/edge_split.h"
+#include "dsc/quality/ring_quality.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace dsc {
+
+namespace {
+
+// The interface spokes of a ring; more than two make a junction.
+struct Spokes {
+    std::uint32_t count = 0;
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+};
+
+bool is_interface_pair(Phase before, Phase after) {
+    if (before == after) { return false; }
+    if (before == border_phase) { return after != exterior_phase; }
+    return after != border_phase || before != exterior_phase;
+}
+
+template <class Real>
+Spokes interface_spokes(const Ring<Real>& ring) {
+    Spokes spokes;
+    for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+        if (is_interface_pair(ring.phase_before(i), ring.phase_after(i))) {
+            (spokes.count == 0 ? spokes.first : spokes.second) = i;
+            ++spokes.count;
+        }
+    }
+    return spokes;
+}
+
+template <class Real>
+Point<Real> link_point(const Ring<Real>& ring, std::uint32_t i) {
+    return {ring.link_x(i), ring.link_y(i)};
+}
+
+// Whether the polyline turns by less than the corner angle at `at`.
+template <class Real>
+bool is_smooth(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
+               Real cosine) {
+    const Point<Real> in = at - from;
+    const Point<Real> out = to - at;
+    const Real dot = in.dot(out);
+    return dot > cosine * std::sqrt(in.squaredNorm() * out.squaredNorm());
+}
+
+template <class Real>
+class Upkeep {
+public:
+    explicit Upkeep(Work<Real>& work)
+        : work_(work), complex_(work.complex),
+          length_(work.options.edge_length),
+          longest_squared_(square(work.options.interface.longest)),
+          shortest_squared_(square(work.options.interface.shortest)),
+          deviation_squared_(square(work.options.interface.deviation)),
+          corner_cosine_(static_cast<Real>(
+              std::cos(work.options.interface.corner_degrees * std::numbers::pi / 180))) {}
+
+    void run() {
+        auto& kept = work_.interface_next;
+        kept.clear();
+        for (const std::uint32_t v : work_.interface) {
+            visit(v);
+        }
+        std::swap(work_.interface, kept);
+    }
+
+private:
+    Real square(double relative) const {
+        const Real value = static_cast<Real>(relative) * length_;
+        return value * value;
+    }
+
+    void visit(std::uint32_t v) {
+        if (!complex_.is_alive(Vertex{v})) {
+            return;
+        }
+        Ring<Real>& ring = work_.ring;
+        const bool gathered = gather(complex_, work_.submesh.region, v, ring);
+        if (!ring.owned) {
+            work_.put_off_interface.push_back(v);
+            return;
+        }
+        if (!gathered) {
+            work_.interface_next.push_back(v);
+            return;
+        }
+        const Spokes spokes = interface_spokes(ring);
+        if (spokes.count == 0) {
+            return;
+        }
+        if (spokes.count == 2 && ring.closed && try_collapse(ring, spokes)) {
+            return;
+        }
+        refine(v, ring, spokes);
+    }
+
+    bool try_collapse(Ring<Real>& ring, const Spokes& spokes) {
+        const Point<Real> p(ring.x0, ring.y0);
+        const Point<Real> a = link_point(ring, spokes.first);
+        const Point<Real> b = link_point(ring, spokes.second);
+        const Real to_a = (a - p).squaredNorm();
+        const Real to_b = (b - p).squaredNorm();
+        if (std::min(to_a, to_b) >= shortest_squared_) {
+            return false;
+        }
+        const Point<Real> chord = b - a;
+        const Real chord_squared = chord.squaredNorm();
+        const Point<Real> offset = p - a;
+        const Real area = chord.x() * offset.y() - chord.y() * offset.x();
+        if (chord_squared >= longest_squared_ ||
+            area * area >= deviation_squared_ * chord_squared ||
+            !is_smooth(a, p, b, corner_cosine_)) {
+            return false;
+        }
+        const std::uint32_t nearer = to_a < to_b ? spokes.first : spokes.second;
+        const std::uint32_t farther = to_a < to_b ? spokes.second : spokes.first;
+        for (const std::uint32_t i : {nearer, farther}) {
+            if (edge_collapse(complex_, work_.submesh, prev(ring.corner[i]),
+                              rewire::Vanishing::next) == Verdict::legal) {
+                ++work_.counts.interface_collapses;
+                for (std::uint32_t j = 0; j < ring.size; ++j) {
+                    work_.activate(ring.link[j]);
+                }
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // Splits the interface edge that leaves v with the larger phase on its left: each edge is seen
+    // from one of its ends only.
+    void refine(std::uint32_t v, Ring<Real>& ring, const Spokes& spokes) {
+        std::vector<std::uint32_t>& kept = work_.interface_next;
+        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+            const Phase before = ring.phase_before(i);
+            const Phase after = ring.phase_after(i);
+            if (before == border_phase || after == border_phase || after <= before) {
+                continue;
+            }
+            const Real squared = (link_point(ring, i) - Point<Real>(ring.x0, ring.y0)).squaredNorm();
+            if (squared <= longest_squared_) {
+                continue;
+            }
+            if (!split(v, ring, spokes, i)) {
+                work_.put_off_interface.push_back(v);
+                return;
+            }
+            kept.push_back(v);
+            kept.push_back(newest_);
+            return; // the ring is stale; a junction's other edges wait for the next step
+        }
+        kept.push_back(v);
+    }
+
+    bool split(std::uint32_t v, const Ring<Real>& ring, const Spokes& spokes, std::uint32_t i) {
+        CurveNeighbours<Real> curve;
+        curve.p1 = {ring.x0, ring.y0};
+        curve.p2 = link_point(ring, i);
+        if (spokes.count == 2) {
+            curve.p0 = link_point(ring, spokes.first == i ? spokes.second : spokes.first);
+            curve.has_first = is_smooth<Real>(curve.p0, curve.p1, curve.p2, corner_cosine_);
+        }
+        Ring<Real>& beyond = work_.other_ring;
+        const bool gathered = gather(complex_, work_.submesh.region, ring.link[i], beyond);
+        if (!beyond.owned) {
+            return false;
+        }
+        if (gathered) {
+            const Spokes next_spokes = interface_spokes(beyond);
+            if (next_spokes.count == 2) {
+                const bool first_is_v = beyond.link[next_spokes.first] == v;
+                curve.p3 = link_point(beyond, first_is_v ? next_spokes.second : next_spokes.first);
+                curve.has_last = is_smooth<Real>(curve.p1, curve.p2, curve.p3, corner_cosine_);
+            }
+        }
+        const auto& options = work_.options;
+        Point<Real> point = options.insertion_function
+                                ? options.insertion_function(curve)
+                                : insertion_point(options.insertion, curve);
+        SplitResult result = edge_split(complex_, work_.submesh, prev(ring.corner[i]), point);
+        if (result.verdict == Verdict::inverts) {
+            point = midpoint<Real>(curve.p1, curve.p2);
+            result = edge_split(complex_, work_.submesh, prev(ring.corner[i]), point);
+        }
+        if (result.verdict == Verdict::out_of_ids) {
+            return false;
+        }
+        if (result.verdict != Verdict::legal) {
+            newest_ = no_id;
+            return true;
+        }
+        newest_ = result.vertex.id;
+        ++work_.counts.interface_splits;
+        work_.activate(newest_);
+        work_.activate(v);
+        work_.activate(ring.link[i]);
+        work_.activate(ring.link[i + 1]);
+        work_.activate(ring.link[i == 0 ? ring.size - 1 : i - 1]);
+        return true;
+    }
+
+    Work<Real>& work_;
+    Complex<Real>& complex_;
+    Real length_;
+    Real longest_squared_;
+    Real shortest_squared_;
+    Real deviation_squared_;
+    Real corner_cosine_;
+    std::uint32_t newest_ = no_id;
+};
+
+} // namespace
+
+template <class Real>
+void upkeep_interface(Work<Real>& work) {
+    Upkeep<Real>(work).run();
+    // A split that was refused leaves a hole in the list.
+    std::erase(work.interface, no_id);
+}
+
+template <class Real>
+std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex) {
+    // next[v]: where the interface half-edge with the larger phase on its left leads from v.
+    std::vector<std::uint32_t> list;
+    std::vector<std::uint8_t> seen(complex.vertex_bound(), 0);
+    const auto follow = [&](Corner c) {
+        // c is opposite to the half-edge from next(c) to prev(c); go on around the larger phase.
+        while (true) {
+            const std::uint32_t v = complex.vertex(next(c));
+            if (seen[v] != 0) {
+                return;
+            }
+            seen[v] = 1;
+            list.push_back(v);
+            // The next interface edge about w = vertex(prev(c)), clockwise inside this phase.
+            Corner at = prev(c);
+            const Phase inside = complex.phase_at(c);
+            while (true) {
+                // Half-edge that leaves w in this triangle is opposite to prev(at).
+                const Corner candidate = prev(at);
+                const Corner across = complex.twin(candidate);
+                if (complex.phase_at(across) != inside) {
+                    c = candidate;
+                    break;
+                }
+                at = prev(across);
+            }
+        }
+    };
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t})) {
+            continue;
+        }
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t, i);
+            const Phase inside = complex.phase_at(c);
+            const Phase across = complex.phase_at(complex.twin(c));
+            const bool canonical =
+                across == border_phase ? inside != exterior_phase : inside > across;
+            if (canonical) {
+                follow(c);
+                const std::uint32_t w = complex.vertex(prev(c));
+                if (seen[w] == 0) {
+                    seen[w] = 1;
+                    list.push_back(w);
+                }
+            }
+        }
+    }
+    return list;
+}
+
+template void upkeep_interface(Work<double>&);
+template void upkeep_interface(Work<float>&);
+template std::vector<std::uint32_t> collect_interface(const Complex<double>&);
+template std::vector<std::uint32_t> collect_interface(const Complex<float>&);
+
+} // namespace dsc

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Interface upkeep: coarsening and refinement of the interface (algorithm 5.1, lines 6 and 7), with
+// all vertices at the same time level, before anything moves.
+#pragma once
+
+#include "dsc/algorithm/work.h"
+
+namespace dsc {
+
+/// Splits interface edges that are too long, by the interpolator of the options; collapses interface
+/// vertices at short edges where the curve stays where it is. Rewrites `work.interface`; what a
+/// submesh may not touch goes to `put_off_interface`. O(interface vertices of the submesh).
+template <class Real>
+void upkeep_interface(Work<Real>& work);
+
+/// All interface vertices of a complex, curve by curve. O(n), once at the start.
+template <class Real>
+std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex);
+
+} // namespace dsc

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/algorithm/mesh_update.h"
+
+#include "dsc/motion/movement.h"
+#include "dsc/operations/edge_collapse.h"
+#include "dsc/operations/edge_flip.h"
+#include "dsc/operations/edge_split.h"
+#include "dsc/quality/delaunay.h"
+#include "dsc/quality/ring_quality.h"
+
+namespace dsc {
+
+OperationCounts& OperationCounts::operator+=(const OperationCounts& other) {
+    moves += other.moves;
+    flips += other.flips;
+    interface_splits += other.interface_splits;
+    interface_collapses += other.interface_collapses;
+    splits += other.splits;
+    collapses += other.collapses;
+    smoothed += other.smoothed;
+    subdivisions += other.subdivisions;
+    retriangulations += other.retriangulations;
+    examined += other.examined;
+    return *this;
+}
+
+namespace {
+
+/// Lawson's algorithm ends by itself; this bound only guards against rounding that the slack of the
+/// test does not cover.
+constexpr std::size_t max_flips_at_once = 4096;
+/// Turns about one vertex: flips and splits change its star, so that it is gathered anew.
+constexpr int max_turns = 6;
+
+template <class Real>
+class MeshUpdate {
+public:
+    explicit MeshUpdate(Work<Real>& work)
+        : work_(work), complex_(work.complex), ring_(work.ring) {}
+
+    void run() {
+        // Vertices made on the way are appended and looked at as well: splits halve lengths, so
+        // that this ends; the bound is for thresholds that contradict each other.
+        const std::size_t bound = 8 * work_.active.size() + 64;
+        for (std::size_t i = 0; i < work_.active.size() && i < bound; ++i) {
+            visit(work_.active[i]);
+        }
+        work_.active.clear();
+    }
+
+private:
+    struct Limits {
+        Real collapse; // squared quality
+        Real smooth;   // squared quality
+        Real longest;  // squared length
+        Real shortest; // squared length
+    };
+
+    Limits limits(Phase phase) const {
+        const PhaseThresholds& t = work_.options.thresholds(phase);
+        const auto square = [](Real value) { return value * value; };
+        const Real h = work_.options.edge_length;
+        return {square(static_cast<Real>(t.collapse_quality)),
+                square(static_cast<Real>(t.smooth_quality)), square(static_cast<Real>(t.longest) * h),
+                square(static_cast<Real>(t.shortest) * h)};
+    }
+
+    bool gather_star(std::uint32_t v) {
+        if (!gather(complex_, work_.submesh.region, v, ring_)) {
+            if (!ring_.owned) {
+                work_.put_off_active.push_back(v);
+            }
+            return false;
+        }
+        if (!ring_.owned) {
+            work_.put_off_active.push_back(v);
+            return false;
+        }
+        return true;
+    }
+
+    void visit(std::uint32_t v) {
+        if (!complex_.is_alive(Vertex{v})) {
+            return;
+        }
+        for (int turn = 0; turn < max_turns; ++turn) {
+            if (!gather_star(v)) {
+                return;
+            }
+            ++work_.counts.examined;
+            if (has_non_delaunay_spoke(ring_) && flip_spokes()) {
+                continue;
+            }
+            const Limits limit = limits(ring_.phase[0]);
+            const bool may_move = ring_.one_phase && ring_.closed &&
+                                  !complex_.is_locked(Vertex{v});
+            const SpokeLengths<Real> lengths = spoke_lengths_squared(ring_);
+            if (may_move) {
+                const Real quality = worst_quality_squared(ring_, ring_.x0, ring_.y0);
+                const bool poor = quality < limit.collapse;
+                if ((poor || lengths.shortest < limit.shortest) &&
+                    collapse(quality, limit, lengths)) {
+                    return;
+                }
+                if (quality < limit.smooth && smooth(v, quality)) {
+                    continue_edges();
+                    return;
+                }
+            }
+            if (lengths.longest > limit.longest && split_longest(limit)) {
+                continue;
+            }
+            return;
+        }
+    }
+
+    // --- flips --------------------------------------------------------------------------------
+    bool flip_spokes() {
+        const std::uint64_t before = work_.counts.flips;
+        work_.suspects.clear();
+        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+            work_.suspects.push_back(prev(ring_.corner[i]));
+        }
+        drain();
+        return work_.counts.flips != before;
+    }
+
+    // The edges of the ring's triangles, after its centre moved.
+    void continue_edges() {
+        work_.suspects.clear();
+        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+            work_.suspects.push_back(ring_.corner[i]);
+            work_.suspects.push_back(prev(ring_.corner[i]));
+        }
+        drain();
+    }
+
+    void drain() {
+        auto& suspects = work_.suspects;
+        std::size_t flips = 0;
+        const Region& region = work_.submesh.region;
+        while (!suspects.empty()) {
+            const Corner c = suspects.back();
+            suspects.pop_back();
+            if (!complex_.is_alive(Triangle{triangle_of(c)}) ||
+                !owns_triangle(complex_, region, triangle_of(c))) {
+                continue;
+            }
+            const Corner o = complex_.twin(c);
+            if (complex_.phase_at(o) != complex_.phase_at(c) ||
+                !owns(complex_, region, complex_.vertex(o)) || is_delaunay(complex_, c)) {
+                continue;
+            }
+            if (flips >= max_flips_at_once ||
+                edge_flip(complex_, work_.submesh, c) != Verdict::legal) {
+                continue;
+            }
+            ++flips;
+            suspects.push_back(c);
+            suspects.push_back(prev(c));
+            suspects.push_back(o);
+            suspects.push_back(prev(o));
+        }
+        work_.counts.flips += flips;
+    }
+
+    // --- coarsening ---------------------------------------------------------------------------
+    /// Collapses the centre into the link vertex that leaves the best triangles.
+    bool collapse(Real quality, const Limits& limit, const SpokeLengths<Real>& lengths) {
+        if (ring_.size < 4) {
+            // Degree three: the link is the triangle that will stand there.
+            return ring_.size == 3 && finish_collapse(0);
+        }
+        // A short spoke may cost quality, down to where it would be collapsed for that again.
+        const bool is_short = lengths.shortest < limit.shortest;
+        Real best = is_short ? std::min(quality, limit.collapse) : quality;
+        std::uint32_t best_spoke = no_id;
+        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+            const Real after = worst_quality_squared_after_collapse(ring_, i);
+            if (after > best && longest_after(i) <= Real(1.44) * limit.longest) {
+                best = after;
+                best_spoke = i;
+            }
+        }
+        return best_spoke != no_id && finish_collapse(best_spoke);
+    }
+
+    Real longest_after(std::uint32_t i) const {
+        Real longest = 0;
+        for (std::uint32_t j = 0; j < ring_.size; ++j) {
+            const Real dx = ring_.x[j] - ring_.x[i];
+            const Real dy = ring_.y[j] - ring_.y[i];
+            longest = std::max(longest, dx * dx + dy * dy);
+        }
+        return longest;
+    }
+
+    bool finish_collapse(std::uint32_t i) {
+        if (edge_collapse(complex_, work_.submesh, prev(ring_.corner[i]),
+                          rewire::Vanishing::next) != Verdict::legal) {
+            return false;
+        }
+        ++work_.counts.collapses;
+        const std::uint32_t target = ring_.link[i];
+        for (std::uint32_t j = 0; j < ring_.size; ++j) {
+            work_.activate(ring_.link[j]);
+        }
+        // Delaunay again, about the vertex that took the star.
+        Ring<Real>& star = work_.other_ring;
+        if (gather(complex_, work_.submesh.region, target, star)) {
+            work_.suspects.clear();
+            for (std::uint32_t j = 0; j < star.size; ++j) {
+                work_.suspects.push_back(prev(star.corner[j]));
+            }
+            drain();
+        }
+        return true;
+    }
+
+    // --- smoothing ----------------------------------------------------------------------------
+    /// Laplacian smoothing [eq. 6], and half of it; the better one, if it raises the worst quality.
+    bool smooth(std::uint32_t v, Real quality) {
+        Real sum_x = 0;
+        Real sum_y = 0;
+        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+            sum_x += ring_.x[i] - ring_.x0;
+            sum_y += ring_.y[i] - ring_.y0;
+        }
+        const Real share = Real(1) / static_cast<Real>(ring_.size);
+        Real best = quality;
+        Real best_x = 0;
+        Real best_y = 0;
+        for (const Real step : {Real(1), Real(0.5)}) {
+            const Real px = ring_.x0 + step * share * sum_x;
+            const Real py = ring_.y0 + step * share * sum_y;
+            const Real after = worst_quality_squared(ring_, px, py);
+            if (after > best) {
+                best = after;
+                best_x = px;
+                best_y = py;
+            }
+        }
+        if (!(best > quality) || !all_positive(ring_, best_x, best_y)) {
+            return false;
+        }
+        auto& record = complex_.vertices[v];
+        write_shared(record.x, best_x);
+        write_shared(record.y, best_y);
+        ring_.x0 = best_x;
+        ring_.y0 = best_y;
+        ++work_.counts.smoothed;
+        return true;
+    }
+
+    // --- refinement ---------------------------------------------------------------------------
+    bool split_longest(const Limits& limit) {
+        Real longest = limit.longest;
+        std::uint32_t spoke = no_id;
+        for (std::uint32_t i = ring_.closed ? 0 : 1; i < ring_.size; ++i) {
+            const Real dx = ring_.x[i] - ring_.x0;
+            const Real dy = ring_.y[i] - ring_.y0;
+            const Real squared = dx * dx + dy * dy;
+            if (squared > longest && !ring_.is_constrained(i)) {
+                longest = squared;
+                spoke = i;
+            }
+        }
+        if (spoke == no_id) {
+            return false;
+        }
+        const Point<Real> middle = midpoint<Real>({ring_.x0, ring_.y0}, {ring_.x[spoke], ring_.y[spoke]});
+        const SplitResult result =
+            edge_split(complex_, work_.submesh, prev(ring_.corner[spoke]), middle);
+        if (result.verdict == Verdict::out_of_ids) {
+            work_.put_off_active.push_back(ring_.vertex);
+        }
+        if (result.verdict != Verdict::legal) {
+            return false;
+        }
+        ++work_.counts.splits;
+        work_.activate(result.vertex.id);
+        work_.activate(ring_.link[spoke]);
+        return true;
+    }
+
+    Work<Real>& work_;
+    Complex<Real>& complex_;
+    Ring<Real>& ring_;
+};
+
+// A vertex on the domain boundary stays there: it slides along a straight side and does not leave a
+// corner [6.4].
+template <class Real>
+void stay_on_boundary(const Ring<Real>& ring, Real& x, Real& y) {
+    const Real ax = ring.link_x(0);
+    const Real ay = ring.link_y(0);
+    const Real bx = ring.link_x(ring.size);
+    const Real by = ring.link_y(ring.size);
+    if (orientation(static_cast<double>(ax), static_cast<double>(ay),
+                    static_cast<double>(ring.x0), static_cast<double>(ring.y0),
+                    static_cast<double>(bx), static_cast<double>(by)) != 0) {
+        x = ring.x0;
+        y = ring.y0;
+        return;
+    }
+    const Real tx = bx - ax;
+    const Real ty = by - ay;
+    const Real along = ((x - ring.x0) * tx + (y - ring.y0) * ty) / (tx * tx + ty * ty);
+    x = ring.x0 + along * tx;
+    y = ring.y0 + along * ty;
+}
+
+} // namespace
+
+template <class Real>
+void update_mesh(Work<Real>& work) {
+    MeshUpdate<Real>(work).run();
+}
+
+template <class Real>
+void move_vertices(Work<Real>& work) {
+    work.progressed = 0;
+    std::size_t kept = 0;
+    for (const Mover<Real>& mover : work.movers) {
+        Ring<Real>& ring = work.ring;
+        const bool gathered = gather(work.complex, work.submesh.region, mover.vertex, ring);
+        if (!ring.owned) {
+            work.put_off_movers.push_back(mover);
+            continue;
+        }
+        if (!gathered) {
+            work.movers[kept++] = mover;
+            continue;
+        }
+        Real x = mover.x;
+        Real y = mover.y;
+        if (!ring.closed) {
+            stay_on_boundary(ring, x, y);
+        }
+        const MoveOutcome outcome = move_vertex(work.complex, ring, x, y);
+        if (outcome != MoveOutcome::blocked) {
+            ++work.progressed;
+            ++work.counts.moves;
+        }
+        work.activate(mover.vertex);
+        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+            work.activate(ring.link[i]);
+        }
+        if (outcome != MoveOutcome::reached) {
+            work.movers[kept++] = mover;
+        }
+    }
+    work.movers.resize(kept);
+}
+
+template void update_mesh(Work<double>&);
+template void update_mesh(Work<float>&);
+template void move_vertices(Work<double>&);
+template void move_vertices(Work<float>&);
+
+} // namespace dsc

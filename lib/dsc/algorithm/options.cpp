@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/algorithm/options.h"
+
+#include "dsc/base/error.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace dsc {
+
+namespace {
+
+void require(bool good, const char* name, double value, const char* allowed) {
+    if (!good) {
+        std::ostringstream text;
+        text << value;
+        throw InputError("value out of range", name, text.str(), allowed);
+    }
+}
+
+void check_thresholds(const PhaseThresholds& t) {
+    require(t.collapse_quality >= 0 && t.collapse_quality < 1, "phases.collapse_quality",
+            t.collapse_quality, "0 to 1, 1 excluded");
+    require(t.smooth_quality >= 0 && t.smooth_quality <= 1, "phases.smooth_quality",
+            t.smooth_quality, "0 to 1");
+    require(t.shortest >= 0, "phases.shortest", t.shortest, "0 or more, in edge lengths");
+    require(t.longest > 2 * t.shortest, "phases.longest", t.longest,
+            "more than twice phases.shortest, or splits and collapses undo each other");
+}
+
+} // namespace
+
+template <class Real>
+void check_options(const Options<Real>& options) {
+    require(std::isfinite(options.edge_length) && options.edge_length > 0, "edge_length",
+            static_cast<double>(options.edge_length), "a positive finite length");
+    check_thresholds(options.phases);
+    for (const auto& thresholds : options.per_phase) {
+        check_thresholds(thresholds);
+    }
+    const auto& i = options.interface;
+    require(i.shortest >= 0, "interface.shortest", i.shortest, "0 or more, in edge lengths");
+    require(i.longest > 2 * i.shortest, "interface.longest", i.longest,
+            "more than twice interface.shortest, or splits and collapses undo each other");
+    require(i.deviation >= 0, "interface.deviation", i.deviation, "0 or more, in edge lengths");
+    require(i.corner_degrees > 0 && i.corner_degrees <= 180, "interface.corner_degrees",
+            i.corner_degrees, "more than 0, up to 180 degrees");
+    require(options.sub_step > 0 && options.sub_step <= 2, "sub_step", options.sub_step,
+            "more than 0, up to 2 edge lengths");
+    require(options.max_sub_steps > 0, "max_sub_steps", options.max_sub_steps, "1 or more");
+    require(options.max_passes > 0, "max_passes", options.max_passes, "1 or more");
+    require(options.max_idle_passes > 0, "max_idle_passes", options.max_idle_passes, "1 or more");
+}
+
+template void check_options(const Options<double>&);
+template void check_options(const Options<float>&);
+
+} // namespace dsc

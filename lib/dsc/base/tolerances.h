@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Every tolerance of the library, with the reason for its value.
+#pragma once
+
+namespace dsc {
+
+/// Relative slack of the Delaunay test: an edge is flipped only where the sine of the sum of its
+/// opposite angles is below -slack times the size of its two terms, so that cocircular points do
+/// not flip back and forth. Rounding is some 1e-15 (float: 1e-6) of that size.
+template <class Real>
+inline constexpr Real delaunay_slack = Real(1e-7);
+template <>
+inline constexpr float delaunay_slack<float> = 1e-4F;
+
+/// A move leaves each triangle an altitude of at least this share of the base that does not move...
+inline constexpr double altitude_floor = 0.02;
+/// ... or this share of the altitude that it had, where that was less to begin with.
+inline constexpr double altitude_keep = 0.5;
+
+/// Rounding bound of a doubled area computed from differences of coordinates, relative to the sum of
+/// the magnitudes of its two products; see `orientation_bound`. Float: (3 + 16 eps) eps, eps = 2^-24.
+template <class Real>
+inline constexpr Real area_bound = Real(3.3306690738754716e-16);
+template <>
+inline constexpr float area_bound<float> = 1.7881411e-7F;
+
+} // namespace dsc

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Scalars, points and handles: the words that every other file is written in.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace dsc {
+
+/// A point or a vector of the plane. `Real` is `double` or `float`.
+template <class Real>
+using Point = Eigen::Matrix<Real, 2, 1>;
+
+/// Identifies a phase (a material) [thesis 8.6]. Phases are small integers; more than two may meet.
+using Phase = std::uint32_t;
+
+/// The phase around everything else; a domain edge of any other phase is part of the interface
+/// (thesis, figure 8.3).
+inline constexpr Phase exterior_phase = 0;
+
+/// The phase of the border triangle, which stands in for "no neighbour". Never given by a user.
+inline constexpr Phase border_phase = 0xffffffffU;
+
+inline constexpr std::uint32_t no_id = 0xffffffffU;
+
+/// A simplex by number. `Vertex`, `Edge` and `Triangle` are distinct types that do not compare
+/// with each other and do not convert to integers by themselves.
+template <class Tag>
+struct Handle {
+    std::uint32_t id = no_id;
+
+    [[nodiscard]] constexpr bool is_valid() const { return id != no_id; }
+    friend constexpr auto operator<=>(Handle, Handle) = default;
+};
+
+struct VertexTag;
+struct EdgeTag;
+struct TriangleTag;
+
+/// A 0-simplex.
+using Vertex = Handle<VertexTag>;
+/// A 1-simplex: the smaller of the (one or two) corners that lie opposite to it.
+using Edge = Handle<EdgeTag>;
+/// A 2-simplex.
+using Triangle = Handle<TriangleTag>;
+
+} // namespace dsc
+
+template <class Tag>
+struct std::hash<dsc::Handle<Tag>> {
+    std::size_t operator()(dsc::Handle<Tag> handle) const noexcept { return handle.id; }
+};

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// The simplex relations and operations of thesis section 3.1 (after Misztal & Baerentzen): boundary,
+// full boundary, star, closure, link; skeleton and filter live with the sets. They are the readable
+// way to ask a complex; the mesh operations navigate by corners instead, because they cannot afford
+// the arrays.
+//
+// A simplex that does not live in the complex has no relatives: the answer is the empty set.
+// Complexities: d is the degree of the vertex (or the sum of the degrees), k the number of simplices
+// collected for a set.
+#pragma once
+
+#include "dsc/complex/complex.h"
+#include "dsc/complex/simplex_set.h"
+
+namespace dsc {
+
+/// Calls `visit(corner)` for each corner at `v`: counter-clockwise, and at a vertex of the domain
+/// boundary from its first triangle to its last. O(d), no allocation.
+template <class Real, class Visit>
+void for_each_corner(const Complex<Real>& complex, Vertex v, Visit visit) {
+    const Corner start = complex.vertices[v.id].corner;
+    if (start == no_id) {
+        return;
+    }
+    // Clockwise to the first triangle, or once around.
+    Corner first = start;
+    while (true) {
+        const Corner across = complex.twin(prev(first));
+        if (is_border(across)) {
+            break;
+        }
+        first = prev(across);
+        if (first == start) {
+            break;
+        }
+    }
+    Corner c = first;
+    do {
+        const Corner across = complex.twin(next(c));
+        visit(c);
+        if (is_border(across)) {
+            return;
+        }
+        c = next(across);
+    } while (c != first);
+}
+
+/// The simplices that have one dimension less and are faces [figure 3.3]: of an edge its two
+/// vertices, of a triangle its three edges, of a vertex nothing. O(1).
+template <class Real>
+[[nodiscard]] SimplexSet boundary(const Complex<Real>& complex, Vertex v);
+template <class Real>
+[[nodiscard]] SimplexSet boundary(const Complex<Real>& complex, Edge e);
+template <class Real>
+[[nodiscard]] SimplexSet boundary(const Complex<Real>& complex, Triangle t);
+/// The union of the boundaries of the members. O(k log k).
+template <class Real>
+[[nodiscard]] SimplexSet boundary(const Complex<Real>& complex, const SimplexSet& set);
+
+/// All simplices of lower dimension that are faces, boundary* [figure 3.4]. O(1).
+template <class Real>
+[[nodiscard]] SimplexSet full_boundary(const Complex<Real>& complex, Vertex v);
+template <class Real>
+[[nodiscard]] SimplexSet full_boundary(const Complex<Real>& complex, Edge e);
+template <class Real>
+[[nodiscard]] SimplexSet full_boundary(const Complex<Real>& complex, Triangle t);
+
+/// The simplices that have this one as a face, itself included [figure 3.5]. O(d log d) for a
+/// vertex, O(1) for an edge and for a triangle.
+template <class Real>
+[[nodiscard]] SimplexSet star(const Complex<Real>& complex, Vertex v);
+template <class Real>
+[[nodiscard]] SimplexSet star(const Complex<Real>& complex, Edge e);
+template <class Real>
+[[nodiscard]] SimplexSet star(const Complex<Real>& complex, Triangle t);
+/// The union of the stars of the members. O(k log k).
+template <class Real>
+[[nodiscard]] SimplexSet star(const Complex<Real>& complex, const SimplexSet& set);
+
+/// The simplex and its full boundary [figure 3.6]. O(1).
+template <class Real>
+[[nodiscard]] SimplexSet closure(const Complex<Real>& complex, Vertex v);
+template <class Real>
+[[nodiscard]] SimplexSet closure(const Complex<Real>& complex, Edge e);
+template <class Real>
+[[nodiscard]] SimplexSet closure(const Complex<Real>& complex, Triangle t);
+/// The union of the closures of the members: the smallest complex that holds them. O(k log k).
+template <class Real>
+[[nodiscard]] SimplexSet closure(const Complex<Real>& complex, const SimplexSet& set);
+
+/// closure(star(s)) \ star(closure(s)) [figure 3.7]: around a vertex the ring of vertices and edges,
+/// of an edge the one or two vertices opposite to it, of a triangle nothing (its star is itself).
+/// O(d log d) for a vertex, O(1) otherwise.
+template <class Real>
+[[nodiscard]] SimplexSet link(const Complex<Real>& complex, Vertex v);
+template <class Real>
+[[nodiscard]] SimplexSet link(const Complex<Real>& complex, Edge e);
+template <class Real>
+[[nodiscard]] SimplexSet link(const Complex<Real>& complex, Triangle t);
+/// The union of the links of the members, as section 3.1 defines an operation on a set. It is not
+/// closure(star(set)) \ star(closure(set)). O(k log k).
+template <class Real>
+[[nodiscard]] SimplexSet link(const Complex<Real>& complex, const SimplexSet& set);
+
+/// All living simplices. O(n).
+template <class Real>
+[[nodiscard]] SimplexSet all_simplices(const Complex<Real>& complex);
+
+} // namespace dsc

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/complex/attributes.h"
+
+#include "dsc/base/error.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+AttributeSet::AttributeSet(const AttributeSet& other)
+    : vertex_bound_(other.vertex_bound_), triangle_bound_(other.triangle_bound_) {
+    list_.reserve(other.list_.size());
+    for (const auto& attribute : other.list_) {
+        list_.push_back(attribute->clone());
+    }
+}
+
+AttributeSet& AttributeSet::operator=(const AttributeSet& other) {
+    if (this != &other) {
+        AttributeSet copy(other);
+        *this = std::move(copy);
+    }
+    return *this;
+}
+
+void AttributeSet::insert(std::unique_ptr<AttributeBase> attribute) {
+    if (find(attribute->name()) != nullptr) {
+        throw_missing(attribute->name(), "an attribute of that name exists");
+    }
+    switch (attribute->kind()) {
+    case SimplexKind::vertex: attribute->resize(vertex_bound_); break;
+    case SimplexKind::edge: attribute->resize(4 * triangle_bound_); break;
+    case SimplexKind::triangle: attribute->resize(triangle_bound_); break;
+    }
+    list_.push_back(std::move(attribute));
+}
+
+AttributeBase* AttributeSet::find(const std::string& name) const {
+    for (const auto& attribute : list_) {
+        if (attribute->name() == name) {
+            return attribute.get();
+        }
+    }
+    return nullptr;
+}
+
+void AttributeSet::remove(const std::string& name) {
+    if (std::erase_if(list_, [&](const auto& attribute) { return attribute->name() == name; }) == 0) {
+        throw_missing(name, "no such attribute");
+    }
+}
+
+void AttributeSet::resize_vertices(std::size_t bound) {
+    vertex_bound_ = bound;
+    for (const auto& attribute : list_) {
+        if (attribute->kind() == SimplexKind::vertex) {
+            attribute->resize(bound);
+        }
+    }
+}
+
+void AttributeSet::resize_triangles(std::size_t bound) {
+    triangle_bound_ = bound;
+    for (const auto& attribute : list_) {
+        if (attribute->kind() == SimplexKind::edge) {
+            attribute->resize(4 * bound);
+        } else if (attribute->kind() == SimplexKind::triangle) {
+            attribute->resize(bound);
+        }
+    }
+}
+
+void AttributeSet::permute(SimplexKind kind, const std::vector<std::uint32_t>& order) {
+    for (const auto& attribute : list_) {
+        if (attribute->kind() == kind) {
+            attribute->permute(order);
+        }
+    }
+    if (kind == SimplexKind::vertex) {
+        vertex_bound_ = order.size();
+    } else if (kind == SimplexKind::triangle) {
+        triangle_bound_ = order.size();
+    }
+}
+
+void AttributeSet::tell_blend(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
+    for (const auto& attribute : list_) {
+        if (attribute->kind() == SimplexKind::vertex) {
+            attribute->blend(to, a, b, fraction);
+        }
+    }
+}
+
+void AttributeSet::tell_copy(SimplexKind kind, std::uint32_t to, std::uint32_t from) {
+    for (const auto& attribute : list_) {
+        if (attribute->kind() == kind) {
+            attribute->copy(to, from);
+        }
+    }
+}
+
+void AttributeSet::tell_reset(SimplexKind kind, std::uint32_t to) {
+    for (const auto& attribute : list_) {
+        if (attribute->kind() == kind) {
+            attribute->reset(to);
+        }
+    }
+}
+
+void AttributeSet::throw_missing(const std::string& name, const char* problem) {
+    throw InputError(problem, "attribute", "'" + name + "'", "the name and type of one that exists, "
+                                                             "or a new name to add");
+}
+
+} // namespace dsc

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/complex/complex.h"
+
+#include "dsc/base/error.h"
+#include "dsc/base/predicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dsc {
+
+namespace {
+
+constexpr TriangleRecord border_record{{0, 0, 0},
+                                       {border_corner, border_corner, border_corner},
+                                       border_phase,
+                                       0};
+
+[[noreturn]] void refuse(const std::string& what, const std::string& value,
+                         const std::string& allowed) {
+    throw InputError(what, "make_complex", value, allowed);
+}
+
+} // namespace
+
+template <class Real>
+Complex<Real>::Complex() : triangles{border_record} {
+    attributes.resize_triangles(1);
+}
+
+template <class Real>
+std::uint32_t Complex<Real>::vertex_count() const {
+    return vertex_bound() - static_cast<std::uint32_t>(ids.vertices.size()) - lent_vertices;
+}
+
+template <class Real>
+std::uint32_t Complex<Real>::triangle_count() const {
+    return triangle_bound() - 1 - static_cast<std::uint32_t>(ids.triangles.size()) - lent_triangles;
+}
+
+template <class Real>
+Corner Complex<Real>::find_half_edge(Vertex a, Vertex b) const {
+    const Corner start = vertices[a.id].corner;
+    if (start == no_id) {
+        return no_id;
+    }
+    // Counter-clockwise around a; if the domain ends, clockwise from the start as well.
+    Corner c = start;
+    do {
+        if (vertex(next(c)) == b.id) {
+            return prev(c);
+        }
+        const Corner across = twin(next(c));
+        if (is_border(across)) {
+            c = start;
+            while (true) {
+                const Corner back = twin(prev(c));
+                if (is_border(back)) {
+                    return no_id;
+                }
+                c = prev(back);
+                if (vertex(next(c)) == b.id) {
+                    return prev(c);
+                }
+            }
+        }
+        c = next(across);
+    } while (c != start);
+    return no_id;
+}
+
+template <class Real>
+Edge Complex<Real>::find_edge(Vertex a, Vertex b) const {
+    Corner c = find_half_edge(a, b);
+    if (c == no_id) {
+        c = find_half_edge(b, a);
+    }
+    return c == no_id ? Edge{} : edge(c);
+}
+
+template <class Real>
+typename Complex<Real>::Positions Complex<Real>::positions() {
+    static_assert(sizeof(VertexRecord<Real>) % sizeof(Real) == 0);
+    return Positions(vertices.empty() ? nullptr : &vertices.front().x, 2,
+                     static_cast<Eigen::Index>(vertices.size()),
+                     Eigen::OuterStride<>(sizeof(VertexRecord<Real>) / sizeof(Real)));
+}
+
+template <class Real>
+void Complex<Real>::set_locked(Vertex v, bool locked) {
+    if (locked) {
+        vertices[v.id].flags |= vertex_locked;
+    } else {
+        vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_locked);
+    }
+}
+
+template <class Real>
+std::uint32_t Complex<Real>::take_vertex(IdPool& pool) {
+    std::uint32_t id = no_id;
+    if (!pool.vertices.empty()) {
+        id = pool.vertices.back();
+        pool.vertices.pop_back();
+    } else if (pool.may_grow) {
+        id = vertex_bound();
+        vertices.emplace_back();
+        attributes.resize_vertices(vertices.size());
+    } else {
+        return no_id;
+    }
+    vertices[id] = VertexRecord<Real>{0, 0, no_id, 0, 0, no_id};
+    return id;
+}
+
+template <class Real>
+std::uint32_t Complex<Real>::take_triangle(IdPool& pool) {
+    if (!pool.triangles.empty()) {
+        const std::uint32_t id = pool.triangles.back();
+        pool.triangles.pop_back();
+        return id;
+    }
+    if (!pool.may_grow) {
+        return no_id;
+    }
+    triangles.push_back(border_record);
+    attributes.resize_triangles(triangles.size());
+    return triangle_bound() - 1;
+}
+
+template <class Real>
+void Complex<Real>::give_vertex(IdPool& pool, std::uint32_t id) {
+    vertices[id].flags = vertex_dead;
+    vertices[id].corner = no_id;
+    pool.vertices.push_back(id);
+}
+
+template <class Real>
+void Complex<Real>::give_triangle(IdPool& pool, std::uint32_t id) {
+    triangles[id].v = {no_id, no_id, no_id};
+    pool.triangles.push_back(id);
+}
+
+template <class Real>
+void Complex<Real>::reserve(std::size_t vertex_total, std::size_t triangle_total) {
+    vertices.reserve(vertex_total);
+    triangles.reserve(triangle_total + 1);
+}
+
+template class Complex<double>;
+template class Complex<float>;
+
+namespace {
+
+struct HalfEdge {
+    std::uint64_t key; // smaller vertex, larger vertex
+    Corner corner;
+};
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32U) | std::max(a, b);
+}
+
+// Sorting half-edges by their end points pairs the twins without a hash table.
+template <class Real>
+void link_twins(Complex<Real>& complex) {
+    std::vector<HalfEdge> half_edges;
+    half_edges.reserve(3 * complex.triangles.size());
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t, i);
+            half_edges.push_back(
+                {edge_key(complex.vertex(next(c)), complex.vertex(prev(c))), c});
+        }
+    }
+    std::sort(half_edges.begin(), half_edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+        return a.key != b.key ? a.key < b.key : a.corner < b.corner;
+    });
+    for (std::size_t i = 0; i + 1 < half_edges.size(); ++i) {
+        const HalfEdge& a = half_edges[i];
+        const HalfEdge& b = half_edges[i + 1];
+        if (a.key != b.key) {
+            continue;
+        }
+        const std::string name = std::to_string(a.key >> 32U) + "-" +
+                                 std::to_string(a.key & 0xffffffffU);
+        if (i + 2 < half_edges.size() && half_edges[i + 2].key == a.key) {
+            refuse("an edge has more than two triangles", "edge " + name, "one or two triangles");
+        }
+        if (complex.vertex(next(a.corner)) == complex.vertex(next(b.corner))) {
+            refuse("two triangles overlap at an edge", "edge " + name,
+                   "triangles on either side of it");
+        }
+        complex.triangles[triangle_of(a.corner)].n[index_of(a.corner)] = b.corner;
+        complex.triangles[triangle_of(b.corner)].n[index_of(b.corner)] = a.corner;
+        ++i;
+    }
+}
+
+// A vertex is manifold if rotating about it meets every triangle that names it [3.2].
+template <class Real>
+void check_manifold(const Complex<Real>& complex) {
+    std::vector<std::uint32_t> named(complex.vertex_bound(), 0);
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        for (const std::uint32_t v : complex.triangles[t].v) {
+            ++named[v];
+        }
+    }
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        const Corner start = complex.vertices[v].corner;
+        if (start == no_id) {
+            continue;
+        }
+        std::uint32_t met = 0;
+        Corner c = start;
+        bool closed = false;
+        while (true) {
+            ++met;
+            const Corner across = complex.twin(next(c));
+            if (is_border(across)) {
+                break;
+            }
+            c = next(across);
+            if (c == start) {
+                closed = true;
+                break;
+            }
+        }
+        if (!closed) {
+            c = start;
+            while (true) {
+                const Corner back = complex.twin(prev(c));
+                if (is_border(back)) {
+                    break;
+                }
+                c = prev(back);
+                ++met;
+            }
+        }
+        if (met != named[v]) {
+            refuse("a vertex is not manifold", "vertex " + std::to_string(v),
+                   "triangles that form one disc or half disc about it");
+        }
+    }
+}
+
+} // namespace
+
+template <class Real>
+Complex<Real> make_complex(std::span<const Point<Real>> points,
+                           std::span<const std::array<std::uint32_t, 3>> triangles,
+                           std::span<const Phase> phases) {
+    if (phases.size() != triangles.size()) {
+        refuse("phases do not match triangles", std::to_string(phases.size()) + " phases",
+               std::to_string(triangles.size()) + ", one per triangle");
+    }
+    Complex<Real> complex;
+    complex.reserve(points.size(), triangles.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y())) {
+            refuse("a coordinate is not finite", "point " + std::to_string(i),
+                   "finite coordinates");
+        }
+        complex.vertices.push_back({points[i].x(), points[i].y(), no_id, 0, 0, no_id});
+    }
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        std::array<std::uint32_t, 3> v = triangles[t];
+        for (const std::uint32_t index : v) {
+            if (index >= points.size()) {
+                refuse("a vertex index is out of range", std::to_string(index),
+                       "0 to " + std::to_string(points.size()) + " - 1");
+            }
+        }
+        if (phases[t] == border_phase) {
+            refuse("a phase is reserved", std::to_string(phases[t]), "0 to 4294967294");
+        }
+        const int sign = orientation(points[v[0]], points[v[1]], points[v[2]]);
+        if (sign == 0) {
+            refuse("a triangle is degenerate", "triangle " + std::to_string(t), "a positive area");
+        }
+        if (sign < 0) {
+            std::swap(v[1], v[2]);
+        }
+        const auto id = static_cast<std::uint32_t>(complex.triangles.size());
+        complex.triangles.push_back(
+            {v, {border_corner, border_corner, border_corner}, phases[t], 0});
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            complex.vertices[v[i]].corner = corner_of(id, i);
+        }
+    }
+    link_twins(complex);
+    check_manifold(complex);
+    complex.attributes.resize_vertices(complex.vertices.size());
+    complex.attributes.resize_triangles(complex.triangles.size());
+    return complex;
+}
+
+template Complex<double> make_complex(std::span<const Point<double>>,
+                                      std::span<const std::array<std::uint32_t, 3>>,
+                                      std::span<const Phase>);
+template Complex<float> make_complex(std::span<const Point<float>>,
+                                     std::span<const std::array<std::uint32_t, 3>>,
+                                     std::span<const Phase>);
+
+} // namespace dsc

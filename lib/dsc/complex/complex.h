@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// The data structure: a triangulated domain whose triangles carry phases. The interface, the domain
+// boundary and the submesh boundary are derived from it, never stored twice [thesis 8.6].
+//
+// Triangles and vertices are contiguous records of 32 bytes (vertices of float: 24). The complex
+// owns connectivity, phases, positions and the attributes; algorithms are free functions.
+#pragma once
+
+#include "dsc/base/types.h"
+#include "dsc/complex/attributes.h"
+#include "dsc/complex/corner.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace dsc {
+
+/// Bits of `VertexRecord::flags`.
+enum VertexFlag : std::uint32_t {
+    vertex_dead = 1U,   ///< the id is free
+    vertex_locked = 2U, ///< the application forbids that it moves or vanishes
+};
+
+struct TriangleRecord {
+    std::array<std::uint32_t, 3> v; ///< vertices, counter-clockwise; v[0] == no_id: the id is free
+    std::array<Corner, 3> n;        ///< across the edge opposite to v[i]: the corner over there
+    Phase phase;
+    std::uint32_t mark; ///< scratch of algorithms; holds no state between calls
+};
+static_assert(sizeof(TriangleRecord) == 32);
+
+template <class Real>
+struct VertexRecord {
+    Real x;
+    Real y;
+    Corner corner;       ///< any corner at this vertex; no_id while it has no triangle
+    std::uint32_t flags; ///< VertexFlag
+    std::uint32_t stamp; ///< scratch of the active set
+    std::uint32_t slot;  ///< scratch of the active set
+};
+static_assert(sizeof(VertexRecord<double>) == 32);
+
+/// Free ids. The whole complex grows its arrays when its pool is empty; a submesh that runs in
+/// parallel may not, and refuses instead (`Verdict::out_of_ids`).
+struct IdPool {
+    std::vector<std::uint32_t> vertices;
+    std::vector<std::uint32_t> triangles;
+    bool may_grow = true;
+};
+
+/// A two-dimensional simplicial complex that is a manifold with boundary [3.2].
+/// Reading is thread-safe; writing is safe from several threads only through submeshes that own
+/// disjoint regions (see submesh.h).
+template <class Real>
+class Complex {
+public:
+    using Scalar = Real;
+
+    Complex();
+
+    // --- counts -------------------------------------------------------------------------------
+    [[nodiscard]] std::uint32_t vertex_count() const; ///< living vertices; O(1)
+    [[nodiscard]] std::uint32_t triangle_count() const; ///< living triangles; O(1)
+    /// Ids are below these bounds; some may be free. Triangle 0 is the border and never counted.
+    [[nodiscard]] std::uint32_t vertex_bound() const { return static_cast<std::uint32_t>(vertices.size()); }
+    [[nodiscard]] std::uint32_t triangle_bound() const { return static_cast<std::uint32_t>(triangles.size()); }
+
+    // --- who lives ----------------------------------------------------------------------------
+    [[nodiscard]] bool is_alive(Vertex v) const {
+        return v.id < vertices.size() && (vertices[v.id].flags & vertex_dead) == 0;
+    }
+    [[nodiscard]] bool is_alive(Triangle t) const {
+        return t.id != border_triangle && t.id < triangles.size() && triangles[t.id].v[0] != no_id;
+    }
+    /// True for the canonical handle of a living edge.
+    [[nodiscard]] bool is_alive(Edge e) const {
+        return (e.id >> 2U) < triangles.size() && index_of(e.id) < 3 &&
+               is_alive(Triangle{triangle_of(e.id)}) && edge(e.id) == e;
+    }
+
+    // --- navigation ---------------------------------------------------------------------------
+    [[nodiscard]] std::uint32_t vertex(Corner c) const { return triangles[triangle_of(c)].v[index_of(c)]; }
+    /// The corner on the other side of the edge opposite to `c`; below 4 at the domain boundary.
+    [[nodiscard]] Corner twin(Corner c) const { return triangles[triangle_of(c)].n[index_of(c)]; }
+    [[nodiscard]] Phase phase_at(Corner c) const { return triangles[triangle_of(c)].phase; }
+    /// The edge opposite to `c`.
+    [[nodiscard]] Edge edge(Corner c) const {
+        const Corner other = twin(c);
+        return Edge{!is_border(other) && other < c ? other : c};
+    }
+    [[nodiscard]] std::array<Vertex, 2> vertices_of(Edge e) const {
+        return {Vertex{vertex(next(e.id))}, Vertex{vertex(prev(e.id))}};
+    }
+    [[nodiscard]] std::array<Vertex, 3> vertices_of(Triangle t) const {
+        const auto& v = triangles[t.id].v;
+        return {Vertex{v[0]}, Vertex{v[1]}, Vertex{v[2]}};
+    }
+    [[nodiscard]] std::array<Edge, 3> edges_of(Triangle t) const {
+        return {edge(corner_of(t.id, 0)), edge(corner_of(t.id, 1)), edge(corner_of(t.id, 2))};
+    }
+    /// The corner opposite to the half-edge from `a` to `b`, or no_id. O(degree of a).
+    [[nodiscard]] Corner find_half_edge(Vertex a, Vertex b) const;
+    /// The edge between two vertices, or an invalid handle. O(degree of a).
+    [[nodiscard]] Edge find_edge(Vertex a, Vertex b) const;
+
+    // --- geometry and phases ------------------------------------------------------------------
+    [[nodiscard]] Point<Real> position(Vertex v) const {
+        return {vertices[v.id].x, vertices[v.id].y};
+    }
+    void set_position(Vertex v, const Point<Real>& p) {
+        vertices[v.id].x = p.x();
+        vertices[v.id].y = p.y();
+    }
+    /// All positions as a 2 x vertex_bound() matrix, without a copy; free ids hold stale values.
+    using Positions = Eigen::Map<Eigen::Matrix<Real, 2, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
+    [[nodiscard]] Positions positions();
+    [[nodiscard]] Phase phase(Triangle t) const { return triangles[t.id].phase; }
+    void set_phase(Triangle t, Phase phase) { triangles[t.id].phase = phase; }
+    [[nodiscard]] bool is_locked(Vertex v) const { return (vertices[v.id].flags & vertex_locked) != 0; }
+    void set_locked(Vertex v, bool locked);
+
+    // --- ids ----------------------------------------------------------------------------------
+    /// Takes an id from the pool, or grows; no_id where the pool is empty and may not grow.
+    std::uint32_t take_vertex(IdPool& pool);
+    std::uint32_t take_triangle(IdPool& pool);
+    void give_vertex(IdPool& pool, std::uint32_t id);
+    void give_triangle(IdPool& pool, std::uint32_t id);
+    void reserve(std::size_t vertex_total, std::size_t triangle_total);
+
+    // --- attributes ---------------------------------------------------------------------------
+    AttributeSet attributes; ///< data of the application; follows every operation
+
+    // --- the records themselves: for algorithms of the library --------------------------------
+    std::vector<VertexRecord<Real>> vertices;
+    std::vector<TriangleRecord> triangles;
+    IdPool ids; ///< free ids of the whole complex
+    std::uint32_t lent_vertices = 0; ///< free ids that submeshes hold while they run
+    std::uint32_t lent_triangles = 0;
+};
+
+extern template class Complex<double>;
+extern template class Complex<float>;
+
+/// Builds a complex from arrays: `triangles` index into `points` and may be oriented either way;
+/// `phases` has one entry per triangle. Throws InputError where a coordinate is not finite, an index
+/// is out of range, a triangle is degenerate, an edge has more than two triangles, a vertex is not
+/// manifold, or a phase is reserved. O(n log n). Vertex i of the complex is point i, triangle t the
+/// id t + 1.
+template <class Real>
+Complex<Real> make_complex(std::span<const Point<Real>> points,
+                           std::span<const std::array<std::uint32_t, 3>> triangles,
+                           std::span<const Phase> phases);
+
+} // namespace dsc

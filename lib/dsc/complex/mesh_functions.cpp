@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/complex/mesh_functions.h"
+
+#include "dsc/base/error.h"
+#include "dsc/base/predicates.h"
+#include "dsc/complex/algebra.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+template <class Real>
+bool is_interface_corner(const Complex<Real>& complex, Corner c) {
+    const Corner across = complex.twin(c);
+    const Phase here = complex.phase_at(c);
+    return is_border(across) ? here != exterior_phase : here != complex.phase_at(across);
+}
+
+// True if `test(corner)` holds for one of the edges at `v`, each named by a corner opposite to it.
+template <class Real, class Test>
+bool any_edge_at(const Complex<Real>& complex, Vertex v, Test test) {
+    bool found = false;
+    for_each_corner(complex, v, [&](Corner c) {
+        found = found || test(prev(c)) || (is_border(complex.twin(next(c))) && test(next(c)));
+    });
+    return found;
+}
+
+template <class Real, class Test>
+bool any_edge_of(Triangle t, Test test) {
+    return test(corner_of(t.id, 0)) || test(corner_of(t.id, 1)) || test(corner_of(t.id, 2));
+}
+
+[[noreturn]] void refuse_triangle(const std::string& what, const std::array<std::uint32_t, 3>& v,
+                                  const std::string& allowed) {
+    throw InputError(what, "insert_triangle",
+                     "(" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
+                         std::to_string(v[2]) + ")",
+                     allowed);
+}
+
+// The corners opposite to the half-edges v[i+2] -> v[i+1], which the new triangle is to face. Throws
+// where one of its own half-edges is taken.
+template <class Real>
+std::array<Corner, 3> find_neighbours(const Complex<Real>& complex,
+                                      const std::array<std::uint32_t, 3>& v) {
+    std::array<Corner, 3> found{border_corner, border_corner, border_corner};
+    const auto used = std::count_if(v.begin(), v.end(), [&](std::uint32_t id) {
+        return complex.vertices[id].corner != no_id;
+    });
+    if (used < 2) {
+        return found; // an edge that exists has two vertices in use
+    }
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        const auto& w = complex.triangles[t].v;
+        if (w[0] == no_id) {
+            continue;
+        }
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const std::uint32_t from = v[(i + 1) % 3];
+            const std::uint32_t to = v[(i + 2) % 3];
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t other_from = w[(k + 1) % 3];
+                const std::uint32_t other_to = w[(k + 2) % 3];
+                if (other_from == from && other_to == to) {
+                    const bool full = !is_border(complex.triangles[t].n[k]);
+                    refuse_triangle(full ? "an edge has two triangles already"
+                                         : "the triangle overlaps the one that its edge has",
+                                    v, "edges that are free on the side of the new triangle");
+                }
+                if (other_from == to && other_to == from) {
+                    found[i] = corner_of(t, k);
+                }
+            }
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+template <class Real>
+Vertex insert_vertex(Complex<Real>& complex, const Point<Real>& p) {
+    if (!std::isfinite(p.x()) || !std::isfinite(p.y())) {
+        std::ostringstream value;
+        value << '(' << p.x() << ", " << p.y() << ')';
+        throw InputError("a coordinate is not finite", "insert_vertex", value.str(),
+                         "finite coordinates");
+    }
+    const std::uint32_t id = complex.take_vertex(complex.ids);
+    if (id == no_id) {
+        throw InputError("no id is left", "insert_vertex", "an empty pool that may not grow",
+                         "a pool with free ids, or one that may grow");
+    }
+    complex.attributes.reset_vertex(id);
+    complex.set_position(Vertex{id}, p);
+    return Vertex{id};
+}
+
+template <class Real>
+Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, Phase phase) {
+    std::array<std::uint32_t, 3> v{a.id, b.id, c.id};
+    for (const std::uint32_t id : v) {
+        if (!complex.is_alive(Vertex{id})) {
+            refuse_triangle("a vertex does not live in the complex", v, "living vertices");
+        }
+    }
+    if (a == b || b == c || c == a) {
+        refuse_triangle("a vertex is named twice", v, "three distinct vertices");
+    }
+    if (phase == border_phase) {
+        throw InputError("a phase is reserved", "insert_triangle", std::to_string(phase),
+                         "0 to 4294967294");
+    }
+    const int sign = dsc::orientation(complex.position(a), complex.position(b),
+                                      complex.position(c));
+    if (sign == 0) {
+        refuse_triangle("the triangle is degenerate", v, "a positive area");
+    }
+    if (sign < 0) {
+        std::swap(v[1], v[2]);
+    }
+    const std::array<Corner, 3> neighbours = find_neighbours(complex, v);
+    const std::uint32_t id = complex.take_triangle(complex.ids);
+    if (id == no_id) {
+        throw InputError("no id is left", "insert_triangle", "an empty pool that may not grow",
+                         "a pool with free ids, or one that may grow");
+    }
+    complex.triangles[id] = TriangleRecord{v, neighbours, phase, 0};
+    complex.attributes.reset_triangle(id);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const Corner here = corner_of(id, i);
+        const Corner across = neighbours[i];
+        if (is_border(across)) {
+            complex.attributes.reset_edge(here);
+        } else {
+            complex.triangles[triangle_of(across)].n[index_of(across)] = here;
+            complex.attributes.copy_edge(here, across);
+        }
+        if (complex.vertices[v[i]].corner == no_id) {
+            complex.vertices[v[i]].corner = here;
+        }
+    }
+    return Triangle{id};
+}
+
+namespace {
+
+// The triangles that go: those named, those of named edges, those that hold a named vertex. The
+// last ones by a sweep: rotation would miss the second fan of a vertex that is no manifold.
+template <class Real>
+std::vector<Triangle> doomed_triangles(const Complex<Real>& complex, const SimplexSet& set) {
+    std::vector<Triangle> doomed;
+    for (const Triangle t : set.triangles()) {
+        if (complex.is_alive(t)) {
+            doomed.push_back(t);
+        }
+    }
+    for (const Edge e : set.edges()) {
+        if (!complex.is_alive(e)) {
+            continue;
+        }
+        doomed.push_back(Triangle{triangle_of(e.id)});
+        if (!is_border(complex.twin(e.id))) {
+            doomed.push_back(Triangle{triangle_of(complex.twin(e.id))});
+        }
+    }
+    if (!set.vertices().empty()) {
+        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+            if (!complex.is_alive(Triangle{t})) {
+                continue;
+            }
+            for (const std::uint32_t v : complex.triangles[t].v) {
+                if (set.contains(Vertex{v})) {
+                    doomed.push_back(Triangle{t});
+                    break;
+                }
+            }
+        }
+    }
+    return SimplexSet({}, {}, std::move(doomed)).triangles();
+}
+
+// Takes the triangle out of the links and leaves its vertices a corner next door, if there is one.
+template <class Real>
+void unlink(Complex<Real>& complex, Triangle t, std::vector<std::uint32_t>& orphans) {
+    const auto record = complex.triangles[t.id];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const Corner across = record.n[i];
+        if (!is_border(across)) {
+            complex.triangles[triangle_of(across)].n[index_of(across)] = border_corner;
+        }
+    }
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        auto& vertex = complex.vertices[record.v[i]];
+        if (vertex.corner != corner_of(t.id, i)) {
+            continue;
+        }
+        const Corner after = record.n[(i + 1) % 3]; // across the edge that ends the triangle
+        const Corner before = record.n[(i + 2) % 3];
+        if (!is_border(after)) {
+            vertex.corner = next(after);
+        } else if (!is_border(before)) {
+            vertex.corner = prev(before);
+        } else {
+            vertex.corner = no_id;
+            orphans.push_back(record.v[i]);
+        }
+    }
+}
+
+// A vertex that lost the fan it knew of may have another one.
+template <class Real>
+void adopt(Complex<Real>& complex) {
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t})) {
+            continue;
+        }
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            auto& vertex = complex.vertices[complex.triangles[t].v[i]];
+            if (vertex.corner == no_id) {
+                vertex.corner = corner_of(t, i);
+            }
+        }
+    }
+}
+
+} // namespace
+
+template <class Real>
+std::size_t remove(Complex<Real>& complex, const SimplexSet& set) {
+    const std::vector<Triangle> doomed = doomed_triangles(complex, set);
+    std::vector<std::uint32_t> orphans;
+    for (const Triangle t : doomed) {
+        unlink(complex, t, orphans);
+        complex.give_triangle(complex.ids, t.id);
+    }
+    std::erase_if(orphans, [&](std::uint32_t v) { return set.contains(Vertex{v}); });
+    if (!orphans.empty()) {
+        adopt(complex);
+    }
+    for (const Vertex v : set.vertices()) {
+        if (complex.is_alive(v)) {
+            complex.give_vertex(complex.ids, v.id);
+        }
+    }
+    return doomed.size();
+}
+
+template <class Real>
+int orientation(const Complex<Real>& complex, Triangle t) {
+    const auto v = complex.vertices_of(t);
+    return dsc::orientation(complex.position(v[0]), complex.position(v[1]),
+                            complex.position(v[2]));
+}
+
+template <class Real>
+bool is_valid_simplex(const Complex<Real>& complex, Vertex v) {
+    return complex.is_alive(v);
+}
+template <class Real>
+bool is_valid_simplex(const Complex<Real>& complex, Edge e) {
+    return complex.is_alive(e);
+}
+template <class Real>
+bool is_valid_simplex(const Complex<Real>& complex, Triangle t) {
+    return complex.is_alive(t);
+}
+
+template <class Real>
+Phase phase(const Complex<Real>& complex, Triangle t) {
+    return complex.phase(t);
+}
+
+template <class Real>
+bool is_boundary(const Complex<Real>& complex, Vertex v) {
+    return any_edge_at(complex, v, [&](Corner c) { return is_border(complex.twin(c)); });
+}
+template <class Real>
+bool is_boundary(const Complex<Real>& complex, Edge e) {
+    return is_border(complex.twin(e.id));
+}
+template <class Real>
+bool is_boundary(const Complex<Real>& complex, Triangle t) {
+    return any_edge_of<Real>(t, [&](Corner c) { return is_border(complex.twin(c)); });
+}
+
+template <class Real>
+bool is_interface(const Complex<Real>& complex, Vertex v) {
+    return any_edge_at(complex, v, [&](Corner c) { return is_interface_corner(complex, c); });
+}
+template <class Real>
+bool is_interface(const Complex<Real>& complex, Edge e) {
+    return is_interface_corner(complex, e.id);
+}
+template <class Real>
+bool is_interface(const Complex<Real>& complex, Triangle t) {
+    return any_edge_of<Real>(t, [&](Corner c) { return is_interface_corner(complex, c); });
+}
+
+template <class Real>
+bool is_submesh_boundary(const Complex<Real>& complex, const Region& region, Vertex v) {
+    if (!owns(complex, region, v.id)) {
+        return false;
+    }
+    bool found = false;
+    for_each_corner(complex, v, [&](Corner c) {
+        found = found || !owns_triangle(complex, region, triangle_of(c));
+    });
+    return found;
+}
+
+template <class Real>
+bool is_submesh_boundary(const Complex<Real>& complex, const Region& region, Edge e) {
+    const Corner across = complex.twin(e.id);
+    return !is_border(across) && owns_triangle(complex, region, triangle_of(e.id)) !=
+                                     owns_triangle(complex, region, triangle_of(across));
+}
+
+template <class Real>
+SimplexSet interface_of(const Complex<Real>& complex) {
+    std::vector<Vertex> vertices;
+    std::vector<Edge> edges;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t})) {
+            continue;
+        }
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t, i);
+            if (complex.edge(c).id == c && is_interface_corner(complex, c)) {
+                edges.push_back(Edge{c});
+                vertices.push_back(Vertex{complex.vertex(next(c))});
+                vertices.push_back(Vertex{complex.vertex(prev(c))});
+            }
+        }
+    }
+    return SimplexSet(std::move(vertices), std::move(edges), {});
+}
+
+template <class Real>
+std::vector<Phase> phases(const Complex<Real>& complex) {
+    std::vector<Phase> found;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t})) {
+            continue;
+        }
+        const Phase phase = complex.triangles[t].phase;
+        const auto place = std::lower_bound(found.begin(), found.end(), phase);
+        if (place == found.end() || *place != phase) {
+            found.insert(place, phase);
+        }
+    }
+    return found;
+}
+
+template <class Real>
+double phase_area(const Complex<Real>& complex, Phase phase) {
+    // Neumaier's sum: what each addition rounds away is gathered apart.
+    double sum = 0;
+    double lost = 0;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t}) || complex.triangles[t].phase != phase) {
+            continue;
+        }
+        const auto v = complex.vertices_of(Triangle{t});
+        const Point<double> a = complex.position(v[0]).template cast<double>();
+        const Point<double> b = complex.position(v[1]).template cast<double>();
+        const Point<double> c = complex.position(v[2]).template cast<double>();
+        const double area = 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) -
+                                   (b.y() - a.y()) * (c.x() - a.x()));
+        const double next_sum = sum + area;
+        lost += std::abs(sum) >= std::abs(area) ? (sum - next_sum) + area : (area - next_sum) + sum;
+        sum = next_sum;
+    }
+    return sum + lost;
+}
+
+#define DSC_INSTANTIATE_SIMPLEX(Real, Simplex)                                                     \
+    template bool is_valid_simplex(const Complex<Real>&, Simplex);                                 \
+    template bool is_boundary(const Complex<Real>&, Simplex);                                      \
+    template bool is_interface(const Complex<Real>&, Simplex);
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template Vertex insert_vertex(Complex<Real>&, const Point<Real>&);                             \
+    template Triangle insert_triangle(Complex<Real>&, Vertex, Vertex, Vertex, Phase);              \
+    template std::size_t remove(Complex<Real>&, const SimplexSet&);                                \
+    template int orientation(const Complex<Real>&, Triangle);                                      \
+    template Phase phase(const Complex<Real>&, Triangle);                                          \
+    template bool is_submesh_boundary(const Complex<Real>&, const Region&, Vertex);                \
+    template bool is_submesh_boundary(const Complex<Real>&, const Region&, Edge);                  \
+    template SimplexSet interface_of(const Complex<Real>&);                                        \
+    template std::vector<Phase> phases(const Complex<Real>&);                                      \
+    template double phase_area(const Complex<Real>&, Phase);                                       \
+    DSC_INSTANTIATE_SIMPLEX(Real, Vertex)                                                          \
+    DSC_INSTANTIATE_SIMPLEX(Real, Edge)                                                            \
+    DSC_INSTANTIATE_SIMPLEX(Real, Triangle)
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+#undef DSC_INSTANTIATE_SIMPLEX
+
+} // namespace dsc

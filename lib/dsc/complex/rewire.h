@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// The four changes of connectivity that every mesh operation is made of. No guards and no geometry
+// here: lib/dsc/operations decides what is legal. Each is O(1), collapse O(degree). Thread-safe for
+// submeshes that own disjoint regions: a triangle that straddles two of them is never rewritten, but
+// for the neighbour slot that faces the submesh that calls.
+#pragma once
+
+#include "dsc/complex/complex.h"
+
+namespace dsc::rewire {
+
+template <class Real>
+void link(Complex<Real>& complex, Corner a, Corner b) {
+    // The border takes no notes: several submeshes would write there at once.
+    if (!is_border(a)) { complex.triangles[triangle_of(a)].n[index_of(a)] = b; }
+    if (!is_border(b)) { complex.triangles[triangle_of(b)].n[index_of(b)] = a; }
+}
+
+/// Flips the edge opposite to `c`, which has two triangles. Before: t = (a, b, w) with a at c, and
+/// u = (d, w, b). After: t = (a, b, d), u = (d, w, a). Returns nothing; a stays at c.
+template <class Real>
+void flip(Complex<Real>& complex, Corner c) {
+    const Corner o = complex.twin(c);
+    const std::uint32_t t = triangle_of(c);
+    const std::uint32_t u = triangle_of(o);
+    const Corner tb = next(c);
+    const Corner tw = prev(c);
+    const Corner uw = next(o);
+    const Corner ub = prev(o);
+    auto& tr = complex.triangles[t];
+    auto& ur = complex.triangles[u];
+    const std::uint32_t a = tr.v[index_of(c)];
+    const std::uint32_t b = tr.v[index_of(tb)];
+    const std::uint32_t w = tr.v[index_of(tw)];
+    const std::uint32_t d = ur.v[index_of(o)];
+    const Corner wa = tr.n[index_of(tb)]; // across (w, a)
+    const Corner bd = ur.n[index_of(uw)]; // across (b, d)
+    tr.v[index_of(tw)] = d;
+    ur.v[index_of(ub)] = a;
+    link(complex, c, bd);
+    link(complex, o, wa);
+    tr.n[index_of(tb)] = uw;
+    ur.n[index_of(uw)] = tb;
+    complex.vertices[b].corner = tb;
+    complex.vertices[w].corner = uw;
+    // An edge is stored at the corners opposite to it, and two edges changed theirs.
+    complex.attributes.copy_edge(c, uw);
+    complex.attributes.copy_edge(o, tb);
+    complex.attributes.reset_edge(tb);
+    complex.attributes.reset_edge(uw);
+}
+
+/// Splits the edge opposite to `c` at the new vertex `m`. `t2` and `u2` are new triangles; `u2` is
+/// not used where the edge is on the domain boundary. Before: t = (a, b, w), u = (d, w, b). After:
+/// t = (a, b, m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b).
+template <class Real>
+void split(Complex<Real>& complex, Corner c, std::uint32_t m, std::uint32_t t2, std::uint32_t u2) {
+    const Corner o = complex.twin(c);
+    const std::uint32_t t = triangle_of(c);
+    const Corner tb = next(c);
+    const Corner tw = prev(c);
+    auto& attributes = complex.attributes;
+    auto& tr = complex.triangles[t];
+    const std::uint32_t a = tr.v[index_of(c)];
+    const std::uint32_t b = tr.v[index_of(tb)];
+    const std::uint32_t w = tr.v[index_of(tw)];
+    const Corner wa = tr.n[index_of(tb)];
+    auto& t2r = complex.triangles[t2];
+    t2r = {{a, m, w}, {border_corner, border_corner, border_corner}, tr.phase, 0};
+    attributes.copy_triangle(t2, t);
+    attributes.copy_edge(corner_of(t2, 0), c);  // (m, w): half of the edge
+    attributes.copy_edge(corner_of(t2, 1), tb); // (w, a)
+    attributes.reset_edge(corner_of(t2, 2));    // (a, m)
+    attributes.reset_edge(tb);
+    tr.v[index_of(tw)] = m;
+    link(complex, corner_of(t2, 1), wa);
+    tr.n[index_of(tb)] = corner_of(t2, 2);
+    t2r.n[2] = tb;
+    complex.vertices[m].corner = tw;
+    complex.vertices[w].corner = corner_of(t2, 2);
+    complex.vertices[b].corner = tb;
+    if (is_border(o)) {
+        return;
+    }
+    const std::uint32_t u = triangle_of(o);
+    const Corner uw = next(o);
+    const Corner ub = prev(o);
+    auto& ur = complex.triangles[u];
+    const std::uint32_t d = ur.v[index_of(o)];
+    const Corner bd = ur.n[index_of(uw)];
+    auto& u2r = complex.triangles[u2];
+    u2r = {{d, m, b}, {border_corner, border_corner, border_corner}, ur.phase, 0};
+    attributes.copy_triangle(u2, u);
+    attributes.copy_edge(corner_of(u2, 0), o);  // (m, b): half of the edge
+    attributes.copy_edge(corner_of(u2, 1), uw); // (b, d)
+    attributes.reset_edge(corner_of(u2, 2));    // (d, m)
+    attributes.reset_edge(uw);
+    ur.v[index_of(ub)] = m;
+    link(complex, corner_of(u2, 1), bd);
+    ur.n[index_of(uw)] = corner_of(u2, 2);
+    u2r.n[2] = uw;
+    tr.n[index_of(c)] = corner_of(u2, 0);
+    u2r.n[0] = c;
+    t2r.n[0] = o;
+    ur.n[index_of(o)] = corner_of(t2, 0);
+}
+
+/// What is left where a triangle at the collapsed edge vanishes: its two outer neighbours meet.
+template <class Real>
+void close_gap(Complex<Real>& complex, Corner outer_a, Corner outer_b, std::uint32_t apex,
+               std::uint32_t base) {
+    if (!is_border(outer_a) && is_border(outer_b)) {
+        complex.triangles[triangle_of(outer_a)].n[index_of(outer_a)] = border_corner;
+    } else if (!is_border(outer_b) && is_border(outer_a)) {
+        complex.triangles[triangle_of(outer_b)].n[index_of(outer_b)] = border_corner;
+    } else {
+        link(complex, outer_a, outer_b);
+    }
+    const Corner kept = is_border(outer_a) ? outer_b : outer_a;
+    // `kept` is opposite to the edge (apex, base).
+    const bool apex_next = complex.vertex(next(kept)) == apex;
+    complex.vertices[apex].corner = apex_next ? next(kept) : prev(kept);
+    complex.vertices[base].corner = apex_next ? prev(kept) : next(kept);
+}
+
+/// Which end of the edge opposite to a corner vanishes.
+enum class Vanishing : std::uint8_t { next, prev };
+
+/// Collapses the edge opposite to `c`: the vanishing end v leaves its triangles to the other end; the
+/// one or two triangles at the edge and v itself go back to the pool. v must lie inside the domain,
+/// or the edge on its boundary.
+template <class Real>
+void collapse(Complex<Real>& complex, Corner c, Vanishing end, IdPool& pool) {
+    const Corner o = complex.twin(c);
+    const bool ccw = end == Vanishing::next;
+    const std::uint32_t v = complex.vertex(ccw ? next(c) : prev(c));
+    const std::uint32_t keep = complex.vertex(ccw ? prev(c) : next(c));
+    const std::uint32_t t = triangle_of(c);
+    const std::uint32_t u = triangle_of(o);
+    // From t about v, away from the edge, up to the other triangle at the edge or the border.
+    for (Corner across = complex.twin(ccw ? prev(c) : next(c));
+         !is_border(across) && triangle_of(across) != u;) {
+        const Corner here = ccw ? next(across) : prev(across);
+        complex.triangles[triangle_of(here)].v[index_of(here)] = keep;
+        across = complex.twin(ccw ? next(here) : prev(here));
+    }
+    // An edge that vanishes leaves its place, not its data: the kept one's data stay.
+    const auto close = [&](Corner apex, Corner at_v, Corner at_keep) {
+        const Corner beyond_keep = complex.twin(at_v); // across (keep, apex)
+        const Corner beyond_v = complex.twin(at_keep); // across (v, apex)
+        if (!is_border(beyond_v)) { complex.attributes.copy_edge(beyond_v, at_v); }
+        close_gap(complex, beyond_keep, beyond_v, complex.vertex(apex), keep);
+    };
+    close(c, ccw ? next(c) : prev(c), ccw ? prev(c) : next(c));
+    if (!is_border(o)) {
+        close(o, ccw ? prev(o) : next(o), ccw ? next(o) : prev(o));
+        complex.give_triangle(pool, u);
+    }
+    complex.give_triangle(pool, t);
+    complex.give_vertex(pool, v);
+}
+
+} // namespace dsc::rewire

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// The star of one vertex, gathered once: the link's coordinates in small padded arrays, so that
+// quality, move limit, lengths and Delaunay tests run on all lanes at once. Only min and max are
+// reduced across lanes; the result does not depend on their order.
+#pragma once
+
+#include "dsc/complex/submesh.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+template <class Real>
+struct Ring {
+    static constexpr std::uint32_t lanes = 8; ///< padding; a multiple of every vector width
+    static constexpr std::uint32_t capacity = 56;
+    static constexpr std::uint32_t room = capacity + 2 * lanes;
+
+    std::uint32_t vertex = no_id;
+    std::uint32_t size = 0;  ///< triangles of the star
+    bool closed = false;     ///< false: the vertex is on the domain boundary
+    bool one_phase = false;  ///< all triangles have the same phase
+    bool owned = true;       ///< all vertices of the link, and the centre, lie in the region
+    Real x0 = 0;             ///< the centre
+    Real y0 = 0;
+
+    // Triangle i is the centre, (x, y)[i] and (x_next, y_next)[i], counter-clockwise; the padding
+    // repeats triangle 0. These are the link vertices i and i + 1; link[size] closes the ring, or is
+    // the last vertex of an open one.
+    alignas(64) std::array<Real, room> x;
+    alignas(64) std::array<Real, room> y;
+    alignas(64) std::array<Real, room> x_next;
+    alignas(64) std::array<Real, room> y_next;
+    std::array<std::uint32_t, room> link;
+    std::array<Corner, room> corner; ///< of the centre in triangle i
+    std::array<Phase, room> phase;   ///< of triangle i
+
+    [[nodiscard]] std::uint32_t padded() const { return (size + lanes - 1) / lanes * lanes; }
+    /// Vertices of the link.
+    [[nodiscard]] std::uint32_t link_size() const { return closed ? size : size + 1; }
+    [[nodiscard]] Real link_x(std::uint32_t i) const { return i < size ? x[i] : x_next[size - 1]; }
+    [[nodiscard]] Real link_y(std::uint32_t i) const { return i < size ? y[i] : y_next[size - 1]; }
+    /// The phase between link vertex i - 1 and i (that is, clockwise of spoke i).
+    [[nodiscard]] Phase phase_before(std::uint32_t i) const {
+        return i > 0 ? phase[i - 1] : (closed ? phase[size - 1] : border_phase);
+    }
+    [[nodiscard]] Phase phase_after(std::uint32_t i) const {
+        return i < size ? phase[i] : border_phase;
+    }
+    /// Spoke i separates two phases, or the domain from the outside.
+    [[nodiscard]] bool is_constrained(std::uint32_t i) const {
+        return phase_before(i) != phase_after(i);
+    }
+};
+
+/// Gathers the star of `vertex`, counter-clockwise; an open star from its clockwise end. Returns
+/// false where it has more triangles than fit, or none, or where the region does not own the centre
+/// (then `owned` is false and nothing was read). O(degree).
+template <class Real>
+bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
+            Ring<Real>& ring) {
+    const auto& centre = complex.vertices[vertex];
+    ring.vertex = vertex;
+    ring.owned = true;
+    const auto* triangles = complex.triangles.data();
+    const auto* vertices = complex.vertices.data();
+    const bool whole = region.is_whole();
+    bool owned = true;
+    if (!whole) {
+        ring.x0 = read_shared(centre.x);
+        ring.y0 = read_shared(centre.y);
+        if (!region.owns(vertex, static_cast<double>(ring.x0), static_cast<double>(ring.y0))) {
+            // Another submesh may be rewriting this star: it must not be walked.
+            ring.owned = false;
+            return false;
+        }
+    } else {
+        ring.x0 = centre.x;
+        ring.y0 = centre.y;
+    }
+    const Corner start = centre.corner;
+    if (start == no_id) {
+        return false;
+    }
+    const auto put = [&](std::uint32_t i, std::uint32_t id) {
+        const auto& record = vertices[id];
+        ring.link[i] = id;
+        ring.x[i] = whole ? record.x : read_shared(record.x);
+        ring.y[i] = whole ? record.y : read_shared(record.y);
+        if (!whole) {
+            owned = owned && region.owns(id, static_cast<double>(ring.x[i]),
+                                         static_cast<double>(ring.y[i]));
+        }
+    };
+
+    Corner first = start;
+    std::uint32_t n = 0;
+    Corner c = start;
+    Phase differing = 0;
+    bool closed = true;
+    while (true) {
+        const auto& record = triangles[triangle_of(c)];
+        const std::uint32_t i1 = index_of(next(c));
+        ring.corner[n] = c;
+        ring.phase[n] = record.phase;
+        differing |= record.phase ^ ring.phase[0];
+        put(n, record.v[i1]);
+        ++n;
+        const Corner across = record.n[i1];
+        if (is_border(across)) {
+            if (closed) {
+                // The domain ends here: begin again from the clockwise end.
+                closed = false;
+                while (true) {
+                    const Corner back = complex.twin(prev(first));
+                    if (is_border(back)) {
+                        break;
+                    }
+                    first = prev(back);
+                }
+                if (first != start) {
+                    n = 0;
+                    differing = 0;
+                    c = first;
+                    continue;
+                }
+            }
+            put(n, record.v[index_of(prev(c))]);
+            break;
+        }
+        c = next(across);
+        if (c == first) {
+            break;
+        }
+        if (n >= Ring<Real>::capacity) {
+            return false;
+        }
+    }
+    ring.size = n;
+    ring.closed = closed;
+    ring.one_phase = differing == 0;
+    ring.owned = owned;
+    if (closed) {
+        ring.link[n] = ring.link[0];
+        ring.x[n] = ring.x[0];
+        ring.y[n] = ring.y[0];
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+        ring.x_next[i] = ring.x[i + 1];
+        ring.y_next[i] = ring.y[i + 1];
+    }
+    for (std::uint32_t i = n; i < ring.padded(); ++i) {
+        ring.x[i] = ring.x[0];
+        ring.y[i] = ring.y[0];
+        ring.x_next[i] = ring.x_next[0];
+        ring.y_next[i] = ring.y_next[0];
+    }
+    return true;
+}
+
+} // namespace dsc

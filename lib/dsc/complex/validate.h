@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Is this a simplicial complex [3], and a manifold [3.2]? Everything that can be wrong, with exact
+// predicates, and the first bad element by name. It may be called on any bytes: broken links
+// neither crash it nor trap it in a loop.
+#pragma once
+
+#include "dsc/complex/complex.h"
+
+#include <cstdint>
+#include <string>
+
+namespace dsc {
+
+/// What `validate` found. The counts are of what lives; those below `unused_vertices` are filled in
+/// only where the links are sound.
+struct ValidationReport {
+    std::string problem; ///< empty where all is well; else the first bad element and what is wrong
+    std::uint64_t vertices = 0;  ///< living vertices, unused ones included
+    std::uint64_t triangles = 0; ///< living triangles
+    std::uint64_t unused_vertices = 0; ///< living vertices without triangles: allowed
+    std::uint64_t edges = 0;
+    std::uint64_t components = 0;     ///< pieces that hang together by edges
+    std::uint64_t boundary_loops = 0; ///< one around each component, and one around each hole
+    /// V - E + T of the vertices in use: 1 for each component, less 1 for each hole.
+    std::int64_t euler_characteristic = 0;
+
+    [[nodiscard]] bool ok() const { return problem.empty(); }
+};
+
+/// Checks, in this order: the border triangle; the size of the attributes; the vertices (finite,
+/// corner at itself); the triangles (vertices alive and distinct, phase not reserved, links
+/// symmetric and with the same vertices at both sides, orientation > 0); the free ids; every vertex
+/// a disc or half disc that goes around it once; the Euler characteristic; and that the boundary
+/// nowhere meets itself and no component covers another. Together these say that no two simplices
+/// overlap anywhere. O(n + b log b), and O(b^2) at worst for b boundary edges.
+template <class Real>
+[[nodiscard]] ValidationReport validate(const Complex<Real>& complex);
+
+/// Throws InvariantError with the report's words where the complex is not valid.
+template <class Real>
+void validate_or_throw(const Complex<Real>& complex);
+
+} // namespace dsc

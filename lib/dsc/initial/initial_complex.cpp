@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/initial/initial_complex.h"
+
+#include "dsc/initial/delaunay.h"
+#include "dsc/initial/improvement.h"
+#include "dsc/initial/input_check.h"
+#include "dsc/initial/insertion.h"
+#include "dsc/initial/phases.h"
+#include "dsc/initial/segments.h"
+
+namespace dsc {
+
+namespace {
+
+// Lattice vertices closer to an outline than this share of its pieces make way for it. Larger
+// leaves gaps, smaller short edges; half keeps the circles about the pieces empty.
+constexpr double clearance = 0.6;
+// Room for the vertices of the outlines and for those that grade down to short pieces, so that
+// arrays of a large complex need not be copied to grow.
+constexpr std::size_t spare_per_piece = 4;
+
+} // namespace
+
+template <class Real>
+Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
+                              const InitialOptions& options) {
+    using namespace initial;
+    const CheckedInput input = check_input<Real>(domain, shapes, options);
+    const std::span<const Outline> outlines = input.outlines;
+    std::size_t pieces = 0;
+    for (const Outline& outline : outlines) {
+        pieces += outline.points.size();
+    }
+    Complex<Real> complex;
+    write_lattice(input.lattice, spare_per_piece * pieces, complex);
+    clear_lattice(complex, input.lattice, outlines, clearance);
+    Chains chains = insert_outlines(complex, input.lattice, outlines);
+    const std::vector<std::uint32_t> touched = recover_segments(complex, chains);
+    fill_phases(complex, outlines, chains);
+    std::vector<Corner> stack;
+    for (const std::uint32_t v : touched) {
+        push_star(complex, v, stack);
+    }
+    legalise(complex, stack);
+    std::vector<std::uint32_t> interface_vertices;
+    interface_vertices.reserve(pieces);
+    for (const auto& chain : chains) {
+        interface_vertices.insert(interface_vertices.end(), chain.begin(), chain.end());
+    }
+    improve(complex, std::span<const std::uint32_t>(interface_vertices), options.edge_length,
+            options.improve_rounds);
+    return complex;
+}
+
+template Complex<double> initial_complex(const Rectangle&, std::span<const Shape>,
+                                         const InitialOptions&);
+template Complex<float> initial_complex(const Rectangle&, std::span<const Shape>,
+                                        const InitialOptions&);
+
+} // namespace dsc

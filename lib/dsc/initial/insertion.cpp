@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/initial/insertion.h"
+
+#include "dsc/base/error.h"
+#include "dsc/initial/delaunay.h"
+#include "dsc/initial/star_quality.h"
+#include "dsc/operations/edge_collapse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc::initial {
+
+template <class Real>
+Location locate(const Complex<Real>& complex, std::uint32_t start, const Point<Real>& point) {
+    Corner here = corner_of(start, 0);
+    Corner entered = no_id; // the walk never steps back through the edge that it came by
+    std::uint32_t coin = 0x9e3779b9U;
+    const std::size_t limit = 8 * complex.triangles.size() + 64;
+    for (std::size_t step = 0; step < limit; ++step) {
+        coin = coin * 1664525U + 1013904223U;
+        Corner c = here;
+        for (std::uint32_t turn = (coin >> 16U) % 3; turn > 0; --turn) {
+            c = next(c);
+        }
+        Corner on_edge = no_id;
+        Corner on_second_edge = no_id;
+        Corner across = no_id;
+        for (int side = 0; side < 3; ++side, c = next(c)) {
+            if (c == entered) {
+                continue;
+            }
+            const auto a = complex.position(Vertex{complex.vertex(next(c))});
+            const auto b = complex.position(Vertex{complex.vertex(prev(c))});
+            const int sign = orientation<Real>(a, b, point);
+            if (sign < 0) {
+                across = c;
+                break;
+            }
+            if (sign == 0) {
+                on_second_edge = on_edge;
+                on_edge = c;
+            }
+        }
+        if (across != no_id) {
+            const Corner other = complex.twin(across);
+            if (complex.phase_at(across) != complex.phase_at(other)) {
+                return {Place::beyond, across};
+            }
+            here = other;
+            entered = other;
+            continue;
+        }
+        if (on_second_edge != no_id) {
+            // Two edges meet in the corner that is opposite to neither.
+            Corner at = here;
+            while (at == on_edge || at == on_second_edge) {
+                at = next(at);
+            }
+            return {Place::vertex, at};
+        }
+        if (on_edge != no_id) {
+            return {Place::edge, on_edge};
+        }
+        return {Place::triangle, here};
+    }
+    throw InvariantError("locate: the walk does not arrive");
+}
+
+template <class Real>
+std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
+                           const Point<Real>& point, std::vector<Corner>& stack) {
+    if (location.place == Place::beyond) {
+        throw InvariantError("insert_point: the point was not located");
+    }
+    if (location.place == Place::vertex) {
+        return complex.vertex(location.corner);
+    }
+    Corner corner = location.corner;
+    if (location.place == Place::triangle) {
+        while (is_border(complex.twin(corner))) {
+            corner = next(corner);
+        }
+    }
+    const Corner other = complex.twin(corner);
+    const std::uint32_t m = complex.take_vertex(complex.ids);
+    const std::uint32_t t2 = complex.take_triangle(complex.ids);
+    const std::uint32_t u2 = is_border(other) ? no_id : complex.take_triangle(complex.ids);
+    const Phase phase_beyond = complex.phase_at(other);
+    complex.set_position(Vertex{m}, point);
+    rewire::split(complex, corner, m, t2, u2);
+    if (location.place == Place::triangle) {
+        // One into three: split an edge as if m were on it, then flip the edge from m into the
+        // triangle beyond back to where it was.
+        rewire::flip(complex, next(other));
+        complex.triangles[triangle_of(other)].phase = complex.phase_at(corner);
+        complex.triangles[u2].phase = phase_beyond;
+    }
+    push_star(complex, m, stack);
+    legalise(complex, stack);
+    return m;
+}
+
+namespace {
+
+double squared_distance(double px, double py, const Point<double>& a, const Point<double>& b) {
+    const double ux = b.x() - a.x();
+    const double uy = b.y() - a.y();
+    const double length2 = ux * ux + uy * uy;
+    const double along = (px - a.x()) * ux + (py - a.y()) * uy;
+    const double fraction = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
+    const double dx = px - (a.x() + fraction * ux);
+    const double dy = py - (a.y() + fraction * uy);
+    return dx * dx + dy * dy;
+}
+
+std::uint32_t clamped(double value, std::uint32_t low, std::uint32_t high) {
+    return static_cast<std::uint32_t>(
+        std::clamp(value, static_cast<double>(low), static_cast<double>(high)));
+}
+
+// Collapses an inner vertex into the neighbour that leaves the best triangles. All of one phase.
+template <class Real>
+bool remove_vertex(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack) {
+    Ring<Real> ring;
+    if (!gather(complex, Region{}, vertex, ring) || !ring.closed) {
+        return false;
+    }
+    const CollapseChoice best = best_collapse(ring);
+    if (best.spoke == no_id) {
+        return false;
+    }
+    const std::uint32_t keep = ring.link[best.spoke];
+    // The spoke is opposite to the previous corner of the triangle that begins with it.
+    const Corner corner = prev(ring.corner[best.spoke]);
+    if (edge_collapse(complex, whole_submesh(complex), corner, rewire::Vanishing::next) !=
+        Verdict::legal) {
+        return false;
+    }
+    push_star(complex, keep, stack);
+    legalise(complex, stack);
+    return true;
+}
+
+} // namespace
+
+template <class Real>
+std::size_t clear_lattice(Complex<Real>& complex, const Lattice& lattice,
+                          std::span<const Outline> outlines, double clearance) {
+    std::size_t removed = 0;
+    std::vector<Corner> stack;
+    if (lattice.rows < 2) {
+        return 0;
+    }
+    for (const Outline& outline : outlines) {
+        const std::size_t n = outline.points.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const Point<double>& a = outline.points[i];
+            const Point<double>& b = outline.points[i + 1 < n ? i + 1 : 0];
+            const double reach = clearance * (b - a).norm();
+            const auto row_of = [&](double y) { return (y - lattice.low.y()) / lattice.height; };
+            const auto column_of = [&](double x) { return (x - lattice.low.x()) / lattice.spacing; };
+            const std::uint32_t first_row =
+                clamped(std::floor(row_of(std::min(a.y(), b.y()) - reach)), 1, lattice.rows - 1);
+            const std::uint32_t last_row =
+                clamped(std::ceil(row_of(std::max(a.y(), b.y()) + reach)), 1, lattice.rows - 1);
+            for (std::uint32_t row = first_row; row <= last_row; ++row) {
+                const std::uint32_t last = lattice.vertices_in_row(row) - 1;
+                if (last < 2) {
+                    continue;
+                }
+                const std::uint32_t from = clamped(
+                    std::floor(column_of(std::min(a.x(), b.x()) - reach)), 1, last - 1);
+                const std::uint32_t to = clamped(
+                    std::ceil(column_of(std::max(a.x(), b.x()) + reach)) + 1, 1, last - 1);
+                for (std::uint32_t column = from; column <= to; ++column) {
+                    const std::uint32_t id = lattice.vertex(row, column);
+                    if (squared_distance(lattice.x(row, column), lattice.y(row), a, b) <
+                            reach * reach &&
+                        complex.is_alive(Vertex{id}) && remove_vertex(complex, id, stack)) {
+                        ++removed;
+                    }
+                }
+            }
+        }
+    }
+    return removed;
+}
+
+template <class Real>
+std::vector<std::vector<std::uint32_t>> insert_outlines(Complex<Real>& complex,
+                                                        const Lattice& lattice,
+                                                        std::span<const Outline> outlines) {
+    std::vector<std::vector<std::uint32_t>> chains;
+    std::vector<Corner> stack;
+    for (const Outline& outline : outlines) {
+        auto& chain = chains.emplace_back();
+        chain.reserve(outline.points.size());
+        std::uint32_t near = lattice.triangle_near(outline.points.front());
+        while (!complex.is_alive(Triangle{near})) {
+            // Cleared away: some triangle of the lattice is left, at the corners of the domain.
+            near = near + 1 < complex.triangle_bound() ? near + 1 : 1;
+        }
+        for (const Point<double>& place : outline.points) {
+            const Point<Real> point = place.template cast<Real>();
+            const std::uint32_t id =
+                insert_point(complex, locate(complex, near, point), point, stack);
+            chain.push_back(id);
+            near = triangle_of(complex.vertices[id].corner);
+        }
+    }
+    return chains;
+}
+
+template Location locate(const Complex<double>&, std::uint32_t, const Point<double>&);
+template Location locate(const Complex<float>&, std::uint32_t, const Point<float>&);
+template std::uint32_t insert_point(Complex<double>&, const Location&, const Point<double>&,
+                                    std::vector<Corner>&);
+template std::uint32_t insert_point(Complex<float>&, const Location&, const Point<float>&,
+                                    std::vector<Corner>&);
+template std::size_t clear_lattice(Complex<double>&, const Lattice&, std::span<const Outline>,
+                                   double);
+template std::size_t clear_lattice(Complex<float>&, const Lattice&, std::span<const Outline>,
+                                   double);
+template std::vector<std::vector<std::uint32_t>>
+insert_outlines(Complex<double>&, const Lattice&, std::span<const Outline>);
+template std::vector<std::vector<std::uint32_t>>
+insert_outlines(Complex<float>&, const Lattice&, std::span<const Outline>);
+
+} // namespace dsc::initial

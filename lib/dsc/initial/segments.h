@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The outlines' pieces become edges: edges that cross a missing piece are flipped until none does
+// (S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993).
+#pragma once
+
+#include "dsc/complex/complex.h"
+
+#include <vector>
+
+namespace dsc::initial {
+
+/// Closed chains of vertices, one for each outline.
+using Chains = std::vector<std::vector<std::uint32_t>>;
+
+/// Makes each link of the chains an edge. A vertex that lies exactly on a link becomes part of the
+/// chain. Links must not cross. Returns the vertices around which edges were flipped: there the
+/// triangulation may not be Delaunay any more. O(crossed edges) for each missing link, if they are
+/// few.
+template <class Real>
+std::vector<std::uint32_t> recover_segments(Complex<Real>& complex, Chains& chains);
+
+} // namespace dsc::initial

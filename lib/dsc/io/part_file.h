@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A text file that is there whole or not at all: written beside its place as ".part", then renamed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace dsc {
+
+/// Collects text and writes it in blocks. Numbers are written the same way under every locale.
+/// Throws FileError where the folder is missing or unwritable, or the disk is full; whatever is not
+/// committed is removed again.
+class PartFile {
+public:
+    explicit PartFile(std::string path);
+    ~PartFile();
+    PartFile(const PartFile&) = delete;
+    PartFile& operator=(const PartFile&) = delete;
+
+    PartFile& operator<<(std::string_view text);
+    PartFile& operator<<(char c);
+    /// The shortest text that reads back as the same number.
+    PartFile& operator<<(double value);
+    PartFile& operator<<(float value);
+    PartFile& operator<<(std::uint64_t value);
+    PartFile& operator<<(std::uint32_t value);
+    /// With so many digits after the point.
+    PartFile& fixed(double value, int digits);
+
+    /// Flushes, closes and renames. Nothing may be written after it.
+    void commit();
+
+private:
+    void write_block();
+    [[noreturn]] void fail(const std::string& what, int error);
+
+    std::string path_;
+    std::string part_;
+    std::string buffer_;
+    int descriptor_ = -1;
+};
+
+/// The text with &, <, > and quotes replaced, for XML.
+[[nodiscard]] std::string escape_xml(std::string_view text);
+
+} // namespace dsc

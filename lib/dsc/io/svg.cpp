@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/io/svg.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/mesh_functions.h"
+#include "dsc/io/part_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dsc {
+
+namespace {
+
+template <class Real>
+SvgBox box_of(const Complex<Real>& complex) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    SvgBox box{infinity, infinity, -infinity, -infinity};
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (complex.is_alive(Vertex{v})) {
+            const Point<double> p = complex.position(Vertex{v}).template cast<double>();
+            box.low_x = std::min(box.low_x, p.x());
+            box.low_y = std::min(box.low_y, p.y());
+            box.high_x = std::max(box.high_x, p.x());
+            box.high_y = std::max(box.high_y, p.y());
+        }
+    }
+    return box.low_x <= box.high_x ? box : SvgBox{};
+}
+
+// From the plane to pixels; y turns downwards.
+class View {
+public:
+    View(const SvgBox& box, const SvgOptions& options)
+        : low_x_(box.low_x), high_y_(box.high_y), margin_(options.margin_px) {
+        const double width = box.high_x - box.low_x;
+        const double height = box.high_y - box.low_y;
+        const double extent = std::max(width, height);
+        scale_ = extent > 0 ? options.size_px / extent : 1;
+        width_ = width * scale_ + 2 * margin_;
+        height_ = height * scale_ + 2 * margin_;
+    }
+    [[nodiscard]] double width() const { return width_; }
+    [[nodiscard]] double height() const { return height_; }
+
+    template <class Real>
+    void put(PartFile& file, const Point<Real>& p) const {
+        // A thousandth of a pixel is more than any screen or printer shows.
+        file.fixed((static_cast<double>(p.x()) - low_x_) * scale_ + margin_, 3);
+        file << ' ';
+        file.fixed((high_y_ - static_cast<double>(p.y())) * scale_ + margin_, 3);
+    }
+
+private:
+    double low_x_;
+    double high_y_;
+    double margin_;
+    double scale_ = 1;
+    double width_ = 0;
+    double height_ = 0;
+};
+
+void check(const SvgOptions& options) {
+    const auto refuse = [](const char* what, double value, const char* allowed) {
+        throw InputError(what, "write_svg", std::to_string(value), allowed);
+    };
+    if (!(options.size_px > 0) || !std::isfinite(options.size_px)) {
+        refuse("no size", options.size_px, "a positive number of pixels");
+    }
+    for (const double width :
+         {options.margin_px, options.edge_width_px, options.interface_width_px}) {
+        if (!(width >= 0) || !std::isfinite(width)) {
+            refuse("a margin or width is negative", width, "0 or more pixels");
+        }
+    }
+    if (options.phase_colours.empty()) {
+        refuse("no phase colours", 0, "one or more");
+    }
+    if (options.view) {
+        const SvgBox& box = *options.view;
+        const double width = box.high_x - box.low_x;
+        const double height = box.high_y - box.low_y;
+        if (!(width > 0) || !(height > 0) || !std::isfinite(width) || !std::isfinite(height)) {
+            refuse("an empty view", std::min(width, height), "a positive width and height");
+        }
+    }
+}
+
+const std::string& colour_of(Phase phase, const SvgOptions& options) {
+    const auto& list = options.phase_colours;
+    if (phase < list.size() || list.size() == 1) {
+        return list[std::min<std::size_t>(phase, list.size() - 1)];
+    }
+    return list[1 + (phase - 1) % (list.size() - 1)];
+}
+
+// All triangles of a phase are one path: a third of the bytes of polygons.
+template <class Real>
+void write_triangles(PartFile& file, const Complex<Real>& complex, const View& view,
+                     const SvgOptions& options) {
+    const auto present = phases(complex);
+    for (const Phase phase : present) {
+        file << "<path class=\"phase-" << phase << "\" fill=\""
+             << escape_xml(colour_of(phase, options)) << "\" stroke=\"";
+        if (options.edge_width_px > 0) {
+            file << escape_xml(options.edge_colour) << "\" stroke-width=\""
+                 << options.edge_width_px;
+        } else {
+            // Hides the seams that anti-aliasing leaves between triangles.
+            file << escape_xml(colour_of(phase, options)) << "\" stroke-width=\"0.5";
+        }
+        file << "\" d=\"";
+        for (std::uint32_t id = 1; id < complex.triangle_bound(); ++id) {
+            const Triangle t{id};
+            if (!complex.is_alive(t) || complex.phase(t) != phase) {
+                continue;
+            }
+            char command = 'M';
+            for (const Vertex v : complex.vertices_of(t)) {
+                file << command;
+                view.put(file, complex.position(v));
+                command = 'L';
+            }
+            file << "Z\n";
+        }
+        file << "\"/>\n";
+    }
+}
+
+template <class Real>
+void write_interface(PartFile& file, const Complex<Real>& complex, const View& view,
+                     const SvgOptions& options) {
+    file << "<path class=\"interface\" fill=\"none\" stroke-linecap=\"round\" stroke=\""
+         << escape_xml(options.interface_colour) << "\" stroke-width=\""
+         << options.interface_width_px << "\" d=\"";
+    const SimplexSet interface = interface_of(complex);
+    for (const Edge e : interface.edges()) {
+        const auto v = complex.vertices_of(e);
+        file << 'M';
+        view.put(file, complex.position(v[0]));
+        file << 'L';
+        view.put(file, complex.position(v[1]));
+        file << '\n';
+    }
+    file << "\"/>\n";
+}
+
+} // namespace
+
+template <class Real>
+void write_svg(const Complex<Real>& complex, const std::string& path, const SvgOptions& options) {
+    check(options);
+    const View view(options.view ? *options.view : box_of(complex), options);
+    PartFile file(path);
+    file << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
+    file.fixed(view.width(), 3) << "\" height=\"";
+    file.fixed(view.height(), 3) << "\" viewBox=\"0 0 ";
+    file.fixed(view.width(), 3) << ' ';
+    file.fixed(view.height(), 3) << "\" stroke-linejoin=\"round\">\n";
+    if (!options.title.empty()) {
+        file << "<title>" << escape_xml(options.title) << "</title>\n";
+    }
+    write_triangles(file, complex, view, options);
+    if (options.interface_width_px > 0) {
+        write_interface(file, complex, view, options);
+    }
+    file << "</svg>\n";
+    file.commit();
+}
+
+template void write_svg(const Complex<double>&, const std::string&, const SvgOptions&);
+template void write_svg(const Complex<float>&, const std::string&, const SvgOptions&);
+
+} // namespace dsc

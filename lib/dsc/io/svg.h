@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Pictures of a complex as SVG [thesis 8.11]: triangles coloured by phase, the interface bold.
+#pragma once
+
+#include "dsc/complex/complex.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+struct SvgBox {
+    double low_x = 0;
+    double low_y = 0;
+    double high_x = 1;
+    double high_y = 1;
+};
+
+struct SvgOptions {
+    double size_px = 800;           ///< the longer side of the picture
+    double margin_px = 10;          ///< around it
+    double edge_width_px = 0.5;     ///< 0: no edges but those of the interface
+    double interface_width_px = 2;  ///< 0: no interface
+    std::string edge_colour = "#888888";
+    std::string interface_colour = "#000000";
+    /// Fill by phase; phases beyond the list start it again after its first entry, which is the
+    /// exterior's. The default is the colour-blind palette of Okabe and Ito (2008).
+    std::vector<std::string> phase_colours{"#ffffff", "#56b4e9", "#e69f00", "#009e73",
+                                           "#cc79a7", "#f0e442", "#0072b2", "#d55e00"};
+    /// The part of the plane to show; empty: all living vertices. Frames of a film want a fixed one.
+    std::optional<SvgBox> view{};
+    std::string title{}; ///< empty: none
+};
+
+/// Writes the picture, y upwards. The file is there whole or not at all. O(n).
+/// Throws FileError where it cannot be written, InputError where the options make no picture.
+template <class Real>
+void write_svg(const Complex<Real>& complex, const std::string& path,
+               const SvgOptions& options = {});
+
+} // namespace dsc

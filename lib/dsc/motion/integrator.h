@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// From a velocity field to target positions [5.1, eq. 5]. All vertices are evaluated in one call, so
+// that a field pays its overhead once and can use all lanes.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace dsc {
+
+/// velocities[i] = v(positions[i], time). Called from several threads at once by the parallel
+/// driver: it must not change shared state. NaN or infinity: the vertex is held and counted.
+template <class Real>
+using Velocity = std::function<void(std::span<const Point<Real>> positions, Real time,
+                                    std::span<Point<Real>> velocities)>;
+
+enum class Integrator : std::uint8_t {
+    euler,    ///< first order, one evaluation a step
+    midpoint, ///< second order, two evaluations
+    rk4,      ///< fourth order, four evaluations
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::euler: return "euler";
+    case Integrator::midpoint: return "midpoint";
+    case Integrator::rk4: return "rk4";
+    }
+    return "unknown";
+}
+
+/// Arrays that an integrator needs; kept from step to step so that nothing is allocated.
+template <class Real>
+struct IntegratorScratch {
+    std::vector<Point<Real>> first;  ///< v(positions, time), as the caller leaves it
+    std::vector<Point<Real>> stage;
+    std::vector<Point<Real>> slope;
+    std::vector<Point<Real>> sum;
+};
+
+/// targets[i] = where positions[i] is at time + dt. `scratch.first` must hold the velocities at
+/// (positions, time): the driver has them already, from choosing its sub-step. O(n).
+template <class Real>
+void integrate(Integrator integrator, const Velocity<Real>& velocity,
+               std::span<const Point<Real>> positions, Real time, Real dt,
+               std::span<Point<Real>> targets, IntegratorScratch<Real>& scratch);
+
+} // namespace dsc

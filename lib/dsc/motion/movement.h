@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Movement [5.1]: one vertex towards its target, as far as its star allows. The doubled area of a
+// star triangle is linear in the fraction travelled, so the limit is a division per triangle.
+#pragma once
+
+#include "dsc/base/predicates.h"
+#include "dsc/base/tolerances.h"
+#include "dsc/base/verdict.h"
+#include "dsc/complex/ring.h"
+#include "dsc/quality/ring_quality.h"
+
+namespace dsc {
+
+/// The largest fraction in [0, 1] of the way to (x, y) for which every star triangle keeps an
+/// altitude of `altitude_floor` times its base, or `altitude_keep` of what it has. O(degree).
+template <class Real>
+Real move_limit(const Ring<Real>& ring, Real x, Real y) {
+    const Real dx = x - ring.x0;
+    const Real dy = y - ring.y0;
+    Real limit = 1;
+    const std::uint32_t n = ring.padded();
+    const Real* xs = ring.x.data();
+    const Real* ys = ring.y.data();
+    const Real* x_next = ring.x_next.data();
+    const Real* y_next = ring.y_next.data();
+    constexpr auto floor = static_cast<Real>(altitude_floor);
+    constexpr auto keep = static_cast<Real>(altitude_keep);
+    constexpr Real tiny = std::numeric_limits<Real>::min();
+#pragma omp simd reduction(min : limit)
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Real ax = xs[i] - ring.x0;
+        const Real ay = ys[i] - ring.y0;
+        const Real bx = x_next[i] - ring.x0;
+        const Real by = y_next[i] - ring.y0;
+        const Real cx = bx - ax;
+        const Real cy = by - ay;
+        const Real area = ax * by - ay * bx;
+        const Real rate = cx * dy - cy * dx; // the area's derivative by the fraction
+        const Real base = cx * cx + cy * cy;
+        const Real spare = area - std::min(floor * base, keep * area);
+        limit = std::min(limit, spare / std::max(-rate, tiny));
+    }
+    return std::max(limit, Real(0));
+}
+
+/// True if every star triangle is strictly positive with the centre at (px, py); exact.
+template <class Real>
+bool all_positive(const Ring<Real>& ring, Real px, Real py) {
+    if (certainly_positive(ring, px, py)) {
+        return true;
+    }
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+        if (orientation(static_cast<double>(px), static_cast<double>(py),
+                        static_cast<double>(ring.x[i]), static_cast<double>(ring.y[i]),
+                        static_cast<double>(ring.x_next[i]),
+                        static_cast<double>(ring.y_next[i])) <= 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+enum class MoveOutcome : std::uint8_t {
+    reached, ///< the vertex is at its target
+    partly,  ///< it went some of the way
+    blocked, ///< it could not move at all
+};
+
+/// Below this share of the way a move is not worth its rounding.
+inline constexpr double least_fraction = 1e-3;
+
+/// Moves the ring's vertex towards (x, y). The ring's own centre is updated. O(degree).
+template <class Real>
+MoveOutcome move_vertex(Complex<Real>& complex, Ring<Real>& ring, Real x, Real y) {
+    Real fraction = move_limit(ring, x, y);
+    for (int attempt = 0; attempt < 4; ++attempt, fraction *= Real(0.5)) {
+        if (!(fraction >= static_cast<Real>(least_fraction))) {
+            break;
+        }
+        const bool whole = fraction >= 1;
+        const Real px = whole ? x : ring.x0 + fraction * (x - ring.x0);
+        const Real py = whole ? y : ring.y0 + fraction * (y - ring.y0);
+        if (all_positive(ring, px, py)) {
+            auto& record = complex.vertices[ring.vertex];
+            write_shared(record.x, px);
+            write_shared(record.y, py);
+            ring.x0 = px;
+            ring.y0 = py;
+            return whole ? MoveOutcome::reached : MoveOutcome::partly;
+        }
+    }
+    return MoveOutcome::blocked;
+}
+
+} // namespace dsc

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/operations/edge_collapse.h"
+
+#include "dsc/base/predicates.h"
+#include "dsc/operations/fan.h"
+
+namespace dsc {
+
+namespace {
+
+template <class Real>
+bool is_constrained(const Complex<Real>& complex, Corner corner) {
+    return complex.phase_at(corner) != complex.phase_at(complex.twin(corner));
+}
+
+// link(v) and link(v') meet in more than link(e): a vertex or an edge too many.
+template <class Real>
+bool links_meet_elsewhere(const Complex<Real>& complex, std::uint32_t v, std::uint32_t keep,
+                          std::uint32_t apex_a, std::uint32_t apex_b) {
+    bool found = false;
+    const auto near_keep = [&](std::uint32_t candidate) {
+        bool adjacent = false;
+        turn(complex, keep, [&](Corner c) {
+            adjacent = adjacent || complex.vertex(next(c)) == candidate ||
+                       complex.vertex(prev(c)) == candidate;
+        });
+        return adjacent;
+    };
+    turn(complex, v, [&](Corner c) {
+        for (const std::uint32_t w : {complex.vertex(next(c)), complex.vertex(prev(c))}) {
+            if (!found && w != keep && w != apex_a && w != apex_b) {
+                found = near_keep(w);
+            }
+        }
+        // A common edge needs two common vertices: only (apex_a, apex_b) is left to look at.
+        const std::uint32_t p = complex.vertex(next(c));
+        const std::uint32_t q = complex.vertex(prev(c));
+        if (!found && apex_b != no_id &&
+            ((p == apex_a && q == apex_b) || (p == apex_b && q == apex_a))) {
+            turn(complex, keep, [&](Corner k) {
+                const std::uint32_t r = complex.vertex(next(k));
+                const std::uint32_t s = complex.vertex(prev(k));
+                found = found || (r == p && s == q) || (r == q && s == p);
+            });
+        }
+    });
+    return found;
+}
+
+} // namespace
+
+template <class Real>
+Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
+                            rewire::Vanishing end) {
+    const bool ccw = end == rewire::Vanishing::next;
+    const Corner other = complex.twin(corner);
+    const std::uint32_t v = complex.vertex(ccw ? next(corner) : prev(corner));
+    const std::uint32_t keep = complex.vertex(ccw ? prev(corner) : next(corner));
+    // An edge outside the submesh answers so before anything else is asked: another submesh may be
+    // rewriting the stars of its ends at this moment.
+    if (!owns(complex, region, v) || !owns(complex, region, keep) ||
+        (!owns_triangle(complex, region, triangle_of(corner)) &&
+         (is_border(other) || !owns_triangle(complex, region, triangle_of(other))))) {
+        return Verdict::on_submesh_boundary;
+    }
+    const Fan fan = inspect(complex, region, v);
+    const auto at = [&](std::uint32_t id) { return complex.position(Vertex{id}); };
+
+    if (fan.on_boundary &&
+        (!is_border(other) || orientation<Real>(at(fan.first), at(v), at(fan.last)) != 0)) {
+        return Verdict::on_boundary;
+    }
+    if (!fan.owned) {
+        return Verdict::on_submesh_boundary;
+    }
+    if (fan.interface_edges > 0 &&
+        (fan.interface_edges != 2 ||
+         !is_interface_pair(complex.phase_at(corner), complex.phase_at(other)))) {
+        return Verdict::on_interface;
+    }
+    if (complex.is_locked(Vertex{v})) {
+        return Verdict::locked;
+    }
+    if ((is_constrained(complex, next(corner)) && is_constrained(complex, prev(corner))) ||
+        (!is_border(other) && is_constrained(complex, next(other)) &&
+         is_constrained(complex, prev(other)))) {
+        return Verdict::changes_topology;
+    }
+    const std::uint32_t apex_a = complex.vertex(corner);
+    const std::uint32_t apex_b = is_border(other) ? no_id : complex.vertex(other);
+    if (links_meet_elsewhere(complex, v, keep, apex_a, apex_b)) {
+        return Verdict::changes_topology;
+    }
+    bool positive = true;
+    const auto target = at(keep);
+    turn(complex, v, [&](Corner c) {
+        const std::uint32_t p = complex.vertex(next(c));
+        const std::uint32_t q = complex.vertex(prev(c));
+        positive = positive && (p == keep || q == keep ||
+                                orientation<Real>(target, at(p), at(q)) > 0);
+    });
+    return positive ? Verdict::legal : Verdict::inverts;
+}
+
+template <class Real>
+Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Corner corner,
+                      rewire::Vanishing end) {
+    const Verdict verdict = edge_collapse_guard(complex, submesh.region, corner, end);
+    if (verdict == Verdict::legal) {
+        rewire::collapse(complex, corner, end, *submesh.pool);
+    }
+    return verdict;
+}
+
+template <class Real>
+Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge) {
+    if (!complex.is_alive(edge)) {
+        return Verdict::not_a_simplex;
+    }
+    const Corner corner = edge.id;
+    const bool next_first = complex.vertex(next(corner)) < complex.vertex(prev(corner));
+    const auto first = next_first ? rewire::Vanishing::next : rewire::Vanishing::prev;
+    const auto second = next_first ? rewire::Vanishing::prev : rewire::Vanishing::next;
+    const Verdict verdict = edge_collapse(complex, submesh, corner, first);
+    if (verdict == Verdict::legal) {
+        return verdict;
+    }
+    return edge_collapse(complex, submesh, corner, second) == Verdict::legal ? Verdict::legal
+                                                                             : verdict;
+}
+
+template Verdict edge_collapse_guard(const Complex<double>&, const Region&, Corner,
+                                     rewire::Vanishing);
+template Verdict edge_collapse_guard(const Complex<float>&, const Region&, Corner,
+                                     rewire::Vanishing);
+template Verdict edge_collapse(Complex<double>&, const Submesh&, Corner, rewire::Vanishing);
+template Verdict edge_collapse(Complex<float>&, const Submesh&, Corner, rewire::Vanishing);
+template Verdict edge_collapse(Complex<double>&, const Submesh&, Edge);
+template Verdict edge_collapse(Complex<float>&, const Submesh&, Edge);
+
+} // namespace dsc

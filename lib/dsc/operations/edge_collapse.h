@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Edge collapse [4.2, 7.5]: an edge shrinks to one of its ends.
+#pragma once
+
+#include "dsc/base/verdict.h"
+#include "dsc/complex/rewire.h"
+#include "dsc/complex/submesh.h"
+
+namespace dsc {
+
+/// Whether the vanishing end v of the edge opposite to `corner` may be merged into the other end.
+/// An interface vertex may go along its interface, a boundary vertex along a straight boundary
+/// [6.5]. O(degree). Exact.
+template <class Real>
+Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
+                            rewire::Vanishing end);
+
+/// Collapses in that direction if it is legal. Thread-safe for disjoint submeshes.
+template <class Real>
+Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Corner corner,
+                      rewire::Vanishing end);
+
+/// Tries both ends, the vertex of smaller id first, as algorithm 7.7; if neither may vanish, the
+/// answer is that of the first.
+template <class Real>
+Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge);
+
+template <class Real>
+Verdict edge_collapse(Complex<Real>& complex, Edge edge) {
+    return edge_collapse(complex, whole_submesh(complex), edge);
+}
+
+} // namespace dsc

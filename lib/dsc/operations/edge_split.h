@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Edge split [4.2, 7.4]: a new vertex on an edge, and its one or two triangles cut in two.
+#pragma once
+
+#include "dsc/base/predicates.h"
+#include "dsc/base/verdict.h"
+#include "dsc/complex/rewire.h"
+#include "dsc/complex/submesh.h"
+
+namespace dsc {
+
+/// Whether the edge opposite to `corner` may be split at `point`. O(1). Exact.
+template <class Real>
+Verdict edge_split_guard(const Complex<Real>& complex, const Region& region, Corner corner,
+                         const Point<Real>& point) {
+    const Corner other = complex.twin(corner);
+    if (!owns_triangle(complex, region, triangle_of(corner)) ||
+        (!is_border(other) && !owns_triangle(complex, region, triangle_of(other)))) {
+        return Verdict::on_submesh_boundary;
+    }
+    const auto a = complex.position(Vertex{complex.vertex(corner)});
+    const auto b = complex.position(Vertex{complex.vertex(next(corner))});
+    const auto w = complex.position(Vertex{complex.vertex(prev(corner))});
+    if (orientation<Real>(a, b, point) <= 0 || orientation<Real>(a, point, w) <= 0) {
+        return Verdict::inverts;
+    }
+    if (!is_border(other)) {
+        const auto d = complex.position(Vertex{complex.vertex(other)});
+        if (orientation<Real>(d, w, point) <= 0 || orientation<Real>(d, point, b) <= 0) {
+            return Verdict::inverts;
+        }
+    }
+    return Verdict::legal;
+}
+
+struct SplitResult {
+    Verdict verdict = Verdict::legal;
+    Vertex vertex; ///< the new vertex, where legal
+};
+
+/// Splits the edge opposite to `corner` at `point` if that is legal: nothing else than that position
+/// needs to be known, so the interpolator is the caller's. Vertex attributes are blended at the
+/// midpoint. Thread-safe for disjoint submeshes.
+template <class Real>
+SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner corner,
+                       const Point<Real>& point) {
+    Verdict verdict = edge_split_guard(complex, submesh.region, corner, point);
+    if (verdict != Verdict::legal) {
+        return {verdict, {}};
+    }
+    IdPool& pool = *submesh.pool;
+    if (!pool.may_grow && (pool.vertices.empty() || pool.triangles.size() < 2)) {
+        return {Verdict::out_of_ids, {}};
+    }
+    const std::uint32_t a = complex.vertex(next(corner));
+    const std::uint32_t b = complex.vertex(prev(corner));
+    const std::uint32_t m = complex.take_vertex(pool);
+    const std::uint32_t t2 = complex.take_triangle(pool);
+    const std::uint32_t u2 = is_border(complex.twin(corner)) ? no_id : complex.take_triangle(pool);
+    complex.vertices[m].x = point.x();
+    complex.vertices[m].y = point.y();
+    rewire::split(complex, corner, m, t2, u2);
+    complex.attributes.blend_vertex(m, a, b, 0.5);
+    return {Verdict::legal, Vertex{m}};
+}
+
+/// The thesis's ComputeMidpoint.
+template <class Real>
+Point<Real> midpoint(const Point<Real>& a, const Point<Real>& b) {
+    return Point<Real>(Real(0.5) * (a.x() + b.x()), Real(0.5) * (a.y() + b.y()));
+}
+
+template <class Real>
+SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Edge edge,
+                       const Point<Real>& point) {
+    return complex.is_alive(edge) ? edge_split(complex, submesh, edge.id, point)
+                                  : SplitResult{Verdict::not_a_simplex, {}};
+}
+
+/// Splits an edge at its midpoint.
+template <class Real>
+SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Edge edge) {
+    if (!complex.is_alive(edge)) {
+        return {Verdict::not_a_simplex, {}};
+    }
+    const auto [a, b] = complex.vertices_of(edge);
+    return edge_split(complex, submesh, edge.id,
+                      midpoint<Real>(complex.position(a), complex.position(b)));
+}
+
+template <class Real>
+SplitResult edge_split(Complex<Real>& complex, Edge edge) {
+    return edge_split(complex, whole_submesh(complex), edge);
+}
+
+} // namespace dsc

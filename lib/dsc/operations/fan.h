@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// What one turn about a vertex tells a guard: whether the domain ends there, whether the submesh owns
+// the whole star, and how many interface edges meet. Any degree; nothing is gathered.
+#pragma once
+
+#include "dsc/complex/submesh.h"
+
+namespace dsc {
+
+struct Fan {
+    bool on_boundary = false;
+    bool owned = true; ///< every triangle of the star is in the submesh
+    std::uint32_t interface_edges = 0;
+    std::uint32_t first = no_id; ///< the two boundary neighbours, where on_boundary
+    std::uint32_t last = no_id;
+};
+
+/// Calls `visit(corner at the vertex)` for each star triangle, counter-clockwise; on the domain
+/// boundary from the clockwise end. Fills in `on_boundary`, `first` and `last`. O(degree).
+template <class Real, class Visit>
+Fan turn(const Complex<Real>& complex, std::uint32_t vertex, Visit visit) {
+    Fan fan;
+    Corner start = complex.vertices[vertex].corner;
+    if (start == no_id) {
+        return fan;
+    }
+    Corner c = start;
+    // To the clockwise end, if there is one.
+    while (true) {
+        const Corner back = complex.twin(prev(c));
+        if (is_border(back)) {
+            fan.on_boundary = true;
+            start = c;
+            fan.first = complex.vertex(next(c));
+            break;
+        }
+        c = prev(back);
+        if (c == start) {
+            break;
+        }
+    }
+    c = start;
+    while (true) {
+        visit(c);
+        const Corner across = complex.twin(next(c));
+        if (is_border(across)) {
+            fan.last = complex.vertex(prev(c));
+            break;
+        }
+        c = next(across);
+        if (c == start) {
+            break;
+        }
+    }
+    return fan;
+}
+
+/// Whether an edge between these two phases is an interface edge [8.6]; `across` may be the border's.
+constexpr bool is_interface_pair(Phase inside, Phase across) {
+    return across == border_phase ? inside != exterior_phase : inside != across;
+}
+
+/// Calls `visit(vertex at the other end)` for each interface edge at the vertex. O(degree).
+template <class Real, class Visit>
+Fan for_each_interface_edge(const Complex<Real>& complex, std::uint32_t vertex, Visit visit) {
+    return turn(complex, vertex, [&](Corner c) {
+        // Each spoke once: the clockwise one of each triangle, and the last one of an open fan.
+        const Corner cw = complex.twin(prev(c));
+        if (is_interface_pair(complex.phase_at(c), complex.phase_at(cw))) {
+            visit(complex.vertex(next(c)));
+        }
+        const Corner ccw = complex.twin(next(c));
+        if (is_border(ccw) && is_interface_pair(complex.phase_at(c), border_phase)) {
+            visit(complex.vertex(prev(c)));
+        }
+    });
+}
+
+/// The whole Fan. The region must own the vertex: another submesh may be rewriting a foreign star at
+/// this moment. O(degree).
+template <class Real>
+Fan inspect(const Complex<Real>& complex, const Region& region, std::uint32_t vertex) {
+    std::uint32_t interface_edges = 0;
+    Fan fan = for_each_interface_edge(complex, vertex, [&](std::uint32_t) { ++interface_edges; });
+    fan.interface_edges = interface_edges;
+    if (!region.is_whole()) {
+        turn(complex, vertex, [&](Corner c) {
+            fan.owned = fan.owned && owns_triangle(complex, region, triangle_of(c));
+        });
+    }
+    return fan;
+}
+
+} // namespace dsc

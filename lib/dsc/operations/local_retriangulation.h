@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Local retriangulation [4.2, 7.3]: the triangles around one triangle are taken out and the polygon
+// that they leave is triangulated anew, without the vertices that were inside.
+#pragma once
+
+#include "dsc/base/verdict.h"
+#include "dsc/complex/submesh.h"
+#include "dsc/operations/retriangulation.h"
+
+namespace dsc {
+
+/// Whether what surrounds the triangle may be retriangulated: no vertex of it on the interface or on
+/// the submesh boundary, none locked that would vanish, and the trace one simple polygon that ears
+/// can be cut from [6.5]. Vertices of the domain boundary stay. O(n^2) for a polygon of n. Exact.
+template <class Real>
+Verdict local_retriangulation_guard(const Complex<Real>& complex, const Region& region,
+                                    Triangle triangle);
+
+struct RetriangulationResult {
+    Verdict verdict = Verdict::legal;
+    std::uint32_t vertices_removed = 0;
+    std::uint32_t triangles_removed = 0; ///< the old ones less the new ones
+};
+
+/// Retriangulates if that is legal. The new triangles take ids of the old ones, the given triangle's
+/// first, and inherit its phase and attributes; new edges get the attributes' defaults, the polygon's
+/// keep theirs. Never needs an id. Thread-safe for disjoint submeshes; allocates only until the
+/// scratch of the calling thread has grown to the largest polygon.
+template <class Real>
+RetriangulationResult
+local_retriangulation(Complex<Real>& complex, const Submesh& submesh, Triangle triangle,
+                      RetriangulationMethod method = RetriangulationMethod::ear_clipping);
+
+template <class Real>
+RetriangulationResult
+local_retriangulation(Complex<Real>& complex, Triangle triangle,
+                      RetriangulationMethod method = RetriangulationMethod::ear_clipping) {
+    return local_retriangulation(complex, whole_submesh(complex), triangle, method);
+}
+
+} // namespace dsc

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/operations/smoothing.h"
+
+#include "dsc/base/error.h"
+#include "dsc/base/predicates.h"
+#include "dsc/operations/fan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <string>
+
+namespace dsc {
+
+namespace {
+
+// What every smoothing asks first; `fan` is filled in where the vertex is in the submesh.
+template <class Real>
+Verdict check_star(const Complex<Real>& complex, const Region& region, Vertex vertex, Fan& fan) {
+    if (!complex.is_alive(vertex)) {
+        return Verdict::not_a_simplex;
+    }
+    if (!owns(complex, region, vertex.id)) {
+        return Verdict::on_submesh_boundary;
+    }
+    fan = inspect(complex, region, vertex.id);
+    if (fan.on_boundary) {
+        return Verdict::on_boundary;
+    }
+    return fan.owned ? Verdict::legal : Verdict::on_submesh_boundary;
+}
+
+// (sin of the smallest angle)^2, with the sign of the area: equation 4 but for factor and root, which
+// do not change an order. The smallest angle lies between the two longest edges. Two quotients, not
+// one of products, which would leave the range of Real at scales of 1e-100.
+template <class Real>
+Real sine_squared(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
+    const Point<Real> ab = b - a;
+    const Point<Real> ac = c - a;
+    const Real bc = (c - b).squaredNorm();
+    const Real longest = std::max({bc, ab.squaredNorm(), ac.squaredNorm()});
+    const Real middle =
+        std::max(std::min(ab.squaredNorm(), ac.squaredNorm()),
+                 std::min(std::max(ab.squaredNorm(), ac.squaredNorm()), bc));
+    const Real area = ab.x() * ac.y() - ab.y() * ac.x();
+    return (area / longest) * (std::abs(area) / middle);
+}
+
+// Moves the vertex to `target` if its star allows and gains.
+template <class Real>
+Verdict move_if_better(Complex<Real>& complex, const Region& region, Vertex vertex,
+                       const Point<Real>& target) {
+    // A vertex must not walk out of its submesh while others run.
+    if (!region.owns(vertex.id, static_cast<double>(target.x()),
+                     static_cast<double>(target.y()))) {
+        return Verdict::on_submesh_boundary;
+    }
+    const Point<Real> here = complex.position(vertex);
+    bool positive = true;
+    Real before = std::numeric_limits<Real>::infinity();
+    Real after = std::numeric_limits<Real>::infinity();
+    turn(complex, vertex.id, [&](Corner c) {
+        const auto p = complex.position(Vertex{complex.vertex(next(c))});
+        const auto q = complex.position(Vertex{complex.vertex(prev(c))});
+        positive = positive && orientation<Real>(target, p, q) > 0;
+        before = std::min(before, sine_squared<Real>(here, p, q));
+        after = std::min(after, sine_squared<Real>(target, p, q));
+    });
+    if (!positive) {
+        return Verdict::inverts;
+    }
+    if (!(after > before)) {
+        return Verdict::no_gain;
+    }
+    auto& record = complex.vertices[vertex.id];
+    write_shared(record.x, target.x());
+    write_shared(record.y, target.y());
+    return Verdict::legal;
+}
+
+template <class Real>
+bool turns_more(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
+                double cosine) {
+    const Point<Real> in = at - from;
+    const Point<Real> out = to - at;
+    return static_cast<double>(in.dot(out)) <
+           cosine * static_cast<double>(in.norm()) * static_cast<double>(out.norm());
+}
+
+// The interface beyond `at`, coming from `from`: no_id where it ends, branches, turns sharply or
+// leaves the submesh (there, others may be moving it at this moment).
+template <class Real>
+std::uint32_t beyond(const Complex<Real>& complex, const Region& region, std::uint32_t from,
+                     std::uint32_t at, double cosine) {
+    std::uint32_t count = 0;
+    std::uint32_t other = no_id;
+    const Fan fan = for_each_interface_edge(complex, at, [&](std::uint32_t w) {
+        ++count;
+        other = w != from ? w : other;
+    });
+    if (count != 2 || fan.on_boundary || !owns(complex, region, other)) {
+        return no_id;
+    }
+    const auto position = [&](std::uint32_t v) { return complex.position(Vertex{v}); };
+    return turns_more<Real>(position(from), position(at), position(other), cosine) ? no_id : other;
+}
+
+// The Lagrange polynomial through points at knots, relative to its second point, which has knot 0:
+// an offset of the coordinates costs no digits.
+template <class Real>
+Point<Real> on_curve(std::span<const Point<Real>> points, std::span<const Real> knots, Real at) {
+    Point<Real> sum = Point<Real>::Zero();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        Real weight = 1;
+        for (std::size_t j = 0; j < points.size(); ++j) {
+            if (j != i) {
+                weight *= (at - knots[j]) / (knots[i] - knots[j]);
+            }
+        }
+        sum += weight * (points[i] - points[1]);
+    }
+    return points[1] + sum;
+}
+
+// |ends' distances| within this share of their sum count as equal: where exactly the vertex stands
+// on the curve matters to nothing.
+template <class Real>
+inline constexpr Real equal_lengths = Real(1e-4);
+
+// Bisection halves the bracket each time, so that this suffices whatever the curve does.
+inline constexpr int most_halvings = 24;
+
+// The knot in (0, knots[2]) whose point is equally far from points[0] and points[2].
+template <class Real>
+Real equalising_knot(std::span<const Point<Real>> points, std::span<const Real> knots) {
+    Real low = 0;
+    Real high = knots[2];
+    Real at = Real(0.5) * (knots[0] + knots[2]); // exact on a straight line
+    for (int i = 0; i < most_halvings; ++i) {
+        const Point<Real> p = on_curve(points, knots, at);
+        const Real to_near = (p - points[0]).norm();
+        const Real to_far = (p - points[2]).norm();
+        if (std::abs(to_near - to_far) <= equal_lengths<Real> * (to_near + to_far)) {
+            break;
+        }
+        (to_near < to_far ? low : high) = at;
+        // Along the curve one length grows as the other shrinks: half the difference is the step of
+        // Newton's method, but for the bend.
+        const Real newton = at + Real(0.5) * (to_far - to_near);
+        at = newton > low && newton < high ? newton : Real(0.5) * (low + high);
+    }
+    return at;
+}
+
+} // namespace
+
+template <class Real>
+Verdict laplacian_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex) {
+    Fan fan;
+    const Verdict verdict = check_star(complex, submesh.region, vertex, fan);
+    if (verdict != Verdict::legal) {
+        return verdict;
+    }
+    if (fan.interface_edges > 0) {
+        return Verdict::on_interface;
+    }
+    if (complex.is_locked(vertex)) {
+        return Verdict::locked;
+    }
+    // Relative to the vertex, so that an offset of the coordinates costs no digits.
+    const Point<Real> here = complex.position(vertex);
+    Point<Real> sum = Point<Real>::Zero();
+    std::uint32_t count = 0;
+    turn(complex, vertex.id, [&](Corner c) {
+        sum += complex.position(Vertex{complex.vertex(next(c))}) - here;
+        ++count;
+    });
+    if (count == 0) {
+        return Verdict::no_gain;
+    }
+    return move_if_better<Real>(complex, submesh.region, vertex,
+                                here + sum / static_cast<Real>(count));
+}
+
+template <class Real>
+Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex,
+                            const InterfaceSmoothingOptions& options) {
+    if (!(options.corner_degrees >= 0 && options.corner_degrees <= 180)) {
+        throw InputError("corner_degrees", "interface_smoothing",
+                         std::to_string(options.corner_degrees), "0 to 180 degrees");
+    }
+    if (!(options.step >= 0 && options.step <= 1)) {
+        throw InputError("step", "interface_smoothing", std::to_string(options.step), "0 to 1");
+    }
+    Fan fan;
+    const Verdict verdict = check_star(complex, submesh.region, vertex, fan);
+    if (verdict != Verdict::legal) {
+        return verdict;
+    }
+    if (fan.interface_edges != 2) {
+        return Verdict::on_interface;
+    }
+    std::array<std::uint32_t, 2> ends{};
+    std::uint32_t count = 0;
+    for_each_interface_edge(complex, vertex.id, [&](std::uint32_t w) { ends[count++] = w; });
+    const double cosine = std::cos(options.corner_degrees * std::numbers::pi / 180);
+    const Point<Real> here = complex.position(vertex);
+    const auto position = [&](std::uint32_t v) { return complex.position(Vertex{v}); };
+    if (turns_more<Real>(position(ends[0]), here, position(ends[1]), cosine)) {
+        return Verdict::on_interface;
+    }
+    if (complex.is_locked(vertex)) {
+        return Verdict::locked;
+    }
+    Real near = (position(ends[0]) - here).norm();
+    Real far = (position(ends[1]) - here).norm();
+    if (near > far) {
+        std::swap(near, far);
+        std::swap(ends[0], ends[1]);
+    }
+    // The vertex goes towards the farther neighbour: between it and that one runs the curve.
+    std::array<Point<Real>, 4> points{position(ends[0]), here, position(ends[1]), here};
+    std::array<Real, 4> knots{-near, 0, far, 0};
+    std::size_t size = 3;
+    const std::uint32_t last = beyond(complex, submesh.region, vertex.id, ends[1], cosine);
+    if (last != no_id && last != ends[0]) {
+        points[3] = position(last);
+        knots[3] = far + (points[3] - points[2]).norm();
+        size = 4;
+    }
+    const std::span<const Point<Real>> curve(points.data(), size);
+    const std::span<const Real> at(knots.data(), size);
+    const Real knot = equalising_knot(curve, at) * static_cast<Real>(options.step);
+    return move_if_better<Real>(complex, submesh.region, vertex, on_curve(curve, at, knot));
+}
+
+template Verdict laplacian_smoothing(Complex<double>&, const Submesh&, Vertex);
+template Verdict laplacian_smoothing(Complex<float>&, const Submesh&, Vertex);
+template Verdict interface_smoothing(Complex<double>&, const Submesh&, Vertex,
+                                     const InterfaceSmoothingOptions&);
+template Verdict interface_smoothing(Complex<float>&, const Submesh&, Vertex,
+                                     const InterfaceSmoothingOptions&);
+
+} // namespace dsc

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Smoothing [5.5]: vertices move so that the triangles around them get better; none is added or
+// removed. The quality is that of equation 4, 2/sqrt(3) sin(smallest angle).
+#pragma once
+
+#include "dsc/base/verdict.h"
+#include "dsc/complex/submesh.h"
+
+namespace dsc {
+
+/// Moves the vertex to the mean of its neighbours (equation 6) if no star triangle inverts and the
+/// smallest quality of the star rises. A vertex of the domain boundary or of the interface stays.
+/// O(degree), no allocation. The signs are exact. Thread-safe for disjoint submeshes.
+template <class Real>
+Verdict laplacian_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex);
+
+template <class Real>
+Verdict laplacian_smoothing(Complex<Real>& complex, Vertex vertex) {
+    return laplacian_smoothing(complex, whole_submesh(complex), vertex);
+}
+
+struct InterfaceSmoothingOptions {
+    /// Degrees. Where the interface turns by more, the vertex is a corner: it stays, and no curve is
+    /// drawn through it.
+    double corner_degrees = 30;
+    /// Share of the way to the point of equal lengths, measured along the curve; 0 to 1.
+    double step = 1;
+};
+
+/// Slides a vertex with exactly two interface edges along the interface, towards where the two are
+/// equally long: on the Lagrange polynomial, by chord length, through the vertex, its two interface
+/// neighbours and the one beyond the farther of them (three points where the curve ends, branches,
+/// has a corner or leaves the submesh there), so that a smooth shape changes by O(h^4) (O(h^3)).
+/// Accepted only if no star triangle inverts and the smallest quality of the star rises. Answers
+/// on_interface at junctions, at corners and away from the interface. O(degree), no allocation.
+/// Thread-safe for disjoint submeshes. Throws InputError where an option is out of range.
+template <class Real>
+Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex,
+                            const InterfaceSmoothingOptions& options = {});
+
+template <class Real>
+Verdict interface_smoothing(Complex<Real>& complex, Vertex vertex,
+                            const InterfaceSmoothingOptions& options = {}) {
+    return interface_smoothing(complex, whole_submesh(complex), vertex, options);
+}
+
+} // namespace dsc
