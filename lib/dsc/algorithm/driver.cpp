@@ -18,7 +18,7 @@ SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Optio
         epoch_ = std::max(epoch_, vertex.stamp);
     }
     work_.epoch = ++epoch_;
-    work_.interface = collect_interface(complex);
+    work_.interface = collect_interface(complex, options.shuffle_seed);
 }
 
 template <class Real>

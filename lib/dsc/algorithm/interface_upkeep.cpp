@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace dsc {
 
@@ -228,7 +229,7 @@ void upkeep_interface(Work<Real>& work) {
 }
 
 template <class Real>
-std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex) {
+std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::uint64_t seed) {
     // next[v]: where the interface half-edge with the larger phase on its left leads from v.
     std::vector<std::uint32_t> list;
     std::vector<std::uint8_t> seen(complex.vertex_bound(), 0);
@@ -276,12 +277,19 @@ std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex) {
             }
         }
     }
+    if (seed != 0) {
+        // Fisher and Yates, spelt out: std::shuffle differs between standard libraries.
+        std::mt19937_64 random(seed);
+        for (std::size_t i = list.size(); i > 1; --i) {
+            std::swap(list[i - 1], list[random() % i]);
+        }
+    }
     return list;
 }
 
 template void upkeep_interface(Work<double>&);
 template void upkeep_interface(Work<float>&);
-template std::vector<std::uint32_t> collect_interface(const Complex<double>&);
-template std::vector<std::uint32_t> collect_interface(const Complex<float>&);
+template std::vector<std::uint32_t> collect_interface(const Complex<double>&, std::uint64_t);
+template std::vector<std::uint32_t> collect_interface(const Complex<float>&, std::uint64_t);
 
 } // namespace dsc

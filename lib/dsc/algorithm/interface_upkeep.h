@@ -13,8 +13,9 @@ namespace dsc {
 template <class Real>
 void upkeep_interface(Work<Real>& work);
 
-/// All interface vertices of a complex, curve by curve. O(n), once at the start.
+/// All interface vertices of a complex, curve by curve; shuffled where `seed` is not 0, to see how
+/// far results depend on the order of operations. O(n), once at the start.
 template <class Real>
-std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex);
+std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::uint64_t seed = 0);
 
 } // namespace dsc

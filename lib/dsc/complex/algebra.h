@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The simplex relations and operations of thesis section 3.1 (after Misztal & Baerentzen): boundary,
-// full boundary, star, closure, link; skeleton and filter live with the sets. They are the readable
-// way to ask a complex; the mesh operations navigate by corners instead, because they cannot afford
-// the arrays.
+// The simplex relations and operations of thesis section 3.1 (after Misztal & Baerentzen):
+// boundary, full boundary, star, closure, link; skeleton and filter live with the sets. They are
+// the readable way to ask a complex; the mesh operations navigate by corners instead, because they
+// cannot afford the arrays.
 //
 // A simplex that does not live in the complex has no relatives: the answer is the empty set.
-// Complexities: d is the degree of the vertex (or the sum of the degrees), k the number of simplices
-// collected for a set.
+// Complexities: d is the degree of the vertex (or the sum of the degrees), k the number of
+// simplices collected for a set.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -88,9 +88,9 @@ template <class Real>
 template <class Real>
 [[nodiscard]] SimplexSet closure(const Complex<Real>& complex, const SimplexSet& set);
 
-/// closure(star(s)) \ star(closure(s)) [figure 3.7]: around a vertex the ring of vertices and edges,
-/// of an edge the one or two vertices opposite to it, of a triangle nothing (its star is itself).
-/// O(d log d) for a vertex, O(1) otherwise.
+/// closure(star(s)) \ star(closure(s)) [figure 3.7]: around a vertex the ring of vertices and
+/// edges, of an edge the one or two vertices opposite to it, of a triangle nothing (its star is
+/// itself). O(d log d) for a vertex, O(1) otherwise.
 template <class Real>
 [[nodiscard]] SimplexSet link(const Complex<Real>& complex, Vertex v);
 template <class Real>

@@ -118,11 +118,10 @@ std::string find_meeting(std::vector<Segment<Real>>& segments) {
     });
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const Segment<Real>& s = segments[i];
-        for (std::size_t k = i + 1; k < segments.size() && segments[k].low_x() <= s.high_x();
-             ++k) {
+        for (std::size_t k = i + 1; k < segments.size() && segments[k].low_x() <= s.high_x(); ++k) {
             const Segment<Real>& t = segments[k];
-            const bool shares = s.a_id == t.a_id || s.a_id == t.b_id || s.b_id == t.a_id ||
-                                s.b_id == t.b_id;
+            const bool shares =
+                s.a_id == t.a_id || s.a_id == t.b_id || s.b_id == t.a_id || s.b_id == t.b_id;
             if (shares || s.low_y() > t.high_y() || t.low_y() > s.high_y()) {
                 continue;
             }

@@ -2,8 +2,8 @@
 // The global half of validation: a complex whose vertices are all discs or half discs, and whose
 // triangles are all positive, may still lie over itself. That no two of its triangles overlap
 // [3, condition 2] follows from its boundary alone:
-//   each component is a sphere with holes (Euler: V - E + T = 2 - loops), and its map to the plane is
-//   locally one to one. The number of triangles over a point is then the winding number of the
+//   each component is a sphere with holes (Euler: V - E + T = 2 - loops), and its map to the plane
+//   is locally one to one. The number of triangles over a point is then the winding number of the
 //   boundary about it. If no two loops meet, and one loop of each component turns left (Hopf: the
 //   turning numbers sum up to 2 - loops), that number is 0 or 1 for each component; components are
 //   disjoint if no loop of one lies inside another.

@@ -46,15 +46,14 @@ bool any_edge_of(Triangle t, Test test) {
                      allowed);
 }
 
-// The corners opposite to the half-edges v[i+2] -> v[i+1], which the new triangle is to face. Throws
-// where one of its own half-edges is taken.
+// The corners opposite to the half-edges v[i+2] -> v[i+1], which the new triangle is to face.
+// Throws where one of its own half-edges is taken.
 template <class Real>
 std::array<Corner, 3> find_neighbours(const Complex<Real>& complex,
                                       const std::array<std::uint32_t, 3>& v) {
     std::array<Corner, 3> found{border_corner, border_corner, border_corner};
-    const auto used = std::count_if(v.begin(), v.end(), [&](std::uint32_t id) {
-        return complex.vertices[id].corner != no_id;
-    });
+    const auto used = std::count_if(
+        v.begin(), v.end(), [&](std::uint32_t id) { return complex.vertices[id].corner != no_id; });
     if (used < 2) {
         return found; // an edge that exists has two vertices in use
     }
@@ -119,8 +118,8 @@ Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, P
         throw InputError("a phase is reserved", "insert_triangle", std::to_string(phase),
                          "0 to 4294967294");
     }
-    const int sign = dsc::orientation(complex.position(a), complex.position(b),
-                                      complex.position(c));
+    const int sign =
+        dsc::orientation(complex.position(a), complex.position(b), complex.position(c));
     if (sign == 0) {
         refuse_triangle("the triangle is degenerate", v, "a positive area");
     }
@@ -257,8 +256,7 @@ std::size_t remove(Complex<Real>& complex, const SimplexSet& set) {
 template <class Real>
 int orientation(const Complex<Real>& complex, Triangle t) {
     const auto v = complex.vertices_of(t);
-    return dsc::orientation(complex.position(v[0]), complex.position(v[1]),
-                            complex.position(v[2]));
+    return dsc::orientation(complex.position(v[0]), complex.position(v[1]), complex.position(v[2]));
 }
 
 template <class Real>
@@ -373,8 +371,8 @@ double phase_area(const Complex<Real>& complex, Phase phase) {
         const Point<double> a = complex.position(v[0]).template cast<double>();
         const Point<double> b = complex.position(v[1]).template cast<double>();
         const Point<double> c = complex.position(v[2]).template cast<double>();
-        const double area = 0.5 * ((b.x() - a.x()) * (c.y() - a.y()) -
-                                   (b.y() - a.y()) * (c.x() - a.x()));
+        const double area =
+            0.5 * ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()));
         const double next_sum = sum + area;
         lost += std::abs(sum) >= std::abs(area) ? (sum - next_sum) + area : (area - next_sum) + sum;
         sum = next_sum;

@@ -4,9 +4,9 @@
 // `is_valid_simplex` and `remove`.
 //
 // Insertion and removal take simplices in any order. Half way, a vertex may have more than one fan
-// of triangles: the complex is then no manifold [3.2], `validate` says so, and whatever rotates about
-// that vertex (star, link, is_boundary...) sees one of the fans only, until the gaps are filled. The
-// mesh operations in lib/dsc/operations never pass through such states.
+// of triangles: the complex is then no manifold [3.2], `validate` says so, and whatever rotates
+// about that vertex (star, link, is_boundary...) sees one of the fans only, until the gaps are
+// filled. The mesh operations in lib/dsc/operations never pass through such states.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -24,11 +24,11 @@ Vertex insert_vertex(Complex<Real>& complex, const Point<Real>& p);
 
 /// Inserts a triangle between three living vertices, in either orientation, with those of its edges
 /// that do not exist yet [8.2], and links it with its neighbours. Attributes take their initial
-/// values; an edge that exists keeps its own. O(n), because the neighbours are searched for among all
-/// triangles, wherever they are: to build a whole mesh use `make_complex`.
-/// Throws InputError where a vertex is dead or named twice, the area is zero, the phase is reserved,
-/// an edge has two triangles already, the triangle would overlap the one that its edge has, or no id
-/// is left; the complex is then as before.
+/// values; an edge that exists keeps its own. O(n), because the neighbours are searched for among
+/// all triangles, wherever they are: to build a whole mesh use `make_complex`. Throws InputError
+/// where a vertex is dead or named twice, the area is zero, the phase is reserved, an edge has two
+/// triangles already, the triangle would overlap the one that its edge has, or no id is left; the
+/// complex is then as before.
 template <class Real>
 Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, Phase phase);
 
@@ -41,7 +41,8 @@ Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, P
 template <class Real>
 std::size_t remove(Complex<Real>& complex, const SimplexSet& set);
 
-/// +1 counter-clockwise, -1 clockwise, 0 degenerate; exact. Every triangle of a valid complex has +1.
+/// +1 counter-clockwise, -1 clockwise, 0 degenerate; exact. Every triangle of a valid complex has
+/// +1.
 template <class Real>
 [[nodiscard]] int orientation(const Complex<Real>& complex, Triangle t);
 

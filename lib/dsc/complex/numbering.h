@@ -23,12 +23,12 @@ struct Renumbering {
 };
 
 /// Renumbers vertices along a Hilbert curve by their positions, triangles by the smallest of their
-/// new vertices, and drops the free ids. Unused vertices stay. A triangle keeps its corners 0, 1, 2;
-/// attributes are permuted with their simplices. All handles and corners from before are void. The
-/// new order depends on the old one only where vertices coincide or triangles begin at another of
-/// their corners. O(n log n); works in place, with 16 bytes a vertex and 8 a triangle beside (and the
-/// copy of one attribute at a time).
-/// Throws InputError where submeshes hold ids of the complex.
+/// new vertices, and drops the free ids. Unused vertices stay. A triangle keeps its corners 0, 1,
+/// 2; attributes are permuted with their simplices. All handles and corners from before are void.
+/// The new order depends on the old one only where vertices coincide or triangles begin at another
+/// of their corners. O(n log n); works in place, with 16 bytes a vertex and 8 a triangle beside
+/// (and the copy of one attribute at a time). Throws InputError where submeshes hold ids of the
+/// complex.
 template <class Real>
 Renumbering renumber(Complex<Real>& complex);
 

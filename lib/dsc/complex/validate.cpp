@@ -32,8 +32,7 @@ std::string name_vertex(const Complex<Real>& complex, std::uint32_t v) {
 }
 
 std::string name_corner(Corner c) {
-    return "triangle " + std::to_string(triangle_of(c)) + ", corner " +
-           std::to_string(index_of(c));
+    return "triangle " + std::to_string(triangle_of(c)) + ", corner " + std::to_string(index_of(c));
 }
 
 template <class Real>
@@ -91,8 +90,7 @@ Problem check_attributes(const Complex<Real>& complex) {
         const std::size_t size = size_of(*attribute).value_or(expected);
         if (size != expected) {
             return "attribute '" + attribute->name() + "': it has " + std::to_string(size) +
-                   " entries instead of " +
-                   std::to_string(expected);
+                   " entries instead of " + std::to_string(expected);
         }
     }
     return {};
@@ -155,13 +153,11 @@ Problem check_link(const Complex<Real>& complex, Corner c) {
 }
 
 template <class Real>
-Problem check_triangle(const Complex<Real>& complex, std::uint32_t t) {
-    const TriangleRecord& record = complex.triangles[t];
-    const auto& v = record.v;
+Problem check_corners(const Complex<Real>& complex, std::uint32_t t) {
+    const auto& v = complex.triangles[t].v;
     for (const std::uint32_t id : v) {
         if (!complex.is_alive(Vertex{id})) {
-            return name_triangle(complex, t) + ": vertex " + std::to_string(id) +
-                   " does not live";
+            return name_triangle(complex, t) + ": vertex " + std::to_string(id) + " does not live";
         }
         if (complex.vertices[id].corner == no_id) {
             return name_vertex(complex, id) + ": it has no corner but is a vertex of " +
@@ -171,29 +167,39 @@ Problem check_triangle(const Complex<Real>& complex, std::uint32_t t) {
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
         return name_triangle(complex, t) + ": a vertex is named twice";
     }
-    if (record.phase == border_phase) {
+    if (complex.triangles[t].phase == border_phase) {
         return name_triangle(complex, t) + ": its phase is the one reserved for the border";
-    }
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        if (Problem problem = check_link(complex, corner_of(t, i)); !problem.empty()) {
-            return problem;
-        }
-    }
-    const int sign = orientation(complex.position(Vertex{v[0]}), complex.position(Vertex{v[1]}),
-                                 complex.position(Vertex{v[2]}));
-    if (sign <= 0) {
-        return name_triangle(complex, t) +
-               (sign == 0 ? ": it is degenerate" : ": it is inverted");
     }
     return {};
 }
 
 template <class Real>
-Problem check_triangles(const Complex<Real>& complex, ValidationReport& report) {
+Problem check_links(const Complex<Real>& complex, std::uint32_t t) {
+    Problem problem;
+    for (std::uint32_t i = 0; i < 3 && problem.empty(); ++i) {
+        problem = check_link(complex, corner_of(t, i));
+    }
+    return problem;
+}
+
+template <class Real>
+Problem check_orientation(const Complex<Real>& complex, std::uint32_t t) {
+    const auto v = complex.vertices_of(Triangle{t});
+    const int sign =
+        orientation(complex.position(v[0]), complex.position(v[1]), complex.position(v[2]));
+    if (sign > 0) {
+        return {};
+    }
+    return name_triangle(complex, t) + (sign == 0 ? ": it is degenerate" : ": it is inverted");
+}
+
+// All triangles by one check before the next: a bad vertex also breaks the links of its triangle's
+// neighbours, and shall be named first.
+template <class Real, class Check>
+Problem check_triangles(const Complex<Real>& complex, Check check) {
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
         if (complex.is_alive(Triangle{t})) {
-            ++report.triangles;
-            if (Problem problem = check_triangle(complex, t); !problem.empty()) {
+            if (Problem problem = check(t); !problem.empty()) {
                 return problem;
             }
         }
@@ -262,7 +268,7 @@ Problem check_fan(const Complex<Real>& complex, std::uint32_t v, std::uint32_t e
     const Point<Real> centre = complex.position(Vertex{v});
     const Point<Real> begin = complex.position(Vertex{complex.vertex(next(first))});
     std::uint32_t met = 0;
-    std::uint32_t rounds = 0;   // of a closed fan: how often it passes direction 0
+    std::uint32_t rounds = 0;  // of a closed fan: how often it passes direction 0
     bool begins_again = false; // an open fan that comes back to where it began
     Corner c = first;
     while (met <= expected) {
@@ -270,9 +276,9 @@ Problem check_fan(const Complex<Real>& complex, std::uint32_t v, std::uint32_t e
         const Point<Real> from = complex.position(Vertex{complex.vertex(next(c))});
         const Point<Real> to = complex.position(Vertex{complex.vertex(prev(c))});
         rounds += !is_upper(centre, from) && is_upper(centre, to) ? 1U : 0U;
-        begins_again = begins_again ||
-                       (met > 1 && !closed && orientation(centre, from, begin) > 0 &&
-                        orientation(centre, begin, to) >= 0);
+        begins_again =
+            begins_again || (met > 1 && !closed && orientation(centre, from, begin) > 0 &&
+                             orientation(centre, begin, to) >= 0);
         const Corner across = complex.twin(next(c));
         if (is_border(across) || next(across) == first) {
             break;
@@ -321,10 +327,10 @@ Problem check_shape(const Complex<Real>& complex, ValidationReport& report) {
     const std::int64_t expected = 2 * static_cast<std::int64_t>(report.components) -
                                   static_cast<std::int64_t>(report.boundary_loops);
     if (report.euler_characteristic != expected) {
-        return "Euler characteristic: V - E + T is " +
-               std::to_string(report.euler_characteristic) + " instead of " +
-               std::to_string(expected) + " for " + std::to_string(report.components) +
-               " components with " + std::to_string(report.boundary_loops) +
+        return "Euler characteristic: V - E + T is " + std::to_string(report.euler_characteristic) +
+               " instead of " + std::to_string(expected) + " for " +
+               std::to_string(report.components) + " components with " +
+               std::to_string(report.boundary_loops) +
                " boundary loops: it does not fit into the plane";
     }
     return embedding.problem;
@@ -340,7 +346,15 @@ Problem find_problem(const Complex<Real>& complex, ValidationReport& report) {
     };
     then([&] { return check_attributes(complex); });
     then([&] { return check_vertices(complex, report); });
-    then([&] { return check_triangles(complex, report); });
+    const auto each_triangle = [&](auto check) {
+        then([&] { return check_triangles(complex, check); });
+    };
+    each_triangle([&](std::uint32_t t) {
+        ++report.triangles;
+        return check_corners(complex, t);
+    });
+    each_triangle([&](std::uint32_t t) { return check_links(complex, t); });
+    each_triangle([&](std::uint32_t t) { return check_orientation(complex, t); });
     then([&] {
         return check_pool("vertex", complex.ids.vertices, 0, complex.vertex_bound(),
                           complex.lent_vertices,

@@ -15,8 +15,8 @@ namespace dsc {
 /// only where the links are sound.
 struct ValidationReport {
     std::string problem; ///< empty where all is well; else the first bad element and what is wrong
-    std::uint64_t vertices = 0;  ///< living vertices, unused ones included
-    std::uint64_t triangles = 0; ///< living triangles
+    std::uint64_t vertices = 0;        ///< living vertices, unused ones included
+    std::uint64_t triangles = 0;       ///< living triangles
     std::uint64_t unused_vertices = 0; ///< living vertices without triangles: allowed
     std::uint64_t edges = 0;
     std::uint64_t components = 0;     ///< pieces that hang together by edges

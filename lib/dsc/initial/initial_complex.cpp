@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/initial_complex.h"
 
+#include "dsc/complex/numbering.h"
 #include "dsc/initial/delaunay.h"
 #include "dsc/initial/improvement.h"
 #include "dsc/initial/input_check.h"
@@ -14,7 +15,7 @@ namespace {
 
 // Lattice vertices closer to an outline than this share of its pieces make way for it. Larger
 // leaves gaps, smaller short edges; half keeps the circles about the pieces empty.
-constexpr double clearance = 0.6;
+constexpr double clearance = 0.5;
 // Room for the vertices of the outlines and for those that grade down to short pieces, so that
 // arrays of a large complex need not be copied to grow.
 constexpr std::size_t spare_per_piece = 4;
@@ -39,9 +40,8 @@ Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> sh
     fill_phases(complex, outlines, chains);
     std::vector<Corner> stack;
     for (const std::uint32_t v : touched) {
-        push_star(complex, v, stack);
+        legalise_star(complex, v, stack);
     }
-    legalise(complex, stack);
     std::vector<std::uint32_t> interface_vertices;
     interface_vertices.reserve(pieces);
     for (const auto& chain : chains) {
@@ -49,6 +49,9 @@ Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> sh
     }
     improve(complex, std::span<const std::uint32_t>(interface_vertices), options.edge_length,
             options.improve_rounds);
+    if (options.renumber) {
+        renumber(complex);
+    }
     return complex;
 }
 

@@ -96,8 +96,7 @@ std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
         complex.triangles[triangle_of(other)].phase = complex.phase_at(corner);
         complex.triangles[u2].phase = phase_beyond;
     }
-    push_star(complex, m, stack);
-    legalise(complex, stack);
+    legalise_star(complex, m, stack);
     return m;
 }
 
@@ -137,8 +136,7 @@ bool remove_vertex(Complex<Real>& complex, std::uint32_t vertex, std::vector<Cor
         Verdict::legal) {
         return false;
     }
-    push_star(complex, keep, stack);
-    legalise(complex, stack);
+    legalise_star(complex, keep, stack);
     return true;
 }
 

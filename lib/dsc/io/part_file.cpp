@@ -77,9 +77,7 @@ PartFile& PartFile::operator<<(std::string_view text) {
     return *this;
 }
 
-PartFile& PartFile::operator<<(char c) {
-    return *this << std::string_view(&c, 1);
-}
+PartFile& PartFile::operator<<(char c) { return *this << std::string_view(&c, 1); }
 
 PartFile& PartFile::operator<<(double value) {
     append_number(buffer_, value);
@@ -96,9 +94,7 @@ PartFile& PartFile::operator<<(std::uint64_t value) {
     return *this << std::string_view();
 }
 
-PartFile& PartFile::operator<<(std::uint32_t value) {
-    return *this << std::uint64_t{value};
-}
+PartFile& PartFile::operator<<(std::uint32_t value) { return *this << std::uint64_t{value}; }
 
 PartFile& PartFile::fixed(double value, int digits) {
     append_number(buffer_, value, std::chars_format::fixed, digits);

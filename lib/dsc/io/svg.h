@@ -18,17 +18,18 @@ struct SvgBox {
 };
 
 struct SvgOptions {
-    double size_px = 800;           ///< the longer side of the picture
-    double margin_px = 10;          ///< around it
-    double edge_width_px = 0.5;     ///< 0: no edges but those of the interface
-    double interface_width_px = 2;  ///< 0: no interface
+    double size_px = 800;          ///< the longer side of the picture
+    double margin_px = 10;         ///< around it
+    double edge_width_px = 0.5;    ///< 0: no edges but those of the interface
+    double interface_width_px = 2; ///< 0: no interface
     std::string edge_colour = "#888888";
     std::string interface_colour = "#000000";
     /// Fill by phase; phases beyond the list start it again after its first entry, which is the
     /// exterior's. The default is the colour-blind palette of Okabe and Ito (2008).
     std::vector<std::string> phase_colours{"#ffffff", "#56b4e9", "#e69f00", "#009e73",
                                            "#cc79a7", "#f0e442", "#0072b2", "#d55e00"};
-    /// The part of the plane to show; empty: all living vertices. Frames of a film want a fixed one.
+    /// The part of the plane to show; empty: all living vertices. Frames of a film want a fixed
+    /// one.
     std::optional<SvgBox> view{};
     std::string title{}; ///< empty: none
 };

@@ -98,9 +98,8 @@ void write_vtu(const Complex<Real>& complex, const std::string& path) {
     PartFile file(path);
     file << "<?xml version=\"1.0\"?>\n"
          << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-         << "<UnstructuredGrid>\n<Piece NumberOfPoints=\""
-         << std::uint64_t{numbers.vertices.size()} << "\" NumberOfCells=\""
-         << std::uint64_t{numbers.triangles.size()} << "\">\n";
+         << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << std::uint64_t{numbers.vertices.size()}
+         << "\" NumberOfCells=\"" << std::uint64_t{numbers.triangles.size()} << "\">\n";
     file << "<PointData>\n";
     write_attributes(file, complex.attributes, SimplexKind::vertex, numbers.vertices);
     file << "</PointData>\n<CellData Scalars=\"phase\">\n";

@@ -12,7 +12,8 @@
 
 namespace dsc {
 
-/// The result and the scratch of ear clipping: keep one, and calls stop allocating once it has grown.
+/// The result and the scratch of ear clipping: keep one, and calls stop allocating once it has
+/// grown.
 struct EarClipping {
     /// Indices into the polygon, counter-clockwise, in the order of cutting: the ear in the middle,
     /// between its neighbours at that moment. The last one is what was left.
@@ -22,11 +23,11 @@ struct EarClipping {
     std::vector<std::uint32_t> prev; ///< scratch
 };
 
-/// Triangulates the counter-clockwise polygon into n - 2 strictly positive triangles. The walk starts
-/// at its first vertex; an ear is cut and the walk goes on with its successor. A vertex is an ear if
-/// the polygon turns strictly left there and no other vertex of the polygon lies in the closed
-/// triangle. Returns false where a whole round cuts nothing or the last triangle is not positive.
-/// O(n^3) at worst, O(n^2) as a rule. Exact.
+/// Triangulates the counter-clockwise polygon into n - 2 strictly positive triangles. The walk
+/// starts at its first vertex; an ear is cut and the walk goes on with its successor. A vertex is
+/// an ear if the polygon turns strictly left there and no other vertex of the polygon lies in the
+/// closed triangle. Returns false where a whole round cuts nothing or the last triangle is not
+/// positive. O(n^3) at worst, O(n^2) as a rule. Exact.
 template <class Real>
 bool ear_clipping(std::span<const Point<Real>> polygon, EarClipping& work);
 

@@ -49,7 +49,8 @@ SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner co
         return {verdict, {}};
     }
     IdPool& pool = *submesh.pool;
-    if (!pool.may_grow && (pool.vertices.empty() || pool.triangles.size() < 2)) {
+    const std::size_t needed = is_border(complex.twin(corner)) ? 1 : 2;
+    if (!pool.may_grow && (pool.vertices.empty() || pool.triangles.size() < needed)) {
         return {Verdict::out_of_ids, {}};
     }
     const std::uint32_t a = complex.vertex(next(corner));

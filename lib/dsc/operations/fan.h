@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one turn about a vertex tells a guard: whether the domain ends there, whether the submesh owns
-// the whole star, and how many interface edges meet. Any degree; nothing is gathered.
+// What one turn about a vertex tells a guard: whether the domain ends there, whether the submesh
+// owns the whole star, and how many interface edges meet. Any degree; nothing is gathered.
 #pragma once
 
 #include "dsc/complex/submesh.h"
@@ -55,7 +55,8 @@ Fan turn(const Complex<Real>& complex, std::uint32_t vertex, Visit visit) {
     return fan;
 }
 
-/// Whether an edge between these two phases is an interface edge [8.6]; `across` may be the border's.
+/// Whether an edge between these two phases is an interface edge [8.6]; `across` may be the
+/// border's.
 constexpr bool is_interface_pair(Phase inside, Phase across) {
     return across == border_phase ? inside != exterior_phase : inside != across;
 }
@@ -76,8 +77,8 @@ Fan for_each_interface_edge(const Complex<Real>& complex, std::uint32_t vertex, 
     });
 }
 
-/// The whole Fan. The region must own the vertex: another submesh may be rewriting a foreign star at
-/// this moment. O(degree).
+/// The whole Fan. The region must own the vertex: another submesh may be rewriting a foreign star
+/// at this moment. O(degree).
 template <class Real>
 Fan inspect(const Complex<Real>& complex, const Region& region, std::uint32_t vertex) {
     std::uint32_t interface_edges = 0;

@@ -26,18 +26,18 @@ struct PolygonEdge {
 // What the guard finds and the operation carries out.
 template <class Real>
 struct Plan {
-    std::array<std::uint32_t, 3> vertex{};  // of the given triangle
-    std::array<bool, 3> vanishes{};         // those inside the domain
-    std::vector<std::uint32_t> region;      // the triangles of R, the given one first
-    std::vector<PolygonEdge> found;         // R', sorted by `from`
-    std::vector<PolygonEdge> polygon;       // R' as a loop, from the smallest vertex
-    std::vector<Point<Real>> points;        // of the polygon
+    std::array<std::uint32_t, 3> vertex{}; // of the given triangle
+    std::array<bool, 3> vanishes{};        // those inside the domain
+    std::vector<std::uint32_t> region;     // the triangles of R, the given one first
+    std::vector<PolygonEdge> found;        // R', sorted by `from`
+    std::vector<PolygonEdge> polygon;      // R' as a loop, from the smallest vertex
+    std::vector<Point<Real>> points;       // of the polygon
     EarClipping ears;
     // Scratch of the operation.
-    std::vector<Corner> side;               // beyond the edge after polygon vertex i
-    std::vector<std::uint32_t> original;    // that edge's index in the polygon; no_id: a new one
+    std::vector<Corner> side;                 // beyond the edge after polygon vertex i
+    std::vector<std::uint32_t> original;      // that edge's index in the polygon; no_id: a new one
     std::vector<std::array<Corner, 2>> moves; // edge data: to, from
-    std::vector<Corner> fresh;              // corners of new edges
+    std::vector<Corner> fresh;                // corners of new edges
 };
 
 // One for each thread, so that the common case does not allocate.

@@ -9,9 +9,10 @@
 
 namespace dsc {
 
-/// Whether what surrounds the triangle may be retriangulated: no vertex of it on the interface or on
-/// the submesh boundary, none locked that would vanish, and the trace one simple polygon that ears
-/// can be cut from [6.5]. Vertices of the domain boundary stay. O(n^2) for a polygon of n. Exact.
+/// Whether what surrounds the triangle may be retriangulated: no vertex of it on the interface or
+/// on the submesh boundary, none locked that would vanish, and the trace one simple polygon that
+/// ears can be cut from [6.5]. Vertices of the domain boundary stay. O(n^2) for a polygon of n.
+/// Exact.
 template <class Real>
 Verdict local_retriangulation_guard(const Complex<Real>& complex, const Region& region,
                                     Triangle triangle);
@@ -22,10 +23,10 @@ struct RetriangulationResult {
     std::uint32_t triangles_removed = 0; ///< the old ones less the new ones
 };
 
-/// Retriangulates if that is legal. The new triangles take ids of the old ones, the given triangle's
-/// first, and inherit its phase and attributes; new edges get the attributes' defaults, the polygon's
-/// keep theirs. Never needs an id. Thread-safe for disjoint submeshes; allocates only until the
-/// scratch of the calling thread has grown to the largest polygon.
+/// Retriangulates if that is legal. The new triangles take ids of the old ones, the given
+/// triangle's first, and inherit its phase and attributes; new edges get the attributes' defaults,
+/// the polygon's keep theirs. Never needs an id. Thread-safe for disjoint submeshes; allocates only
+/// until the scratch of the calling thread has grown to the largest polygon.
 template <class Real>
 RetriangulationResult
 local_retriangulation(Complex<Real>& complex, const Submesh& submesh, Triangle triangle,

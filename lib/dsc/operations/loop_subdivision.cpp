@@ -50,8 +50,8 @@ Verdict loop_subdivision_guard(const Complex<Real>& complex, const Region& regio
         const auto at = [&](Corner corner) {
             return complex.position(Vertex{complex.vertex(corner)});
         };
-        positive = positive &&
-                   orientation<Real>(at(c), m[index_of(prev(c))], m[index_of(next(c))]) > 0;
+        positive =
+            positive && orientation<Real>(at(c), m[index_of(prev(c))], m[index_of(next(c))]) > 0;
         const Corner other = complex.twin(c);
         if (!is_border(other)) {
             positive = positive && orientation<Real>(at(other), at(next(other)), m[i]) > 0 &&

@@ -23,9 +23,9 @@ struct LoopSubdivisionResult {
     std::array<Vertex, 3> vertices{};
 };
 
-/// Subdivides the triangle if that is legal. Its id goes to the part in the middle. The parts inherit
-/// phase and triangle attributes, the halves of an edge its attributes; new edges get the defaults,
-/// new vertices are blended at the midpoint. O(1). Thread-safe for disjoint submeshes.
+/// Subdivides the triangle if that is legal. Its id goes to the part in the middle. The parts
+/// inherit phase and triangle attributes, the halves of an edge its attributes; new edges get the
+/// defaults, new vertices are blended at the midpoint. O(1). Thread-safe for disjoint submeshes.
 template <class Real>
 LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, const Submesh& submesh,
                                        Triangle triangle);

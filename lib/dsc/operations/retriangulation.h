@@ -10,7 +10,7 @@ namespace dsc {
 enum class RetriangulationMethod : std::uint8_t {
     ear_clipping, ///< the thesis's method; may leave slivers
     delaunay,     ///< ear clipping, then flips until it is the constrained Delaunay triangulation
-                  ///< (C. L. Lawson, "Software for C1 surface interpolation", 1977), as thesis 13 asks
+              ///< (C. L. Lawson, "Software for C1 surface interpolation", 1977), as thesis 13 asks
 };
 
 [[nodiscard]] constexpr std::string_view to_string(RetriangulationMethod method) {

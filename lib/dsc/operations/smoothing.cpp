@@ -33,18 +33,17 @@ Verdict check_star(const Complex<Real>& complex, const Region& region, Vertex ve
     return fan.owned ? Verdict::legal : Verdict::on_submesh_boundary;
 }
 
-// (sin of the smallest angle)^2, with the sign of the area: equation 4 but for factor and root, which
-// do not change an order. The smallest angle lies between the two longest edges. Two quotients, not
-// one of products, which would leave the range of Real at scales of 1e-100.
+// (sin of the smallest angle)^2, with the sign of the area: equation 4 but for factor and root,
+// which do not change an order. The smallest angle lies between the two longest edges. Two
+// quotients, not one of products, which would leave the range of Real at scales of 1e-100.
 template <class Real>
 Real sine_squared(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
     const Point<Real> ab = b - a;
     const Point<Real> ac = c - a;
     const Real bc = (c - b).squaredNorm();
     const Real longest = std::max({bc, ab.squaredNorm(), ac.squaredNorm()});
-    const Real middle =
-        std::max(std::min(ab.squaredNorm(), ac.squaredNorm()),
-                 std::min(std::max(ab.squaredNorm(), ac.squaredNorm()), bc));
+    const Real middle = std::max(std::min(ab.squaredNorm(), ac.squaredNorm()),
+                                 std::min(std::max(ab.squaredNorm(), ac.squaredNorm()), bc));
     const Real area = ab.x() * ac.y() - ab.y() * ac.x();
     return (area / longest) * (std::abs(area) / middle);
 }
@@ -53,9 +52,9 @@ Real sine_squared(const Point<Real>& a, const Point<Real>& b, const Point<Real>&
 template <class Real>
 Verdict move_if_better(Complex<Real>& complex, const Region& region, Vertex vertex,
                        const Point<Real>& target) {
-    // A vertex must not walk out of its submesh while others run.
-    if (!region.owns(vertex.id, static_cast<double>(target.x()),
-                     static_cast<double>(target.y()))) {
+    // A vertex must not walk out of its submesh while others run. Between owned neighbours it
+    // cannot, as long as regions are convex, but for rounding.
+    if (!region.owns(vertex.id, static_cast<double>(target.x()), static_cast<double>(target.y()))) {
         return Verdict::on_submesh_boundary;
     }
     const Point<Real> here = complex.position(vertex);
@@ -220,6 +219,9 @@ Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vert
     if (near > far) {
         std::swap(near, far);
         std::swap(ends[0], ends[1]);
+    }
+    if (far - near <= equal_lengths<Real> * (near + far)) {
+        return Verdict::no_gain;
     }
     // The vertex goes towards the farther neighbour: between it and that one runs the curve.
     std::array<Point<Real>, 4> points{position(ends[0]), here, position(ends[1]), here};

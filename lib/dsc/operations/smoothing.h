@@ -20,8 +20,8 @@ Verdict laplacian_smoothing(Complex<Real>& complex, Vertex vertex) {
 }
 
 struct InterfaceSmoothingOptions {
-    /// Degrees. Where the interface turns by more, the vertex is a corner: it stays, and no curve is
-    /// drawn through it.
+    /// Degrees. Where the interface turns by more, the vertex is a corner: it stays, and no curve
+    /// is drawn through it.
     double corner_degrees = 30;
     /// Share of the way to the point of equal lengths, measured along the curve; 0 to 1.
     double step = 1;

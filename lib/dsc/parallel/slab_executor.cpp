@@ -68,7 +68,7 @@ SlabExecutor<Real>::SlabExecutor(Complex<Real>& complex, const Options<Real>& op
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
     }
-    interface_ = collect_interface(complex);
+    interface_ = collect_interface(complex, options.shuffle_seed);
 }
 
 template <class Real>

@@ -54,10 +54,9 @@ std::vector<double> uniform_edges(double low, double high, std::size_t bins) {
 }
 
 Histogram make_histogram(std::span<const double> values, std::vector<double> edges) {
-    const bool ascending =
-        std::adjacent_find(edges.begin(), edges.end(), [](double a, double b) {
-            return !(a < b);
-        }) == edges.end();
+    const bool ascending = std::adjacent_find(edges.begin(), edges.end(), [](double a, double b) {
+                               return !(a < b);
+                           }) == edges.end();
     if (edges.size() < 2 || !ascending) {
         throw InputError("edges do not ascend", "make_histogram",
                          std::to_string(edges.size()) + " edges",

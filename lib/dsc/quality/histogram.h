@@ -12,7 +12,8 @@
 
 namespace dsc {
 
-/// Bin i holds the values from edges[i] to edges[i + 1], the upper end excluded but in the last bin.
+/// Bin i holds the values from edges[i] to edges[i + 1], the upper end excluded but in the last
+/// bin.
 struct Histogram {
     std::vector<double> edges;         ///< ascending, one more than there are bins
     std::vector<std::uint64_t> counts; ///< one per bin

@@ -13,7 +13,8 @@
 
 namespace dsc {
 
-// --- on points ------------------------------------------------------------------------------------
+// --- on points
+// ------------------------------------------------------------------------------------
 
 /// The distance between two points; eq. 1 for a vertex and its destination, eq. 2 for an edge.
 template <class Real>
@@ -60,8 +61,7 @@ template <class Real>
 
 /// The smallest angle in degrees, from 0 to 60. Not signed.
 template <class Real>
-[[nodiscard]] Real min_angle_deg(const Point<Real>& a, const Point<Real>& b,
-                                 const Point<Real>& c) {
+[[nodiscard]] Real min_angle_deg(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
     const Real aa = squared_distance(b, c);
     const Real bb = squared_distance(c, a);
     const Real cc = squared_distance(a, b);
@@ -79,8 +79,7 @@ template <class Real>
 /// The mean ratio, 4 sqrt 3 area / (sum of the squared edge lengths): smooth, from 0 to 1.
 template <class Real>
 [[nodiscard]] Real mean_ratio(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
-    const Real sum =
-        squared_distance(b, c) + squared_distance(c, a) + squared_distance(a, b);
+    const Real sum = squared_distance(b, c) + squared_distance(c, a) + squared_distance(a, b);
     constexpr Real four_sqrt3 = static_cast<Real>(6.9282032302755091741);
     return sum > 0 ? four_sqrt3 * (area(a, b, c) / sum) : Real{0};
 }
@@ -108,7 +107,8 @@ template <class Real>
     return 16 * (signed_area / (la * lb)) * (std::abs(signed_area) / (lc * (la + lb + lc)));
 }
 
-// --- on simplices ---------------------------------------------------------------------------------
+// --- on simplices
+// ---------------------------------------------------------------------------------
 
 /// Eq. 1: how far a vertex is from where it shall be.
 template <class Real>

@@ -43,17 +43,17 @@ std::vector<Simplex> in_order(std::vector<Rated<Simplex>>& rated) {
 
 template <class Simplex>
 SelectionStrategy<Simplex> below(double threshold) {
-    return [threshold](std::span<const Simplex> candidates,
-                       const QualityFunction<Simplex>& quality) {
-        std::vector<Rated<Simplex>> rated;
-        for (const Simplex simplex : candidates) {
-            const Rated<Simplex> r = rate(simplex, quality);
-            if (r.quality < threshold) {
-                rated.push_back(r);
+    return
+        [threshold](std::span<const Simplex> candidates, const QualityFunction<Simplex>& quality) {
+            std::vector<Rated<Simplex>> rated;
+            for (const Simplex simplex : candidates) {
+                const Rated<Simplex> r = rate(simplex, quality);
+                if (r.quality < threshold) {
+                    rated.push_back(r);
+                }
             }
-        }
-        return in_order(rated);
-    };
+            return in_order(rated);
+        };
 }
 
 template <class Simplex>

@@ -25,8 +25,8 @@ template <class Simplex>
 using SelectionStrategy = std::function<std::vector<Simplex>(
     std::span<const Simplex> candidates, const QualityFunction<Simplex>& quality)>;
 
-/// The simplices whose quality is below the threshold, worst first, ties by id. NaN counts as worst.
-/// O(n + k log k) for k chosen.
+/// The simplices whose quality is below the threshold, worst first, ties by id. NaN counts as
+/// worst. O(n + k log k) for k chosen.
 template <class Simplex>
 [[nodiscard]] SelectionStrategy<Simplex> below(double threshold);
 

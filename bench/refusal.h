@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Nothing wrong gets timed: a benchmark whose answer is wrong is reported without a time, and the
+// program's exit code says so.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cstddef>
+#include <exception>
+#include <string>
+
+namespace dsc::bench {
+
+/// Ends a benchmark with an error in place of its time.
+void refuse(benchmark::State& state, const std::string& reason);
+
+/// How many were refused so far.
+[[nodiscard]] std::size_t refusals();
+
+/// Runs the body; what it throws is a refusal.
+template <class Body>
+void guarded(benchmark::State& state, Body body) {
+    try {
+        body(state);
+    } catch (const std::exception& error) {
+        refuse(state, error.what());
+    }
+}
+
+} // namespace dsc::bench

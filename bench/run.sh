@@ -1,0 +1,141 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Sets up, builds, measures, and draws: build/release/report/index.html.
+set -euo pipefail
+
+usage() {
+    cat <<'USAGE'
+usage: bench/run.sh [--quick] [Google Benchmark options]
+  --quick  leaves out meshes of 280,000 triangles and more, and the longer scenes
+Other options go to dsc_bench after our own and win over them, e.g. --benchmark_filter=flip.
+Installs missing Debian packages as root or through sudo. DSC_JOBS sets the number of build jobs,
+PYTHON the interpreter for the plots.
+Exit code: 0 done, 1 something failed, 2 bad usage or nothing was run.
+USAGE
+}
+
+quick=false
+list_only=false
+bench_options=(--benchmark_repetitions=5 --benchmark_min_time=0.05
+    --benchmark_enable_random_interleaving=true)
+user_options=()
+for argument in "$@"; do
+    case $argument in
+        --quick)
+            quick=true
+            bench_options=(--benchmark_repetitions=3 --benchmark_min_time=0.02
+                --benchmark_enable_random_interleaving=true --benchmark_filter=-280000)
+            ;;
+        -h | --help) usage; exit 0 ;;
+        --benchmark_out=* | --benchmark_out_format=*)
+            printf '%s: %s: the report needs the result where it looks for it; %s\n' "$0" \
+                "$argument" "for another file run build/release/bench/dsc_bench" >&2
+            exit 2
+            ;;
+        --benchmark_list_tests | --benchmark_list_tests=true)
+            list_only=true
+            user_options+=("$argument")
+            ;;
+        *) user_options+=("$argument") ;;
+    esac
+done
+
+# shellcheck source=verify/setup.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/../verify/setup.sh"
+
+# Threads that spin while they wait are slow where cores are shared; threads that wander between
+# cores make figures that cannot be repeated.
+export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
+export OMP_PROC_BIND=${OMP_PROC_BIND:-true}
+
+report=build/release/report
+bench=build/release/bench/dsc_bench
+scene=build/release/lib/scenes/dsc_scene
+failed=()
+
+run_benchmarks() {
+    local result=$report/bench.json code=0
+    say "benchmarks"
+    "$bench" "${bench_options[@]}" --benchmark_out="$result.part" --benchmark_out_format=json \
+        "${user_options[@]}" </dev/null || code=$?
+    if [[ $code -eq 0 ]] && ! "$python" -m json.tool "$result.part" >/dev/null; then
+        printf '%s: dsc_bench wrote no JSON: did the filter leave any benchmark?\n' "$0" >&2
+        code=1
+    fi
+    if [[ $code -ne 0 ]]; then
+        rm -f "$result.part"
+        return "$code"
+    fi
+    mv "$result.part" "$result"
+}
+
+run_scene() { # run_scene NAME SCENE [OPTION...]: NAME is that of the result
+    local name=$1 code=0
+    shift
+    say "scene $name"
+    timeout --foreground 180 "$scene" run "$@" --json "$report/scenes/$name.json" </dev/null ||
+        code=$?
+    if [[ $code -eq 124 ]]; then
+        printf '%s: scene %s was stopped after 180 s\n' "$0" "$name" >&2
+    fi
+    if [[ $code -ne 0 ]]; then
+        failed+=("scene $name")
+    fi
+}
+
+# Error against time: the same flow at several edge lengths, by both ways of inserting vertices.
+# Frames are named after scene and strategy, so only one run of each scene keeps them.
+run_scenes() {
+    local keep_frames=(--frames "$report/frames")
+    local lengths=(0.02 0.01)
+    local h insertion
+    rm -rf "$report/scenes" "$report/frames"
+    mkdir -p "$report/scenes" "$report/frames"
+
+    run_scene zalesak zalesak "${keep_frames[@]}"
+    run_scene single-vortex single-vortex "${keep_frames[@]}"
+    if ! $quick; then
+        lengths+=(0.005)
+        run_scene vortex-square vortex-square "${keep_frames[@]}"
+        run_scene rotation-crescent rotation-crescent "${keep_frames[@]}"
+        run_scene quality-distance quality-distance "${keep_frames[@]}"
+    fi
+    for h in "${lengths[@]}"; do
+        for insertion in linear cubic; do
+            run_scene "swirl-$insertion-$h" swirl --set "h=$h" --set "insertion=$insertion"
+        done
+    done
+}
+
+draw() {
+    local scenes=("$report"/scenes/*.json) verify=(build/release/verify/out/*.json)
+    say "plots"
+    MPLBACKEND=Agg "$python" plots/report.py --bench "$report/bench.json" \
+        --scenes "${scenes[@]}" --verify "${verify[@]}" --frames "$report/frames" \
+        --published reference/published --out "$report"
+}
+
+# A folder without results gives no names, rather than its pattern.
+shopt -s nullglob
+
+set_up plain
+build_preset release --target dsc_bench dsc_scene || exit 1
+if $list_only; then
+    exec "$bench" "${bench_options[@]}" "${user_options[@]}"
+fi
+mkdir -p "$report"
+
+code=0
+run_benchmarks || code=$?
+if [[ $code -ne 0 ]]; then
+    # Without measurements there is nothing to draw; dsc_bench has said why.
+    exit "$code"
+fi
+run_scenes
+draw || failed+=("plots")
+
+if [[ ${#failed[@]} -gt 0 ]]; then
+    printf 'failed: %s\n' "${failed[@]}"
+    exit 1
+fi
+say "report: $project_root/$report/index.html"

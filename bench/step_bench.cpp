@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// A time step [thesis 9.7], by every strategy from the same complex. An iteration is as many steps as
+// `timed_steps`; the counter `us_per_step` is the time of one. S(n) is the ratio of the row
+// `strategy:sequential` to the row with `threads:n`, of the same family and size.
+#include "context.h"
+#include "memory.h"
+#include "refusal.h"
+#include "step_run.h"
+#include "suites.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/hash.h"
+#include "scenes/reference_run.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace dsc::bench {
+
+namespace {
+
+using scenes::Strategy;
+
+constexpr int small_mesh = 28000; ///< the thesis's: the only one that the literal method gets
+constexpr std::uint32_t slabs = 8;
+constexpr int reference_steps = 3;
+constexpr double reference_area_limit = 0.01;
+
+struct Case {
+    std::string family;
+    int triangles;
+    scenes::RunOptions run;
+};
+
+std::string name_of(const Case& c) {
+    std::string name = c.family + "/strategy:" + scenes::to_string(c.run.strategy) +
+                       "/triangles:" + std::to_string(c.triangles);
+    if (c.run.strategy != Strategy::sequential && c.run.strategy != Strategy::reference) {
+        name += "/submeshes:" + std::to_string(c.run.submeshes) +
+                "/threads:" + std::to_string(c.run.threads);
+    }
+    return name;
+}
+
+// A working copy with some room to grow, as a mesh under way has it.
+Complex<double> copy_with_room(const Complex<double>& complex) {
+    Complex<double> copy;
+    const auto roomy = [](std::size_t n) { return n + n / 16 + 4096; };
+    copy.reserve(roomy(complex.vertices.size()), roomy(complex.triangles.size()));
+    copy = complex;
+    return copy;
+}
+
+/// The answer of a strategy, found once on one thread, checked, and kept: every measurement must
+/// give the same bits.
+const Answer& answer_of(const Case& c) {
+    using Key = std::tuple<std::string, int, Strategy, std::uint32_t>;
+    static std::map<Key, Answer> answers;
+    const Key key{c.family, c.triangles, c.run.strategy, c.run.submeshes};
+    if (const auto known = answers.find(key); known != answers.end()) {
+        return known->second;
+    }
+    const Start& start = start_of(c.family, c.triangles);
+    Complex<double> complex = copy_with_room(start.complex);
+    scenes::RunOptions one_thread = c.run;
+    one_thread.threads = 1;
+    const StepRun run = run_steps(start, complex, one_thread);
+    const Answer answer = check_answer(
+        start, complex, run, start.step + warm_up_steps + timed_steps, area_limit(start));
+    return answers.emplace(key, answer).first->second;
+}
+
+/// Medians so far of the literal method, for the ratio: empty where it has not run.
+std::map<std::string, std::vector<double>>& reference_times() {
+    static std::map<std::string, std::vector<double>> times;
+    return times;
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+void report(benchmark::State& state, const Case& c, const StepRun& run, const Answer& answer,
+            double load) {
+    const double us = run.wall_s * 1e6;
+    auto& counters = state.counters;
+    counters["us_per_step"] = us / run.steps;
+    counters["cpu_us_per_step"] = run.cpu_s * 1e6 / run.steps;
+    counters["us_per_vertex_step"] = us / run.vertex_steps;
+    counters["interface_vertices"] = run.vertex_steps / run.steps;
+    counters["triangles"] = static_cast<double>(answer.triangles);
+    counters["min_quality"] = answer.min_quality;
+    counters["area_error_rel"] = answer.area_error_rel;
+    counters["load"] = load;
+    counters["oversubscribed"] = c.run.threads > core_count() ? 1 : 0;
+}
+
+void measure(benchmark::State& state, const Case& c) {
+    const Start& start = start_of(c.family, c.triangles);
+    const Answer& expected = answer_of(c);
+    for (auto _ : state) {
+        Complex<double> complex = copy_with_room(start.complex);
+        const double load = load_average();
+        const PeakMemory memory;
+        const StepRun run = run_steps(start, complex, c.run);
+        const double peak_mb = memory.mb() - starts_mb();
+        if (run.unreached > 0 || run.gave_up || mesh_hash(complex) != expected.hash) {
+            throw InvariantError("the mesh is not that of a run with one thread");
+        }
+        state.SetIterationTime(run.wall_s);
+        report(state, c, run, expected, load);
+        auto& counters = state.counters;
+        counters["peak_memory_mb"] = peak_mb;
+        counters["flips_per_step"] = static_cast<double>(run.operations.flips) / run.steps;
+        counters["examined_per_step"] = static_cast<double>(run.operations.examined) / run.steps;
+        const auto& reference = reference_times()[c.family];
+        if (c.run.strategy == Strategy::sequential && c.triangles == small_mesh &&
+            !reference.empty()) {
+            counters["speedup_vs_reference"] =
+                median(reference) / (run.wall_s * 1e6 / run.steps);
+        }
+    }
+}
+
+// The literal method has no use for a warm-up: it sweeps the whole mesh anyway. It starts where the
+// others are half way, so that the interface is as long as theirs is on average.
+void measure_reference(benchmark::State& state, const Case& c) {
+    const Start& start = start_of(c.family, c.triangles);
+    const int first = start.step + warm_up_steps + timed_steps / 2;
+    static std::map<std::string, Complex<double>> half_way;
+    auto& complex = half_way[c.family];
+    if (complex.triangle_count() == 0) {
+        complex = start.complex;
+        const Options<double> options = scenes::scene_options<double>(start.parameters);
+        Simulation<double> simulation(complex, options);
+        for (int step = start.step; step < first; ++step) {
+            simulation.step(start.setup.flow.front().velocity, step * start.parameters.dt,
+                            start.parameters.dt);
+        }
+    }
+    for (auto _ : state) {
+        reference::Complex literal = scenes::to_reference(complex);
+        const double load = load_average();
+        const StepRun run = run_reference(start, literal, first, reference_steps);
+        const Answer answer = check_answer(start, scenes::from_reference(literal), run,
+                                           first + reference_steps, reference_area_limit);
+        state.SetIterationTime(run.wall_s);
+        report(state, c, run, answer, load);
+        reference_times()[c.family].push_back(run.wall_s * 1e6 / run.steps);
+    }
+}
+
+void add(const Case& c) {
+    benchmark::RegisterBenchmark(name_of(c).c_str(),
+                                 [c](benchmark::State& state) {
+                                     guarded(state, [&c](benchmark::State& s) {
+                                         if (c.run.strategy == Strategy::reference) {
+                                             measure_reference(s, c);
+                                         } else {
+                                             measure(s, c);
+                                         }
+                                     });
+                                 })
+        ->UseManualTime()
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+}
+
+/// 1, 2, 4, ... and the number of cores.
+std::vector<std::uint32_t> thread_counts() {
+    std::vector<std::uint32_t> counts;
+    for (std::uint32_t n = 1; n < core_count(); n *= 2) {
+        counts.push_back(n);
+    }
+    counts.push_back(core_count());
+    return counts;
+}
+
+} // namespace
+
+void register_steps() {
+    for (const char* family : {"scaling_step", "four_circles_step"}) {
+        for (const int triangles : {small_mesh, 280000, 2800000}) {
+            if (triangles == small_mesh) {
+                add({family, triangles, {.strategy = Strategy::reference}});
+            }
+            add({family, triangles, {.strategy = Strategy::sequential}});
+            for (const Strategy strategy : {Strategy::counting}) {
+                for (const std::uint32_t threads : thread_counts()) {
+                    add({family,
+                         triangles,
+                         {.strategy = strategy,
+                          .submeshes = std::max(slabs, threads),
+                          .threads = threads}});
+                }
+            }
+        }
+    }
+}
+
+} // namespace dsc::bench

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "step_run.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/hash.h"
+#include "dsc/complex/validate.h"
+#include "scenes/clock.h"
+#include "scenes/measure.h"
+#include "scenes/reference_run.h"
+
+#include <cmath>
+#include <string>
+
+namespace dsc::bench {
+
+namespace {
+
+void add(StepRun& run, const StepReport& report) {
+    run.unreached += report.unreached;
+    run.gave_up = run.gave_up || report.gave_up != GiveUp::none;
+}
+
+} // namespace
+
+StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& options) {
+    const Options<double> choices = scenes::scene_options<double>(start.parameters);
+    const auto simulation = scenes::make_simulation(complex, choices, options);
+    const auto& velocity = start.setup.flow.front().velocity;
+    const double dt = start.parameters.dt;
+    StepRun run;
+    run.steps = timed_steps;
+    int step = start.step;
+    for (int i = 0; i < warm_up_steps; ++i, ++step) {
+        add(run, simulation->step(velocity, step * dt, dt));
+    }
+    const scenes::Stopwatch watch;
+    for (int i = 0; i < timed_steps; ++i, ++step) {
+        const StepReport report = simulation->step(velocity, step * dt, dt);
+        run.vertex_steps += report.interface_vertices;
+        run.operations += report.operations;
+        add(run, report);
+    }
+    run.wall_s = watch.wall();
+    run.cpu_s = watch.cpu();
+    return run;
+}
+
+StepRun run_reference(const Start& start, reference::Complex& complex, int first, int steps) {
+    const reference::Options options = scenes::reference_options(start.parameters);
+    const auto& velocity = start.setup.flow.front().velocity;
+    const reference::Velocity one = [&velocity](const Point<double>& p, double time) {
+        Point<double> v;
+        velocity({&p, 1}, time, {&v, 1});
+        return v;
+    };
+    const double dt = start.parameters.dt;
+    StepRun run;
+    run.steps = steps;
+    const scenes::Stopwatch watch;
+    for (int step = first; step < first + steps; ++step) {
+        const reference::StepCounts counts = reference::step(complex, one, step * dt, dt, options);
+        // Each interface vertex arrives once in each sub-step.
+        run.vertex_steps += static_cast<double>(counts.moved + counts.unreached) /
+                            static_cast<double>(counts.substeps);
+        run.unreached += counts.unreached;
+    }
+    run.wall_s = watch.wall();
+    run.cpu_s = watch.cpu();
+    return run;
+}
+
+Answer check_answer(const Start& start, const Complex<double>& complex, const StepRun& run,
+                    int step, double limit) {
+    if (run.unreached > 0 || run.gave_up) {
+        throw InvariantError(std::to_string(run.unreached) + " vertices did not arrive");
+    }
+    validate_or_throw(complex);
+    const scenes::MeshQuality quality = scenes::measure_worst(complex);
+    if (quality.inverted > 0) {
+        throw InvariantError(std::to_string(quality.inverted) + " triangles are inverted");
+    }
+    const double exact = start.setup.exact(step * start.parameters.dt).area;
+    const double area = scenes::signed_area(scenes::interface_outlines(complex));
+    Answer answer;
+    answer.hash = mesh_hash(complex);
+    answer.triangles = complex.triangle_count();
+    answer.min_quality = quality.min_quality;
+    answer.area_error_rel = std::abs(scenes::area_drift(area, exact));
+    if (!(answer.area_error_rel <= limit)) {
+        throw InvariantError("the area is off by " + std::to_string(answer.area_error_rel) +
+                             " of the exact one, where " + std::to_string(limit) +
+                             " is allowed");
+    }
+    return answer;
+}
+
+double area_limit(const Start& start) {
+    double radius = 0; // of the smallest shape at the start
+    for (const auto& outline : start.setup.outlines) {
+        const double r = std::sqrt(scenes::signed_area(outline) / 3.141592653589793);
+        radius = radius == 0 ? r : std::min(radius, r);
+    }
+    const double h = start.parameters.h;
+    return 1.4 * 1.4 * h * h / (6 * radius * radius) + 2 * 0.02 * h / radius;
+}
+
+} // namespace dsc::bench

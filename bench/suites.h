@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The suites; main.cpp registers them all, and Google Benchmark's flags choose.
+#pragma once
+
+namespace dsc::bench {
+
+/// `operation/NAME`: one operation of the library; `kernel/NAME`: what the whole mesh is asked.
+void register_operations();
+
+/// `scaling_step/...` and `four_circles_step/...`: a time step of the two scenes of thesis 9.7.
+void register_steps();
+
+} // namespace dsc::bench

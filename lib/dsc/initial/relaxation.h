@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Fewer and better placed vertices: smoothing and collapses that are accepted only where the worst
+// triangle about a vertex becomes better. L. A. Freitag, C. Ollivier-Gooch, "Tetrahedral mesh
+// improvement using swapping and smoothing" (1997), is the recipe: Laplacian smoothing where it
+// helps, a search for the best place where it does not.
+#pragma once
+
+#include "dsc/complex/complex.h"
+
+#include <span>
+
+namespace dsc::initial {
+
+/// Moves the unsettled vertices among those given that lie inside one phase, and those on the domain
+/// boundary along its straight sides; settles those that it leaves. Returns the number of moves. All
+/// edges stay constrained Delaunay.
+template <class Real>
+std::size_t smooth(Complex<Real>& complex, std::span<const std::uint32_t> zone);
+
+/// Collapses such vertices into a neighbour where their triangles are poor and crowded. Returns the
+/// number of collapses. All edges stay constrained Delaunay.
+template <class Real>
+std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone, double edge_length);
+
+} // namespace dsc::initial

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// dsc_scene list
+// dsc_scene run SCENE [--set key=value]... [--strategy S] [--submeshes M] [--threads N]
+//                     [--frames DIR] [--json FILE]
+// Exit: 0 done; 1 the run broke an invariant or could not write its results; 2 bad usage.
+#include "dsc/base/error.h"
+#include "scenes/run.h"
+#include "scenes/write_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <iomanip>
+#include <iostream>
+
+namespace {
+
+using namespace dsc::scenes;
+
+std::atomic<bool> interrupted{false};
+
+void on_interrupt(int) { interrupted.store(true); }
+
+struct Arguments {
+    std::string scene;
+    std::vector<std::string> settings;
+    std::string strategy = "sequential";
+    RunOptions run;
+    std::string json;
+};
+
+void list_scenes() {
+    for (const Scene& scene : catalogue()) {
+        std::cout << std::left << std::setw(22) << scene.name << scene.description << " ["
+                  << scene.section << "]; keys:";
+        for (const auto& key : scene.keys) {
+            std::cout << ' ' << key;
+        }
+        std::cout << '\n';
+    }
+}
+
+void print_summary(const RunResult& r) {
+    std::cout << r.scene << " (" << to_string(r.strategy) << ", " << r.threads << " thread"
+              << (r.threads == 1 ? "" : "s") << "): " << r.steps << " steps, " << r.triangles_last
+              << " triangles, " << r.interface_vertices_last << " interface vertices\n"
+              << std::setprecision(8) << "  area ratio " << r.area_ratio
+              << ", symmetric difference " << std::setprecision(3) << r.sd_rel_last << " of the area";
+    if (r.sd_rel_half) {
+        std::cout << " (half-way " << *r.sd_rel_half << ")";
+    }
+    std::cout << "\n  worst quality " << r.min_quality_last << " (ever " << r.min_quality_ever
+              << "), smallest angle " << r.min_angle_deg_last << " degrees\n  inverted "
+              << r.inverted << ", unreached " << r.unreached << "\n  " << r.step_us_median
+              << " us a step (median), " << r.cpu_s << " s CPU, " << std::setprecision(4)
+              << r.peak_memory_mb << " MB\n";
+}
+
+int run(const Arguments& arguments) {
+    const Scene& scene = find_scene(arguments.scene);
+    Parameters parameters = scene.defaults;
+    for (const std::string& setting : arguments.settings) {
+        const auto equals = setting.find('=');
+        if (equals == std::string::npos) {
+            throw dsc::InputError("not a setting", "--set", "'" + setting + "'", "key=value");
+        }
+        set_parameter(parameters, scene.keys, setting.substr(0, equals),
+                      setting.substr(equals + 1));
+    }
+    RunOptions options = arguments.run;
+    options.strategy = parse_strategy(arguments.strategy);
+    options.progress = isatty(STDERR_FILENO) != 0;
+    options.interrupted = &interrupted;
+    if (!arguments.json.empty()) {
+        check_writable(arguments.json, "--json");
+    }
+    std::signal(SIGINT, on_interrupt);
+    std::signal(SIGTERM, on_interrupt);
+
+    const RunResult result = run_scene(scene, parameters, options);
+    print_summary(result);
+    if (!arguments.json.empty()) {
+        write_file(arguments.json, to_json(result));
+    }
+    if (!result.gave_up.empty()) {
+        std::cerr << "dsc_scene: gave up: " << result.gave_up << '\n';
+    }
+    if (result.held > 0) {
+        std::cerr << "dsc_scene: " << result.held
+                  << " times a vertex was held, for its velocity was not finite\n";
+    }
+    if (result.interrupted) {
+        std::cerr << "dsc_scene: interrupted after step " << result.steps << '\n';
+    }
+    return result.holds() && !result.interrupted ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Runs the scenes of a deformable simplicial complex and measures them."};
+    app.require_subcommand(1);
+    auto* list = app.add_subcommand("list", "all scenes and the keys they take");
+    auto* run_command = app.add_subcommand("run", "run one scene");
+    Arguments arguments;
+    run_command->add_option("scene", arguments.scene, "a name from the list")->required();
+    run_command->add_option("--set", arguments.settings, "key=value; may be repeated")
+        ->allow_extra_args(false);
+    run_command->add_option("--strategy", arguments.strategy,
+                            "sequential, fixed, counting, active or reference");
+    run_command->add_option("--submeshes", arguments.run.submeshes, "slabs (default 8)")
+        ->check(CLI::Range(1, 65536));
+    run_command->add_option("--threads", arguments.run.threads, "threads (default 1)")
+        ->check(CLI::Range(1, 1024));
+    run_command->add_option("--frames", arguments.run.frames, "folder for .vtu and .pvd files");
+    run_command->add_option("--json", arguments.json, "file for the result");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            return app.exit(error); // --help
+        }
+        std::cerr << "dsc_scene: " << error.what() << " (see dsc_scene --help)\n";
+        return 2;
+    }
+    try {
+        if (*list) {
+            list_scenes();
+            return 0;
+        }
+        return run(arguments);
+    } catch (const dsc::InputError& error) {
+        std::cerr << "dsc_scene: " << error.what() << '\n';
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << "dsc_scene: " << error.what() << '\n';
+        return 1;
+    }
+}

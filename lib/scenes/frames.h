@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Meshes of a run as a series of files that ParaView and plots/frames.py read.
+#pragma once
+
+#include "dsc/complex/complex.h"
+#include "dsc/io/vtu.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dsc::scenes {
+
+class Frames {
+public:
+    /// An empty folder name: no frames. Creates the folder; throws InputError where it cannot be
+    /// written to, before anything has run.
+    Frames(std::string folder, std::string name, int count, int steps, std::optional<int> half);
+
+    /// Writes a frame if this step has one. Throws FileError.
+    template <class Real>
+    void write(int step, double time, const Complex<Real>& complex);
+    /// Writes the collection.
+    void finish() const;
+
+private:
+    [[nodiscard]] bool is_due(int step) const;
+
+    std::string folder_;
+    std::string name_;
+    int count_;
+    int steps_;
+    std::optional<int> half_;
+    std::vector<PvdEntry> entries_;
+};
+
+} // namespace dsc::scenes

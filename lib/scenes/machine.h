@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Where a result comes from: every result file says it.
+#pragma once
+
+#include <string>
+
+namespace dsc::scenes {
+
+/// "CPU model, N cores".
+[[nodiscard]] std::string machine();
+/// The commit that was checked out when the build was configured, with "+" where it had changes;
+/// "unknown" outside a repository.
+[[nodiscard]] std::string commit();
+
+} // namespace dsc::scenes

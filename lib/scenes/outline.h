@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Closed polygons: the shapes that scenes start from and that measures compare.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dsc::scenes {
+
+/// One simple closed polygon; the first point is not repeated at the end. Counter-clockwise around
+/// a region, clockwise around a hole of one.
+using Outline = std::vector<Point<double>>;
+
+/// Positive for a counter-clockwise outline. Relative to the first vertex and with a compensated
+/// sum, so that neither an offset nor the number of vertices costs digits.
+[[nodiscard]] double signed_area(const Outline& outline);
+
+/// Sum of the signed areas: the area of a region whose holes run clockwise.
+[[nodiscard]] double signed_area(std::span<const Outline> outlines);
+
+/// A(t) / A(0) - 1.
+[[nodiscard]] double area_drift(double area, double reference);
+
+[[nodiscard]] double perimeter(const Outline& outline);
+[[nodiscard]] double perimeter(std::span<const Outline> outlines);
+[[nodiscard]] double longest_edge(const Outline& outline);
+
+[[nodiscard]] Outline reversed(Outline outline);
+
+/// True if no two edges of all the outlines meet, other than neighbours in their common vertex.
+/// Decided by exact predicates.
+[[nodiscard]] bool is_simple(std::span<const Outline> outlines);
+[[nodiscard]] bool is_simple(const Outline& outline);
+
+/// Throws InputError unless the outline has at least three points and all of them are finite.
+void check_outline(const Outline& outline, const std::string& where);
+
+} // namespace dsc::scenes

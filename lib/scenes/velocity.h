@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The velocity fields of the thesis's experiments [9.1 to 9.6] and of the field's single vortex.
+// They are structs that evaluate a batch of positions at once; any of them is a Velocity.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace dsc::scenes {
+
+/// Writes the velocity at each position at one time. The two spans have one size and may be the
+/// same memory. Safe to call from several threads at once.
+using Velocity = std::function<void(std::span<const Point<double>> positions, double time,
+                                    std::span<Point<double>> velocities)>;
+
+/// Equation 7: the same velocity everywhere.
+struct Translation {
+    Point<double> velocity{0.0, 0.0};
+    void operator()(std::span<const Point<double>> positions, double time,
+                    std::span<Point<double>> velocities) const;
+};
+
+/// Equation 8: away from a centre at a constant speed; zero in the centre itself.
+struct Radial {
+    Point<double> centre{0.0, 0.0};
+    double speed = 1.0;
+    void operator()(std::span<const Point<double>> positions, double time,
+                    std::span<Point<double>> velocities) const;
+};
+
+/// Equation 9: counter-clockwise around a centre at a constant angular speed (radians per time).
+struct Rotation {
+    Point<double> centre{0.0, 0.0};
+    double angular_speed = 1.0;
+    void operator()(std::span<const Point<double>> positions, double time,
+                    std::span<Point<double>> velocities) const;
+};
+
+/// Equation 10: counter-clockwise around a centre at a constant speed; zero in the centre itself.
+struct Vortex {
+    Point<double> centre{0.0, 0.0};
+    double speed = 1.0;
+    void operator()(std::span<const Point<double>> positions, double time,
+                    std::span<Point<double>> velocities) const;
+};
+
+/// The field of the stream function of equation 11, times a factor:
+///     v = amplitude f(t) (sin^2(pi x) sin(2 pi y), -sin^2(pi y) sin(2 pi x)).
+/// This is its true derivative; the thesis's equation 13 keeps a stray 1/pi. f is 1, or
+/// cos(pi t / period) if a period is given: R. J. LeVeque's reversing flow, "High-resolution
+/// conservative algorithms for advection in incompressible flow" (1996).
+struct Swirl {
+    double amplitude = 1.0;
+    double period = 0.0; ///< time from start to return; 0 for a steady flow
+    void operator()(std::span<const Point<double>> positions, double time,
+                    std::span<Point<double>> velocities) const;
+};
+
+/// The opposite flow.
+[[nodiscard]] Velocity reversed(Velocity velocity);
+
+/// A velocity that holds until a time.
+struct Leg {
+    double end = 0.0;
+    Velocity velocity;
+};
+
+/// Velocities one after the other. A step belongs to one leg as a whole: asked for its velocity at
+/// the very time of a change, a field cannot know whether that is the end of one step or the
+/// beginning of the next, and a Runge-Kutta step that got the wrong answer would lose its order.
+using Flow = std::vector<Leg>;
+
+/// One velocity for ever.
+[[nodiscard]] Flow steady(Velocity velocity);
+/// `velocity` until `half_time`, and then its opposite.
+[[nodiscard]] Flow there_and_back(const Velocity& velocity, double half_time);
+
+/// The velocity of the leg in which the middle of this step lies (the last one beyond the end).
+/// Throws InputError for a flow without legs.
+[[nodiscard]] const Velocity& velocity_of_step(const Flow& flow, double begin, double end);
+
+} // namespace dsc::scenes

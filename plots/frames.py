@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""Meshes drawn from frame files: first, middle and last frame of each run, triangles coloured by
+phase, the interface (edges between two phases) drawn bold; a close-up below each large mesh."""
+import numpy
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.patches import Rectangle
+
+import load
+import style
+
+CLOSE_UP = 6_000  # from this many triangles on, a second row shows about CLOSE_COUNT of them
+CLOSE_COUNT = 500
+RASTER = 20_000  # from this many triangles on, vector formats hold the mesh as an image
+
+
+def picked(files):
+    """First, middle and last of a sequence, fewer where it is short."""
+    last = len(files) - 1
+    return [files[index] for index in sorted({0, last // 2 if last > 1 else 0, last})]
+
+
+def interface(frame):
+    """Edges (k x 2 vertex numbers) whose two triangles are of different phases."""
+    corners = frame.triangles
+    edges = numpy.sort(numpy.concatenate([corners[:, [0, 1]], corners[:, [1, 2]],
+                                          corners[:, [2, 0]]]), axis=1)
+    phases = numpy.tile(frame.phases, 3)
+    place = numpy.lexsort((phases, edges[:, 1], edges[:, 0]))
+    edges, phases = edges[place], phases[place]
+    same = (edges[1:] == edges[:-1]).all(axis=1) & (phases[1:] != phases[:-1])
+    return edges[1:][same]
+
+
+def areas(frame):
+    """{phase: area} of a mesh."""
+    a, b, c = (frame.points[frame.triangles[:, k]] for k in range(3))
+    twice = ((b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1])
+             - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0]))
+    return {int(p): float(twice[frame.phases == p].sum() / 2) for p in numpy.unique(frame.phases)}
+
+
+def window(frame, count=CLOSE_COUNT):
+    """Corners (low, high) of a square with about `count` triangles at the top of the interface."""
+    low, high = frame.points.min(axis=0), frame.points.max(axis=0)
+    ends = frame.points[interface(frame)].reshape(-1, 2)
+    centre = ends[ends[:, 1].argmax()] if len(ends) else (low + high) / 2
+    near = frame.points[frame.triangles].mean(axis=1)
+    reach = numpy.sort(numpy.abs(near - centre).max(axis=1))[min(count, len(near)) - 1]
+    return centre - reach, centre + reach
+
+
+def _mesh(axes, frame, inches, low, high):
+    """Draws what lies in the rectangle between low and high."""
+    corners = frame.points[frame.triangles]
+    inside = ((corners.max(axis=1) >= low) & (corners.min(axis=1) <= high)).all(axis=1)
+    corners = corners[inside]
+    fills = numpy.array(style.PHASE_FILLS)[frame.phases[inside] % len(style.PHASE_FILLS)]
+    # An edge is drawn thinner the more triangles share the panel, and not at all in the end.
+    width = min(0.6, 4.5 * inches / max(1.0, len(corners) ** 0.5))
+    axes.add_collection(PolyCollection(
+        corners, facecolors=fills, edgecolors=style.EDGE if width > 0.02 else "face",
+        linewidths=max(width, 0.02), rasterized=len(corners) > RASTER))
+    axes.add_collection(LineCollection(frame.points[interface(frame)], colors=style.INTERFACE,
+                                       linewidths=1.5, capstyle="round", zorder=3))
+    axes.set_xlim(low[0], high[0])
+    axes.set_ylim(low[1], high[1])
+    axes.set_aspect("equal")
+    axes.set_xticks([])
+    axes.set_yticks([])
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+
+
+def _change(first, last):
+    percent = f"{100 * (last / first - 1):+.3f}"
+    return "unchanged to 0.001 %" if float(percent) == 0 else f"{percent} %"
+
+
+def sentence(scene, strategy, shown):
+    """shown: [(number, time, Frame)]"""
+    counts = style.listing(style.whole(len(f.triangles)) for _, _, f in shown)
+    numbers = style.listing(number for number, _, _ in shown)
+    text = (f"{scene} ({strategy}): {counts} triangles in "
+            f"{'frame' if len(shown) == 1 else 'frames'} {numbers}")
+    first, last = areas(shown[0][2]), areas(shown[-1][2])
+    phases = [p for p in sorted(first) if p != 0]
+    if phases and len(shown) > 1:
+        text += "; " + style.listing(
+            f"the area of phase {p} goes from {style.digits(first[p], 5)} to "
+            f"{style.digits(last.get(p, 0.0), 5)} ({_change(first[p], last.get(p, 0.0))})"
+            for p in phases)
+    return text + "."
+
+
+def draw(folder, context=None):
+    """A Picture for each run in the folder."""
+    pictures = []
+    for (scene, strategy), files in sorted(load.frame_files(folder).items(), key=lambda pair: (
+            pair[0][0], style.order(pair[0][1]))):
+        shown = [(number, time, load.read_frame(path)) for number, time, path in picked(files)]
+        shown = [item for item in shown if len(item[2].triangles)]
+        if shown:
+            pictures.append(_one(scene, strategy, shown, context))
+    return pictures
+
+
+def _one(scene, strategy, shown, context):
+    span = numpy.ptp(shown[0][2].points, axis=0)
+    side = 3.1
+    tall = side * float(numpy.clip(span[1] / span[0] if span[0] > 0 else 1, 0.3, 1.6))
+    near = any(len(f.triangles) >= CLOSE_UP for _, _, f in shown)
+    fig, grid = style.figure(
+        max(5.0, 0.3 + (side + 0.15) * len(shown)), tall + 1.35 + (side + 0.3) * near, 1 + near,
+        len(shown), gridspec_kw={"height_ratios": [tall, side] if near else [1]})
+    for column, (number, time, frame) in enumerate(shown):
+        low, high = frame.points.min(axis=0), frame.points.max(axis=0)
+        slack = 0.004 * (high - low).max()
+        _mesh(grid[0][column], frame, side, low - slack, high + slack)
+        when = f"frame {number}" + (f", t = {time:.4g}" if time is not None else "")
+        grid[0][column].set_title(f"{when}, {style.whole(len(frame.triangles))} triangles",
+                                  fontsize=9)
+        if near:
+            low, high = window(frame)
+            axes = grid[1][column]
+            _mesh(axes, frame, side, low, high)
+            axes.set_title(f"close-up, {style.digits(high[0] - low[0], 2)} wide", fontsize=9)
+            for spine in axes.spines.values():
+                spine.set(visible=True, color=style.FAINT)
+            grid[0][column].add_patch(Rectangle(low, *(high - low), fill=False, linewidth=0.8,
+                                                edgecolor=style.INK, zorder=4))
+    phases = sorted({int(p) for _, _, f in shown for p in numpy.unique(f.phases)})
+    handles = [style.key(f"phase {p}", style.PHASE_FILLS[p % len(style.PHASE_FILLS)], "s", "none")
+               for p in phases]
+    for handle in handles:
+        handle.set(markersize=9, markeredgecolor=style.EDGE)
+    handles.append(style.key("interface", style.INTERFACE, width=1.8))
+    style.finish(fig, f"{scene} ({strategy})", style.caption_text(context), handles)
+    return style.Picture(f"frames_{scene}_{strategy}", f"{scene} ({strategy})",
+                         sentence(scene, strategy, shown), fig)

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// From a velocity field to destinations: explicit Euler (thesis 5.1, equation 5), the midpoint rule
+// (9.4) and the classical Runge-Kutta method of order four.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <functional>
+
+namespace dsc::reference {
+
+/// The velocity at a place and a time.
+using Velocity = std::function<Point<double>(const Point<double>& p, double time)>;
+
+enum class Integrator { euler, midpoint, rk4 };
+
+/// Where `p` is after `dt`.
+Point<double> advect(const Velocity& velocity, const Point<double>& p, double time, double dt,
+                     Integrator integrator);
+
+} // namespace dsc::reference

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Where a vertex goes that refines the interface (thesis 8.9, 9.2).
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <functional>
+
+namespace dsc::reference {
+
+/// The place of a new vertex on the interface edge from p1 to p2, where p0 and p3 are the
+/// neighbours before and after them along the interface.
+using InterfacePoint =
+    std::function<Point<double>(const Point<double>& p0, const Point<double>& p1,
+                                const Point<double>& p2, const Point<double>& p3)>;
+
+/// The midpoint of the edge: what algorithm 7.6 prints.
+Point<double> linear_point(const Point<double>& p0, const Point<double>& p1,
+                           const Point<double>& p2, const Point<double>& p3);
+
+/// The cubic through the four points, parametrised by chord length, half way between p1 and p2. The
+/// midpoint where two points coincide or the curve turns by more than 40 degrees at p1 or p2: that
+/// is a corner, and a cubic would swing past it.
+Point<double> cubic_point(const Point<double>& p0, const Point<double>& p1, const Point<double>& p2,
+                          const Point<double>& p3);
+
+} // namespace dsc::reference

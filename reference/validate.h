@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Is K a simplicial complex (thesis 3), a discrete manifold with boundary (3.2), and not inverted?
+#pragma once
+
+#include "reference/complex.h"
+
+#include <string>
+#include <vector>
+
+namespace dsc::reference {
+
+/// What is wrong, a sentence for each fault that names the simplex; empty if nothing is. Checks the
+/// whole complex: O(n log n).
+std::vector<std::string> validate(const Complex& K);
+
+} // namespace dsc::reference

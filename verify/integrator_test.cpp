@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// The integrators keep their orders, in place and in time, for both scalar types.
+#include "dsc/motion/integrator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+// A turn about the origin whose speed changes: by sin(t) from time 0 to t.
+void changing_turn(std::span<const Point<double>> positions, double time,
+                   std::span<Point<double>> velocities) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        velocities[i] = std::cos(time) * Point<double>(-positions[i].y(), positions[i].x());
+    }
+}
+
+template <class Real>
+std::vector<Point<Real>> one_step(Integrator integrator, const Velocity<Real>& velocity,
+                                  const std::vector<Point<Real>>& positions, Real time, Real dt) {
+    IntegratorScratch<Real> scratch;
+    scratch.first.resize(positions.size());
+    velocity(positions, time, scratch.first);
+    std::vector<Point<Real>> targets(positions.size());
+    integrate<Real>(integrator, velocity, positions, time, dt, targets, scratch);
+    return targets;
+}
+
+double error_after(Integrator integrator, int steps) {
+    constexpr double duration = 2;
+    std::vector<Point<double>> at{{1, 0}, {0, 0.5}, {-0.3, 0.2}};
+    const auto first = at;
+    const double dt = duration / steps;
+    for (int i = 0; i < steps; ++i) {
+        at = one_step<double>(integrator, changing_turn, at, i * dt, dt);
+    }
+    const double angle = std::sin(duration);
+    double worst = 0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const Point<double> exact(std::cos(angle) * first[i].x() - std::sin(angle) * first[i].y(),
+                                  std::sin(angle) * first[i].x() + std::cos(angle) * first[i].y());
+        worst = std::max(worst, (at[i] - exact).norm());
+    }
+    return worst;
+}
+
+struct Order {
+    Integrator integrator;
+    double order;
+    double largest_error; ///< after 160 steps
+};
+
+class Orders : public testing::TestWithParam<Order> {};
+
+TEST_P(Orders, HalvingTheStepGainsTheOrder) {
+    const auto [integrator, order, largest_error] = GetParam();
+    for (const int steps : {40, 80}) {
+        const double measured =
+            std::log2(error_after(integrator, steps) / error_after(integrator, 2 * steps));
+        EXPECT_NEAR(measured, order, 0.15) << steps << " steps";
+    }
+    EXPECT_LT(error_after(integrator, 160), largest_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrator, Orders,
+                         testing::Values(Order{Integrator::euler, 1, 1e-2},
+                                         Order{Integrator::midpoint, 2, 1e-4},
+                                         Order{Integrator::rk4, 4, 1e-8}),
+                         [](const auto& info) {
+                             return std::string(to_string(info.param.integrator));
+                         });
+
+// A velocity t^n is integrated exactly up to an n that tells the times of the stages.
+template <class Real>
+Real error_in_power(Integrator integrator, int power, Real time, Real dt) {
+    const Velocity<Real> velocity = [power](std::span<const Point<Real>> positions, Real at,
+                                            std::span<Point<Real>> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {std::pow(at, static_cast<Real>(power)), 0};
+        }
+    };
+    const auto target = one_step<Real>(integrator, velocity, {Point<Real>(0, 7)}, time, dt);
+    EXPECT_EQ(target[0].y(), Real(7));
+    const auto n = static_cast<Real>(power + 1);
+    const Real exact = (std::pow(time + dt, n) - std::pow(time, n)) / n;
+    return std::abs(target[0].x() - exact);
+}
+
+template <class Real>
+class Stages : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(Stages, Reals);
+
+TYPED_TEST(Stages, AreEvaluatedAtTheirTimes) {
+    using Real = TypeParam;
+    const Real time = Real(0.75);
+    const Real dt = Real(0.5);
+    const Real rounding = Real(8) * std::numeric_limits<Real>::epsilon();
+    EXPECT_LE(error_in_power(Integrator::euler, 0, time, dt), rounding);
+    EXPECT_GT(error_in_power(Integrator::euler, 1, time, dt), Real(0.01));
+    EXPECT_LE(error_in_power(Integrator::midpoint, 1, time, dt), rounding);
+    EXPECT_GT(error_in_power(Integrator::midpoint, 2, time, dt), Real(0.001));
+    EXPECT_LE(error_in_power(Integrator::rk4, 3, time, dt), rounding);
+    EXPECT_GT(error_in_power(Integrator::rk4, 4, time, dt), Real(1e-5));
+}
+
+TYPED_TEST(Stages, NoStepIsNoMove) {
+    using Real = TypeParam;
+    const Velocity<Real> velocity = [](std::span<const Point<Real>> positions, Real,
+                                       std::span<Point<Real>> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {Real(3), Real(-5)};
+        }
+    };
+    const std::vector<Point<Real>> at{{Real(0.1), Real(0.7)}};
+    for (const auto integrator : {Integrator::euler, Integrator::midpoint, Integrator::rk4}) {
+        EXPECT_EQ(one_step<Real>(integrator, velocity, at, 1, 0)[0], at[0]);
+        const auto moved = one_step<Real>(integrator, velocity, at, 1, 2);
+        EXPECT_NEAR(moved[0].x(), 6.1, 1e-5);
+        EXPECT_NEAR(moved[0].y(), -9.3, 1e-5);
+    }
+    EXPECT_TRUE(one_step<Real>(Integrator::rk4, velocity, {}, 1, 2).empty());
+}
+
+} // namespace
+} // namespace dsc

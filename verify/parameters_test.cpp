@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// What the command line can set: good values arrive, bad ones are refused with the key, the value
+// and what is allowed, and leave everything as it was.
+#include "scenes/parameters.h"
+
+#include "dsc/base/error.h"
+#include "scenes/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace dsc::scenes {
+namespace {
+
+const std::vector<std::string> all_keys{"h",         "dt",   "steps", "period", "integrator",
+                                        "insertion", "real", "seed"};
+
+Parameters with(const std::string& key, const std::string& value) {
+    Parameters parameters;
+    set_parameter(parameters, all_keys, key, value);
+    return parameters;
+}
+
+TEST(Parameters, TakeGoodValues) {
+    EXPECT_EQ(with("h", "0.125").h, 0.125);
+    EXPECT_EQ(with("h", "1e-3").h, 1e-3);
+    EXPECT_EQ(with("dt", "0.5").dt, 0.5);
+    EXPECT_EQ(with("steps", "260").steps, 260);
+    EXPECT_EQ(with("period", "8").period, 8.0);
+    EXPECT_EQ(with("seed", "18446744073709551615").seed, UINT64_MAX);
+    EXPECT_EQ(with("integrator", "euler").integrator, Integrator::euler);
+    EXPECT_EQ(with("integrator", "midpoint").integrator, Integrator::midpoint);
+    EXPECT_EQ(with("integrator", "rk4").integrator, Integrator::rk4);
+    EXPECT_EQ(with("insertion", "linear").insertion, Insertion::linear);
+    EXPECT_EQ(with("insertion", "cubic").insertion, Insertion::cubic);
+    EXPECT_EQ(with("real", "float").real, RealType::single_precision);
+    EXPECT_EQ(with("real", "double").real, RealType::double_precision);
+}
+
+struct Bad {
+    std::string key;
+    std::string value;
+};
+
+class BadValue : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadValue, IsRefusedWithKeyValueAndWhatIsAllowed) {
+    const auto& [key, value] = GetParam();
+    Parameters parameters;
+    const Parameters before = parameters;
+    try {
+        set_parameter(parameters, all_keys, key, value);
+        FAIL() << "accepted: " << key << "=" << value;
+    } catch (const InputError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find(key), std::string::npos) << text;
+        EXPECT_NE(text.find("'" + value + "'"), std::string::npos) << text;
+        EXPECT_NE(text.find("allowed: "), std::string::npos) << text;
+        EXPECT_FALSE(error.allowed().empty());
+        EXPECT_EQ(text.find('\n'), std::string::npos) << "one sentence";
+    }
+    EXPECT_EQ(parameters.h, before.h);
+    EXPECT_EQ(parameters.dt, before.dt);
+    EXPECT_EQ(parameters.steps, before.steps);
+    EXPECT_EQ(parameters.period, before.period);
+    EXPECT_EQ(parameters.seed, before.seed);
+    EXPECT_EQ(parameters.integrator, before.integrator);
+    EXPECT_EQ(parameters.insertion, before.insertion);
+    EXPECT_EQ(parameters.real, before.real);
+}
+
+std::vector<Bad> bad_values() {
+    std::vector<Bad> list;
+    for (const char* key : {"h", "dt", "period"}) {
+        for (const char* value : {"", " ", "abc", "0.1x", " 0.1", "0.1 ", "0", "-0.1", "nan", "NaN",
+                                  "-nan", "inf", "infinity", "1e999", "1e300", "1e-300", "0,1",
+                                  "0x1p-4", "+0.1", "--1", "1e"}) {
+            list.push_back({key, value});
+        }
+    }
+    for (const char* value : {"", "ten", "1.5", "1e3", "0", "-1", "nan", "100000001",
+                              "99999999999999999999", "0x10", "+5", "5 "}) {
+        list.push_back({"steps", value});
+    }
+    for (const char* value : {"", "-1", "1.5", "x", "18446744073709551616", "nan"}) {
+        list.push_back({"seed", value});
+    }
+    for (const char* key : {"integrator", "insertion", "real"}) {
+        for (const char* value : {"", "RK4", "rk5", "quad", "0", "cubic ", "long double"}) {
+            list.push_back({key, value});
+        }
+    }
+    return list;
+}
+
+INSTANTIATE_TEST_SUITE_P(Parameters, BadValue, testing::ValuesIn(bad_values()),
+                         [](const auto& info) { return std::to_string(info.index); });
+
+TEST(Parameters, RefuseAnUnknownKeyAndNameThoseThatThereAre) {
+    Parameters parameters;
+    for (const char* key : {"", "H", "size", "h ", "periode"}) {
+        try {
+            set_parameter(parameters, all_keys, key, "1");
+            FAIL() << "accepted: " << key;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.value(), "'" + std::string(key) + "'");
+            for (const auto& known : all_keys) {
+                EXPECT_NE(error.allowed().find(known), std::string::npos) << known;
+            }
+        }
+    }
+}
+
+TEST(Parameters, AreOnlyThoseOfTheScene) {
+    Parameters parameters;
+    EXPECT_THROW(set_parameter(parameters, find_scene("translation").keys, "period", "8"),
+                 InputError);
+    EXPECT_NO_THROW(set_parameter(parameters, find_scene("single-vortex").keys, "period", "2"));
+    EXPECT_EQ(parameters.period, 2.0);
+}
+
+TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
+    std::set<std::string> names;
+    for (const Scene& scene : catalogue()) {
+        SCOPED_TRACE(scene.name);
+        EXPECT_TRUE(names.insert(scene.name).second) << "twice";
+        EXPECT_FALSE(scene.description.empty());
+        EXPECT_FALSE(scene.section.empty());
+        for (const auto& key : scene.keys) {
+            EXPECT_NE(std::find(all_keys.begin(), all_keys.end(), key), all_keys.end()) << key;
+        }
+        const Setup setup = scene.prepare(scene.defaults);
+        EXPECT_FALSE(setup.outlines.empty());
+        EXPECT_FALSE(setup.flow.empty());
+        EXPECT_GT(setup.steps, 0);
+        EXPECT_TRUE(std::isfinite(setup.dt) && setup.dt > 0);
+        EXPECT_GT(setup.exact(0).area, 0);
+    }
+    for (const char* name : {"translation", "scaling", "rotation-rectangle", "rotation-crescent",
+                             "vortex-square", "zalesak", "swirl", "single-vortex",
+                             "speedup-scaling", "speedup-four-circles"}) {
+        EXPECT_EQ(names.count(name), 1U) << name;
+    }
+}
+
+// What --set changes is what the scene does.
+TEST(Catalogue, FollowsItsParameters) {
+    const Scene& scene = find_scene("scaling");
+    Parameters parameters = scene.defaults;
+    const int steps = scene.prepare(parameters).steps;
+    parameters.h *= 0.5;
+    const Setup fine = scene.prepare(parameters);
+    EXPECT_NEAR(fine.steps, 2 * steps, 2);
+    EXPECT_NEAR(static_cast<double>(fine.outlines[0].size()) /
+                    static_cast<double>(scene.prepare(scene.defaults).outlines[0].size()),
+                2, 0.1);
+    parameters.steps = 7;
+    EXPECT_EQ(scene.prepare(parameters).steps, 7);
+    parameters.dt = 0.001;
+    EXPECT_EQ(scene.prepare(parameters).dt, 0.001);
+    const Scene& swirl = find_scene("swirl");
+    Parameters each_way = swirl.defaults;
+    each_way.steps = 30;
+    EXPECT_EQ(swirl.prepare(each_way).steps, 60);
+    EXPECT_EQ(swirl.prepare(each_way).half_step, 30);
+}
+
+} // namespace
+} // namespace dsc::scenes

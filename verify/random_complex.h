@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Random small complexes for the tests: valid ones, with everything that the operations must cope
+// with. The same seed gives the same complex on every machine.
+#pragma once
+
+#include "dsc/complex/complex.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dsc::test {
+
+/// A sequence of random numbers that is the same everywhere; the distributions of <random> are not.
+/// S. Vigna's splitmix64.
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+    std::uint64_t bits();
+    /// 0 to `bound` - 1.
+    std::uint32_t below(std::uint32_t bound);
+    /// [0, 1).
+    double unit();
+    bool chance(double probability) { return unit() < probability; }
+
+private:
+    std::uint64_t state_;
+};
+
+enum class PhasePattern : std::uint8_t {
+    exterior,  ///< one phase, the exterior's
+    interior,  ///< one other phase: the domain boundary is all interface
+    clustered, ///< patches, as in a simulation
+    salt,      ///< each triangle for itself: junctions everywhere
+};
+
+struct RandomComplexOptions {
+    std::uint32_t points = 20;
+    /// Coordinates are integers in [0, grid): many collinear and cocircular points, midpoints that
+    /// are exact in float as well. 0: real numbers in [0, 1).
+    std::uint32_t grid = 0;
+    PhasePattern pattern = PhasePattern::clustered;
+    std::uint32_t phases = 3;
+    double holes = 0.1; ///< share of the triangles that one tries to take out
+    std::uint32_t scramble =
+        60;              ///< random flips, splits and collapses: high and low degrees, free ids
+    double locked = 0.1; ///< share of locked vertices
+};
+
+/// A convex domain triangulated at random, then holes, then scrambled. Always valid; some ids may
+/// be free and some vertices without triangles.
+template <class Real>
+Complex<Real> random_complex(std::uint64_t seed, const RandomComplexOptions& options);
+
+/// Options drawn at random: every pattern, grids and real numbers, 3 to `most_points` points.
+RandomComplexOptions random_options(std::uint64_t seed, std::uint32_t most_points = 30);
+
+/// Owners of vertices: 1 where the submesh owns it, else 0; by id, `vertex_bound()` entries. Either
+/// one side of a line, a disc, or most vertices here and there.
+template <class Real>
+std::vector<std::uint32_t> random_labels(std::uint64_t seed, const Complex<Real>& complex);
+
+} // namespace dsc::test

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// Random shapes and random flows for the tests of the whole method: the same seed gives the same
+// scene on every machine.
+#pragma once
+
+#include "dsc/complex/mesh_functions.h"
+#include "dsc/initial/initial_complex.h"
+#include "dsc/motion/integrator.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace dsc::test {
+
+/// The distributions of <random> differ between standard libraries; its engines do not.
+class Dice {
+public:
+    explicit Dice(std::uint64_t seed) : engine_(seed) {}
+    double in(double low, double high) {
+        return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53);
+    }
+    int in(int low, int high) {
+        return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+    }
+    bool chance(double probability) { return in(0.0, 1.0) < probability; }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+inline std::vector<Point<double>> circle_points(const Point<double>& centre, double radius, int n) {
+    std::vector<Point<double>> points;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        points.emplace_back(centre + radius * Point<double>(std::cos(angle), std::sin(angle)));
+    }
+    return points;
+}
+
+/// The unit square with a disc of phase 1 in it.
+template <class Real>
+Complex<Real> disc_complex(double h, const Point<double>& centre = {0.5, 0.5},
+                           double radius = 0.25) {
+    const int n = static_cast<int>(std::ceil(2 * std::numbers::pi * radius / h));
+    const std::vector<Shape> shapes{{circle_points(centre, radius, n), 1}};
+    return initial_complex<Real>({}, shapes, {.edge_length = h});
+}
+
+/// Stars with one to seven wobbling arms, apart from each other in the cells of a grid; some of
+/// them with a hole of another phase.
+template <class Real>
+Complex<Real> random_shapes(Dice& dice, double h) {
+    const int cells = h < 0.035 ? dice.in(1, 3) : dice.in(1, 2);
+    const double cell = 1.0 / cells;
+    std::vector<Shape> shapes;
+    for (int i = 0; i < cells * cells; ++i) {
+        if (!shapes.empty() && dice.chance(0.3)) {
+            continue;
+        }
+        const Point<double> centre((i % cells + 0.5) * cell, (i / cells + 0.5) * cell);
+        const double radius = dice.in(0.25, 0.4) * cell;
+        const double depth = dice.in(0.0, 0.35);
+        const int arms = dice.in(1, 7);
+        const double turn = dice.in(0.0, 6.0);
+        std::vector<Point<double>> points =
+            circle_points({0, 0}, 1, std::max(8, static_cast<int>(6 * radius / h)));
+        for (auto& p : points) {
+            const double angle = std::atan2(p.y(), p.x());
+            p = centre + radius * (1 - depth * (0.5 + 0.5 * std::sin(arms * angle + turn))) * p;
+        }
+        const auto phase = static_cast<Phase>(dice.in(1, 3));
+        shapes.push_back({points, phase});
+        if (dice.chance(0.3) && radius > 5 * h) {
+            const int n = std::max(8, static_cast<int>(2 * radius / h));
+            shapes.push_back({circle_points(centre, 0.3 * radius, n),
+                              dice.chance(0.5) ? exterior_phase : phase + 1});
+        }
+    }
+    return initial_complex<Real>({}, shapes, {.edge_length = h});
+}
+
+/// No shapes, but phases thrown over the triangles: junctions, pinched vertices, phases at the
+/// domain boundary. With few patches, each phase is in large pieces.
+template <class Real>
+Complex<Real> random_patches(Dice& dice, double h, int patches) {
+    auto complex = initial_complex<Real>({}, {}, {.edge_length = h});
+    std::vector<Point<double>> seeds;
+    std::vector<Phase> phases;
+    for (int i = 0; i < patches; ++i) {
+        seeds.emplace_back(dice.in(0.0, 1.0), dice.in(0.0, 1.0));
+        phases.push_back(static_cast<Phase>(dice.in(0, 3)));
+    }
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t})) {
+            continue;
+        }
+        Point<double> middle = Point<double>::Zero();
+        for (const Vertex v : complex.vertices_of(Triangle{t})) {
+            middle += complex.position(v).template cast<double>() / 3;
+        }
+        std::size_t nearest = 0;
+        for (std::size_t i = 1; i < seeds.size(); ++i) {
+            if ((seeds[i] - middle).squaredNorm() < (seeds[nearest] - middle).squaredNorm()) {
+                nearest = i;
+            }
+        }
+        complex.set_phase(Triangle{t}, phases[nearest]);
+    }
+    return complex;
+}
+
+/// What makes a flow wild: none of it has to be followed, all of it has to be survived.
+enum class Wildness : std::uint8_t {
+    none,
+    not_a_number, ///< in a disc
+    infinite,     ///< in a disc
+    absurd,       ///< a speed of 1e300 in a disc
+    torn,         ///< opposite velocities on the two sides of a line
+    sink,         ///< everything to one point
+    noise,        ///< neighbours know nothing of each other
+};
+inline constexpr int wildness_count = 7;
+
+/// A sum of waves: of a stream function, and a little of a potential, that change with time.
+class RandomFlow {
+public:
+    RandomFlow(Dice& dice, double speed, Wildness wildness)
+        : speed_(speed), wildness_(wildness), centre_(dice.in(0.1, 0.9), dice.in(0.1, 0.9)) {
+        for (int i = 0; i < 5; ++i) {
+            waves_.push_back({Point<double>(dice.in(-9.0, 9.0), dice.in(-9.0, 9.0)),
+                              dice.in(0.0, 6.0), dice.in(-6.0, 6.0),
+                              dice.chance(0.7) ? 0.0 : dice.in(-0.5, 0.5)});
+        }
+    }
+
+    template <class Real>
+    [[nodiscard]] dsc::Velocity<Real> velocity() const {
+        return [flow = *this](std::span<const Point<Real>> positions, Real time,
+                              std::span<Point<Real>> velocities) {
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+                velocities[i] = flow.at(positions[i].template cast<double>(),
+                                        static_cast<double>(time))
+                                    .template cast<Real>();
+            }
+        };
+    }
+
+private:
+    struct Wave {
+        Point<double> number;
+        double phase;
+        double frequency;
+        double potential; ///< its share of the wave
+    };
+
+    [[nodiscard]] Point<double> at(const Point<double>& p, double time) const {
+        Point<double> sum = Point<double>::Zero();
+        for (const Wave& wave : waves_) {
+            const Point<double> direction = wave.number / (1 + wave.number.norm());
+            const double value =
+                std::cos(wave.number.dot(p) + wave.phase + wave.frequency * time);
+            sum += value * (Point<double>(-direction.y(), direction.x()) +
+                            wave.potential * direction);
+        }
+        sum *= speed_;
+        const bool inside = (p - centre_).norm() < 0.2;
+        switch (wildness_) {
+        case Wildness::none: break;
+        case Wildness::not_a_number:
+            return inside ? constant(std::numeric_limits<double>::quiet_NaN()) : sum;
+        case Wildness::infinite:
+            return inside ? constant(std::numeric_limits<double>::infinity()) : sum;
+        case Wildness::absurd: return inside ? constant(1e300) : sum;
+        case Wildness::torn: return p.x() + p.y() < 1 ? sum : Point<double>(-sum);
+        case Wildness::sink: return speed_ * (centre_ - p) / ((centre_ - p).norm() + 1e-9);
+        case Wildness::noise: {
+            const double angle = 1e5 * std::sin(1e4 * p.x() + 2e4 * p.y());
+            return speed_ * Point<double>(std::cos(angle), std::sin(angle));
+        }
+        }
+        return sum;
+    }
+
+    static Point<double> constant(double value) { return {value, 0.0}; }
+
+    double speed_;
+    Wildness wildness_;
+    Point<double> centre_;
+    std::vector<Wave> waves_;
+};
+
+/// By id: 1 for the vertices of an interface edge, as it is derived from the phases.
+template <class Real>
+std::vector<std::uint8_t> on_interface(const Complex<Real>& complex) {
+    std::vector<std::uint8_t> on(complex.vertex_bound(), 0);
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t})) {
+            continue;
+        }
+        for (const Edge e : complex.edges_of(Triangle{t})) {
+            if (is_interface(complex, e)) {
+                for (const Vertex v : complex.vertices_of(e)) {
+                    on[v.id] = 1;
+                }
+            }
+        }
+    }
+    return on;
+}
+
+/// Empty, or what is wrong with a list of the interface's vertices: each must be there once.
+template <class Real>
+std::string interface_fault(const Complex<Real>& complex, const std::vector<std::uint32_t>& list) {
+    auto on = on_interface(complex);
+    for (const std::uint32_t v : list) {
+        if (v >= on.size() || on[v] == 0) {
+            return "vertex " + std::to_string(v) + " is listed twice or not on the interface";
+        }
+        on[v] = 0;
+    }
+    for (std::size_t v = 0; v < on.size(); ++v) {
+        if (on[v] != 0) {
+            return "vertex " + std::to_string(v) + " of the interface is not listed";
+        }
+    }
+    return {};
+}
+
+} // namespace dsc::test

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// All bytes of a complex, to say "nothing changed"; and its triangles as places, to say "the same
+// mesh" of two that number their vertices differently.
+#pragma once
+
+#include "dsc/complex/complex.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dsc::test {
+
+template <class T>
+void append_bytes(std::string& bytes, const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes.append(std::to_string(values.size())).append(":");
+    if (!values.empty()) {
+        bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    }
+}
+
+/// Records, free ids and the attributes of type double. Nothing of these has padding.
+template <class Real>
+std::string snapshot(const Complex<Real>& complex) {
+    std::string bytes;
+    append_bytes(bytes, complex.vertices);
+    append_bytes(bytes, complex.triangles);
+    append_bytes(bytes, complex.ids.vertices);
+    append_bytes(bytes, complex.ids.triangles);
+    for (const auto& attribute : complex.attributes.list()) {
+        if (attribute->type() == typeid(double)) {
+            append_bytes(bytes, static_cast<const Attribute<double>&>(*attribute).data());
+        }
+    }
+    return bytes;
+}
+
+/// A triangle as its corners' places, counter-clockwise from the smallest, and its phase.
+struct PlacedTriangle {
+    std::array<std::array<double, 2>, 3> at;
+    Phase phase;
+    friend auto operator<=>(const PlacedTriangle&, const PlacedTriangle&) = default;
+};
+
+inline PlacedTriangle placed(std::array<std::array<double, 2>, 3> at, Phase phase) {
+    std::rotate(at.begin(), std::min_element(at.begin(), at.end()), at.end());
+    return {at, phase};
+}
+
+/// The triangles for which `wanted(id)` holds, sorted.
+template <class Real, class Wanted>
+std::vector<PlacedTriangle> placed_triangles(const Complex<Real>& complex, Wanted wanted) {
+    std::vector<PlacedTriangle> list;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (complex.is_alive(Triangle{t}) && wanted(t)) {
+            std::array<std::array<double, 2>, 3> at;
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                const auto p = complex.position(Vertex{complex.triangles[t].v[i]});
+                at[i] = {static_cast<double>(p.x()), static_cast<double>(p.y())};
+            }
+            list.push_back(placed(at, complex.triangles[t].phase));
+        }
+    }
+    std::sort(list.begin(), list.end());
+    return list;
+}
+
+} // namespace dsc::test

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+# Installs the library into the build tree, then configures, builds and runs a stranger's program.
+# A failure names its stage. Run by CTest, see verify/CMakeLists.txt.
+function(stage name)
+    execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE text)
+    if(NOT code EQUAL 0)
+        message(FATAL_ERROR "stage ${name} failed (${code}):\n${text}")
+    endif()
+    message(STATUS "${name}: done")
+endfunction()
+
+# From nothing, so that a header that is no longer installed is missed.
+file(REMOVE_RECURSE ${work})
+set(prefix ${work}/prefix)
+stage(install ${CMAKE_COMMAND} --install ${library} --prefix ${prefix})
+stage(configure ${CMAKE_COMMAND} -S ${source} -B ${work}/build -G ${generator}
+    -D CMAKE_PREFIX_PATH=${prefix}
+    -D CMAKE_CXX_COMPILER=${compiler}
+    -D CMAKE_CXX_FLAGS=${flags}
+    -D CMAKE_BUILD_TYPE=${build_type})
+stage(build ${CMAKE_COMMAND} --build ${work}/build)
+stage(run ${work}/build/stranger)
+
+file(STRINGS ${work}/build/CMakeCache.txt found REGEX "^dsc_DIR")
+if(NOT found MATCHES "${prefix}")
+    message(FATAL_ERROR "stage configure found another library: ${found}")
+endif()
