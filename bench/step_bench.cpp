@@ -36,15 +36,25 @@ constexpr double reference_area_limit = 0.01;
 struct Case {
     std::string family;
     int triangles;
-    scenes::RunOptions run;
+    Strategy strategy;
+    std::uint32_t submeshes = 1;
+    std::uint32_t threads = 1;
 };
 
+scenes::RunOptions run_options(const Case& c, std::uint32_t threads) {
+    scenes::RunOptions options;
+    options.strategy = c.strategy;
+    options.submeshes = c.submeshes;
+    options.threads = threads;
+    return options;
+}
+
 std::string name_of(const Case& c) {
-    std::string name = c.family + "/strategy:" + scenes::to_string(c.run.strategy) +
+    std::string name = c.family + "/strategy:" + scenes::to_string(c.strategy) +
                        "/triangles:" + std::to_string(c.triangles);
-    if (c.run.strategy != Strategy::sequential && c.run.strategy != Strategy::reference) {
-        name += "/submeshes:" + std::to_string(c.run.submeshes) +
-                "/threads:" + std::to_string(c.run.threads);
+    if (c.strategy != Strategy::sequential && c.strategy != Strategy::reference) {
+        name += "/submeshes:" + std::to_string(c.submeshes) +
+                "/threads:" + std::to_string(c.threads);
     }
     return name;
 }
@@ -63,15 +73,13 @@ Complex<double> copy_with_room(const Complex<double>& complex) {
 const Answer& answer_of(const Case& c) {
     using Key = std::tuple<std::string, int, Strategy, std::uint32_t>;
     static std::map<Key, Answer> answers;
-    const Key key{c.family, c.triangles, c.run.strategy, c.run.submeshes};
+    const Key key{c.family, c.triangles, c.strategy, c.submeshes};
     if (const auto known = answers.find(key); known != answers.end()) {
         return known->second;
     }
     const Start& start = start_of(c.family, c.triangles);
     Complex<double> complex = copy_with_room(start.complex);
-    scenes::RunOptions one_thread = c.run;
-    one_thread.threads = 1;
-    const StepRun run = run_steps(start, complex, one_thread);
+    const StepRun run = run_steps(start, complex, run_options(c, 1));
     const Answer answer = check_answer(
         start, complex, run, start.step + warm_up_steps + timed_steps, area_limit(start));
     return answers.emplace(key, answer).first->second;
@@ -100,7 +108,7 @@ void report(benchmark::State& state, const Case& c, const StepRun& run, const An
     counters["min_quality"] = answer.min_quality;
     counters["area_error_rel"] = answer.area_error_rel;
     counters["load"] = load;
-    counters["oversubscribed"] = c.run.threads > core_count() ? 1 : 0;
+    counters["oversubscribed"] = c.threads > core_count() ? 1 : 0;
 }
 
 void measure(benchmark::State& state, const Case& c) {
@@ -110,7 +118,7 @@ void measure(benchmark::State& state, const Case& c) {
         Complex<double> complex = copy_with_room(start.complex);
         const double load = load_average();
         const PeakMemory memory;
-        const StepRun run = run_steps(start, complex, c.run);
+        const StepRun run = run_steps(start, complex, run_options(c, c.threads));
         const double peak_mb = memory.mb() - starts_mb();
         if (run.unreached > 0 || run.gave_up || mesh_hash(complex) != expected.hash) {
             throw InvariantError("the mesh is not that of a run with one thread");
@@ -122,7 +130,7 @@ void measure(benchmark::State& state, const Case& c) {
         counters["flips_per_step"] = static_cast<double>(run.operations.flips) / run.steps;
         counters["examined_per_step"] = static_cast<double>(run.operations.examined) / run.steps;
         const auto& reference = reference_times()[c.family];
-        if (c.run.strategy == Strategy::sequential && c.triangles == small_mesh &&
+        if (c.strategy == Strategy::sequential && c.triangles == small_mesh &&
             !reference.empty()) {
             counters["speedup_vs_reference"] =
                 median(reference) / (run.wall_s * 1e6 / run.steps);
@@ -162,7 +170,7 @@ void add(const Case& c) {
     benchmark::RegisterBenchmark(name_of(c).c_str(),
                                  [c](benchmark::State& state) {
                                      guarded(state, [&c](benchmark::State& s) {
-                                         if (c.run.strategy == Strategy::reference) {
+                                         if (c.strategy == Strategy::reference) {
                                              measure_reference(s, c);
                                          } else {
                                              measure(s, c);
@@ -190,16 +198,12 @@ void register_steps() {
     for (const char* family : {"scaling_step", "four_circles_step"}) {
         for (const int triangles : {small_mesh, 280000, 2800000}) {
             if (triangles == small_mesh) {
-                add({family, triangles, {.strategy = Strategy::reference}});
+                add({family, triangles, Strategy::reference});
             }
-            add({family, triangles, {.strategy = Strategy::sequential}});
+            add({family, triangles, Strategy::sequential});
             for (const Strategy strategy : {Strategy::counting}) {
                 for (const std::uint32_t threads : thread_counts()) {
-                    add({family,
-                         triangles,
-                         {.strategy = strategy,
-                          .submeshes = std::max(slabs, threads),
-                          .threads = threads}});
+                    add({family, triangles, strategy, std::max(slabs, threads), threads});
                 }
             }
         }

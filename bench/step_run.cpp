@@ -8,7 +8,9 @@
 #include "scenes/measure.h"
 #include "scenes/reference_run.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace dsc::bench {
@@ -97,7 +99,7 @@ Answer check_answer(const Start& start, const Complex<double>& complex, const St
 double area_limit(const Start& start) {
     double radius = 0; // of the smallest shape at the start
     for (const auto& outline : start.setup.outlines) {
-        const double r = std::sqrt(scenes::signed_area(outline) / 3.141592653589793);
+        const double r = std::sqrt(scenes::signed_area(outline) / std::numbers::pi);
         radius = radius == 0 ? r : std::min(radius, r);
     }
     const double h = start.parameters.h;

@@ -68,6 +68,21 @@ Targets targets(const Complex& K, const std::set<Vertex>& moving, const Velocity
     return result;
 }
 
+void update_phases(Complex& K, const PassOptions& options, StepCounts& counts) {
+    for (const auto& p : phases(K))
+        phase_coarsening(K, p, options, counts);
+    for (const auto& p : phases(K))
+        phase_refinement(K, p, options, counts);
+    optimization(K, options, counts);
+    smoothing(K, options, counts);
+}
+
+bool is_poor(const Complex& K, const PassOptions& options) {
+    return std::ranges::any_of(K.phases(), [&](const auto& item) {
+        return quality(K, item.first) < options.poor_quality;
+    });
+}
+
 } // namespace
 
 void dsc(Complex& K, const SimplexSet& I, Destinations& destinations, const Options& options,
@@ -88,12 +103,13 @@ void dsc(Complex& K, const SimplexSet& I, Destinations& destinations, const Opti
             interface_coarsening(K, I, passes, counts);
             interface_refinement(K, I, passes, counts);
         }
-        for (const auto& p : phases(K))
-            phase_coarsening(K, p, passes, counts);
-        for (const auto& p : phases(K))
-            phase_refinement(K, p, passes, counts);
-        optimization(K, passes, counts);
-        smoothing(K, passes, counts);
+        update_phases(K, passes, counts);
+    }
+    // Q^K is still too low: nothing is left to move, but what the last updates made poor may be
+    // mended by the next.
+    for (int i = 0; i < options.max_repairs && is_poor(K, passes); ++i) {
+        update_phases(K, passes, counts);
+        ++counts.iterations;
     }
 }
 

@@ -37,10 +37,13 @@ using Triple = std::array<Index, 3>;
 template <class Real>
 std::vector<Point<Real>> random_points(Random& random, const RandomComplexOptions& options) {
     std::set<std::pair<Real, Real>> places; // distinct, and sorted for the sweep
+    const Real offset = options.at_resolution && options.grid > 0
+                            ? 1 / std::numeric_limits<Real>::epsilon()
+                            : Real(0);
     for (std::uint32_t tries = 0; tries < 100 * options.points && places.size() < options.points;
          ++tries) {
         const auto draw = [&] {
-            return options.grid > 0 ? static_cast<Real>(random.below(options.grid))
+            return options.grid > 0 ? offset + static_cast<Real>(random.below(options.grid))
                                     : static_cast<Real>(random.unit());
         };
         const Real x = draw();
@@ -153,10 +156,13 @@ void give_phases(Random& random, Complex<Real>& complex, const RandomComplexOpti
         Phase phase;
     };
     const double size = options.grid > 0 ? options.grid : 1;
+    const double origin = options.at_resolution && options.grid > 0
+                              ? 1 / static_cast<double>(std::numeric_limits<Real>::epsilon())
+                              : 0;
     std::vector<Seed> seeds;
     for (std::uint32_t i = 0; i < 2 + options.phases; ++i) {
-        const double x = size * random.unit();
-        seeds.push_back({x, size * random.unit(), random.below(options.phases)});
+        const double x = origin + size * random.unit();
+        seeds.push_back({x, origin + size * random.unit(), random.below(options.phases)});
     }
     for (std::uint32_t id = 1; id < complex.triangle_bound(); ++id) {
         if (!complex.is_alive(Triangle{id})) {
@@ -229,6 +235,7 @@ RandomComplexOptions random_options(std::uint64_t seed, std::uint32_t most_point
     RandomComplexOptions options;
     options.points = 3 + random.below(most_points - 2);
     options.grid = random.chance(0.5) ? 0 : 8U << random.below(3);
+    options.at_resolution = options.grid > 0 && random.chance(0.2);
     options.pattern = static_cast<PhasePattern>(random.below(4));
     options.phases = 2 + random.below(3);
     options.holes = random.chance(0.5) ? 0 : 0.4 * random.unit();

@@ -38,6 +38,9 @@ struct RandomComplexOptions {
     /// Coordinates are integers in [0, grid): many collinear and cocircular points, midpoints that
     /// are exact in float as well. 0: real numbers in [0, 1).
     std::uint32_t grid = 0;
+    /// With a grid: shifts it so far out that no number lies between its points. Midpoints are then
+    /// rounded to grid points, and what should be legal may invert.
+    bool at_resolution = false;
     PhasePattern pattern = PhasePattern::clustered;
     std::uint32_t phases = 3;
     double holes = 0.1; ///< share of the triangles that one tries to take out

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small complexes for the tests of the literal method, checkable by hand, and a square with a circle.
+// Small complexes for the tests of the literal method, checkable by hand, and a square with a
+// circle.
 #pragma once
 
 #include "dsc/base/verdict.h"
@@ -32,7 +33,8 @@ inline TriangleKey T(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 inline Complex make(const Points& points, const Triples& triangles,
                     const std::vector<std::size_t>& inside = {}) {
     std::vector<Phase> phases(triangles.size(), exterior_phase);
-    for (std::size_t i : inside) phases[i] = 1;
+    for (std::size_t i : inside)
+        phases[i] = 1;
     return make_complex(points, triangles, phases);
 }
 
@@ -54,7 +56,8 @@ inline Complex grid(std::uint32_t n, const std::vector<std::size_t>& inside = {}
     Points points;
     Triples triangles;
     for (std::uint32_t j = 0; j <= n; ++j) {
-        for (std::uint32_t i = 0; i <= n; ++i) points.emplace_back(i, j);
+        for (std::uint32_t i = 0; i <= n; ++i)
+            points.emplace_back(i, j);
     }
     for (std::uint32_t j = 0; j < n; ++j) {
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -74,7 +77,8 @@ inline std::string print(const Complex& K) {
         text += std::to_string(p.x()) + "," + std::to_string(p.y()) + ";";
     }
     for (std::size_t i = 0; i < arrays.triangles.size(); ++i) {
-        for (std::uint32_t v : arrays.triangles[i]) text += std::to_string(v) + " ";
+        for (std::uint32_t v : arrays.triangles[i])
+            text += std::to_string(v) + " ";
         text += ":" + std::to_string(arrays.phases[i]) + ";";
     }
     return text;
@@ -82,18 +86,21 @@ inline std::string print(const Complex& K) {
 
 inline double total_area(const Complex& K, Phase phase) {
     double sum = 0;
-    for (const auto& [t, p] : K.phases()) sum += p == phase ? area(K, t) : 0.0;
+    for (const auto& [t, p] : K.phases())
+        sum += p == phase ? area(K, t) : 0.0;
     return sum;
 }
 
 inline double worst_quality(const Complex& K) {
     double worst = 1;
-    for (const auto& item : K.phases()) worst = std::min(worst, quality(K, item.first));
+    for (const auto& item : K.phases())
+        worst = std::min(worst, quality(K, item.first));
     return worst;
 }
 
 inline void expect_valid(const Complex& K) {
-    for (const std::string& fault : validate(K)) ADD_FAILURE() << fault;
+    for (const std::string& fault : validate(K))
+        ADD_FAILURE() << fault;
 }
 
 /// The operation must be legal, and leave a valid complex with as much of every phase.
@@ -117,7 +124,8 @@ inline void expect_refused(Complex K, Verdict reason, const std::function<Verdic
 /// it, edges that still cross it are split there.
 inline Complex circle_in_square(std::uint32_t n, const Point<double>& centre, double radius) {
     Complex K = grid(n);
-    for (Vertex v : K.vertices()) K.set_coord(v, K.coord(v) / n);
+    for (Vertex v : K.vertices())
+        K.set_coord(v, K.coord(v) / n);
     const auto height = [&](const Point<double>& p) { return (p - centre).norm() - radius; };
     std::set<Vertex> on;
     for (Vertex v : K.vertices()) {
@@ -130,7 +138,8 @@ inline Complex circle_in_square(std::uint32_t n, const Point<double>& centre, do
     const auto side = [&](Vertex v) { return on.contains(v) ? 0.0 : height(K.coord(v)); };
     std::vector<EdgeKey> crossing;
     for (const auto& item : K.edges()) {
-        if (side(item.first.v[0]) * side(item.first.v[1]) < 0) crossing.push_back(item.first);
+        if (side(item.first.v[0]) * side(item.first.v[1]) < 0)
+            crossing.push_back(item.first);
     }
     for (const EdgeKey& e : crossing) {
         Point<double> a = K.coord(e.v[0]);
@@ -145,7 +154,8 @@ inline Complex circle_in_square(std::uint32_t n, const Point<double>& centre, do
     for (const auto& item : K.triangles()) {
         double extreme = 0;
         for (Vertex v : item.first.v) {
-            if (std::abs(side(v)) > std::abs(extreme)) extreme = side(v);
+            if (std::abs(side(v)) > std::abs(extreme))
+                extreme = side(v);
         }
         K.set_phase(item.first, extreme < 0 ? 1 : 0);
     }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Sets up, builds, and tests everything: unit tests, the gate, and the tests again under the address,
-# undefined behaviour and thread sanitizers.
+# Sets up, builds, and tests everything: unit tests, the gate, and the tests again under the
+# address, undefined behaviour and thread sanitizers.
 set -euo pipefail
 
 usage() {

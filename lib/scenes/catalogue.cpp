@@ -209,7 +209,7 @@ std::vector<Scene> make_catalogue() {
                              [high](double h) { return circle(high, 0.15, h); }),
         single_vortex(),
         scaling("speedup-scaling", "a circle grows in a mesh of about 28,000 triangles", "9.7",
-                0.0091),
+                0.00887),
         four_circles_scene(),
     };
 }

@@ -125,12 +125,15 @@ private:
         return work_.counts.flips != before;
     }
 
-    // The edges of the ring's triangles, after its centre moved.
+    // The edges of the ring's triangles, after its centre moved: the spokes on all lanes at once.
     void continue_edges() {
         work_.suspects.clear();
+        const bool spokes = has_non_delaunay_spoke(ring_);
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             work_.suspects.push_back(ring_.corner[i]);
-            work_.suspects.push_back(prev(ring_.corner[i]));
+            if (spokes) {
+                work_.suspects.push_back(prev(ring_.corner[i]));
+            }
         }
         drain();
     }
@@ -196,10 +199,11 @@ private:
     }
 
     bool finish_collapse(std::uint32_t i) {
-        if (edge_collapse(complex_, work_.submesh, prev(ring_.corner[i]),
-                          rewire::Vanishing::next) != Verdict::legal) {
+        if (star_collapse_guard(complex_, ring_, i) != Verdict::legal) {
             return false;
         }
+        rewire::collapse(complex_, prev(ring_.corner[i]), rewire::Vanishing::next,
+                         *work_.submesh.pool);
         ++work_.counts.collapses;
         const std::uint32_t target = ring_.link[i];
         for (std::uint32_t j = 0; j < ring_.size; ++j) {
@@ -207,7 +211,7 @@ private:
         }
         // Delaunay again, about the vertex that took the star.
         Ring<Real>& star = work_.other_ring;
-        if (gather(complex_, work_.submesh.region, target, star)) {
+        if (gather(complex_, work_.submesh.region, target, star) && has_non_delaunay_spoke(star)) {
             work_.suspects.clear();
             for (std::uint32_t j = 0; j < star.size; ++j) {
                 work_.suspects.push_back(prev(star.corner[j]));

@@ -129,6 +129,28 @@ Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge)
                                                                              : verdict;
 }
 
+template <class Real>
+Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring,
+                            std::uint32_t i) {
+    if (complex.is_locked(Vertex{ring.vertex})) {
+        return Verdict::locked;
+    }
+    const std::uint32_t before = i == 0 ? ring.size - 1 : i - 1;
+    const auto px = static_cast<double>(ring.x[i]);
+    const auto py = static_cast<double>(ring.y[i]);
+    for (std::uint32_t j = 0; j < ring.size; ++j) {
+        if (j != i && j != before &&
+            orientation(px, py, static_cast<double>(ring.x[j]), static_cast<double>(ring.y[j]),
+                        static_cast<double>(ring.x_next[j]),
+                        static_cast<double>(ring.y_next[j])) <= 0) {
+            return Verdict::inverts;
+        }
+    }
+    return Verdict::legal;
+}
+
+template Verdict star_collapse_guard(const Complex<double>&, const Ring<double>&, std::uint32_t);
+template Verdict star_collapse_guard(const Complex<float>&, const Ring<float>&, std::uint32_t);
 template Verdict edge_collapse_guard(const Complex<double>&, const Region&, Corner,
                                      rewire::Vanishing);
 template Verdict edge_collapse_guard(const Complex<float>&, const Region&, Corner,

@@ -4,6 +4,7 @@
 
 #include "dsc/base/verdict.h"
 #include "dsc/complex/rewire.h"
+#include "dsc/complex/ring.h"
 #include "dsc/complex/submesh.h"
 
 namespace dsc {
@@ -24,6 +25,13 @@ Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Corner cor
 /// answer is that of the first.
 template <class Real>
 Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge);
+
+/// The guard for a vertex inside one phase whose star has been gathered and is owned as a whole: may
+/// the centre, if it is not locked, vanish into link vertex `i`? Only inversion can stop it: the
+/// star is a simple polygon, and a fan of strictly positive triangles from one of its vertices is a
+/// triangulation of it, whose inner edges cannot exist already. O(degree). Exact.
+template <class Real>
+Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t i);
 
 template <class Real>
 Verdict edge_collapse(Complex<Real>& complex, Edge edge) {

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""smoke.py DSC_BENCH: the benchmark program itself is tested, with the times masked: a change of the
+schema is caught and noise is not. Standard library only."""
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = ""
+FILTER = ("^(operation/edge_flip|kernel/gather_ring|"
+          "[a-z_]+_step/strategy:(sequential|counting)/triangles:28000/)")
+
+# Google Benchmark's own keys of one repetition, then ours; numbers are masked by their type.
+ITERATION = {
+    "name": "text", "family_index": "number", "per_family_instance_index": "number",
+    "run_name": "text", "run_type": "text", "repetitions": "number",
+    "repetition_index": "number", "threads": "number", "iterations": "number",
+    "real_time": "number", "cpu_time": "number", "time_unit": "text",
+}
+STEP = {**ITERATION, **dict.fromkeys((
+    "us_per_step", "cpu_us_per_step", "us_per_vertex_step", "interface_vertices", "triangles",
+    "min_quality", "area_error_rel", "load", "oversubscribed", "peak_memory_mb",
+    "flips_per_step", "examined_per_step"), "number")}
+OPERATION = {**ITERATION, "items_per_second": "number", "batch": "number"}
+KERNEL = {**ITERATION, "items_per_second": "number"}
+CONTEXT = ("dsc_machine", "dsc_commit", "dsc_cores", "dsc_compiler", "dsc_build_type",
+           "dsc_native", "dsc_load")
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=False)
+
+
+def masked(row):
+    return {key: "text" if isinstance(value, str) else
+            "number" if isinstance(value, (int, float)) and not isinstance(value, bool) else
+            "other" for key, value in row.items()}
+
+
+class Schema(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "result.json")
+            done = run(f"--benchmark_filter={FILTER}", "--benchmark_repetitions=2",
+                       "--benchmark_min_time=0.001", "--benchmark_enable_random_interleaving=true",
+                       f"--benchmark_out={path}", "--benchmark_out_format=json")
+            assert done.returncode == 0, done.stdout + done.stderr
+            with open(path, encoding="utf-8") as stream:
+                data = json.load(stream)
+        cls.context = data["context"]
+        cls.rows = [row for row in data["benchmarks"] if row["run_type"] == "iteration"]
+
+    def family(self, name):
+        rows = [row for row in self.rows if row["name"].split("/")[0] == name]
+        self.assertTrue(rows, f"no row of {name}")
+        return rows
+
+    def test_context_says_where_the_result_comes_from(self):
+        for key in CONTEXT:
+            self.assertIsInstance(self.context.get(key), str, key)
+            self.assertTrue(self.context[key], key)
+        self.assertGreaterEqual(int(self.context["dsc_cores"]), 1)
+        self.assertGreaterEqual(float(self.context["dsc_load"]), 0.0)
+        self.assertIn(self.context["dsc_native"], ("ON", "OFF"))
+
+    def test_rows_have_these_keys_and_no_others(self):
+        for name, schema in (("scaling_step", STEP), ("four_circles_step", STEP),
+                             ("operation", OPERATION), ("kernel", KERNEL)):
+            for row in self.family(name):
+                self.assertEqual(masked(row), schema, row["name"])
+
+    def test_names_say_what_was_run(self):
+        names = {row["name"] for row in self.rows}
+        cores = int(self.context["dsc_cores"])
+        for family in ("scaling_step", "four_circles_step"):
+            self.assertIn(f"{family}/strategy:sequential/triangles:28000/iterations:1/manual_time",
+                          names)
+            counting = sorted(int(re.search(r"/threads:(\d+)/", name)[1]) for name in names
+                              if name.startswith(f"{family}/strategy:counting/")
+                              and "/submeshes:" in name)
+            self.assertEqual(counting[0], 1)
+            self.assertEqual(counting[-1], cores)
+        self.assertIn("operation/edge_flip/triangles:28000/manual_time", names)
+
+    def test_what_does_not_depend_on_time_is_plausible(self):
+        cores = int(self.context["dsc_cores"])
+        for family, vertices in (("scaling_step", (130, 210)), ("four_circles_step", (180, 270))):
+            for row in self.family(family):
+                threads = re.search(r"/threads:(\d+)/", row["name"])
+                over = bool(threads) and int(threads[1]) > cores
+                self.assertEqual(row["oversubscribed"], int(over), row["name"])
+                self.assertLess(abs(row["triangles"] / 28000 - 1), 0.1, row["name"])
+                self.assertTrue(vertices[0] <= row["interface_vertices"] <= vertices[1],
+                                f"{row['name']}: {row['interface_vertices']} interface vertices")
+                self.assertTrue(0.05 < row["min_quality"] <= 1, row["name"])
+                self.assertLess(row["area_error_rel"], 0.01, row["name"])
+                self.assertEqual(row["iterations"], 1)
+                # One iteration is 64 steps.
+                self.assertAlmostEqual(row["real_time"] * 1e3 / row["us_per_step"], 64, delta=0.1)
+
+    def test_threads_and_repetitions_give_one_answer(self):
+        for family in ("scaling_step", "four_circles_step"):
+            answers = {(row["triangles"], row["interface_vertices"], row["min_quality"],
+                        row["flips_per_step"], row["examined_per_step"])
+                       for row in self.family(family) if "strategy:counting" in row["name"]}
+            self.assertEqual(len(answers), 1, answers)
+
+
+class Usage(unittest.TestCase):
+    def assert_refused(self, argument, *words):
+        done = run(argument)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        lines = done.stderr.strip().splitlines()
+        self.assertTrue(lines[-1].startswith("dsc_bench: ") and lines[-1].endswith("."), lines)
+        for word in words:
+            self.assertIn(word, lines[-1])
+
+    def test_unknown_arguments_are_refused(self):
+        self.assert_refused("--benchmark_speed=9", "--benchmark_speed=9")
+        self.assert_refused("swirl", "swirl")
+
+    def test_a_filter_that_leaves_nothing_is_refused(self):
+        self.assert_refused("--benchmark_filter=no_such_row", "--benchmark_filter")
+
+    def test_the_list_names_every_suite(self):
+        done = run("--benchmark_list_tests")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in ("scaling_step/strategy:reference/triangles:28000",
+                     "four_circles_step/strategy:counting/triangles:2800000",
+                     "operation/edge_split", "operation/edge_collapse",
+                     "operation/loop_subdivision", "operation/local_retriangulation",
+                     "operation/laplacian_smoothing", "kernel/mesh_hash"):
+            self.assertIn(name, done.stdout)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit("smoke.py: the path of dsc_bench is missing.")
+    PROGRAM = sys.argv.pop(1)
+    unittest.main(verbosity=2)

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "checks.h"
+
+#include "dsc/base/error.h"
+#include "dsc/quality/histogram.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+namespace dsc::gate {
+
+namespace {
+
+using scenes::RunResult;
+using scenes::Strategy;
+using Names = std::vector<std::string>;
+
+const Names compared{"scaling",
+                     "translation",
+                     "rotation-rectangle",
+                     "speedup-four-circles",
+                     "swirl",
+                     "single-vortex"};
+
+Names every_scene() {
+    Names names;
+    for (const auto& scene : scenes::catalogue()) {
+        names.push_back(scene.name);
+    }
+    return names;
+}
+
+// The parallel run that stands for all numbers of threads, which `mesh_hash` says are the same.
+Configuration parallel(const std::string& scene) {
+    return {scene, Size::full, Strategy::active, 2};
+}
+
+// How far the area has drifted from what the exact shape's has done; for flows without divergence
+// |A(t) / A(0) - 1|.
+double area_drift(const RunResult& r) {
+    return std::abs(r.area_ratio / (r.area_exact_last / r.area_exact_first) - 1);
+}
+
+// Runs that do not hold what they promise say nothing about anything else.
+const RunResult& finished(const RunResult& r) {
+    if (!r.gave_up.empty()) {
+        throw InvariantError("the run gave up: " + r.gave_up);
+    }
+    return r;
+}
+
+double distinct_hashes(Runs& runs, const std::string& scene) {
+    double most = 0;
+    for (const Strategy strategy : {Strategy::fixed, Strategy::counting, Strategy::active}) {
+        std::set<std::uint64_t> hashes;
+        std::set<std::map<std::string, std::uint64_t>> counts;
+        for (const std::uint32_t threads : {1U, 2U, 3U, 5U}) {
+            const RunResult& r =
+                finished(runs.get({scene, Size::coarse, strategy, threads}));
+            hashes.insert(r.mesh_hash);
+            counts.insert(r.operations);
+        }
+        most = std::max(most, static_cast<double>(std::max(hashes.size(), counts.size())));
+    }
+    return most;
+}
+
+using Figure = std::function<double(const RunResult&)>;
+using Difference = std::function<double(const RunResult&, const RunResult&)>;
+
+Check of_sequential(std::string name, std::string description, std::string unit, bool at_least,
+                    Names scenes, Figure figure) {
+    return {std::move(name), std::move(description), std::move(unit), at_least, std::move(scenes),
+            [figure = std::move(figure)](Runs& runs, const std::string& scene) {
+                return figure(finished(runs.get({scene})));
+            }};
+}
+
+Check against_parallel(std::string name, std::string description, Difference difference) {
+    return {std::move(name), std::move(description), "1", false, compared,
+            [difference = std::move(difference)](Runs& runs, const std::string& scene) {
+                const RunResult& sequential = finished(runs.get({scene}));
+                return difference(finished(runs.get(parallel(scene))), sequential);
+            }};
+}
+
+Check against_reference(std::string name, std::string description, Difference difference) {
+    return {std::move(name), std::move(description), "1", false, compared,
+            [difference = std::move(difference)](Runs& runs, const std::string& scene) {
+                const RunResult& library = finished(runs.get({scene, Size::coarse}));
+                return difference(
+                    library, finished(runs.get({scene, Size::coarse, Strategy::reference})));
+            }};
+}
+
+double area_difference(const RunResult& a, const RunResult& b) {
+    return std::abs(a.area_ratio - b.area_ratio) / b.area_ratio;
+}
+
+double area_distance(const RunResult& a, const RunResult& b) {
+    return histogram_distance(a.area_histogram, b.area_histogram);
+}
+
+double quality_distance(const RunResult& a, const RunResult& b) {
+    return histogram_distance(a.quality_histogram, b.quality_histogram);
+}
+
+std::vector<Check> make_checks() {
+    return {
+        of_sequential("area_ratio", "area against the exact shape's, both relative to their first",
+                      "1", false, compared, area_drift),
+        of_sequential("symmetric_difference", "area between the shape and the exact one at the end",
+                      "1", false, compared, [](const RunResult& r) { return r.sd_rel_last; }),
+        of_sequential("symmetric_difference_half",
+                      "the same at the half of a reversing flow, where errors do not cancel", "1",
+                      false, {"swirl", "single-vortex"},
+                      [](const RunResult& r) { return r.sd_rel_half.value(); }),
+        of_sequential("inverted", "triangles that are not positive, by the exact predicate",
+                      "triangles", false, every_scene(),
+                      [](const RunResult& r) { return static_cast<double>(r.inverted); }),
+        of_sequential("unreached", "vertices that did not arrive", "vertices", false, every_scene(),
+                      [](const RunResult& r) { return static_cast<double>(r.unreached); }),
+        of_sequential("min_quality", "worst quality at the end", "1", true, every_scene(),
+                      [](const RunResult& r) { return r.min_quality_last; }),
+        against_reference("reference_area", "area ratio, library against reference",
+                          area_difference),
+        against_reference("reference_area_histogram",
+                          "Kolmogorov-Smirnov distance of the triangles' areas", area_distance),
+        against_reference("reference_quality_histogram",
+                          "Kolmogorov-Smirnov distance of the triangles' qualities",
+                          quality_distance),
+        against_parallel("parallel_area", "area ratio, parallel against sequential",
+                         area_difference),
+        against_parallel("parallel_symmetric_difference",
+                         "by how much the parallel one's is the larger",
+                         [](const RunResult& a, const RunResult& b) {
+                             return std::max(a.sd_rel_last - b.sd_rel_last, 0.0);
+                         }),
+        against_parallel("parallel_area_histogram",
+                         "Kolmogorov-Smirnov distance of the triangles' areas", area_distance),
+        against_parallel("parallel_quality_histogram",
+                         "Kolmogorov-Smirnov distance of the triangles' qualities",
+                         quality_distance),
+        {"parallel_min_quality", "worst quality at the end of the parallel run", "1", true,
+         compared,
+         [](Runs& runs, const std::string& scene) {
+             return finished(runs.get(parallel(scene))).min_quality_last;
+         }},
+        {"parallel_unreached", "vertices that did not arrive, and triangles inverted, in parallel",
+         "vertices", false, compared,
+         [](Runs& runs, const std::string& scene) {
+             const RunResult& r = finished(runs.get(parallel(scene)));
+             return static_cast<double>(r.unreached + r.inverted);
+         }},
+        {"mesh_hash", "different results of 1, 2, 3 and 5 threads, by each strategy", "results",
+         false, compared, distinct_hashes},
+    };
+}
+
+} // namespace
+
+const std::vector<Check>& all_checks() {
+    static const std::vector<Check> checks = make_checks();
+    return checks;
+}
+
+std::vector<const Check*> select_checks(const std::vector<std::string>& names) {
+    const auto& checks = all_checks();
+    std::string known;
+    for (const Check& check : checks) {
+        known += (known.empty() ? "" : ", ") + check.name;
+    }
+    for (const std::string& name : names) {
+        if (std::none_of(checks.begin(), checks.end(),
+                         [&](const Check& check) { return check.name == name; })) {
+            throw InputError("unknown check", "run", "'" + name + "'", known);
+        }
+    }
+    std::vector<const Check*> selected;
+    for (const Check& check : checks) {
+        if (names.empty() || std::find(names.begin(), names.end(), check.name) != names.end()) {
+            selected.push_back(&check);
+        }
+    }
+    return selected;
+}
+
+void check_limits(const std::vector<const Check*>& checks, const Limits& limits) {
+    for (const Check* check : checks) {
+        for (const std::string& scene : check->scenes) {
+            (void)limits.find(check->name, scene);
+        }
+    }
+    std::set<Limits::Key> read;
+    for (const Check& check : all_checks()) {
+        for (const std::string& scene : check.scenes) {
+            read.insert({check.name, scene});
+        }
+    }
+    for (const auto& [key, limit] : limits.all()) {
+        if (read.count(key) == 0) {
+            throw InputError("a limit that no check reads", limits.path(),
+                             "'" + key.first + "', '" + key.second + "'",
+                             "the checks and scenes of `dsc_verify list`");
+        }
+    }
+}
+
+Row judge(const Check& check, const std::string& scene, const Limits& limits, Runs& runs) {
+    Row row;
+    row.check = &check;
+    row.scene = scene;
+    row.limit = limits.find(check.name, scene).value;
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        const double measured = check.measure(runs, scene);
+        row.measured = measured;
+        // Written so that NaN fails.
+        row.pass = check.at_least ? measured >= row.limit : measured <= row.limit;
+    } catch (const std::exception& error) {
+        row.failure = error.what();
+    }
+    row.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return row;
+}
+
+} // namespace dsc::gate

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The limits file: what each check may measure at most (or at least), and where the figure comes
+// from. It is written by hand; nothing ever fills in a limit that is missing.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace dsc::gate {
+
+struct Limit {
+    double value = 0;
+    std::string note; ///< where the value comes from
+};
+
+class Limits {
+public:
+    /// {"limits": {CHECK: {SCENE: {"value": 1e-3, "note": "..."}}}}. Throws FileError where the file
+    /// cannot be read, InputError where it is not whole or holds something else.
+    static Limits read(const std::string& path);
+
+    /// Throws InputError where there is none.
+    [[nodiscard]] const Limit& find(const std::string& check, const std::string& scene) const;
+
+    using Key = std::pair<std::string, std::string>; ///< check and scene
+    [[nodiscard]] const std::map<Key, Limit>& all() const { return limits_; }
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+    std::map<Key, Limit> limits_;
+};
+
+} // namespace dsc::gate

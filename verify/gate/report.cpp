@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "report.h"
+
+#include "dsc/io/part_file.h"
+#include "scenes/machine.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iomanip>
+
+namespace dsc::gate {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+std::string measured_text(const Row& row) { return row.measured ? number(*row.measured) : "-"; }
+
+std::string limit_text(const Row& row) {
+    return (row.check->at_least ? ">= " : "<= ") + number(row.limit);
+}
+
+// JSON has no NaN.
+Json finite(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+// For XML: no control characters, which no escape makes legal.
+std::string xml(std::string text) {
+    for (char& c : text) {
+        if (static_cast<unsigned char>(c) < 32) {
+            c = ' ';
+        }
+    }
+    return escape_xml(text);
+}
+
+} // namespace
+
+void print_heading(std::ostream& out) {
+    out << std::left << std::setw(30) << "check" << std::setw(22) << "scene" << std::right
+        << std::setw(12) << "measured" << std::setw(14) << "limit" << "  verdict\n";
+}
+
+void print_row(std::ostream& out, const Row& row) {
+    out << std::left << std::setw(30) << row.check->name << std::setw(22) << row.scene << std::right
+        << std::setw(12) << measured_text(row) << std::setw(14) << limit_text(row) << "  "
+        << (row.pass ? "pass" : "FAIL");
+    if (!row.failure.empty()) {
+        out << ": " << row.failure;
+    }
+    out << std::endl;
+}
+
+std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Runs& runs) {
+    Json checks = Json::array();
+    for (const Row& row : rows) {
+        Json entry{{"check", row.check->name},
+                   {"scene", row.scene},
+                   {"measured", finite(row.measured)},
+                   {"limit", row.limit},
+                   {"unit", row.check->unit},
+                   {"sense", row.check->at_least ? ">=" : "<="},
+                   {"verdict", row.pass ? "pass" : "fail"},
+                   {"note", limits.find(row.check->name, row.scene).note}};
+        if (!row.failure.empty()) {
+            entry["failure"] = row.failure;
+        }
+        checks.push_back(std::move(entry));
+    }
+    // Two runs of one scene are comparable over the same bins only, so each size is a scene.
+    Json histograms = Json::array();
+    for (const auto& [configuration, run] : runs.all()) {
+        const bool is_coarse = configuration.size == Size::coarse;
+        if (configuration.threads > (is_coarse ? 1U : 2U)) {
+            continue; // the same bits
+        }
+        const std::pair<const char*, const Histogram*> quantities[]{
+            {"area", &run.area_histogram}, {"quality", &run.quality_histogram}};
+        for (const auto& [quantity, histogram] : quantities) {
+            histograms.push_back({{"scene", run.scene + (is_coarse ? " (coarse)" : "")},
+                                  {"strategy", scenes::to_string(run.strategy)},
+                                  {"quantity", quantity},
+                                  {"edges", histogram->edges},
+                                  {"counts", histogram->counts}});
+        }
+    }
+    const Json json{{"machine", scenes::machine()},
+                    {"commit", scenes::commit()},
+                    {"limits", limits.path()},
+                    {"checks", checks},
+                    {"histograms", histograms}};
+    return json.dump(1) + "\n";
+}
+
+std::string to_junit(const std::vector<Row>& rows) {
+    const auto failures =
+        std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.pass; });
+    double seconds = 0;
+    for (const Row& row : rows) {
+        seconds += row.seconds;
+    }
+    const std::string counts = "tests=\"" + std::to_string(rows.size()) + "\" failures=\"" +
+                               std::to_string(failures) + "\" time=\"" + number(seconds) + "\"";
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + counts +
+                       ">\n<testsuite name=\"dsc_verify\" " + counts + ">\n";
+    for (const Row& row : rows) {
+        text += "<testcase classname=\"" + xml(row.check->name) + "\" name=\"" + xml(row.scene) +
+                "\" time=\"" + number(row.seconds) + "\"";
+        if (row.pass) {
+            text += "/>\n";
+            continue;
+        }
+        const std::string message =
+            row.failure.empty()
+                ? "measured " + measured_text(row) + ", limit " + limit_text(row)
+                : row.failure;
+        text += "><failure message=\"" + xml(message) + "\"/></testcase>\n";
+    }
+    return text + "</testsuite>\n</testsuites>\n";
+}
+
+} // namespace dsc::gate

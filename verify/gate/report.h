@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The gate's result as a table for people, JSON for plots, and JUnit XML for continuous integration.
+#pragma once
+
+#include "checks.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace dsc::gate {
+
+void print_heading(std::ostream& out);
+void print_row(std::ostream& out, const Row& row);
+
+[[nodiscard]] std::string to_json(const std::vector<Row>& rows, const Limits& limits,
+                                  const Runs& runs);
+[[nodiscard]] std::string to_junit(const std::vector<Row>& rows);
+
+} // namespace dsc::gate

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The runs that the checks look at, each made once, when it is first asked for.
+#pragma once
+
+#include "scenes/run.h"
+
+#include <map>
+#include <string>
+#include <tuple>
+
+namespace dsc::gate {
+
+/// How finely a scene is run.
+enum class Size : std::uint8_t {
+    full,   ///< as the catalogue has it: what the limits on accuracy are for
+    coarse, ///< for comparisons with the reference, which takes seconds a step at full size
+};
+
+struct Configuration {
+    std::string scene;
+    Size size = Size::full;
+    scenes::Strategy strategy = scenes::Strategy::sequential;
+    std::uint32_t threads = 1;
+
+    [[nodiscard]] auto key() const { return std::tie(scene, size, strategy, threads); }
+    friend bool operator<(const Configuration& a, const Configuration& b) {
+        return a.key() < b.key();
+    }
+};
+
+class Runs {
+public:
+    /// Throws what the run throws.
+    const scenes::RunResult& get(const Configuration& configuration);
+    [[nodiscard]] const std::map<Configuration, scenes::RunResult>& all() const { return runs_; }
+
+private:
+    std::map<Configuration, scenes::RunResult> runs_;
+};
+
+} // namespace dsc::gate
