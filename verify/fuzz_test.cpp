@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Fuzz,
                                          Kind{"smooth_patches", false, true},
                                          Kind{"wild_shapes", true, false},
                                          Kind{"wild_patches", true, true}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& one) { return std::string(one.param.name); });
 
 } // namespace
 } // namespace dsc

@@ -69,8 +69,8 @@ INSTANTIATE_TEST_SUITE_P(Integrator, Orders,
                          testing::Values(Order{Integrator::euler, 1, 1e-2},
                                          Order{Integrator::midpoint, 2, 1e-4},
                                          Order{Integrator::rk4, 4, 1e-8}),
-                         [](const auto& info) {
-                             return std::string(to_string(info.param.integrator));
+                         [](const auto& one) {
+                             return std::string(to_string(one.param.integrator));
                          });
 
 // A velocity t^n is integrated exactly up to an n that tells the times of the stages.

@@ -125,7 +125,7 @@ TEST_P(EverySlabbing, IsTheSequentialMethodWhereThereIsOneSlab) {
 
 INSTANTIATE_TEST_SUITE_P(Parallel, EverySlabbing,
                          testing::Values(Slabbing::fixed, Slabbing::counting, Slabbing::active),
-                         [](const auto& info) { return std::string(to_string(info.param)); });
+                         [](const auto& one) { return std::string(to_string(one.param)); });
 
 // All that is known of a vertex but the scratch of the active set.
 struct Seen {

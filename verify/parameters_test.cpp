@@ -97,7 +97,7 @@ std::vector<Bad> bad_values() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Parameters, BadValue, testing::ValuesIn(bad_values()),
-                         [](const auto& info) { return std::to_string(info.index); });
+                         [](const auto& one) { return std::to_string(one.index); });
 
 TEST(Parameters, RefuseAnUnknownKeyAndNameThoseThatThereAre) {
     Parameters parameters;
