@@ -12,8 +12,8 @@ namespace dsc::bench {
 /// Processes that wanted to run, on average over the last minute; 0 where it cannot be known.
 [[nodiscard]] double load_average();
 
-/// Adds the dsc_* keys to the context of Google Benchmark's reports. Its own "library_build_type" is
-/// that of the installed libbenchmark and says nothing about us.
+/// Adds the dsc_* keys to the context of Google Benchmark's reports. Its own "library_build_type"
+/// is that of the installed libbenchmark and says nothing about us.
 void add_context();
 
 } // namespace dsc::bench

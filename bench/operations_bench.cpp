@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What one operation costs [thesis 7], guard included. An iteration applies it to a batch of
-// simplices whose surroundings do not overlap, so that each of them is as legal as if it came alone;
-// the complex is put back off the clock. `kernel/...` are whole-mesh functions, per triangle.
+// simplices whose surroundings do not overlap, so that each of them is as legal as if it came
+// alone; the complex is put back off the clock. `kernel/...` are whole-mesh functions, per
+// triangle.
 #include "refusal.h"
 #include "suites.h"
 
@@ -38,9 +39,9 @@ bool star_is_positive(const Complex<double>& complex, std::uint32_t v) {
     bool positive = true;
     turn(complex, v, [&](Corner c) {
         const auto corners = complex.vertices_of(Triangle{triangle_of(c)});
-        positive = positive && orientation<double>(complex.position(corners[0]),
-                                                   complex.position(corners[1]),
-                                                   complex.position(corners[2])) > 0;
+        positive = positive &&
+                   orientation<double>(complex.position(corners[0]), complex.position(corners[1]),
+                                       complex.position(corners[2])) > 0;
     });
     return positive;
 }
@@ -182,8 +183,9 @@ struct Batch {
     std::uint64_t hash = 0;
 };
 
-/// Takes what is legal and does not meet the surroundings of one taken before. Throws InvariantError
-/// where the complex is not valid afterwards, or has not grown by what the operations said.
+/// Takes what is legal and does not meet the surroundings of one taken before. Throws
+/// InvariantError where the complex is not valid afterwards, or has not grown by what the
+/// operations said.
 template <class Operation>
 Batch<typename Operation::Simplex> make_batch() {
     Batch<typename Operation::Simplex> batch;
@@ -243,8 +245,7 @@ void measure_operation(benchmark::State& state) {
     if (mesh_hash(complex) != batch.hash) {
         throw InvariantError("the mesh is not the one that was checked");
     }
-    state.SetItemsProcessed(state.iterations() *
-                            static_cast<std::int64_t>(batch.simplices.size()));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(batch.simplices.size()));
     state.counters["batch"] = static_cast<double>(batch.simplices.size());
 }
 

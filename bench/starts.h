@@ -27,8 +27,8 @@ struct Start {
 
 /// `scaling_step` or `four_circles_step` with about so many triangles in the unit square: h such
 /// that as many equilateral triangles fill it, 0.3 h of way a step, grown sequentially until the
-/// middle of the timed steps lies 0.15 from the begin (a circle of radius 0.25; 28,000 triangles and
-/// about 170 interface vertices as in the thesis). Made once, then kept.
+/// middle of the timed steps lies 0.15 from the begin (a circle of radius 0.25; 28,000 triangles
+/// and about 170 interface vertices as in the thesis). Made once, then kept.
 [[nodiscard]] const Start& start_of(const std::string& family, int triangles);
 
 /// Memory that all of them hold, in 10^6 bytes.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A time step [thesis 9.7], by every strategy from the same complex. An iteration is as many steps as
-// `timed_steps`; the counter `us_per_step` is the time of one. S(n) is the ratio of the row
+// A time step [thesis 9.7], by every strategy from the same complex. An iteration is as many steps
+// as `timed_steps`; the counter `us_per_step` is the time of one. S(n) is the ratio of the row
 // `strategy:sequential` to the row with `threads:n`, of the same family and size.
 #include "context.h"
 #include "memory.h"
@@ -53,8 +53,8 @@ std::string name_of(const Case& c) {
     std::string name = c.family + "/strategy:" + scenes::to_string(c.strategy) +
                        "/triangles:" + std::to_string(c.triangles);
     if (c.strategy != Strategy::sequential && c.strategy != Strategy::reference) {
-        name += "/submeshes:" + std::to_string(c.submeshes) +
-                "/threads:" + std::to_string(c.threads);
+        name +=
+            "/submeshes:" + std::to_string(c.submeshes) + "/threads:" + std::to_string(c.threads);
     }
     return name;
 }
@@ -80,8 +80,8 @@ const Answer& answer_of(const Case& c) {
     const Start& start = start_of(c.family, c.triangles);
     Complex<double> complex = copy_with_room(start.complex);
     const StepRun run = run_steps(start, complex, run_options(c, 1));
-    const Answer answer = check_answer(
-        start, complex, run, start.step + warm_up_steps + timed_steps, area_limit(start));
+    const Answer answer = check_answer(start, complex, run,
+                                       start.step + warm_up_steps + timed_steps, area_limit(start));
     return answers.emplace(key, answer).first->second;
 }
 
@@ -130,10 +130,8 @@ void measure(benchmark::State& state, const Case& c) {
         counters["flips_per_step"] = static_cast<double>(run.operations.flips) / run.steps;
         counters["examined_per_step"] = static_cast<double>(run.operations.examined) / run.steps;
         const auto& reference = reference_times()[c.family];
-        if (c.strategy == Strategy::sequential && c.triangles == small_mesh &&
-            !reference.empty()) {
-            counters["speedup_vs_reference"] =
-                median(reference) / (run.wall_s * 1e6 / run.steps);
+        if (c.strategy == Strategy::sequential && c.triangles == small_mesh && !reference.empty()) {
+            counters["speedup_vs_reference"] = median(reference) / (run.wall_s * 1e6 / run.steps);
         }
     }
 }

@@ -90,8 +90,7 @@ Answer check_answer(const Start& start, const Complex<double>& complex, const St
     answer.area_error_rel = std::abs(scenes::area_drift(area, exact));
     if (!(answer.area_error_rel <= limit)) {
         throw InvariantError("the area is off by " + std::to_string(answer.area_error_rel) +
-                             " of the exact one, where " + std::to_string(limit) +
-                             " is allowed");
+                             " of the exact one, where " + std::to_string(limit) + " is allowed");
     }
     return answer;
 }

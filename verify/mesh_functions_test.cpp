@@ -181,6 +181,9 @@ TYPED_TEST(MeshFunctions, AttributesFollow) {
         value = 1;
     }
     remove(complex, SimplexSet({}, {}, {Triangle{2}}));
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        at_edge.at_corner(corner_of(2, i)) = 99; // what a free id holds does not matter
+    }
     const Triangle t = insert_triangle(complex, Vertex{0}, Vertex{2}, Vertex{3}, 0);
     EXPECT_EQ(at_triangle[t], 3.0F);
     EXPECT_EQ(at_edge[complex.find_edge(Vertex{0}, Vertex{2})], 1) << "it existed";

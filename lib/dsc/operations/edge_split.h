@@ -9,7 +9,9 @@
 
 namespace dsc {
 
-/// Whether the edge opposite to `corner` may be split at `point`. O(1). Exact.
+/// Whether the edge opposite to `corner` may be split at `point`. O(1). Exact. Only the triangles at
+/// the edge are looked at: a point off an edge of the domain boundary changes the domain, and that it
+/// meets nothing out there is the caller's word.
 template <class Real>
 Verdict edge_split_guard(const Complex<Real>& complex, const Region& region, Corner corner,
                          const Point<Real>& point) {

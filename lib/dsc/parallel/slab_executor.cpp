@@ -72,6 +72,26 @@ SlabExecutor<Real>::SlabExecutor(Complex<Real>& complex, const Options<Real>& op
 }
 
 template <class Real>
+SlabExecutor<Real>::~SlabExecutor() {
+    for (auto* slabs : {&red_, &black_}) {
+        for (auto& slab : *slabs) {
+            return_all(slab->pool);
+        }
+    }
+    complex_.lent_vertices = 0;
+    complex_.lent_triangles = 0;
+}
+
+template <class Real>
+void SlabExecutor<Real>::return_all(IdPool& pool) {
+    IdPool& ids = complex_.ids;
+    ids.vertices.insert(ids.vertices.end(), pool.vertices.begin(), pool.vertices.end());
+    ids.triangles.insert(ids.triangles.end(), pool.triangles.begin(), pool.triangles.end());
+    pool.vertices.clear();
+    pool.triangles.clear();
+}
+
+template <class Real>
 std::size_t SlabExecutor<Real>::slab_at(const std::vector<double>& cuts,
                                         std::uint32_t vertex) const {
     const auto& record = complex_.vertices[vertex];
@@ -120,11 +140,7 @@ void SlabExecutor<Real>::begin_step() {
             slabs.push_back(std::make_unique<Slab>(complex_, options_));
         }
         while (slabs.size() > cuts.size() - 1) {
-            auto& pool = slabs.back()->pool;
-            complex_.ids.vertices.insert(complex_.ids.vertices.end(), pool.vertices.begin(),
-                                         pool.vertices.end());
-            complex_.ids.triangles.insert(complex_.ids.triangles.end(), pool.triangles.begin(),
-                                          pool.triangles.end());
+            return_all(slabs.back()->pool);
             slabs.pop_back();
         }
         for (std::size_t i = 0; i < slabs.size(); ++i) {
@@ -158,7 +174,7 @@ void SlabExecutor<Real>::refill(Slabs& slabs) {
 }
 
 template <class Real>
-void SlabExecutor<Real>::return_ids(Slabs& slabs) {
+void SlabExecutor<Real>::return_surplus(Slabs& slabs) {
     for (auto& slab : slabs) {
         IdPool& pool = slab->pool;
         const std::size_t vertices = 2 * (spare_vertices + 2 * slab->work.interface.size());
@@ -308,8 +324,8 @@ template <class Real>
 void SlabExecutor<Real>::end_step() {
     complex_.lent_vertices = 0;
     complex_.lent_triangles = 0;
-    return_ids(red_);
-    return_ids(black_);
+    return_surplus(red_);
+    return_surplus(black_);
 }
 
 template <class Real>

@@ -16,6 +16,12 @@ public:
     /// Throws InputError where the options make no sense.
     SlabExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
                  const SlabOptions& slabs);
+    /// Gives the ids that the slabs hold back to the complex.
+    ~SlabExecutor() override;
+    SlabExecutor(const SlabExecutor&) = delete;
+    SlabExecutor& operator=(const SlabExecutor&) = delete;
+    SlabExecutor(SlabExecutor&&) = delete;
+    SlabExecutor& operator=(SlabExecutor&&) = delete;
 
     void begin_step() override;
     void run_upkeep() override;
@@ -42,7 +48,9 @@ private:
 
     void choose_cuts();
     void refill(Slabs& slabs);
-    void return_ids(Slabs& slabs);
+    /// Keeps as many as the next step is likely to need.
+    void return_surplus(Slabs& slabs);
+    void return_all(IdPool& pool);
     /// Runs one task per slab; the first and the last black slab are one task [8.5].
     void run_colour(Slabs& slabs, const std::vector<Pass<Real>>& passes, bool combine_ends);
     std::size_t slab_at(const std::vector<double>& cuts, std::uint32_t vertex) const;
