@@ -9,6 +9,7 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace dsc::reference {
 
@@ -77,10 +78,12 @@ void update_phases(Complex& K, const PassOptions& options, StepCounts& counts) {
     smoothing(K, options, counts);
 }
 
-bool is_poor(const Complex& K, const PassOptions& options) {
-    return std::ranges::any_of(K.phases(), [&](const auto& item) {
-        return quality(K, item.first) < options.poor_quality;
-    });
+double worst_quality(const Complex& K) {
+    double worst = 1;
+    for (const auto& item : K.phases()) {
+        worst = std::min(worst, quality(K, item.first));
+    }
+    return worst;
 }
 
 } // namespace
@@ -106,10 +109,16 @@ void dsc(Complex& K, const SimplexSet& I, Destinations& destinations, const Opti
         update_phases(K, passes, counts);
     }
     // Q^K is still too low: nothing is left to move, but what the last updates made poor may be
-    // mended by the next.
-    for (int i = 0; i < options.max_repairs && is_poor(K, passes); ++i) {
+    // mended by the next. (Not all can be: between two parts of the interface there is no free
+    // edge.)
+    double worst = worst_quality(K);
+    for (int i = 0; i < options.max_repairs && worst < passes.poor_quality; ++i) {
         update_phases(K, passes, counts);
         ++counts.iterations;
+        const double before = std::exchange(worst, worst_quality(K));
+        if (!(worst > before)) {
+            break;
+        }
     }
 }
 

@@ -23,7 +23,7 @@ struct Options {
     double substep = 0.5;     ///< no vertex is asked to travel further at a time, h
     int max_substeps = 10000; ///< a step that needs more is refused
     int max_iterations = 20;  ///< of the loop of algorithm 5.1, in each sub-step
-    int max_repairs = 1;      ///< more of them, without movement, while a triangle is poor
+    int max_repairs = 2;      ///< more of them, without movement, while a triangle is poor
 };
 
 /// What a step did.

@@ -152,7 +152,7 @@ std::size_t expect_outline(const Complex<Real>& complex, const Scenery& scenery,
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
         for (std::uint32_t i = 0; i < 3 && complex.is_alive(dsc::Triangle{t}); ++i) {
             const Corner c = dsc::corner_of(t, i);
-            if (complex.vertex(next(c)) == first && complex.phase_at(c) == shape.phase &&
+            if (complex.vertex(dsc::next(c)) == first && complex.phase_at(c) == shape.phase &&
                 complex.phase_at(complex.twin(c)) != shape.phase) {
                 start = c;
             }

@@ -13,7 +13,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <limits>
 #include <random>
 
@@ -82,10 +81,10 @@ TEST(Locate, AgreesWithEveryTrianglesSigns) {
         ++places[static_cast<std::size_t>(location.place)];
         int zeros = 0;
         dsc::Corner c = location.corner;
-        for (int side = 0; side < 3; ++side, c = next(c)) {
+        for (int side = 0; side < 3; ++side, c = dsc::next(c)) {
             const int sign =
-                dsc::orientation<double>(complex.position(Vertex{complex.vertex(next(c))}),
-                                         complex.position(Vertex{complex.vertex(prev(c))}), p);
+                dsc::orientation<double>(complex.position(Vertex{complex.vertex(dsc::next(c))}),
+                                         complex.position(Vertex{complex.vertex(dsc::prev(c))}), p);
             ASSERT_GE(sign, 0);
             zeros += sign == 0 ? 1 : 0;
         }

@@ -151,11 +151,16 @@ TYPED_TEST(Retriangulation, IsRefused) {
 }
 
 TYPED_TEST(Retriangulation, NeedsOneSimplePolygon) {
-    // A triangle with a triangular hole: R' is two loops.
-    auto ring = build<TypeParam>({{0, 0}, {10, 0}, {5, 9}, {4, 2}, {6, 2}, {5, 4}},
-                                 {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}, {2, 0, 5}, {0, 3, 5}},
+    // A triangle with a triangular hole: R' is two loops, or runs twice through vertex 2.
+    const std::vector<Point<TypeParam>> corners{{0, 0}, {10, 0}, {5, 9}, {4, 2}, {6, 2}, {5, 4}};
+    auto ring = build<TypeParam>(corners,
+                                 {{0, 1, 3}, {1, 4, 3}, {1, 5, 4}, {1, 2, 5}, {2, 0, 5}, {0, 3, 5}},
                                  std::vector<Phase>(6, 0));
     expect_refused(ring, Verdict::not_a_simple_polygon, retriangulate(Triangle{1}));
+    auto pinched = build<TypeParam>(
+        corners, {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}, {2, 0, 5}, {0, 3, 5}},
+        std::vector<Phase>(6, 0));
+    expect_refused(pinched, Verdict::not_a_simple_polygon, retriangulate(Triangle{1}));
     // Vertex 4 hangs on vertex 3 by one edge of R', which has R on both sides.
     auto dangling =
         build<TypeParam>({{0, 0}, {4, 0}, {2, 3}, {2, -4}, {2, -1}},

@@ -330,6 +330,10 @@ TYPED_TEST(Validate, SeesComponentsThatOverlap) {
     expect_problem(with(base, {{1, 1}, {9, 1}, {9, 9}}), "meets");
     expect_problem(with(base, {{2, 1}, {9, 1}, {9, 9}}), "meets");         // touches from outside
     expect_problem(with(base, {{2, 0}, {4, 0}, {4, 2}, {2, 2}}), "meets"); // along a whole side
+    // One corner on the middle of a side, on either side of the sweep.
+    const TypeParam half(0.5);
+    expect_problem(with(base, {{2, half}, {3, 0}, {3, 1}}), "meets");
+    expect_problem(with(base, {{-1, 0}, {0, half}, {-1, 1}}), "meets");
     // Two rings, one between the loops of the other: neither holds the other whole.
     Complex<TypeParam> rings;
     for (const auto& [low, high] : {std::pair{1, 3}, std::pair{2, 4}}) {

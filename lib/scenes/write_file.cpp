@@ -2,13 +2,11 @@
 #include "scenes/write_file.h"
 
 #include "dsc/base/error.h"
+#include "dsc/io/part_file.h"
 
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 namespace dsc::scenes {
 
@@ -24,26 +22,9 @@ void check_writable(const std::string& path, const std::string& where) {
 }
 
 void write_file(const std::string& path, const std::string& content) {
-    const std::string part = path + ".part";
-    errno = 0;
-    std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-    stream << content;
-    stream.close();
-    if (!stream) {
-        const int reason = errno;
-        std::error_code ignored;
-        std::filesystem::remove(part, ignored);
-        throw FileError(std::string("cannot write: ") +
-                            (reason != 0 ? std::strerror(reason) : "the stream failed"),
-                        path);
-    }
-    std::error_code error;
-    std::filesystem::rename(part, path, error);
-    if (error) {
-        std::error_code ignored;
-        std::filesystem::remove(part, ignored);
-        throw FileError("cannot rename the finished file: " + error.message(), path);
-    }
+    PartFile file(path);
+    file << content;
+    file.commit();
 }
 
 } // namespace dsc::scenes

@@ -35,6 +35,7 @@ public:
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] SimplexKind kind() const { return kind_; }
 
+    [[nodiscard]] virtual std::size_t size() const = 0;
     virtual void resize(std::size_t size) = 0;
     virtual void copy(std::uint32_t to, std::uint32_t from) = 0;
     virtual void reset(std::uint32_t to) = 0;
@@ -74,6 +75,7 @@ public:
     [[nodiscard]] std::vector<T>& data() { return data_; }
     [[nodiscard]] const std::vector<T>& data() const { return data_; }
 
+    [[nodiscard]] std::size_t size() const override { return data_.size(); }
     void resize(std::size_t size) override { data_.resize(size, initial_); }
     void copy(std::uint32_t to, std::uint32_t from) override { data_[to] = data_[from]; }
     void reset(std::uint32_t to) override { data_[to] = initial_; }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -59,25 +58,6 @@ Problem check_border(const Complex<Real>& complex) {
     return {};
 }
 
-// AttributeBase does not tell its size: asked of the types that applications hang on simplices.
-template <class... Ts>
-std::optional<std::size_t> size_among(const AttributeBase& attribute) {
-    std::optional<std::size_t> size;
-    const auto ask = [&](const auto* typed) {
-        if (typed != nullptr) {
-            size = typed->data().size();
-        }
-    };
-    (ask(dynamic_cast<const Attribute<Ts>*>(&attribute)), ...);
-    return size;
-}
-
-std::optional<std::size_t> size_of(const AttributeBase& attribute) {
-    return size_among<double, float, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
-                      std::int32_t, std::uint32_t, std::int64_t, std::uint64_t, Point<double>,
-                      Point<float>, std::string>(attribute);
-}
-
 template <class Real>
 Problem check_attributes(const Complex<Real>& complex) {
     for (const auto& attribute : complex.attributes.list()) {
@@ -87,7 +67,7 @@ Problem check_attributes(const Complex<Real>& complex) {
         } else if (attribute->kind() == SimplexKind::triangle) {
             expected = complex.triangles.size();
         }
-        const std::size_t size = size_of(*attribute).value_or(expected);
+        const std::size_t size = attribute->size();
         if (size != expected) {
             return "attribute '" + attribute->name() + "': it has " + std::to_string(size) +
                    " entries instead of " + std::to_string(expected);

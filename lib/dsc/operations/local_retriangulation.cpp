@@ -64,10 +64,10 @@ void collect_region(const Complex<Real>& complex, Triangle triangle, Plan<Real>&
     }
 }
 
-// R' = closure(R) \ R, where R has lost the domain boundary. An edge of R' with a triangle of R on
-// both sides makes a vertex dangle, so that R' is no simple polygon; and as the complex is a planar
-// manifold, no vertex of R' is without an edge. What is left to test is one way out of each vertex,
-// and one loop through all.
+// R' = closure(R) \ R, where R has lost the domain boundary, as half-edges with R on their left. It
+// is one simple polygon if one loop goes through all of them and each vertex is left but once. (An
+// edge with R on both sides is two half-edges, which no such loop takes both; and as the complex is
+// a planar manifold, no vertex of R' is without an edge.)
 template <class Real>
 bool find_polygon(const Complex<Real>& complex, Plan<Real>& plan) {
     const auto in_t = [&](std::uint32_t v) {
@@ -81,25 +81,14 @@ bool find_polygon(const Complex<Real>& complex, Plan<Real>& plan) {
             const Corner across = complex.twin(c);
             const std::uint32_t from = complex.vertex(next(c));
             const std::uint32_t to = complex.vertex(prev(c));
-            if (!is_border(across)) {
-                if (in_t(from) || in_t(to)) {
-                    continue;
-                }
-                if (in_t(complex.vertex(across))) {
-                    return false;
-                }
+            if (is_border(across) || (!in_t(from) && !in_t(to))) {
+                found.push_back({from, to, c, across});
             }
-            found.push_back({from, to, c, across});
         }
     }
     const auto by_from = [](const PolygonEdge& a, const PolygonEdge& b) { return a.from < b.from; };
     std::sort(found.begin(), found.end(), by_from);
-    const auto same_from = [](const PolygonEdge& a, const PolygonEdge& b) {
-        return a.from == b.from;
-    };
-    if (std::adjacent_find(found.begin(), found.end(), same_from) != found.end()) {
-        return false;
-    }
+    // Of several ways out of a vertex this takes the first, and comes back with some left over.
     auto& polygon = plan.polygon;
     polygon.assign(1, found.front());
     while (polygon.back().to != found.front().from) {
