@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""smoke.py DSC_BENCH: the benchmark program itself is tested, with the times masked, so that a change
-of the schema is caught and noise is not. Standard library only."""
+"""smoke.py DSC_BENCH: the program itself is tested, with the times masked, so that a change of the
+schema is caught and noise is not. Standard library only."""
 import json
 import os
 import re

@@ -278,7 +278,7 @@ TEST_P(InitialComplex, ComesOutAsItWentInAsFloat) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, InitialComplex, ::testing::ValuesIn(cases()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 // The goal that the constants of the improvement were chosen for.
 TEST(InitialComplexSizes, ACircleGetsTrianglesOfTheSizeAskedFor) {

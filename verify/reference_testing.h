@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -71,17 +72,17 @@ inline Complex grid(std::uint32_t n, const std::vector<std::size_t>& inside = {}
 
 /// Everything there is to compare of two complexes.
 inline std::string print(const Complex& K) {
+    std::ostringstream text;
+    text.precision(17);
     const Arrays arrays = to_arrays(K);
-    std::string text;
     for (const auto& p : arrays.points) {
-        text += std::to_string(p.x()) + "," + std::to_string(p.y()) + ";";
+        text << p.x() << ' ' << p.y() << '\n';
     }
     for (std::size_t i = 0; i < arrays.triangles.size(); ++i) {
-        for (std::uint32_t v : arrays.triangles[i])
-            text += std::to_string(v) + " ";
-        text += ":" + std::to_string(arrays.phases[i]) + ";";
+        const auto& [a, b, c] = arrays.triangles[i];
+        text << a << ' ' << b << ' ' << c << ": " << arrays.phases[i] << '\n';
     }
-    return text;
+    return text.str();
 }
 
 inline double total_area(const Complex& K, Phase phase) {

@@ -48,7 +48,11 @@ Scene scaling(std::string name, std::string description, std::string section, do
     Parameters defaults;
     defaults.h = h;
     defaults.dt = 0;
-    return {std::move(name), std::move(description), std::move(section), common_keys, defaults,
+    return {std::move(name),
+            std::move(description),
+            std::move(section),
+            common_keys,
+            defaults,
             [](const Parameters& p) {
                 static constexpr double first_radius = 0.1;
                 constexpr double last_radius = 0.4;
@@ -68,8 +72,12 @@ Scene translation() {
     Parameters defaults;
     defaults.h = 0.051;
     defaults.dt = 0;
-    return {"translation", "a circle goes right, down, and back at an angle", "9.1", common_keys,
-            defaults, [](const Parameters& p) {
+    return {"translation",
+            "a circle goes right, down, and back at an angle",
+            "9.1",
+            common_keys,
+            defaults,
+            [](const Parameters& p) {
                 static constexpr double leg = 0.4;
                 const Schedule s = schedule(p, 3 * leg, 3 * leg / 360);
                 Setup setup;
@@ -95,7 +103,11 @@ Scene rotation(std::string name, std::string description, std::string section, d
     Parameters defaults;
     defaults.h = h;
     defaults.dt = 0;
-    return {std::move(name), std::move(description), std::move(section), common_keys, defaults,
+    return {std::move(name),
+            std::move(description),
+            std::move(section),
+            common_keys,
+            defaults,
             [outlines = std::move(outlines), steps](const Parameters& p) {
                 const Schedule s = schedule(p, 1.0, 1.0 / steps);
                 Setup setup;
@@ -118,7 +130,11 @@ Scene there_and_back_scene(std::string name, std::string description, std::strin
     defaults.h = h;
     defaults.dt = dt;
     defaults.steps = steps_each_way;
-    return {std::move(name), std::move(description), std::move(section), common_keys, defaults,
+    return {std::move(name),
+            std::move(description),
+            std::move(section),
+            common_keys,
+            defaults,
             [velocity, curve, outline = std::move(outline)](const Parameters& p) {
                 Setup setup;
                 setup.outlines = {outline(p.h)};
@@ -140,8 +156,11 @@ Scene single_vortex() {
     defaults.h = 0.01;
     defaults.dt = 0.01;
     defaults.period = 8;
-    return {"single-vortex", "LeVeque's reversing vortex stretches a circle into a filament",
-            "anchors: section 3 of the field's literature", with(common_keys, "period"), defaults,
+    return {"single-vortex",
+            "LeVeque's reversing vortex stretches a circle into a filament",
+            "anchors: section 3 of the field's literature",
+            with(common_keys, "period"),
+            defaults,
             [](const Parameters& p) {
                 const Point<double> centre(0.5, 0.75);
                 const Schedule s = schedule(p, p.period, 0.01);
@@ -166,10 +185,15 @@ Scene four_circles_scene() {
     Parameters defaults;
     defaults.h = 0.01;
     defaults.dt = 0;
-    return {"speedup-four-circles", "four circles side by side go up, each within its own slab",
-            "9.7", common_keys, defaults, [](const Parameters& p) {
+    return {"speedup-four-circles",
+            "four circles side by side go up, each within its own slab",
+            "9.7",
+            common_keys,
+            defaults,
+            [](const Parameters& p) {
                 constexpr double shift = 0.6;
-                const Schedule s = schedule(p, shift, shift / std::max(120.0, std::round(shift / (0.5 * p.h))));
+                const Schedule s =
+                    schedule(p, shift, shift / std::max(120.0, std::round(shift / (0.5 * p.h))));
                 Setup setup;
                 for (int i = 0; i < 4; ++i) {
                     setup.outlines.push_back(circle({(2 * i + 1) / 8.0, 0.2}, 0.08, p.h));
@@ -196,8 +220,7 @@ std::vector<Scene> make_catalogue() {
                  }),
         rotation("rotation-crescent", "a crescent turns once about the origin", "9.3", 0.02, 360,
                  [](double h) {
-                     return std::vector<Outline>{
-                         crescent({middle, 0.3, {0.68, 0.5}, 0.24}, h)};
+                     return std::vector<Outline>{crescent({middle, 0.3, {0.68, 0.5}, 0.24}, h)};
                  }),
         there_and_back_scene("vortex-square", "a square is twisted and untwisted", "9.4", 0.02,
                              0.002, 250, Vortex{middle, 1.0}, polygon_curve(square),

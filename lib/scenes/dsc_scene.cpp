@@ -48,7 +48,8 @@ void print_summary(const RunResult& r) {
               << (r.threads == 1 ? "" : "s") << "): " << r.steps << " steps, " << r.triangles_last
               << " triangles, " << r.interface_vertices_last << " interface vertices\n"
               << std::setprecision(8) << "  area ratio " << r.area_ratio
-              << ", symmetric difference " << std::setprecision(3) << r.sd_rel_last << " of the area";
+              << ", symmetric difference " << std::setprecision(3) << r.sd_rel_last
+              << " of the area";
     if (r.sd_rel_half) {
         std::cout << " (half-way " << *r.sd_rel_half << ")";
     }

@@ -33,9 +33,7 @@ bool Frames::is_due(int step) const {
     if (step == 0 || step == steps_ || (half_ && step == *half_)) {
         return true;
     }
-    const auto slot = [&](int s) {
-        return static_cast<long long>(s) * (count_ - 1) / steps_;
-    };
+    const auto slot = [&](int s) { return static_cast<long long>(s) * (count_ - 1) / steps_; };
     return slot(step) != slot(step - 1);
 }
 

@@ -13,10 +13,10 @@ template <class Real>
 [[nodiscard]] std::vector<Outline> interface_outlines(const Complex<Real>& complex);
 
 struct MeshQuality {
-    double min_quality = 1;      ///< equation 4
+    double min_quality = 1; ///< equation 4
     double min_angle_deg = 60;
     double median_angle_deg = 60; ///< of the triangles' smallest angles
-    std::uint64_t inverted = 0;  ///< not strictly positive, by the exact predicate
+    std::uint64_t inverted = 0;   ///< not strictly positive, by the exact predicate
 };
 
 /// O(n).

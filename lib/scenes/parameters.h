@@ -15,10 +15,10 @@ namespace dsc::scenes {
 enum class RealType : std::uint8_t { double_precision, single_precision };
 
 struct Parameters {
-    double h = 0.02;      ///< target edge length, in units of the domain
-    double dt = 0.01;     ///< time step
-    int steps = 0;        ///< time steps; of the swirl: each way
-    double period = 0;    ///< time from start to return of a reversing flow; 0: none
+    double h = 0.02;   ///< target edge length, in units of the domain
+    double dt = 0.01;  ///< time step
+    int steps = 0;     ///< time steps; of the swirl: each way
+    double period = 0; ///< time from start to return of a reversing flow; 0: none
     Integrator integrator = Integrator::rk4;
     Insertion insertion = Insertion::cubic;
     RealType real = RealType::double_precision;

@@ -48,8 +48,9 @@ Complex<double> from_reference(const reference::Complex& complex) {
 reference::Options reference_options(const Parameters& parameters) {
     reference::Options options;
     options.passes.edge_length = parameters.h;
-    options.passes.interface_point =
-        parameters.insertion == Insertion::cubic ? &reference::cubic_point : &reference::linear_point;
+    options.passes.interface_point = parameters.insertion == Insertion::cubic
+                                         ? &reference::cubic_point
+                                         : &reference::linear_point;
     switch (parameters.integrator) {
     case Integrator::euler: options.integrator = reference::Integrator::euler; break;
     case Integrator::midpoint: options.integrator = reference::Integrator::midpoint; break;

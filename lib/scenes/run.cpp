@@ -68,8 +68,8 @@ public:
           simulation_(make_simulation(complex_, options_, run)) {}
 
     void step(const Velocity& velocity, double time, double dt, RunResult& result) {
-        const StepReport report = simulation_->step(
-            velocity_in<Real>(velocity), static_cast<Real>(time), static_cast<Real>(dt));
+        const StepReport report = simulation_->step(velocity_in<Real>(velocity),
+                                                    static_cast<Real>(time), static_cast<Real>(dt));
         result.unreached += report.unreached;
         result.held += report.held;
         result.sub_steps += report.sub_steps;
@@ -153,8 +153,7 @@ private:
         const MeshQuality quality = measure_worst(complex());
         result_.min_quality_ever = quality.min_quality;
         result_.inverted = quality.inverted;
-        result_.quality_sampled_every =
-            result_.triangles_first <= few_triangles ? 1 : seldom;
+        result_.quality_sampled_every = result_.triangles_first <= few_triangles ? 1 : seldom;
         observe(0);
     }
 
@@ -271,9 +270,8 @@ Options<Real> scene_options(const Parameters& parameters) {
 }
 
 template <class Real>
-std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,
-                                                  const Options<Real>& options,
-                                                  const RunOptions& run) {
+std::unique_ptr<Simulation<Real>>
+make_simulation(Complex<Real>& complex, const Options<Real>& options, const RunOptions& run) {
     SlabOptions slabs;
     slabs.submeshes = run.submeshes;
     slabs.threads = run.threads;
@@ -302,8 +300,8 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
     result.scene = scene.name;
     result.parameters = parameters;
     result.parameters.dt = setup.dt;
-    result.parameters.steps = setup.half_step && scene.defaults.steps > 0 ? *setup.half_step
-                                                                          : setup.steps;
+    result.parameters.steps =
+        setup.half_step && scene.defaults.steps > 0 ? *setup.half_step : setup.steps;
     result.strategy = options.strategy;
     result.submeshes = parallel ? options.submeshes : 1;
     result.threads = options.threads;
@@ -325,9 +323,8 @@ template Complex<double> first_complex(const Setup&, const Parameters&);
 template Complex<float> first_complex(const Setup&, const Parameters&);
 template Options<double> scene_options(const Parameters&);
 template Options<float> scene_options(const Parameters&);
-template std::unique_ptr<Simulation<double>> make_simulation(Complex<double>&,
-                                                             const Options<double>&,
-                                                             const RunOptions&);
+template std::unique_ptr<Simulation<double>>
+make_simulation(Complex<double>&, const Options<double>&, const RunOptions&);
 template std::unique_ptr<Simulation<float>> make_simulation(Complex<float>&, const Options<float>&,
                                                             const RunOptions&);
 

@@ -32,9 +32,9 @@ struct RunOptions {
     Strategy strategy = Strategy::sequential;
     std::uint32_t submeshes = 8; ///< slabs, for the parallel strategies
     std::uint32_t threads = 1;
-    std::string frames;          ///< folder for frames (.vtu, .pvd); empty: none
-    int frame_count = 9;         ///< about so many, evenly spread, with the first and the last
-    bool progress = false;       ///< a line on stderr
+    std::string frames;    ///< folder for frames (.vtu, .pvd); empty: none
+    int frame_count = 9;   ///< about so many, evenly spread, with the first and the last
+    bool progress = false; ///< a line on stderr
     const std::atomic<bool>* interrupted = nullptr; ///< ends the run after the current step
     /// Called after each step (0: before the first) with the double complex; for tests. Not called
     /// by float runs nor by the reference.
@@ -59,11 +59,11 @@ struct RunResult {
     double area_last = 0;
     double area_exact_first = 0;
     double area_exact_last = 0;
-    double area_ratio = 0;     ///< A(t_n) / A(t_0), as the thesis
-    double sd_rel_last = 0;    ///< symmetric difference to the exact shape, over its first area
+    double area_ratio = 0;  ///< A(t_n) / A(t_0), as the thesis
+    double sd_rel_last = 0; ///< symmetric difference to the exact shape, over its first area
     std::optional<double> sd_rel_half; ///< at the half of a reversing flow
     double hausdorff_last = 0;
-    std::string exact_shape;   ///< what it was compared with
+    std::string exact_shape;    ///< what it was compared with
     double exact_error_rel = 0; ///< the exact shape's own error, over its first area
     double min_quality_last = 0;
     double min_angle_deg_last = 0;
@@ -72,18 +72,18 @@ struct RunResult {
     int quality_sampled_every = 1; ///< steps between two looks at `min_quality_ever` and `inverted`
     std::uint64_t inverted = 0;    ///< triangles that an exact predicate found not positive, summed
     std::uint64_t unreached = 0;
-    std::uint64_t held = 0;        ///< of these, for a velocity that was not finite
+    std::uint64_t held = 0; ///< of these, for a velocity that was not finite
     std::uint64_t sub_steps = 0;
     std::map<std::string, std::uint64_t> operations;
-    double cpu_s = 0;              ///< of all steps, without measuring
+    double cpu_s = 0; ///< of all steps, without measuring
     double wall_s = 0;
     double step_us_median = 0;     ///< wall time
     double us_per_vertex_step = 0; ///< CPU time over interface vertices, summed over steps
     std::uint64_t mesh_hash = 0;
-    double peak_memory_mb = 0;     ///< of the process, so far
-    Histogram area_histogram;      ///< over 0 to 3 areas of an equilateral triangle of edge h
-    Histogram quality_histogram;   ///< over 0 to 1
-    Histogram angle_histogram;     ///< over 0 to 60 degrees
+    double peak_memory_mb = 0;   ///< of the process, so far
+    Histogram area_histogram;    ///< over 0 to 3 areas of an equilateral triangle of edge h
+    Histogram quality_histogram; ///< over 0 to 1
+    Histogram angle_histogram;   ///< over 0 to 60 degrees
 
     /// No triangle inverted, no vertex unreached, not given up.
     [[nodiscard]] bool holds() const { return inverted == 0 && unreached == 0 && gave_up.empty(); }
@@ -99,9 +99,8 @@ template <class Real>
 Options<Real> scene_options(const Parameters& parameters);
 /// A simulation of `complex`, which must outlive it, as must `options`.
 template <class Real>
-std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,
-                                                  const Options<Real>& options,
-                                                  const RunOptions& run);
+std::unique_ptr<Simulation<Real>>
+make_simulation(Complex<Real>& complex, const Options<Real>& options, const RunOptions& run);
 
 /// The contract's JSON, with a trailing newline.
 [[nodiscard]] std::string to_json(const RunResult& result);

@@ -21,7 +21,7 @@ struct Setup {
     std::vector<Outline> outlines; ///< each of phase 1
     Flow flow;
     double dt = 0;
-    int steps = 0; ///< in all
+    int steps = 0;                ///< in all
     std::optional<int> half_step; ///< the step at which a reversing flow is farthest out
     /// What is judged: the first outlines carried rigidly, or the smooth shape of the scene.
     std::function<ExactShape(double time)> exact;

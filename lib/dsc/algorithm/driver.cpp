@@ -55,8 +55,8 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
     : complex_(complex), options_(options), executor_(std::move(executor)) {
     check_options(options);
     if (!executor_) {
-        executor_ = std::make_unique<SequentialExecutor<Real>>(complex, options,
-                                                               default_algorithm<Real>());
+        executor_ =
+            std::make_unique<SequentialExecutor<Real>>(complex, options, default_algorithm<Real>());
     }
 }
 
@@ -69,7 +69,8 @@ StepReport Simulation<Real>::step(const Velocity<Real>& velocity, Real time, Rea
     StepReport report;
     executor_->begin_step();
     Real remaining = dt;
-    while (remaining > 0 && sub_step(velocity, time, remaining, report)) {}
+    while (remaining > 0 && sub_step(velocity, time, remaining, report)) {
+    }
     executor_->end_step();
     report.operations = executor_->take_counts();
     report.interface_vertices = static_cast<std::uint32_t>(executor_->interface().size());
@@ -133,9 +134,8 @@ bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real
             IntegratorScratch<Real>& scratch = scratch_[piece];
             scratch.first.assign(first_.begin() + static_cast<std::ptrdiff_t>(begin),
                                  first_.begin() + static_cast<std::ptrdiff_t>(end));
-            integrate<Real>(options_.integrator, velocity,
-                            {positions_.data() + begin, end - begin}, time, dt,
-                            {targets_.data() + begin, end - begin}, scratch);
+            integrate<Real>(options_.integrator, velocity, {positions_.data() + begin, end - begin},
+                            time, dt, {targets_.data() + begin, end - begin}, scratch);
         });
         Real most = 0;
         for (std::size_t i = 0; i < n; ++i) {

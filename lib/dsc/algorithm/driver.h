@@ -20,8 +20,9 @@ struct StepReport {
     OperationCounts operations;
     std::uint32_t sub_steps = 0;
     std::uint32_t passes = 0;
-    std::uint64_t unreached = 0; ///< vertices that did not arrive, summed over sub-steps; with `held`
-    std::uint64_t held = 0;      ///< of these: held for a velocity that was not finite
+    std::uint64_t unreached =
+        0;                  ///< vertices that did not arrive, summed over sub-steps; with `held`
+    std::uint64_t held = 0; ///< of these: held for a velocity that was not finite
     GiveUp gave_up = GiveUp::none;
     std::uint32_t interface_vertices = 0; ///< at the end of the step
 };
@@ -63,8 +64,7 @@ public:
 
     void run_upkeep() override;
     std::size_t run_motion() override;
-    void for_pieces(std::size_t n,
-                    const typename Executor<Real>::PieceFunction& run) override {
+    void for_pieces(std::size_t n, const typename Executor<Real>::PieceFunction& run) override {
         run(0, 0, n);
     }
     [[nodiscard]] std::size_t piece_count() const override { return 1; }

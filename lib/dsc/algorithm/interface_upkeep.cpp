@@ -21,8 +21,12 @@ struct Spokes {
 };
 
 bool is_interface_pair(Phase before, Phase after) {
-    if (before == after) { return false; }
-    if (before == border_phase) { return after != exterior_phase; }
+    if (before == after) {
+        return false;
+    }
+    if (before == border_phase) {
+        return after != exterior_phase;
+    }
     return after != border_phase || before != exterior_phase;
 }
 
@@ -45,8 +49,7 @@ Point<Real> link_point(const Ring<Real>& ring, std::uint32_t i) {
 
 // Whether the polyline turns by less than the corner angle at `at`.
 template <class Real>
-bool is_smooth(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
-               Real cosine) {
+bool is_smooth(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to, Real cosine) {
     const Point<Real> in = at - from;
     const Point<Real> out = to - at;
     const Real dot = in.dot(out);
@@ -57,8 +60,7 @@ template <class Real>
 class Upkeep {
 public:
     explicit Upkeep(Work<Real>& work)
-        : work_(work), complex_(work.complex),
-          length_(work.options.edge_length),
+        : work_(work), complex_(work.complex), length_(work.options.edge_length),
           longest_squared_(square(work.options.interface.longest)),
           shortest_squared_(square(work.options.interface.shortest)),
           deviation_squared_(square(work.options.interface.deviation)),
@@ -147,7 +149,8 @@ private:
             if (before == border_phase || after == border_phase || after <= before) {
                 continue;
             }
-            const Real squared = (link_point(ring, i) - Point<Real>(ring.x0, ring.y0)).squaredNorm();
+            const Real squared =
+                (link_point(ring, i) - Point<Real>(ring.x0, ring.y0)).squaredNorm();
             if (squared <= longest_squared_) {
                 continue;
             }
@@ -184,9 +187,8 @@ private:
             }
         }
         const auto& options = work_.options;
-        Point<Real> point = options.insertion_function
-                                ? options.insertion_function(curve)
-                                : insertion_point(options.insertion, curve);
+        Point<Real> point = options.insertion_function ? options.insertion_function(curve)
+                                                       : insertion_point(options.insertion, curve);
         SplitResult result = edge_split(complex_, work_.submesh, prev(ring.corner[i]), point);
         if (result.verdict == Verdict::inverts) {
             point = midpoint<Real>(curve.p1, curve.p2);

@@ -35,8 +35,7 @@ constexpr int max_turns = 6;
 template <class Real>
 class MeshUpdate {
 public:
-    explicit MeshUpdate(Work<Real>& work)
-        : work_(work), complex_(work.complex), ring_(work.ring) {}
+    explicit MeshUpdate(Work<Real>& work) : work_(work), complex_(work.complex), ring_(work.ring) {}
 
     void run() {
         // Vertices made on the way are appended and looked at as well: splits halve lengths, so
@@ -61,7 +60,8 @@ private:
         const auto square = [](Real value) { return value * value; };
         const Real h = work_.options.edge_length;
         return {square(static_cast<Real>(t.collapse_quality)),
-                square(static_cast<Real>(t.smooth_quality)), square(static_cast<Real>(t.longest) * h),
+                square(static_cast<Real>(t.smooth_quality)),
+                square(static_cast<Real>(t.longest) * h),
                 square(static_cast<Real>(t.shortest) * h)};
     }
 
@@ -92,8 +92,7 @@ private:
                 continue;
             }
             const Limits limit = limits(ring_.phase[0]);
-            const bool may_move = ring_.one_phase && ring_.closed &&
-                                  !complex_.is_locked(Vertex{v});
+            const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
             const SpokeLengths<Real> lengths = spoke_lengths_squared(ring_);
             if (may_move) {
                 const Real quality = worst_quality_squared(ring_, ring_.x0, ring_.y0);
@@ -272,7 +271,8 @@ private:
         if (spoke == no_id) {
             return false;
         }
-        const Point<Real> middle = midpoint<Real>({ring_.x0, ring_.y0}, {ring_.x[spoke], ring_.y[spoke]});
+        const Point<Real> middle =
+            midpoint<Real>({ring_.x0, ring_.y0}, {ring_.x[spoke], ring_.y[spoke]});
         const SplitResult result =
             edge_split(complex_, work_.submesh, prev(ring_.corner[spoke]), middle);
         if (result.verdict == Verdict::out_of_ids) {
@@ -300,9 +300,9 @@ void stay_on_boundary(const Ring<Real>& ring, Real& x, Real& y) {
     const Real ay = ring.link_y(0);
     const Real bx = ring.link_x(ring.size);
     const Real by = ring.link_y(ring.size);
-    if (orientation(static_cast<double>(ax), static_cast<double>(ay),
-                    static_cast<double>(ring.x0), static_cast<double>(ring.y0),
-                    static_cast<double>(bx), static_cast<double>(by)) != 0) {
+    if (orientation(static_cast<double>(ax), static_cast<double>(ay), static_cast<double>(ring.x0),
+                    static_cast<double>(ring.y0), static_cast<double>(bx),
+                    static_cast<double>(by)) != 0) {
         x = ring.x0;
         y = ring.y0;
         return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything that an application chooses [2.2]: sizes, thresholds, interpolators, integrator, when to
-// stop. Lengths are relative to `edge_length`, qualities are those of equation 4 (0 to 1).
+// Everything that an application chooses [2.2]: sizes, thresholds, interpolators, integrator, when
+// to stop. Lengths are relative to `edge_length`, qualities are those of equation 4 (0 to 1).
 #pragma once
 
 #include "dsc/motion/integrator.h"
@@ -15,23 +15,25 @@ struct PhaseThresholds {
     double collapse_quality = 0.35; ///< below: collapse a vertex, if that raises the worst quality
     double smooth_quality = 0.65;   ///< below: smooth, if that raises the worst quality
     double longest = 1.6;           ///< spokes longer than this times the edge length are split
-    double shortest = 0.4;          ///< spokes shorter than this times the edge length are collapsed
+    double shortest = 0.4; ///< spokes shorter than this times the edge length are collapsed
 };
 
 /// Thresholds of the interface.
 struct InterfaceThresholds {
-    double longest = 1.4;   ///< edges longer than this times the edge length are split
-    double shortest = 0.45; ///< vertices at an edge shorter than this times the edge length may go...
+    double longest = 1.4; ///< edges longer than this times the edge length are split
+    double shortest =
+        0.45; ///< vertices at an edge shorter than this times the edge length may go...
     double deviation = 0.02; ///< ...if the curve moves by less than this times the edge length
-    double corner_degrees = 40; ///< turns sharper than this are corners: kept, and not interpolated over
+    double corner_degrees =
+        40; ///< turns sharper than this are corners: kept, and not interpolated over
 };
 
 template <class Real>
 struct Options {
     Real edge_length = 0; ///< target length of edges, in units of the domain; must be positive
 
-    PhaseThresholds phases;                      ///< of every phase that has none of its own
-    std::vector<PhaseThresholds> per_phase;      ///< by phase number; may be shorter than the phases
+    PhaseThresholds phases;                 ///< of every phase that has none of its own
+    std::vector<PhaseThresholds> per_phase; ///< by phase number; may be shorter than the phases
     InterfaceThresholds interface;
 
     Integrator integrator = Integrator::rk4;

@@ -25,8 +25,8 @@ std::vector<Simplex> active_simplices(Work<Real>& work) {
     std::vector<Simplex> found;
     const Complex<Real>& complex = work.complex;
     for (const std::uint32_t v : work.active) {
-        if (!complex.is_alive(Vertex{v}) ||
-            !gather(complex, work.submesh.region, v, work.ring) || !work.ring.owned) {
+        if (!complex.is_alive(Vertex{v}) || !gather(complex, work.submesh.region, v, work.ring) ||
+            !work.ring.owned) {
             continue;
         }
         if constexpr (std::is_same_v<Simplex, Vertex>) {
@@ -103,62 +103,70 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
          .select = below<Triangle>(thresholds.small_area * unit),
          .operation = [](Work<Real>& work, Triangle t) {
              const auto corners = work.complex.vertices_of(t);
-             const Verdict verdict =
-                 local_retriangulation(work.complex, work.submesh, t,
-                                       RetriangulationMethod::delaunay)
-                     .verdict;
+             const Verdict verdict = local_retriangulation(work.complex, work.submesh, t,
+                                                           RetriangulationMethod::delaunay)
+                                         .verdict;
              if (verdict == Verdict::legal) {
                  ++work.counts.retriangulations;
                  for (const Vertex v : corners) {
-                     if (work.complex.is_alive(v)) { work.activate(v.id); }
+                     if (work.complex.is_alive(v)) {
+                         work.activate(v.id);
+                     }
                  }
              }
              return verdict;
          }}));
     algorithm.motion.push_back(mesh_update_pass<Real, Triangle>(
         {.name = "refinement: loop subdivision",
-         .quality = [triangle_area](const Complex<Real>& K, Triangle t) {
-             return -triangle_area(K, t);
-         },
+         .quality = [triangle_area](const Complex<Real>& K,
+                                    Triangle t) { return -triangle_area(K, t); },
          .select = below<Triangle>(-thresholds.large_area * unit),
-         .operation = [](Work<Real>& work, Triangle t) {
-             const Verdict verdict = loop_subdivision(work.complex, work.submesh, t).verdict;
-             if (verdict == Verdict::legal) {
-                 ++work.counts.subdivisions;
-                 activate_triangle(work, t);
-             }
-             return verdict;
-         }}));
+         .operation =
+             [](Work<Real>& work, Triangle t) {
+                 const Verdict verdict = loop_subdivision(work.complex, work.submesh, t).verdict;
+                 if (verdict == Verdict::legal) {
+                     ++work.counts.subdivisions;
+                     activate_triangle(work, t);
+                 }
+                 return verdict;
+             }}));
     algorithm.motion.push_back(mesh_update_pass<Real, Edge>(
         {.name = "optimization: edge flip",
-         .quality = [](const Complex<Real>& K, Edge e) {
-             const bool flat = is_border(K.twin(e.id)) || is_delaunay(K, e.id);
-             return flat ? 1.0 : 0.0;
-         },
+         .quality =
+             [](const Complex<Real>& K, Edge e) {
+                 const bool flat = is_border(K.twin(e.id)) || is_delaunay(K, e.id);
+                 return flat ? 1.0 : 0.0;
+             },
          .select = below<Edge>(0.5),
-         .operation = [](Work<Real>& work, Edge e) {
-             // A flip before this one may have mended it.
-             if (is_border(work.complex.twin(e.id)) || is_delaunay(work.complex, e.id)) {
-                 return Verdict::no_gain;
-             }
-             const Verdict verdict = edge_flip(work.complex, work.submesh, e);
-             work.counts.flips += verdict == Verdict::legal ? 1U : 0U;
-             return verdict;
-         }}));
+         .operation =
+             [](Work<Real>& work, Edge e) {
+                 // A flip before this one may have mended it.
+                 if (is_border(work.complex.twin(e.id)) || is_delaunay(work.complex, e.id)) {
+                     return Verdict::no_gain;
+                 }
+                 const Verdict verdict = edge_flip(work.complex, work.submesh, e);
+                 work.counts.flips += verdict == Verdict::legal ? 1U : 0U;
+                 return verdict;
+             }}));
     algorithm.motion.push_back(mesh_update_pass<Real, Vertex>(
         {.name = "smoothing: Laplacian",
-         .quality = [](const Complex<Real>& K, Vertex v) {
-             Ring<Real> ring;
-             if (!gather(K, Region{}, v.id, ring)) { return 1.0; }
-             const auto squared = static_cast<double>(worst_quality_squared(ring, ring.x0, ring.y0));
-             return std::sqrt(std::max(squared, 0.0));
-         },
+         .quality =
+             [](const Complex<Real>& K, Vertex v) {
+                 Ring<Real> ring;
+                 if (!gather(K, Region{}, v.id, ring)) {
+                     return 1.0;
+                 }
+                 const auto squared =
+                     static_cast<double>(worst_quality_squared(ring, ring.x0, ring.y0));
+                 return std::sqrt(std::max(squared, 0.0));
+             },
          .select = below<Vertex>(thresholds.smooth_quality),
-         .operation = [](Work<Real>& work, Vertex v) {
-             const Verdict verdict = laplacian_smoothing(work.complex, work.submesh, v);
-             work.counts.smoothed += verdict == Verdict::legal ? 1U : 0U;
-             return verdict;
-         }}));
+         .operation =
+             [](Work<Real>& work, Vertex v) {
+                 const Verdict verdict = laplacian_smoothing(work.complex, work.submesh, v);
+                 work.counts.smoothed += verdict == Verdict::legal ? 1U : 0U;
+                 return verdict;
+             }}));
     algorithm.motion.push_back(last);
     return algorithm;
 }

@@ -13,16 +13,16 @@ namespace dsc {
 
 /// What was done. Sums over submeshes are independent of the number of threads.
 struct OperationCounts {
-    std::uint64_t moves = 0;             ///< vertices moved, wholly or partly
+    std::uint64_t moves = 0; ///< vertices moved, wholly or partly
     std::uint64_t flips = 0;
     std::uint64_t interface_splits = 0;
     std::uint64_t interface_collapses = 0;
-    std::uint64_t splits = 0;            ///< inside phases
-    std::uint64_t collapses = 0;         ///< inside phases
+    std::uint64_t splits = 0;    ///< inside phases
+    std::uint64_t collapses = 0; ///< inside phases
     std::uint64_t smoothed = 0;
     std::uint64_t subdivisions = 0;
     std::uint64_t retriangulations = 0;
-    std::uint64_t examined = 0;          ///< stars that were gathered for the mesh update
+    std::uint64_t examined = 0; ///< stars that were gathered for the mesh update
 
     OperationCounts& operator+=(const OperationCounts& other);
 };

@@ -17,8 +17,9 @@ inline constexpr double altitude_floor = 0.02;
 /// ... or this share of the altitude that it had, where that was less to begin with.
 inline constexpr double altitude_keep = 0.5;
 
-/// Rounding bound of a doubled area computed from differences of coordinates, relative to the sum of
-/// the magnitudes of its two products; see `orientation_bound`. Float: (3 + 16 eps) eps, eps = 2^-24.
+/// Rounding bound of a doubled area computed from differences of coordinates, relative to the sum
+/// of the magnitudes of its two products; see `orientation_bound`. Float: (3 + 16 eps) eps, eps =
+/// 2^-24.
 template <class Real>
 inline constexpr Real area_bound = Real(3.3306690738754716e-16);
 template <>

@@ -45,7 +45,8 @@ AttributeBase* AttributeSet::find(const std::string& name) const {
 }
 
 void AttributeSet::remove(const std::string& name) {
-    if (std::erase_if(list_, [&](const auto& attribute) { return attribute->name() == name; }) == 0) {
+    if (std::erase_if(list_, [&](const auto& attribute) { return attribute->name() == name; }) ==
+        0) {
         throw_missing(name, "no such attribute");
     }
 }
@@ -108,8 +109,9 @@ void AttributeSet::tell_reset(SimplexKind kind, std::uint32_t to) {
 }
 
 void AttributeSet::throw_missing(const std::string& name, const char* problem) {
-    throw InputError(problem, "attribute", "'" + name + "'", "the name and type of one that exists, "
-                                                             "or a new name to add");
+    throw InputError(problem, "attribute", "'" + name + "'",
+                     "the name and type of one that exists, "
+                     "or a new name to add");
 }
 
 } // namespace dsc

@@ -130,22 +130,34 @@ public:
     void resize_vertices(std::size_t bound);
     void resize_triangles(std::size_t bound);
     void blend_vertex(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
-        if (!list_.empty()) { tell_blend(to, a, b, fraction); }
+        if (!list_.empty()) {
+            tell_blend(to, a, b, fraction);
+        }
     }
     void copy_triangle(std::uint32_t to, std::uint32_t from) {
-        if (!list_.empty()) { tell_copy(SimplexKind::triangle, to, from); }
+        if (!list_.empty()) {
+            tell_copy(SimplexKind::triangle, to, from);
+        }
     }
     void copy_edge(Corner to, Corner from) {
-        if (!list_.empty()) { tell_copy(SimplexKind::edge, to, from); }
+        if (!list_.empty()) {
+            tell_copy(SimplexKind::edge, to, from);
+        }
     }
     void reset_edge(Corner to) {
-        if (!list_.empty()) { tell_reset(SimplexKind::edge, to); }
+        if (!list_.empty()) {
+            tell_reset(SimplexKind::edge, to);
+        }
     }
     void reset_vertex(std::uint32_t to) {
-        if (!list_.empty()) { tell_reset(SimplexKind::vertex, to); }
+        if (!list_.empty()) {
+            tell_reset(SimplexKind::vertex, to);
+        }
     }
     void reset_triangle(std::uint32_t to) {
-        if (!list_.empty()) { tell_reset(SimplexKind::triangle, to); }
+        if (!list_.empty()) {
+            tell_reset(SimplexKind::triangle, to);
+        }
     }
     /// Entry i of the result is the old entry order[i]; no_id: the initial value.
     void permute(SimplexKind kind, const std::vector<std::uint32_t>& order);
@@ -166,8 +178,9 @@ private:
 template <class T>
 Attribute<T>& AttributeSet::add(std::string name, SimplexKind kind, T initial, Blend<T> blend) {
     if (!blend) {
-        if constexpr (std::is_floating_point_v<T> ||
-                      requires(T a, double f) { T(a + (a - a) * static_cast<typename T::Scalar>(f)); }) {
+        if constexpr (std::is_floating_point_v<T> || requires(T a, double f) {
+                          T(a + (a - a) * static_cast<typename T::Scalar>(f));
+                      }) {
             blend = [](const T& a, const T& b, double fraction) {
                 if constexpr (std::is_floating_point_v<T>) {
                     return static_cast<T>(a + (b - a) * fraction);

@@ -12,10 +12,8 @@ namespace dsc {
 
 namespace {
 
-constexpr TriangleRecord border_record{{0, 0, 0},
-                                       {border_corner, border_corner, border_corner},
-                                       border_phase,
-                                       0};
+constexpr TriangleRecord border_record{
+    {0, 0, 0}, {border_corner, border_corner, border_corner}, border_phase, 0};
 
 [[noreturn]] void refuse(const std::string& what, const std::string& value,
                          const std::string& allowed) {
@@ -169,8 +167,7 @@ void link_twins(Complex<Real>& complex) {
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
         for (std::uint32_t i = 0; i < 3; ++i) {
             const Corner c = corner_of(t, i);
-            half_edges.push_back(
-                {edge_key(complex.vertex(next(c)), complex.vertex(prev(c))), c});
+            half_edges.push_back({edge_key(complex.vertex(next(c)), complex.vertex(prev(c))), c});
         }
     }
     std::sort(half_edges.begin(), half_edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
@@ -182,8 +179,8 @@ void link_twins(Complex<Real>& complex) {
         if (a.key != b.key) {
             continue;
         }
-        const std::string name = std::to_string(a.key >> 32U) + "-" +
-                                 std::to_string(a.key & 0xffffffffU);
+        const std::string name =
+            std::to_string(a.key >> 32U) + "-" + std::to_string(a.key & 0xffffffffU);
         if (i + 2 < half_edges.size() && half_edges[i + 2].key == a.key) {
             refuse("an edge has more than two triangles", "edge " + name, "one or two triangles");
         }

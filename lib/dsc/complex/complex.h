@@ -60,11 +60,15 @@ public:
     Complex();
 
     // --- counts -------------------------------------------------------------------------------
-    [[nodiscard]] std::uint32_t vertex_count() const; ///< living vertices; O(1)
+    [[nodiscard]] std::uint32_t vertex_count() const;   ///< living vertices; O(1)
     [[nodiscard]] std::uint32_t triangle_count() const; ///< living triangles; O(1)
     /// Ids are below these bounds; some may be free. Triangle 0 is the border and never counted.
-    [[nodiscard]] std::uint32_t vertex_bound() const { return static_cast<std::uint32_t>(vertices.size()); }
-    [[nodiscard]] std::uint32_t triangle_bound() const { return static_cast<std::uint32_t>(triangles.size()); }
+    [[nodiscard]] std::uint32_t vertex_bound() const {
+        return static_cast<std::uint32_t>(vertices.size());
+    }
+    [[nodiscard]] std::uint32_t triangle_bound() const {
+        return static_cast<std::uint32_t>(triangles.size());
+    }
 
     // --- who lives ----------------------------------------------------------------------------
     [[nodiscard]] bool is_alive(Vertex v) const {
@@ -80,7 +84,9 @@ public:
     }
 
     // --- navigation ---------------------------------------------------------------------------
-    [[nodiscard]] std::uint32_t vertex(Corner c) const { return triangles[triangle_of(c)].v[index_of(c)]; }
+    [[nodiscard]] std::uint32_t vertex(Corner c) const {
+        return triangles[triangle_of(c)].v[index_of(c)];
+    }
     /// The corner on the other side of the edge opposite to `c`; below 4 at the domain boundary.
     [[nodiscard]] Corner twin(Corner c) const { return triangles[triangle_of(c)].n[index_of(c)]; }
     [[nodiscard]] Phase phase_at(Corner c) const { return triangles[triangle_of(c)].phase; }
@@ -117,7 +123,9 @@ public:
     [[nodiscard]] Positions positions();
     [[nodiscard]] Phase phase(Triangle t) const { return triangles[t.id].phase; }
     void set_phase(Triangle t, Phase phase) { triangles[t.id].phase = phase; }
-    [[nodiscard]] bool is_locked(Vertex v) const { return (vertices[v.id].flags & vertex_locked) != 0; }
+    [[nodiscard]] bool is_locked(Vertex v) const {
+        return (vertices[v.id].flags & vertex_locked) != 0;
+    }
     void set_locked(Vertex v, bool locked);
 
     // --- ids ----------------------------------------------------------------------------------
@@ -134,7 +142,7 @@ public:
     // --- the records themselves: for algorithms of the library --------------------------------
     std::vector<VertexRecord<Real>> vertices;
     std::vector<TriangleRecord> triangles;
-    IdPool ids; ///< free ids of the whole complex
+    IdPool ids;                      ///< free ids of the whole complex
     std::uint32_t lent_vertices = 0; ///< free ids that submeshes hold while they run
     std::uint32_t lent_triangles = 0;
 };
@@ -143,10 +151,10 @@ extern template class Complex<double>;
 extern template class Complex<float>;
 
 /// Builds a complex from arrays: `triangles` index into `points` and may be oriented either way;
-/// `phases` has one entry per triangle. Throws InputError where a coordinate is not finite, an index
-/// is out of range, a triangle is degenerate, an edge has more than two triangles, a vertex is not
-/// manifold, or a phase is reserved. O(n log n). Vertex i of the complex is point i, triangle t the
-/// id t + 1.
+/// `phases` has one entry per triangle. Throws InputError where a coordinate is not finite, an
+/// index is out of range, a triangle is degenerate, an edge has more than two triangles, a vertex
+/// is not manifold, or a phase is reserved. O(n log n). Vertex i of the complex is point i,
+/// triangle t the id t + 1.
 template <class Real>
 Complex<Real> make_complex(std::span<const Point<Real>> points,
                            std::span<const std::array<std::uint32_t, 3>> triangles,

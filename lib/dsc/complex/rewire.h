@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The four changes of connectivity that every mesh operation is made of. No guards and no geometry
 // here: lib/dsc/operations decides what is legal. Each is O(1), collapse O(degree). Thread-safe for
-// submeshes that own disjoint regions: a triangle that straddles two of them is never rewritten, but
-// for the neighbour slot that faces the submesh that calls.
+// submeshes that own disjoint regions: a triangle that straddles two of them is never rewritten,
+// but for the neighbour slot that faces the submesh that calls.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -12,8 +12,12 @@ namespace dsc::rewire {
 template <class Real>
 void link(Complex<Real>& complex, Corner a, Corner b) {
     // The border takes no notes: several submeshes would write there at once.
-    if (!is_border(a)) { complex.triangles[triangle_of(a)].n[index_of(a)] = b; }
-    if (!is_border(b)) { complex.triangles[triangle_of(b)].n[index_of(b)] = a; }
+    if (!is_border(a)) {
+        complex.triangles[triangle_of(a)].n[index_of(a)] = b;
+    }
+    if (!is_border(b)) {
+        complex.triangles[triangle_of(b)].n[index_of(b)] = a;
+    }
 }
 
 /// Flips the edge opposite to `c`, which has two triangles. Before: t = (a, b, w) with a at c, and
@@ -126,9 +130,9 @@ void close_gap(Complex<Real>& complex, Corner outer_a, Corner outer_b, std::uint
 /// Which end of the edge opposite to a corner vanishes.
 enum class Vanishing : std::uint8_t { next, prev };
 
-/// Collapses the edge opposite to `c`: the vanishing end v leaves its triangles to the other end; the
-/// one or two triangles at the edge and v itself go back to the pool. v must lie inside the domain,
-/// or the edge on its boundary.
+/// Collapses the edge opposite to `c`: the vanishing end v leaves its triangles to the other end;
+/// the one or two triangles at the edge and v itself go back to the pool. v must lie inside the
+/// domain, or the edge on its boundary.
 template <class Real>
 void collapse(Complex<Real>& complex, Corner c, Vanishing end, IdPool& pool) {
     const Corner o = complex.twin(c);
@@ -148,7 +152,9 @@ void collapse(Complex<Real>& complex, Corner c, Vanishing end, IdPool& pool) {
     const auto close = [&](Corner apex, Corner at_v, Corner at_keep) {
         const Corner beyond_keep = complex.twin(at_v); // across (keep, apex)
         const Corner beyond_v = complex.twin(at_keep); // across (v, apex)
-        if (!is_border(beyond_v)) { complex.attributes.copy_edge(beyond_v, at_v); }
+        if (!is_border(beyond_v)) {
+            complex.attributes.copy_edge(beyond_v, at_v);
+        }
         close_gap(complex, beyond_keep, beyond_v, complex.vertex(apex), keep);
     };
     close(c, ccw ? next(c) : prev(c), ccw ? prev(c) : next(c));

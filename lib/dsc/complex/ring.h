@@ -17,16 +17,16 @@ struct Ring {
     static constexpr std::uint32_t room = capacity + 2 * lanes;
 
     std::uint32_t vertex = no_id;
-    std::uint32_t size = 0;  ///< triangles of the star
-    bool closed = false;     ///< false: the vertex is on the domain boundary
-    bool one_phase = false;  ///< all triangles have the same phase
-    bool owned = true;       ///< all vertices of the link, and the centre, lie in the region
-    Real x0 = 0;             ///< the centre
+    std::uint32_t size = 0; ///< triangles of the star
+    bool closed = false;    ///< false: the vertex is on the domain boundary
+    bool one_phase = false; ///< all triangles have the same phase
+    bool owned = true;      ///< all vertices of the link, and the centre, lie in the region
+    Real x0 = 0;            ///< the centre
     Real y0 = 0;
 
     // Triangle i is the centre, (x, y)[i] and (x_next, y_next)[i], counter-clockwise; the padding
-    // repeats triangle 0. These are the link vertices i and i + 1; link[size] closes the ring, or is
-    // the last vertex of an open one.
+    // repeats triangle 0. These are the link vertices i and i + 1; link[size] closes the ring, or
+    // is the last vertex of an open one.
     alignas(64) std::array<Real, room> x;
     alignas(64) std::array<Real, room> y;
     alignas(64) std::array<Real, room> x_next;
@@ -88,8 +88,8 @@ bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t ve
         ring.x[i] = whole ? record.x : read_shared(record.x);
         ring.y[i] = whole ? record.y : read_shared(record.y);
         if (!whole) {
-            owned = owned && region.owns(id, static_cast<double>(ring.x[i]),
-                                         static_cast<double>(ring.y[i]));
+            owned = owned &&
+                    region.owns(id, static_cast<double>(ring.x[i]), static_cast<double>(ring.y[i]));
         }
     };
 

@@ -78,7 +78,8 @@ bool owns_triangle(const Complex<Real>& complex, const Region& region, std::uint
         return true;
     }
     const auto& v = complex.triangles[triangle].v;
-    return owns(complex, region, v[0]) && owns(complex, region, v[1]) && owns(complex, region, v[2]);
+    return owns(complex, region, v[0]) && owns(complex, region, v[1]) &&
+           owns(complex, region, v[2]);
 }
 
 } // namespace dsc

@@ -69,8 +69,9 @@ private:
         return orientation<double>(points_[a], points_[b], points_[c]);
     }
 
-    void report(std::uint32_t s, std::uint32_t t) {
+    void report(std::uint32_t one, std::uint32_t other) {
         if (!result_.contact) {
+            const auto [s, t] = std::minmax(one, other);
             result_.contact = Contact{polygon_[s], s - first_[polygon_[s]], polygon_[t],
                                       t - first_[polygon_[t]]};
         }

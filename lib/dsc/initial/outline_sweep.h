@@ -17,7 +17,7 @@ struct SweepPolygon {
     bool counter_clockwise = true;
 };
 
-/// Two edges that have a point in common and should not.
+/// Two edges that have a point in common and should not; the first comes first in the input.
 struct Contact {
     std::uint32_t polygon = 0;
     std::uint32_t edge = 0;

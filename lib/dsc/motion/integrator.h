@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a velocity field to target positions [5.1, eq. 5]. All vertices are evaluated in one call, so
-// that a field pays its overhead once and can use all lanes.
+// From a velocity field to target positions [5.1, eq. 5]. All vertices are evaluated in one call,
+// so that a field pays its overhead once and can use all lanes.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -36,7 +36,7 @@ enum class Integrator : std::uint8_t {
 /// Arrays that an integrator needs; kept from step to step so that nothing is allocated.
 template <class Real>
 struct IntegratorScratch {
-    std::vector<Point<Real>> first;  ///< v(positions, time), as the caller leaves it
+    std::vector<Point<Real>> first; ///< v(positions, time), as the caller leaves it
     std::vector<Point<Real>> stage;
     std::vector<Point<Real>> slope;
     std::vector<Point<Real>> sum;

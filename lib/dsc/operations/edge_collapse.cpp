@@ -96,8 +96,8 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
     turn(complex, v, [&](Corner c) {
         const std::uint32_t p = complex.vertex(next(c));
         const std::uint32_t q = complex.vertex(prev(c));
-        positive = positive && (p == keep || q == keep ||
-                                orientation<Real>(target, at(p), at(q)) > 0);
+        positive =
+            positive && (p == keep || q == keep || orientation<Real>(target, at(p), at(q)) > 0);
     });
     return positive ? Verdict::legal : Verdict::inverts;
 }
@@ -130,8 +130,7 @@ Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge)
 }
 
 template <class Real>
-Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring,
-                            std::uint32_t i) {
+Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t i) {
     if (complex.is_locked(Vertex{ring.vertex})) {
         return Verdict::locked;
     }

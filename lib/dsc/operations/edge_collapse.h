@@ -26,10 +26,10 @@ Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Corner cor
 template <class Real>
 Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge);
 
-/// The guard for a vertex inside one phase whose star has been gathered and is owned as a whole: may
-/// the centre, if it is not locked, vanish into link vertex `i`? Only inversion can stop it: the
-/// star is a simple polygon, and a fan of strictly positive triangles from one of its vertices is a
-/// triangulation of it, whose inner edges cannot exist already. O(degree). Exact.
+/// The guard for a vertex inside one phase whose star has been gathered and is owned as a whole:
+/// may the centre, if it is not locked, vanish into link vertex `i`? Only inversion can stop it:
+/// the star is a simple polygon, and a fan of strictly positive triangles from one of its vertices
+/// is a triangulation of it, whose inner edges cannot exist already. O(degree). Exact.
 template <class Real>
 Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t i);
 

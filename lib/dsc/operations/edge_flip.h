@@ -30,11 +30,11 @@ Verdict edge_flip_guard(const Complex<Real>& complex, const Region& region, Corn
     const auto w = complex.position(Vertex{complex.vertex(prev(corner))});
     const auto d = complex.position(Vertex{complex.vertex(other)});
     return orientation<Real>(a, b, d) > 0 && orientation<Real>(d, w, a) > 0 ? Verdict::legal
-                                                                          : Verdict::inverts;
+                                                                            : Verdict::inverts;
 }
 
-/// Flips the edge opposite to `corner` if that is legal. Vertex data and all other edges' data stay;
-/// the new edge gets the attributes' defaults. Thread-safe for disjoint submeshes.
+/// Flips the edge opposite to `corner` if that is legal. Vertex data and all other edges' data
+/// stay; the new edge gets the attributes' defaults. Thread-safe for disjoint submeshes.
 template <class Real>
 Verdict edge_flip(Complex<Real>& complex, const Submesh& submesh, Corner corner) {
     const Verdict verdict = edge_flip_guard(complex, submesh.region, corner);

@@ -9,9 +9,9 @@
 
 namespace dsc {
 
-/// Whether the edge opposite to `corner` may be split at `point`. O(1). Exact. Only the triangles at
-/// the edge are looked at: a point off an edge of the domain boundary changes the domain, and that it
-/// meets nothing out there is the caller's word.
+/// Whether the edge opposite to `corner` may be split at `point`. O(1). Exact. Only the triangles
+/// at the edge are looked at: a point off an edge of the domain boundary changes the domain, and
+/// that it meets nothing out there is the caller's word.
 template <class Real>
 Verdict edge_split_guard(const Complex<Real>& complex, const Region& region, Corner corner,
                          const Point<Real>& point) {
@@ -40,9 +40,9 @@ struct SplitResult {
     Vertex vertex; ///< the new vertex, where legal
 };
 
-/// Splits the edge opposite to `corner` at `point` if that is legal: nothing else than that position
-/// needs to be known, so the interpolator is the caller's. Vertex attributes are blended at the
-/// midpoint. Thread-safe for disjoint submeshes.
+/// Splits the edge opposite to `corner` at `point` if that is legal: nothing else than that
+/// position needs to be known, so the interpolator is the caller's. Vertex attributes are blended
+/// at the midpoint. Thread-safe for disjoint submeshes.
 template <class Real>
 SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner corner,
                        const Point<Real>& point) {

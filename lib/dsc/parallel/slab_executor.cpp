@@ -106,7 +106,9 @@ void SlabExecutor<Real>::choose_cuts() {
         return;
     }
     const double least = slabs_.least_width * static_cast<double>(options_.edge_length);
-    const auto along = [&](double x, double y) { return slabs_.normal_x * x + slabs_.normal_y * y; };
+    const auto along = [&](double x, double y) {
+        return slabs_.normal_x * x + slabs_.normal_y * y;
+    };
     scratch_.clear();
     if (slabs_.slabbing == Slabbing::active) {
         for (const std::uint32_t v : interface_) {
@@ -144,8 +146,7 @@ void SlabExecutor<Real>::begin_step() {
             slabs.pop_back();
         }
         for (std::size_t i = 0; i < slabs.size(); ++i) {
-            slabs[i]->work.submesh.region =
-                slab_region(cuts, i, slabs_.normal_x, slabs_.normal_y);
+            slabs[i]->work.submesh.region = slab_region(cuts, i, slabs_.normal_x, slabs_.normal_y);
         }
     };
     prepare(red_, cuts_.red);
@@ -233,11 +234,13 @@ void SlabExecutor<Real>::run_upkeep() {
     }
     interface_.clear();
     run_colour(red_, algorithm_.upkeep, false);
-    collect(interface_, red_, [](auto& work) -> auto& { return work.interface; });
+    collect(
+        interface_, red_, [](auto& work) -> auto& { return work.interface; });
     std::vector<std::uint32_t> put_off;
     const auto take_put_off = [&](Slabs& slabs) {
         put_off.clear();
-        collect(put_off, slabs, [](auto& work) -> auto& { return work.put_off_interface; });
+        collect(
+            put_off, slabs, [](auto& work) -> auto& { return work.put_off_interface; });
     };
     take_put_off(red_);
     if (!put_off.empty()) {
@@ -245,7 +248,8 @@ void SlabExecutor<Real>::run_upkeep() {
             black_[slab_at(cuts_.black, v)]->work.interface.push_back(v);
         }
         run_colour(black_, algorithm_.upkeep, true);
-        collect(interface_, black_, [](auto& work) -> auto& { return work.interface; });
+        collect(
+            interface_, black_, [](auto& work) -> auto& { return work.interface; });
         take_put_off(black_);
     }
     if (!put_off.empty()) {
@@ -277,10 +281,13 @@ std::size_t SlabExecutor<Real>::run_motion() {
     std::vector<Mover<Real>> blocked; // moved as far as they could: for the next pass
     std::vector<std::uint32_t> active;
     const auto take_back = [&](Slabs& slabs) {
-        collect(blocked, slabs, [](auto& work) -> auto& { return work.movers; });
-        collect(movers_, slabs, [](auto& work) -> auto& { return work.put_off_movers; });
+        collect(
+            blocked, slabs, [](auto& work) -> auto& { return work.movers; });
+        collect(
+            movers_, slabs, [](auto& work) -> auto& { return work.put_off_movers; });
         active.clear();
-        collect(active, slabs, [](auto& work) -> auto& { return work.put_off_active; });
+        collect(
+            active, slabs, [](auto& work) -> auto& { return work.put_off_active; });
         count_progress(slabs);
     };
 

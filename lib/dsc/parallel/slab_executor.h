@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Parallel DSC [6.6, 8.10] in place: the passes run on red slabs at once, then on black ones for
 // what the red boundaries kept from them, then once on the whole complex for what both left. The
-// cuts, the order within a slab and the pools of ids depend on the slabs only: the same bits for any
-// number of threads.
+// cuts, the order within a slab and the pools of ids depend on the slabs only: the same bits for
+// any number of threads.
 #pragma once
 
 #include "dsc/algorithm/driver.h"

@@ -33,7 +33,8 @@ struct SlabOptions {
     std::uint32_t threads = 1;
     double normal_x = 1; ///< the slabs are cut across this direction (unit length)
     double normal_y = 0;
-    double least_width = 8; ///< in edge lengths; thinner slabs would be locked altogether: fewer then
+    double least_width =
+        8; ///< in edge lengths; thinner slabs would be locked altogether: fewer then
     std::uint32_t recount = 64; ///< steps between two counts of the triangles
 };
 

@@ -10,7 +10,8 @@
 
 namespace dsc {
 
-/// The sine of the sum of the angles at a and d, opposite to the edge (b, w), is not below the slack.
+/// The sine of the sum of the angles at a and d, opposite to the edge (b, w), is not below the
+/// slack.
 template <class Real>
 bool is_delaunay(const Point<Real>& a, const Point<Real>& b, const Point<Real>& d,
                  const Point<Real>& w) {

@@ -69,8 +69,7 @@ Real worst_quality_squared_after_collapse(const Ring<Real>& ring, std::uint32_t 
         const Real shortest = std::min(aa, std::min(bb, cc));
         const Real product = aa * bb * cc;
         const Real sine_squared =
-            j == i || j == before ? harmless
-                                  : (area2 * std::abs(area2)) * shortest / product;
+            j == i || j == before ? harmless : (area2 * std::abs(area2)) * shortest / product;
         worst = std::min(worst, sine_squared);
     }
     return worst == harmless ? worst : worst * Real(4.0 / 3.0);
@@ -138,7 +137,7 @@ bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
 template <class Real>
 bool has_non_delaunay_spoke(const Ring<Real>& ring) {
     alignas(64) std::array<Real, Ring<Real>::room> area;
-    alignas(64) std::array<Real, Ring<Real>::room> dot_first; // angle at link vertex i
+    alignas(64) std::array<Real, Ring<Real>::room> dot_first;  // angle at link vertex i
     alignas(64) std::array<Real, Ring<Real>::room> dot_second; // angle at link vertex i + 1
     const std::uint32_t n = ring.padded();
     const Real* x = ring.x.data();
