@@ -45,18 +45,22 @@ std::vector<Vertex> polygon_of(const SimplexSet& R_, const SimplexSet& R, const 
             }
         }
     }
-    // One edge into and one out of each vertex, no edge met from both sides, nothing left over.
-    if (R_.vertices.size() < 3 || R_.edges.size() != R_.vertices.size() ||
-        followed != R_.edges.size() || successor.size() != R_.vertices.size()) {
+    // An edge that was met from both sides is a loose end inside R.
+    if (R_.vertices.empty() || followed != R_.edges.size()) {
         return {};
     }
-    std::vector<Vertex> polygon{*R_.vertices.begin()};
-    for (Vertex v = successor.at(polygon[0]); v != polygon[0]; v = successor.at(v)) {
-        if (polygon.size() == R_.vertices.size() || !successor.contains(v)) {
+    // The walk must come back to its start just when it has been everywhere: there is one loop, it
+    // touches itself nowhere, and no vertex is left over.
+    std::vector<Vertex> polygon;
+    Vertex v = *R_.vertices.begin();
+    do {
+        const auto next = successor.find(v);
+        if (next == successor.end() || polygon.size() == R_.vertices.size()) {
             return {};
         }
         polygon.push_back(v);
-    }
+        v = next->second;
+    } while (v != polygon.front());
     return polygon.size() == R_.vertices.size() ? polygon : std::vector<Vertex>{};
 }
 

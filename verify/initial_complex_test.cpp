@@ -123,11 +123,6 @@ protected:
     }
 };
 
-template <class Real>
-Point<Real> rounded(const Point<double>& point) {
-    return point.template cast<Real>();
-}
-
 // Follows the interface around one shape: all vertices of the outline in order, bit for bit, each
 // edge cut into the promised number of pieces, and the same region to the last few bits.
 template <class Real>
@@ -176,9 +171,8 @@ std::size_t expect_outline(const Complex<Real>& complex, const Scenery& scenery,
             ADD_FAILURE() << "vertex " << i << " of the outline is not where it should be";
             return loop.size();
         }
-        const double length = (rounded<Real>(b) - rounded<Real>(a)).norm();
         place += static_cast<std::size_t>(
-            std::max(1.0, std::ceil(length / scenery.edge_length * (1 - 1e-7))));
+            std::max(1.0, std::ceil((b - a).norm() / scenery.edge_length * (1 - 1e-9))));
     }
     EXPECT_EQ(place, loop.size()) << "pieces of the outline";
     for (auto& point : outline) {
@@ -314,7 +308,7 @@ TEST(InitialComplexSizes, CirclesAnywhereGetGoodTriangles) {
 
 // Scale must not matter, down to where products of four lengths underflow.
 TEST(InitialComplexSizes, ScaleDoesNotMatter) {
-    for (const int power : {-600, -300, 300}) {
+    for (const int power : {-300, -40, 300}) {
         const double scale = std::ldexp(1.0, power);
         const std::vector<Shape> unit{circle(0.5, 0.5, 0.25, 0.1)};
         std::vector<Shape> scaled = unit;

@@ -99,9 +99,9 @@ TEST(Locate, AgreesWithEveryTrianglesSigns) {
         const auto report = dsc::validate(complex);
         ASSERT_TRUE(report.ok()) << report.problem;
     }
-    EXPECT_GT(places[0], 50U);
-    EXPECT_GT(places[1], 50U);
-    EXPECT_GT(places[2], 50U);
+    EXPECT_GT(places[0], 20U);
+    EXPECT_GT(places[1], 20U);
+    EXPECT_GT(places[2], 20U);
     EXPECT_EQ(dsc::testing::sizes_of(complex).not_delaunay, 0U);
 }
 
@@ -305,6 +305,8 @@ TEST(InitialErrors, OptionsAndDomain) {
     for (const double h : {0.0, -1.0, infinity, not_a_number}) {
         expect_error({}, "options", "edge length", h);
     }
+    expect_error({}, "options", "out of range", 1e-110, {{0, 0}, {1e-109, 1e-109}});
+    expect_error({}, "options", "out of range", 1e110, {{0, 0}, {1e111, 1e111}});
     expect_error({}, "options", "rounds", 0.1, {}, -1);
     expect_error({}, "options", "larger than the domain", 1.5);
     expect_error({}, "options", "larger than the domain", 0.3, {{0, 0}, {1, 0.2}});
@@ -313,7 +315,7 @@ TEST(InitialErrors, OptionsAndDomain) {
     expect_error<float>({}, "options", "resolve", 0.05, {{1e5, 0}, {1e5 + 1, 1}});
     expect_error({}, "domain", "empty", 0.1, {{0, 0}, {0, 1}});
     expect_error({}, "domain", "empty", 0.1, {{1, 0}, {0, 1}});
-    expect_error({}, "domain", "out of range", 1e200, {{-1e200, 0}, {1e200, 1e200}});
+    expect_error({}, "domain", "out of range", 1, {{-1e200, 0}, {1e200, 1e200}});
     expect_error({}, "domain", "not finite", 0.1, {{0, not_a_number}, {1, 1}});
     expect_error({}, "domain", "not finite", 0.1, {{0, 0}, {infinity, 1}});
     expect_error<float>({}, "domain", "not finite", 1e39, {{0, 0}, {1e40, 1e40}});
@@ -350,7 +352,7 @@ TEST(InitialErrors, Contacts) {
     expect_error({{{{0.2, 0.2}, {0.6, 0.2}, {0.6, 0.6}, {0.4, 0.2}, {0.2, 0.6}}, 1}},
                  "shape 0, edge 0", "itself");
     expect_error({{{{0.2, 0.2}, {0.4, 0.4}, {0.6, 0.2}, {0.6, 0.6}, {0.4, 0.4}, {0.2, 0.6}}, 1}},
-                 "shape 0, edge 1", "itself");
+                 "shape 0, edge 0", "itself");
     expect_error({{{{0.2, 0.2}, {0.6, 0.2}, {0.4, 0.2}, {0.4, 0.6}}, 1}}, "shape 0, edge 0",
                  "itself");
     expect_error({square(0.2, 0.2, 0.2), square(0.3, 0.3, 0.2, 2)}, "shape 0, edge 2",

@@ -132,7 +132,7 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
         for (const auto& key : scene.keys) {
             EXPECT_NE(std::find(all_keys.begin(), all_keys.end(), key), all_keys.end()) << key;
         }
-        const Setup setup = scene.prepare(scene.defaults);
+        const auto setup = scene.prepare(scene.defaults);
         EXPECT_FALSE(setup.outlines.empty());
         EXPECT_FALSE(setup.flow.empty());
         EXPECT_GT(setup.steps, 0);
@@ -152,7 +152,7 @@ TEST(Catalogue, FollowsItsParameters) {
     Parameters parameters = scene.defaults;
     const int steps = scene.prepare(parameters).steps;
     parameters.h *= 0.5;
-    const Setup fine = scene.prepare(parameters);
+    const auto fine = scene.prepare(parameters);
     EXPECT_NEAR(fine.steps, 2 * steps, 2);
     EXPECT_NEAR(static_cast<double>(fine.outlines[0].size()) /
                     static_cast<double>(scene.prepare(scene.defaults).outlines[0].size()),

@@ -278,7 +278,12 @@ TEST(ReferenceEarClipping, StuckWherePolygonIsNone) {
     EXPECT_FALSE(ear_clipping(Points{{0, 0}, {0, 1}, {1, 1}, {1, 0}})); // clockwise
     EXPECT_FALSE(ear_clipping(Points{{0, 0}, {1, 0}, {2, 0}}));
     EXPECT_FALSE(ear_clipping(Points{{0, 0}, {1, 0}}));
-    EXPECT_TRUE(ear_clipping(Points{{0, 0}, {1, 0}, {2, 0}, {1, 1}})); // a flat corner is no ear
+}
+
+TEST(ReferenceEarClipping, FlatCornerIsNoEar) {
+    const auto ears = ear_clipping(Points{{1, 0}, {2, 0}, {1, 1}, {0, 0}});
+    ASSERT_TRUE(ears);
+    EXPECT_EQ(*ears, (std::vector<std::array<std::size_t, 3>>{{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST(ReferenceLocalRetriangulation, RemovesTheThreeVerticesInside) { // figures 7.3 and 4.5

@@ -61,6 +61,10 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     if (!std::isfinite(h) || h <= 0) {
         throw InputError("edge length", "options", text(h), "a finite number above 0");
     }
+    if (h < least_edge_length || h > 1 / least_edge_length) {
+        throw InputError("edge length is out of range", "options", text(h),
+                         text(least_edge_length) + " to " + text(1 / least_edge_length));
+    }
     if (options.improve_rounds < 0) {
         throw InputError("rounds of improvement", "options",
                          std::to_string(options.improve_rounds), "0 or more");
@@ -102,7 +106,7 @@ void check_collinear(const std::vector<Point<double>>& points, std::size_t shape
     const Point<double>& a = points.front();
     const Point<double>* b = &a;
     for (const auto& point : points) {
-        b = (point - a).squaredNorm() > (*b - a).squaredNorm() ? &point : b;
+        b = largest(point - a) > largest(*b - a) ? &point : b;
     }
     for (const auto& point : points) {
         if (orientation<double>(a, *b, point) != 0) {
@@ -194,15 +198,21 @@ struct CutOutline {
 // A length of a whole number of targets, but for rounding, is cut into that number of pieces.
 constexpr double whole_number_slack = 1e-9;
 
+double piece_count(const std::vector<Point<double>>& outline, std::size_t edge, double h) {
+    const Point<double>& a = outline[edge];
+    const Point<double>& b = outline[edge + 1 < outline.size() ? edge + 1 : 0];
+    return std::max(1.0, std::ceil((b - a).norm() / h * (1 - whole_number_slack)));
+}
+
+// Counts by the outline as it was given, so that float and double are cut alike.
 template <class Real>
-CutOutline cut(const std::vector<Point<double>>& points, double h) {
+CutOutline cut(const std::vector<Point<double>>& given, const std::vector<Point<double>>& points,
+               double h) {
     CutOutline result;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point<double>& a = points[i];
         const Point<double>& b = points[i + 1 < points.size() ? i + 1 : 0];
-        const double ratio = (b - a).norm() / h;
-        const auto pieces = static_cast<std::uint32_t>(
-            std::max(1.0, std::ceil(ratio * (1 - whole_number_slack))));
+        const auto pieces = static_cast<std::uint32_t>(piece_count(given, i, h));
         for (std::uint32_t k = 0; k < pieces; ++k) {
             const double fraction = static_cast<double>(k) / pieces;
             result.points.push_back(k == 0 ? a : rounded<Real>(a + fraction * (b - a)));
@@ -242,9 +252,8 @@ CheckedInput check_input(const Rectangle& domain, std::span<const Shape> shapes,
     double pieces = 0;
     for (std::size_t k = 0; k < shapes.size(); ++k) {
         outlines.push_back(check_shape<Real>(shapes[k], k, input.lattice, h));
-        for (std::size_t i = 0; i < outlines.back().size(); ++i) {
-            const auto& points = outlines.back();
-            pieces += std::ceil((points[i] - points[i + 1 < points.size() ? i + 1 : 0]).norm() / h);
+        for (std::size_t i = 0; i < shapes[k].outline.size(); ++i) {
+            pieces += piece_count(shapes[k].outline, i, h);
         }
         if (pieces > most_triangles / 4) {
             throw InputError("the outlines would be cut into absurdly many pieces", shape_name(k),
@@ -267,8 +276,8 @@ CheckedInput check_input(const Rectangle& domain, std::span<const Shape> shapes,
     // Rounding moves the vertices that cut an edge; they too must keep the outlines apart.
     std::vector<CutOutline> cuts;
     std::vector<SweepPolygon> polygons;
-    for (const auto& points : outlines) {
-        cuts.push_back(cut<Real>(points, h));
+    for (std::size_t k = 0; k < outlines.size(); ++k) {
+        cuts.push_back(cut<Real>(shapes[k].outline, outlines[k], h));
     }
     for (std::size_t k = 0; k < cuts.size(); ++k) {
         polygons.push_back({cuts[k].points, is_counter_clockwise(outlines[k])});

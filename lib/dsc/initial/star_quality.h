@@ -59,23 +59,19 @@ CollapseChoice best_collapse(const Ring<Real>& ring,
         if (!ring.closed && k != 0 && k != n) {
             continue;
         }
-        const Point<Real> target(ring.link_x(k), ring.link_y(k));
+        const Point<double> target(ring.link_x(k), ring.link_y(k));
         double worst = std::numeric_limits<double>::infinity();
         for (std::uint32_t i = 0; i < n && worst > best.quality; ++i) {
             const bool vanishes = i == k || i + 1 == k || (ring.closed && k == 0 && i + 1 == n);
             if (vanishes) {
                 continue;
             }
-            const Point<Real> p(ring.x[i], ring.y[i]);
-            const Point<Real> q(ring.x_next[i], ring.y_next[i]);
+            const Point<double> p(ring.x[i], ring.y[i]);
+            const Point<double> q(ring.x_next[i], ring.y_next[i]);
             const double length = std::max((p - target).norm(), (q - target).norm());
-            if (length > longest || orientation<Real>(target, p, q) <= 0) {
-                worst = 0;
-                break;
-            }
-            worst = std::min(worst, quality<double>(target.template cast<double>(),
-                                                    p.template cast<double>(),
-                                                    q.template cast<double>()));
+            worst = length > longest || orientation<double>(target, p, q) <= 0
+                        ? 0
+                        : std::min(worst, quality<double>(target, p, q));
         }
         if (worst > best.quality && std::isfinite(worst)) {
             best = {k, worst};

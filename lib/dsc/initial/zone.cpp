@@ -21,7 +21,7 @@ bool is_fine(const Complex<Real>& complex, std::uint32_t vertex, double length) 
     const Point<Real> centre = complex.position(Vertex{vertex});
     visit_link(complex, vertex, [&](std::uint32_t w) {
         const Point<Real> spoke = complex.position(Vertex{w}) - centre;
-        shortest = std::min(shortest, static_cast<double>(spoke.norm()));
+        shortest = std::min(shortest, spoke.template cast<double>().norm());
     });
     return shortest < fine_below * length;
 }
