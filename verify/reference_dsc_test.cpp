@@ -7,6 +7,7 @@
 #include "reference/dsc.h"
 #include "reference/selection.h"
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 
@@ -117,6 +118,88 @@ TEST(ReferenceInterpolators, CubicFollowsACurveAndStopsAtCorners) {
     EXPECT_EQ(cubic_point({0, 1}, {0, 0}, {1, 0}, {2, 0}), Point<double>(.5, 0));
     EXPECT_EQ(cubic_point({0, 0}, {0, 0}, {1, 0}, {2, 0}), Point<double>(.5, 0));
     EXPECT_EQ(linear_point({9, 9}, {0, 0}, {1, 0}, {2, 7}), Point<double>(.5, 0));
+}
+
+// --- the mesh updates of algorithm 5.1
+// --------------------------------------------------------------
+
+// The upper half of a grid: the interface runs along y = 2 from vertex 10 to 14, and around the
+// wall.
+Complex half_full() {
+    return grid(4, {16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31});
+}
+
+PassOptions with_edge_length_only(double h) {
+    PassOptions options;
+    options.edge_length = h;
+    return options;
+}
+
+TEST(ReferencePasses, ShortInterfaceEdgesVanishWhereTheCurveStays) {
+    const PassOptions options = with_edge_length_only(1);
+    PassCounts counts;
+    Complex K = half_full();
+    K.set_coord(11_v, {1.6, 2}); // without 11, the edge from 10 to 12 would be too long
+    interface_coarsening(K, K.interface(), options, counts);
+    EXPECT_EQ(counts.collapses, 1U);
+    EXPECT_TRUE(K.is_interface(E(11, 13)));
+    expect_valid(K);
+    Complex bent = half_full();
+    bent.set_coord(11_v, {1.6, 2.1}); // both ends stand off the line of their neighbours
+    interface_coarsening(bent, bent.interface(), options, counts);
+    EXPECT_EQ(counts.collapses, 1U);
+}
+
+TEST(ReferencePasses, LongInterfaceEdgesAreSplitWhereTheApplicationSays) {
+    PassOptions options = with_edge_length_only(.6);
+    options.interface_point = [](const Point<double>&, const Point<double>& p1,
+                                 const Point<double>& p2, const Point<double>&) {
+        return Point<double>(.5 * (p1 + p2) + Point<double>(0, .1));
+    };
+    Complex K = half_full();
+    PassCounts counts;
+    interface_refinement(K, K.interface(), options, counts);
+    EXPECT_EQ(counts.splits, 12U);
+    EXPECT_EQ(std::ranges::count_if(K.vertices(), [&](Vertex v) { return K.coord(v).y() == 2.1; }),
+              4);
+    EXPECT_EQ(std::ranges::count_if(K.vertices(), [&](Vertex v) { return K.coord(v).y() == 4; }),
+              9);
+    expect_valid(K);
+}
+
+TEST(ReferencePasses, PhasesKeepTheirSizes) {
+    Complex K = grid(8);
+    PassCounts counts;
+    phase_coarsening(K, *phases(K).begin(), with_edge_length_only(4), counts);
+    EXPECT_GT(counts.retriangulations, 0U);
+    EXPECT_LT(K.vertices().size(), 81U);
+    Complex coarse = half_full();
+    phase_refinement(coarse, *phases(coarse).rbegin(), with_edge_length_only(.5), counts);
+    EXPECT_GT(counts.subdivisions, 0U);
+    EXPECT_GT(counts.splits, 0U); // at the interface, where a subdivision is illegal
+    PassOptions by_phase = with_edge_length_only(.5);
+    by_phase.phase_edge_length = [](Phase phase, const Point<double>&) {
+        return phase == 1 ? 9. : .5;
+    };
+    PassCounts none;
+    coarse = half_full();
+    phase_refinement(coarse, *phases(coarse).rbegin(), by_phase, none);
+    EXPECT_EQ(none.subdivisions + none.splits, 0U);
+    expect_valid(K);
+    expect_valid(coarse);
+}
+
+TEST(ReferencePasses, FlipsAndSmoothingRaiseTheQuality) {
+    Complex K = fan();
+    K.set_coord(0_v, {.7, .2});
+    Complex flat = make({{0, 0}, {3, -.5}, {6, 0}, {3, .5}}, {{0, 1, 2}, {0, 2, 3}});
+    PassCounts counts;
+    smoothing(K, {}, counts);
+    optimization(flat, {}, counts);
+    EXPECT_EQ(counts.smoothed, 1U);
+    EXPECT_EQ(counts.flips, 1U);
+    EXPECT_NEAR(worst_quality(K), 1, 1e-12);
+    EXPECT_TRUE(flat.is_valid_simplex(E(1, 3)));
 }
 
 // --- the algorithm [5.6]

@@ -69,7 +69,14 @@ StepReport Simulation<Real>::step(const Velocity<Real>& velocity, Real time, Rea
     StepReport report;
     executor_->begin_step();
     Real remaining = dt;
-    while (remaining > 0 && sub_step(velocity, time, remaining, report)) {
+    try {
+        while (remaining > 0 && sub_step(velocity, time, remaining, report)) {
+        }
+    } catch (...) {
+        // The velocity, or a pass of the application: the complex is valid, only not yet there.
+        executor_->movers().clear();
+        executor_->end_step();
+        throw;
     }
     executor_->end_step();
     report.operations = executor_->take_counts();
@@ -152,7 +159,7 @@ bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real
     movers.clear();
     for (std::size_t i = 0; i < n; ++i) {
         const Point<Real>& target = targets_[i];
-        if (held_[i] != 0) {
+        if (held_[i] != 0 || complex_.is_locked(Vertex{interface[i]})) {
             continue;
         }
         if (!std::isfinite(target.x()) || !std::isfinite(target.y())) {

@@ -106,7 +106,9 @@ private:
                     return;
                 }
             }
-            if (lengths.longest > limit.longest && split_longest(limit)) {
+            // About an interface vertex phases differ, and so may their limits.
+            const bool mixed = !ring_.one_phase && !work_.options.per_phase.empty();
+            if ((mixed || lengths.longest > limit.longest) && split_longest(limit, mixed)) {
                 continue;
             }
             return;
@@ -256,14 +258,15 @@ private:
     }
 
     // --- refinement ---------------------------------------------------------------------------
-    bool split_longest(const Limits& limit) {
-        Real longest = limit.longest;
+    bool split_longest(const Limits& limit, bool mixed) {
+        Real longest = 0;
         std::uint32_t spoke = no_id;
         for (std::uint32_t i = ring_.closed ? 0 : 1; i < ring_.size; ++i) {
             const Real dx = ring_.x[i] - ring_.x0;
             const Real dy = ring_.y[i] - ring_.y0;
             const Real squared = dx * dx + dy * dy;
-            if (squared > longest && !ring_.is_constrained(i)) {
+            const Real allowed = mixed ? limits(ring_.phase[i]).longest : limit.longest;
+            if (squared > allowed && squared > longest && !ring_.is_constrained(i)) {
                 longest = squared;
                 spoke = i;
             }
