@@ -25,8 +25,8 @@ STEP = {**ITERATION, **dict.fromkeys((
     "us_per_step", "cpu_us_per_step", "us_per_vertex_step", "interface_vertices", "triangles",
     "min_quality", "area_error_rel", "load", "oversubscribed", "peak_memory_mb",
     "flips_per_step", "examined_per_step"), "number")}
-OPERATION = {**ITERATION, "items_per_second": "number", "batch": "number"}
-KERNEL = {**ITERATION, "items_per_second": "number"}
+OPERATION = {**ITERATION, "items_per_second": "number", "batch": "number", "label": "text"}
+KERNEL = {**ITERATION, "items_per_second": "number", "label": "text"}
 CONTEXT = ("dsc_machine", "dsc_commit", "dsc_cores", "dsc_compiler", "dsc_build_type",
            "dsc_native", "dsc_load")
 

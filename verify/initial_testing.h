@@ -77,7 +77,7 @@ bool is_locally_delaunay(const Complex<Real>& complex, Corner corner) {
     };
     const Point<double> b = at(next(corner));
     const Point<double> w = at(prev(corner));
-    const auto sine_cosine = [&](const Point<double>& apex) {
+    const auto sine_cosine = [&](const Point<double>& apex) -> Point<double> {
         const Point<double> p = b - apex;
         const Point<double> q = w - apex;
         const double lengths = p.norm() * q.norm();

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -262,24 +263,55 @@ TEST(SlabExecutor, PassesOnWhatAVelocityThrows) {
     }
 }
 
-TEST(SlabExecutor, PassesOnWhatAPassThrows) {
+// A pass of the application throws in one slab, before or after the others ran there. The step is
+// lost, the simulation is not.
+TEST(SlabExecutor, GoesOnAfterAPassThrew) {
     constexpr double h = 0.03;
-    auto complex = test::disc_complex<double>(h);
-    Options<double> options;
-    options.edge_length = h;
-    auto algorithm = default_algorithm<double>();
-    algorithm.motion.push_back({"fault", [](Work<double>&) { throw Fault("as seeded"); }});
-    SlabOptions slabs;
-    slabs.submeshes = 4;
-    slabs.threads = 3;
-    Simulation<double> simulation(
-        complex, options,
-        std::make_unique<SlabExecutor<double>>(complex, options, algorithm, slabs));
-    const RandomFlow flow = [] {
-        Dice dice(1);
-        return RandomFlow(dice, 1, Wildness::none);
-    }();
-    EXPECT_THROW((void)simulation.step(flow.velocity<double>(), 0, 0.01), Fault);
+    for (const bool in_upkeep : {true, false}) {
+        for (const bool before : {true, false}) {
+            SCOPED_TRACE(std::string(in_upkeep ? "upkeep" : "motion") +
+                         (before ? ", first" : ", last"));
+            auto complex = test::disc_complex<double>(h);
+            Options<double> options;
+            options.edge_length = h;
+            std::atomic<bool> faulty{true};
+            const Pass<double> fault{"fault", [&](Work<double>& work) {
+                                         if (faulty && work.submesh.region.low > 0.4) {
+                                             throw Fault("as seeded");
+                                         }
+                                     }};
+            auto algorithm = default_algorithm<double>();
+            auto& passes = in_upkeep ? algorithm.upkeep : algorithm.motion;
+            passes.insert(before ? passes.begin() : passes.end(), fault);
+            SlabOptions slabs;
+            slabs.submeshes = 4;
+            slabs.threads = 3;
+            Simulation<double> simulation(
+                complex, options,
+                std::make_unique<SlabExecutor<double>>(complex, options, algorithm, slabs));
+            const Velocity<double> right = [](std::span<const Point<double>> positions, double,
+                                              std::span<Point<double>> velocities) {
+                for (std::size_t i = 0; i < positions.size(); ++i) {
+                    velocities[i] = {0.01, 0};
+                }
+            };
+            EXPECT_THROW((void)simulation.step(right, 0, 1), Fault);
+            EXPECT_EQ(validate(complex).problem, "");
+            EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
+            // What was on its way when the step was lost must not arrive in a later one.
+            faulty = false;
+            const Velocity<double> rest = [](std::span<const Point<double>> positions, double,
+                                             std::span<Point<double>> velocities) {
+                for (std::size_t i = 0; i < positions.size(); ++i) {
+                    velocities[i] = {0, 0};
+                }
+            };
+            EXPECT_EQ(simulation.step(rest, 0, 1).operations.moves, 0U);
+            EXPECT_EQ(simulation.step(right, 0, 1).unreached, 0U);
+            EXPECT_EQ(validate(complex).problem, "");
+            EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
+        }
+    }
 }
 
 TEST(SlabExecutor, RefusesOptionsThatMakeNoSense) {

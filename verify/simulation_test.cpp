@@ -401,8 +401,9 @@ TYPED_TEST(Driver, TakesThresholdsForEachPhase) {
         EXPECT_EQ(simulation.step(constant<Real>(step < 5 ? 0.02 : -0.02, 0), 0, 1).unreached, 0U);
         expect_sound(complex, simulation);
     }
-    EXPECT_GT(triangles_of(1), inside + 50);
-    EXPECT_LT(triangles_of(0), outside + 50);
+    // Some of it spreads into the neighbour, where qualities are mended.
+    EXPECT_GT(triangles_of(1), 1.5 * inside);
+    EXPECT_LT(triangles_of(0), 1.25 * outside);
 }
 
 TYPED_TEST(Driver, TheSeedOnlyChangesTheOrder) {

@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/base/predicates.h"
 #include "dsc/initial/outline_sweep.h"
+#include "dsc/initial/rounding.h"
 
 #include <algorithm>
 #include <array>
@@ -51,8 +52,7 @@ Point<double> rounded(const Point<double>& point) {
     if (largest(point) > limit) {
         return Point<double>::Constant(std::numeric_limits<double>::infinity());
     }
-    return {static_cast<double>(static_cast<Real>(point.x())),
-            static_cast<double>(static_cast<Real>(point.y()))};
+    return narrowed<Real>(point).template cast<double>();
 }
 
 template <class Real>

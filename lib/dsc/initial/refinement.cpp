@@ -2,6 +2,7 @@
 #include "dsc/initial/refinement.h"
 
 #include "dsc/initial/insertion.h"
+#include "dsc/initial/rounding.h"
 #include "dsc/initial/star.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/quality/measures.h"
@@ -80,7 +81,7 @@ std::uint32_t break_up(Complex<Real>& complex, std::uint32_t triangle,
     if (!std::isfinite(centre.x()) || !std::isfinite(centre.y())) {
         return no_id;
     }
-    const Point<Real> point = centre.cast<Real>();
+    const Point<Real> point = narrowed<Real>(centre);
     const Location location = locate(complex, triangle, point);
     if (location.place == Place::beyond || location.place == Place::vertex ||
         encroaches_near(complex, triangle_of(location.corner), centre)) {
@@ -106,7 +107,7 @@ bool split(Complex<Real>& complex, Corner corner, std::vector<Corner>& stack) {
     const Point<double> b = at(complex, complex.vertex(next(corner)));
     const Point<double> w = at(complex, complex.vertex(prev(corner)));
     const Point<double> d = at(complex, complex.vertex(complex.twin(corner)));
-    const Point<Real> point = midpoint<double>(b, w).cast<Real>();
+    const Point<Real> point = narrowed<Real>(midpoint<double>(b, w));
     const Point<double> m = point.template cast<double>();
     const double worst = std::min(std::min(quality<double>(a, b, m), quality<double>(a, m, w)),
                                   std::min(quality<double>(d, w, m), quality<double>(d, m, b)));

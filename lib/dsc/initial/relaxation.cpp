@@ -2,6 +2,7 @@
 #include "dsc/initial/relaxation.h"
 
 #include "dsc/initial/delaunay.h"
+#include "dsc/initial/rounding.h"
 #include "dsc/initial/star_quality.h"
 #include "dsc/initial/zone.h"
 #include "dsc/operations/edge_collapse.h"
@@ -53,8 +54,8 @@ struct Trial {
 
     bool offer(double x, double y) {
         const Point<Real> point(
-            freedom == Freedom::vertical ? ring.x0 : static_cast<Real>(x),
-            freedom == Freedom::horizontal ? ring.y0 : static_cast<Real>(y));
+            freedom == Freedom::vertical ? ring.x0 : narrowed<Real>(x),
+            freedom == Freedom::horizontal ? ring.y0 : narrowed<Real>(y));
         const double worst = worst_quality_at(ring, point.template cast<double>());
         if (worst > quality + least_gain && fits(ring, point)) {
             quality = worst;
