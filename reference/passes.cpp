@@ -18,7 +18,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <ranges>
 #include <vector>
 
 namespace dsc::reference {
@@ -213,7 +212,8 @@ void interface_refinement(Complex& K, const SimplexSet& I, const PassOptions& op
 
 void phase_coarsening(Complex& K, const Phases::value_type& p, const PassOptions& options,
                       PassCounts& counts) {
-    const auto& [phase, triangles] = p;
+    const Phase phase = p.first;
+    const auto& triangles = p.second;
     const Measure<TriangleKey> Q_size = [&](const TriangleKey& t) {
         return relative_area(K, t, phase, options);
     };
@@ -237,7 +237,8 @@ void phase_coarsening(Complex& K, const Phases::value_type& p, const PassOptions
 
 void phase_refinement(Complex& K, const Phases::value_type& p, const PassOptions& options,
                       PassCounts& counts) {
-    const auto& [phase, triangles] = p;
+    const Phase phase = p.first;
+    const auto& triangles = p.second;
     const Measure<TriangleKey> Q = [&](const TriangleKey& t) {
         return -relative_area(K, t, phase, options);
     };
@@ -266,9 +267,13 @@ void optimization(Complex& K, const PassOptions& options, PassCounts& counts) {
     // interface, and EdgeFlip refuses the others.
     const Measure<EdgeKey> Q = [&](const EdgeKey& e) { return delaunay(K, e); };
     for (int sweep = 0; sweep < options.flip_sweeps; ++sweep) {
+        std::vector<EdgeKey> edges;
+        edges.reserve(K.edges().size());
+        for (const auto& entry : K.edges()) {
+            edges.push_back(entry.first);
+        }
         const std::size_t flips = mesh_update(
-            BelowThreshold<EdgeKey>(K.edges() | std::views::keys, Q, -options.flip_slack, K),
-            edge_flip, K);
+            BelowThreshold<EdgeKey>(edges, Q, -options.flip_slack, K), edge_flip, K);
         counts.flips += flips;
         if (flips == 0)
             break;

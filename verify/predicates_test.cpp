@@ -96,7 +96,7 @@ TEST(Orientation, AgreesOnNearlyCollinearPointsOfAnySize) {
     constexpr std::int64_t bound = std::int64_t{1} << 53;
     std::array<int, 3> seen{};
     int naive_wrong = 0;
-    for (int i = 0; i < 200'000; ++i) {
+    for (int i = 0; i < 400'000; ++i) {
         const std::int64_t size = std::int64_t{1} << sites.in(2, 53);
         const Site a = sites.site(-size, size);
         const Site b = sites.site(-size, size);
