@@ -244,7 +244,7 @@ TEST(ReferenceDsc, CircleGrows) {
     const Summary result = run(K, grow, 1, 30, with_edge_length(.04)); // to r = 0.46
     EXPECT_EQ(result.unreached, 0U);
     EXPECT_GT(result.worst, 0.15);
-    EXPECT_NEAR(total_area(K, 1) / (.46 * .46 * std::numbers::pi), 1, .01);
+    EXPECT_NEAR(total_area(K, 1) / (.46 * .46 * std::numbers::pi), 1, .02); // chords
     EXPECT_NEAR(total_area(K, 0) + total_area(K, 1), 1, 1e-12);
 }
 

@@ -229,6 +229,7 @@ void SlabExecutor<Real>::run_colour(Slabs& slabs, const std::vector<Pass<Real>>&
 
 template <class Real>
 void SlabExecutor<Real>::run_upkeep() {
+    under_way_ = true;
     for (const std::uint32_t v : interface_) {
         red_[slab_at(cuts_.red, v)]->work.interface.push_back(v);
     }
@@ -262,10 +263,12 @@ void SlabExecutor<Real>::run_upkeep() {
         whole_.interface.clear();
         whole_.put_off_interface.clear();
     }
+    under_way_ = false;
 }
 
 template <class Real>
 std::size_t SlabExecutor<Real>::run_motion() {
+    under_way_ = true;
     std::size_t progressed = 0;
     const auto count_progress = [&](Slabs& slabs) {
         for (auto& slab : slabs) {
@@ -324,11 +327,36 @@ std::size_t SlabExecutor<Real>::run_motion() {
         whole_.put_off_active.clear();
     }
     movers_.swap(blocked);
+    under_way_ = false;
     return progressed;
 }
 
 template <class Real>
+void SlabExecutor<Real>::recover() {
+    const auto forget = [](Work<Real>& work) {
+        work.interface.clear();
+        work.movers.clear();
+        work.active.clear();
+        work.put_off_interface.clear();
+        work.put_off_movers.clear();
+        work.put_off_active.clear();
+    };
+    for (auto* slabs : {&red_, &black_}) {
+        for (auto& slab : *slabs) {
+            forget(slab->work);
+        }
+    }
+    forget(whole_);
+    movers_.clear();
+    interface_ = collect_interface(complex_, options_.shuffle_seed);
+    under_way_ = false;
+}
+
+template <class Real>
 void SlabExecutor<Real>::end_step() {
+    if (under_way_) {
+        recover();
+    }
     complex_.lent_vertices = 0;
     complex_.lent_triangles = 0;
     return_surplus(red_);

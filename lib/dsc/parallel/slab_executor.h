@@ -53,6 +53,8 @@ private:
     void return_all(IdPool& pool);
     /// Runs one task per slab; the first and the last black slab are one task [8.5].
     void run_colour(Slabs& slabs, const std::vector<Pass<Real>>& passes, bool combine_ends);
+    /// After an exception: forgets what was on its way, and looks for the interface again. O(mesh).
+    void recover();
     std::size_t slab_at(const std::vector<double>& cuts, std::uint32_t vertex) const;
 
     Complex<Real>& complex_;
@@ -61,6 +63,7 @@ private:
     SlabOptions slabs_;
     Cuts cuts_;
     std::uint64_t steps_ = 0;
+    bool under_way_ = false; ///< still true at the end of a step: a pass threw
     std::uint32_t epoch_ = 0;
 
     Slabs red_;
