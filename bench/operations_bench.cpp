@@ -259,7 +259,8 @@ void measure_kernel(benchmark::State& state, Run run, Check check) {
     for (auto _ : state) {
         complex = ground();
         const scenes::Stopwatch watch;
-        auto result = run(complex);
+        // Constant: GCC may lose the value of a variable that DoNotOptimize may change.
+        const auto result = run(complex);
         benchmark::DoNotOptimize(result);
         state.SetIterationTime(watch.cpu());
         if (!check(complex, result)) {

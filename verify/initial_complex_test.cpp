@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The initial complex: every shape comes out as it went in, on a valid, constrained Delaunay complex
-// of good triangles of the size that was asked for.
+// The initial complex: every shape comes out as it went in, on a valid, constrained Delaunay
+// complex of good triangles of the size that was asked for.
 #include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
 #include "dsc/initial/initial_complex.h"
@@ -77,8 +77,7 @@ std::vector<Case> cases() {
     const dsc::Rectangle unit{};
     const Shape square{{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}}, 1};
     const auto disc = dsc::scenes::slotted_disc({}, 0.02);
-    const auto crescent = dsc::scenes::crescent(
-        {{0.4, 0.5}, 0.3, {0.55, 0.5}, 0.28}, 0.03);
+    const auto crescent = dsc::scenes::crescent({{0.4, 0.5}, 0.3, {0.55, 0.5}, 0.28}, 0.03);
     Shape clockwise = circle(0.5, 0.5, 0.25, 0.05);
     std::reverse(clockwise.outline.begin(), clockwise.outline.end());
     const Scenery slotted{unit, {{disc, 1}}, 0.02};
@@ -116,10 +115,9 @@ class InitialComplex : public ::testing::TestWithParam<Case> {
 protected:
     template <class Real>
     static Complex<Real> build(const Scenery& scenery, int rounds = 12, bool renumber = true) {
-        return dsc::initial_complex<Real>(scenery.domain, scenery.shapes,
-                                          {.edge_length = scenery.edge_length,
-                                           .improve_rounds = rounds,
-                                           .renumber = renumber});
+        return dsc::initial_complex<Real>(
+            scenery.domain, scenery.shapes,
+            {.edge_length = scenery.edge_length, .improve_rounds = rounds, .renumber = renumber});
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The parts of the initial complex one by one, each against the plainest way to the same answer, and
-// the errors for input that makes no sense.
+// The parts of the initial complex one by one, each against the plainest way to the same answer,
+// and the errors for input that makes no sense.
 #include "dsc/base/error.h"
 #include "dsc/base/predicates.h"
 #include "dsc/complex/validate.h"
@@ -33,7 +33,8 @@ constexpr double pi = 3.14159265358979323846;
 TEST(Lattice, IsAValidComplexOfEverySize) {
     for (std::uint32_t columns = 1; columns < 6; ++columns) {
         for (std::uint32_t rows = 1; rows < 6; ++rows) {
-            dsc::initial::Lattice lattice{{-1, 2}, {3, 3}, columns, rows, 4.0 / columns, 1.0 / rows};
+            dsc::initial::Lattice lattice{{-1, 2}, {3, 3},        columns,
+                                          rows,    4.0 / columns, 1.0 / rows};
             Complex<double> complex;
             dsc::initial::write_lattice(lattice, 0, complex);
             const auto report = dsc::validate(complex);
@@ -69,7 +70,8 @@ TEST(Locate, AgreesWithEveryTrianglesSigns) {
     for (int i = 0; i < 400; ++i) {
         Point<double> p(share(random), share(random));
         if (i % 4 == 1) { // on a vertex, or halfway along an edge
-            p = complex.position(Vertex{static_cast<std::uint32_t>(random() % complex.vertex_bound())});
+            p = complex.position(
+                Vertex{static_cast<std::uint32_t>(random() % complex.vertex_bound())});
         } else if (i % 4 == 2) {
             const auto& v = complex.triangles[1 + random() % (complex.triangle_bound() - 1)].v;
             p = (complex.position(Vertex{v[0]}) + complex.position(Vertex{v[1]})) / 2;
@@ -127,7 +129,8 @@ TEST(Segments, AreRecoveredThroughAnything) {
         dsc::initial::write_lattice(lattice, 0, complex);
         std::vector<dsc::Corner> stack;
         const auto insert = [&](const Point<double>& p) {
-            return dsc::initial::insert_point(complex, dsc::initial::locate(complex, 1, p), p, stack);
+            return dsc::initial::insert_point(complex, dsc::initial::locate(complex, 1, p), p,
+                                              stack);
         };
         for (int i = 0; i < 120; ++i) {
             // Also many points on one line, which is what a segment may run along.
@@ -136,7 +139,8 @@ TEST(Segments, AreRecoveredThroughAnything) {
         }
         const auto first = static_cast<std::uint32_t>(seed % 2 == 0 ? 1 : 2);
         dsc::initial::Chains chains;
-        chains.push_back({insert({0.01, 0.5}), insert({0.99, 0.5}), insert({0.7, 0.9 - 0.1 * first})});
+        chains.push_back(
+            {insert({0.01, 0.5}), insert({0.99, 0.5}), insert({0.7, 0.9 - 0.1 * first})});
         chains.push_back({insert({0.05, 0.03}), insert({0.9, 0.04}), insert({0.5, 0.07})});
         const auto touched = dsc::initial::recover_segments(complex, chains);
         EXPECT_FALSE(touched.empty());
@@ -153,7 +157,8 @@ TEST(Segments, AreRecoveredThroughAnything) {
     }
 }
 
-// --- the sweep against all pairs ------------------------------------------------------------------
+// --- the sweep against all pairs
+// ------------------------------------------------------------------
 
 bool segments_touch(const Point<double>& a, const Point<double>& b, const Point<double>& c,
                     const Point<double>& d) {
@@ -276,7 +281,8 @@ TEST(Sweep, TakesALongOutlineInItsStride) {
     EXPECT_TRUE(sweep({comb}).contact);
 }
 
-// --- errors ---------------------------------------------------------------------------------------
+// --- errors
+// ---------------------------------------------------------------------------------------
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -380,11 +386,8 @@ TEST(InitialErrors, FloatsThatCollide) {
         dsc::initial_complex<double>({}, std::vector<Shape>{shape}, {.edge_length = 0.05})));
     expect_error<float>({shape}, "shape 0, edge 0", "collide when rounded");
     // Apart as doubles, the same line as floats.
-    expect_error<float>({square(0.2, 0.2, 0.2), {{{0.4 + 1e-9, 0.2},
-                                                  {0.6, 0.2},
-                                                  {0.6, 0.4},
-                                                  {0.4 + 1e-9, 0.4}},
-                                                 2}},
+    expect_error<float>({square(0.2, 0.2, 0.2),
+                         {{{0.4 + 1e-9, 0.2}, {0.6, 0.2}, {0.6, 0.4}, {0.4 + 1e-9, 0.4}}, 2}},
                         "shape 0, edge 1", "two outlines");
 }
 

@@ -21,8 +21,8 @@ struct Scenery {
     double edge_length = 0.05;
 };
 
-/// An interface vertex's successor along the loop that has `corner`'s triangle on its left. `corner`
-/// is opposite to an interface edge; so is the result.
+/// An interface vertex's successor along the loop that has `corner`'s triangle on its left.
+/// `corner` is opposite to an interface edge; so is the result.
 template <class Real>
 Corner next_along_interface(const Complex<Real>& complex, Corner corner) {
     Corner c = next(corner);
@@ -85,8 +85,7 @@ bool is_locally_delaunay(const Complex<Real>& complex, Corner corner) {
     };
     const Point<double> one = sine_cosine(at(corner));
     const Point<double> other = sine_cosine(at(complex.twin(corner)));
-    return one.x() * other.y() + one.y() * other.x() >=
-           -static_cast<double>(delaunay_slack<Real>);
+    return one.x() * other.y() + one.y() * other.x() >= -static_cast<double>(delaunay_slack<Real>);
 }
 
 struct Sizes {

@@ -76,6 +76,7 @@ StepReport Simulation<Real>::step(const Velocity<Real>& velocity, Real time, Rea
         // The velocity, or a pass of the application: the complex is valid, only not yet there.
         executor_->movers().clear();
         executor_->end_step();
+        (void)executor_->take_counts();
         throw;
     }
     executor_->end_step();

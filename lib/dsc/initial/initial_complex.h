@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The complex that a scene starts from [thesis 5.6, 9]: a rectangle and any number of simple polygons,
-// each with its phase, triangulated at a target edge length. A lattice of near-equilateral triangles
-// is laid over the rectangle; only what lies near an outline is searched, changed or improved.
+// The complex that a scene starts from [thesis 5.6, 9]: a rectangle and any number of simple
+// polygons, each with its phase, triangulated at a target edge length. A lattice of
+// near-equilateral triangles is laid over the rectangle; only what lies near an outline is
+// searched, changed or improved.
 //
-// What comes out is a constrained Delaunay triangulation (up to `delaunay_slack`) whose interface is
-// the outlines and nothing else.
+// What comes out is a constrained Delaunay triangulation (up to `delaunay_slack`) whose interface
+// is the outlines and nothing else.
 #pragma once
 
 #include "dsc/complex/complex.h"

@@ -66,8 +66,8 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
                          text(least_edge_length) + " to " + text(1 / least_edge_length));
     }
     if (options.improve_rounds < 0) {
-        throw InputError("rounds of improvement", "options",
-                         std::to_string(options.improve_rounds), "0 or more");
+        throw InputError("rounds of improvement", "options", std::to_string(options.improve_rounds),
+                         "0 or more");
     }
     const Point<double> low = rounded<Real>(domain.low);
     const Point<double> high = rounded<Real>(domain.high);
@@ -126,11 +126,10 @@ void check_extent(const std::vector<Point<double>>& points, std::size_t shape,
         const double margin = std::min({p.x() - lattice.low.x(), lattice.high.x() - p.x(),
                                         p.y() - lattice.low.y(), lattice.high.y() - p.y()});
         if (!(margin >= least_margin * h)) {
-            throw InputError("the outline is not strictly inside the domain",
-                             vertex_name(shape, i), text(p),
-                             "a distance of at least " + text(least_margin * h) +
-                                 " to the sides of " + text(lattice.low) + " to " +
-                                 text(lattice.high));
+            throw InputError(
+                "the outline is not strictly inside the domain", vertex_name(shape, i), text(p),
+                "a distance of at least " + text(least_margin * h) + " to the sides of " +
+                    text(lattice.low) + " to " + text(lattice.high));
         }
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
@@ -182,9 +181,10 @@ std::vector<Point<double>> check_shape(const Shape& shape, std::size_t index,
 // By the turn at the lowest of the leftmost vertices, which is convex in a simple polygon. 0 there:
 // the edges overlap, which the sweep reports.
 bool is_counter_clockwise(const std::vector<Point<double>>& points) {
-    const auto at = std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
-        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-    });
+    const auto at =
+        std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
+            return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+        });
     const auto before = at == points.begin() ? std::prev(points.end()) : std::prev(at);
     const auto after = std::next(at) == points.end() ? points.begin() : std::next(at);
     return orientation<double>(*before, *at, *after) >= 0;
@@ -225,8 +225,7 @@ CutOutline cut(const std::vector<Point<double>>& given, const std::vector<Point<
 [[noreturn]] void refuse_contact(const Contact& contact, std::uint32_t edge,
                                  std::uint32_t other_edge) {
     const bool same = contact.polygon == contact.other_polygon;
-    throw InputError(same ? "the outline crosses or touches itself"
-                          : "two outlines cross or touch",
+    throw InputError(same ? "the outline crosses or touches itself" : "two outlines cross or touch",
                      edge_name(contact.polygon, edge),
                      "contact with " + edge_name(contact.other_polygon, other_edge),
                      "outlines that are simple and apart");

@@ -157,7 +157,9 @@ std::size_t clear_lattice(Complex<Real>& complex, const Lattice& lattice,
             const Point<double>& b = outline.points[i + 1 < n ? i + 1 : 0];
             const double reach = clearance * (b - a).norm();
             const auto row_of = [&](double y) { return (y - lattice.low.y()) / lattice.height; };
-            const auto column_of = [&](double x) { return (x - lattice.low.x()) / lattice.spacing; };
+            const auto column_of = [&](double x) {
+                return (x - lattice.low.x()) / lattice.spacing;
+            };
             const std::uint32_t first_row =
                 clamped(std::floor(row_of(std::min(a.y(), b.y()) - reach)), 1, lattice.rows - 1);
             const std::uint32_t last_row =
@@ -167,10 +169,10 @@ std::size_t clear_lattice(Complex<Real>& complex, const Lattice& lattice,
                 if (last < 2) {
                     continue;
                 }
-                const std::uint32_t from = clamped(
-                    std::floor(column_of(std::min(a.x(), b.x()) - reach)), 1, last - 1);
-                const std::uint32_t to = clamped(
-                    std::ceil(column_of(std::max(a.x(), b.x()) + reach)) + 1, 1, last - 1);
+                const std::uint32_t from =
+                    clamped(std::floor(column_of(std::min(a.x(), b.x()) - reach)), 1, last - 1);
+                const std::uint32_t to =
+                    clamped(std::ceil(column_of(std::max(a.x(), b.x()) + reach)) + 1, 1, last - 1);
                 for (std::uint32_t column = from; column <= to; ++column) {
                     const std::uint32_t id = lattice.vertex(row, column);
                     if (squared_distance(lattice.x(row, column), lattice.y(row), a, b) <
@@ -186,9 +188,8 @@ std::size_t clear_lattice(Complex<Real>& complex, const Lattice& lattice,
 }
 
 template <class Real>
-std::vector<std::vector<std::uint32_t>> insert_outlines(Complex<Real>& complex,
-                                                        const Lattice& lattice,
-                                                        std::span<const Outline> outlines) {
+std::vector<std::vector<std::uint32_t>>
+insert_outlines(Complex<Real>& complex, const Lattice& lattice, std::span<const Outline> outlines) {
     std::vector<std::vector<std::uint32_t>> chains;
     std::vector<Corner> stack;
     for (const Outline& outline : outlines) {
@@ -220,9 +221,9 @@ template std::size_t clear_lattice(Complex<double>&, const Lattice&, std::span<c
                                    double);
 template std::size_t clear_lattice(Complex<float>&, const Lattice&, std::span<const Outline>,
                                    double);
-template std::vector<std::vector<std::uint32_t>>
-insert_outlines(Complex<double>&, const Lattice&, std::span<const Outline>);
-template std::vector<std::vector<std::uint32_t>>
-insert_outlines(Complex<float>&, const Lattice&, std::span<const Outline>);
+template std::vector<std::vector<std::uint32_t>> insert_outlines(Complex<double>&, const Lattice&,
+                                                                 std::span<const Outline>);
+template std::vector<std::vector<std::uint32_t>> insert_outlines(Complex<float>&, const Lattice&,
+                                                                 std::span<const Outline>);
 
 } // namespace dsc::initial

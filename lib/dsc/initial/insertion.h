@@ -45,8 +45,7 @@ std::size_t clear_lattice(Complex<Real>& complex, const Lattice& lattice,
 
 /// Inserts all vertices of the outlines; for each outline the ids of its vertices, in order.
 template <class Real>
-std::vector<std::vector<std::uint32_t>> insert_outlines(Complex<Real>& complex,
-                                                        const Lattice& lattice,
-                                                        std::span<const Outline> outlines);
+std::vector<std::vector<std::uint32_t>>
+insert_outlines(Complex<Real>& complex, const Lattice& lattice, std::span<const Outline> outlines);
 
 } // namespace dsc::initial

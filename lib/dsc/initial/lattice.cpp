@@ -70,8 +70,7 @@ std::uint32_t Lattice::triangle_near(const Point<double>& point) const {
     const double strip = std::floor((point.y() - low.y()) / height);
     const double place = std::floor(2.0 * (point.x() - low.x()) / spacing);
     const auto clamp = [](double value, std::uint32_t count) {
-        return static_cast<std::uint32_t>(
-            std::clamp(value, 0.0, static_cast<double>(count) - 1.0));
+        return static_cast<std::uint32_t>(std::clamp(value, 0.0, static_cast<double>(count) - 1.0));
     };
     return first_triangle(clamp(strip, rows)) + clamp(place, triangles_in_strip());
 }
@@ -91,8 +90,8 @@ Lattice fit_lattice(const Point<double>& low, const Point<double>& high, double 
 
 template <class Real>
 void write_lattice(const Lattice& lattice, std::size_t spare_vertices, Complex<Real>& complex) {
-    const std::size_t vertex_total = lattice.vertex(lattice.rows, 0) +
-                                     lattice.vertices_in_row(lattice.rows);
+    const std::size_t vertex_total =
+        lattice.vertex(lattice.rows, 0) + lattice.vertices_in_row(lattice.rows);
     const std::size_t triangle_total = std::size_t{lattice.rows} * lattice.triangles_in_strip();
     complex.reserve(vertex_total + spare_vertices, triangle_total + 2 * spare_vertices);
     for (std::uint32_t row = 0; row <= lattice.rows; ++row) {

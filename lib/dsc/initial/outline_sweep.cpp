@@ -64,7 +64,9 @@ private:
         return precedes(points_[e], points_[next_[e]]);
     }
     [[nodiscard]] std::uint32_t left(std::uint32_t e) const { return runs_right(e) ? e : next_[e]; }
-    [[nodiscard]] std::uint32_t right(std::uint32_t e) const { return runs_right(e) ? next_[e] : e; }
+    [[nodiscard]] std::uint32_t right(std::uint32_t e) const {
+        return runs_right(e) ? next_[e] : e;
+    }
     [[nodiscard]] int side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
         return orientation<double>(points_[a], points_[b], points_[c]);
     }
@@ -72,8 +74,8 @@ private:
     void report(std::uint32_t one, std::uint32_t other) {
         if (!result_.contact) {
             const auto [s, t] = std::minmax(one, other);
-            result_.contact = Contact{polygon_[s], s - first_[polygon_[s]], polygon_[t],
-                                      t - first_[polygon_[t]]};
+            result_.contact =
+                Contact{polygon_[s], s - first_[polygon_[s]], polygon_[t], t - first_[polygon_[t]]};
         }
     }
 

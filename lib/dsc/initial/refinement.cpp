@@ -75,8 +75,7 @@ Point<double> circumcentre(const Complex<Real>& complex, std::uint32_t triangle)
 
 // The new vertex, or no_id where the centre lies beyond the interface or too near to it.
 template <class Real>
-std::uint32_t break_up(Complex<Real>& complex, std::uint32_t triangle,
-                       std::vector<Corner>& stack) {
+std::uint32_t break_up(Complex<Real>& complex, std::uint32_t triangle, std::vector<Corner>& stack) {
     const Point<double> centre = circumcentre(complex, triangle);
     if (!std::isfinite(centre.x()) || !std::isfinite(centre.y())) {
         return no_id;
@@ -148,7 +147,8 @@ std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone) 
 }
 
 template <class Real>
-std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zone, double edge_length) {
+std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zone,
+                       double edge_length) {
     std::size_t inserted = 0;
     std::vector<Corner> stack;
     for (const std::uint32_t v : zone) {

@@ -17,6 +17,7 @@ std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone);
 
 /// Splits inner edges that are much longer than the target. Returns the number of new vertices.
 template <class Real>
-std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zone, double edge_length);
+std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zone,
+                       double edge_length);
 
 } // namespace dsc::initial

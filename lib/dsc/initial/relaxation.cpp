@@ -40,8 +40,7 @@ Freedom freedom_of(const Ring<Real>& ring) {
     if (ring.y[0] == ring.y0 && ring.y_next[last] == ring.y0) {
         return Freedom::horizontal;
     }
-    return ring.x[0] == ring.x0 && ring.x_next[last] == ring.x0 ? Freedom::vertical
-                                                                : Freedom::none;
+    return ring.x[0] == ring.x0 && ring.x_next[last] == ring.x0 ? Freedom::vertical : Freedom::none;
 }
 
 // The best place found so far for the centre of a star.
@@ -53,9 +52,8 @@ struct Trial {
     double quality;
 
     bool offer(double x, double y) {
-        const Point<Real> point(
-            freedom == Freedom::vertical ? ring.x0 : narrowed<Real>(x),
-            freedom == Freedom::horizontal ? ring.y0 : narrowed<Real>(y));
+        const Point<Real> point(freedom == Freedom::vertical ? ring.x0 : narrowed<Real>(x),
+                                freedom == Freedom::horizontal ? ring.y0 : narrowed<Real>(y));
         const double worst = worst_quality_at(ring, point.template cast<double>());
         if (worst > quality + least_gain && fits(ring, point)) {
             quality = worst;
@@ -153,7 +151,8 @@ std::size_t smooth(Complex<Real>& complex, std::span<const std::uint32_t> zone) 
 }
 
 template <class Real>
-std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone, double edge_length) {
+std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone,
+                     double edge_length) {
     std::size_t collapses = 0;
     Ring<Real> ring;
     std::vector<Corner> stack;

@@ -11,15 +11,16 @@
 
 namespace dsc::initial {
 
-/// Moves the unsettled vertices among those given that lie inside one phase, and those on the domain
-/// boundary along its straight sides; settles those that it leaves. Returns the number of moves. All
-/// edges stay constrained Delaunay.
+/// Moves the unsettled vertices among those given that lie inside one phase, and those on the
+/// domain boundary along its straight sides; settles those that it leaves. Returns the number of
+/// moves. All edges stay constrained Delaunay.
 template <class Real>
 std::size_t smooth(Complex<Real>& complex, std::span<const std::uint32_t> zone);
 
 /// Collapses such vertices into a neighbour where their triangles are poor and crowded. Returns the
 /// number of collapses. All edges stay constrained Delaunay.
 template <class Real>
-std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone, double edge_length);
+std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone,
+                     double edge_length);
 
 } // namespace dsc::initial

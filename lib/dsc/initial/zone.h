@@ -14,8 +14,8 @@ namespace dsc::initial {
 inline constexpr std::uint32_t unsettled = no_id;
 inline constexpr std::uint32_t settled = 0;
 
-/// The unsettled vertices within a few edges of the interface, and beyond these wherever short edges
-/// have not yet grown to the target; the interface first. O(vertices near the interface).
+/// The unsettled vertices within a few edges of the interface, and beyond these wherever short
+/// edges have not yet grown to the target; the interface first. O(vertices near the interface).
 template <class Real>
 std::vector<std::uint32_t> find_zone(Complex<Real>& complex,
                                      std::span<const std::uint32_t> interface_vertices,
