@@ -15,6 +15,7 @@
 #include <csignal>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 
 namespace {
 
@@ -29,7 +30,7 @@ struct Arguments {
     std::vector<std::string> settings;
     std::string strategy = "sequential";
     RunOptions run;
-    std::string json;
+    std::optional<std::string> json;
 };
 
 void list_scenes() {
@@ -75,16 +76,16 @@ int run(const Arguments& arguments) {
     options.strategy = parse_strategy(arguments.strategy);
     options.progress = isatty(STDERR_FILENO) != 0;
     options.interrupted = &interrupted;
-    if (!arguments.json.empty()) {
-        check_writable(arguments.json, "--json");
+    if (arguments.json) {
+        check_writable(*arguments.json, "--json");
     }
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
 
     const RunResult result = run_scene(scene, parameters, options);
     print_summary(result);
-    if (!arguments.json.empty()) {
-        write_file(arguments.json, to_json(result));
+    if (arguments.json) {
+        write_file(*arguments.json, to_json(result));
     }
     if (!result.gave_up.empty()) {
         std::cerr << "dsc_scene: gave up: " << result.gave_up << '\n';
@@ -118,6 +119,13 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1024));
     run_command->add_option("--frames", arguments.run.frames, "folder for .vtu and .pvd files");
     run_command->add_option("--json", arguments.json, "file for the result");
+    // CLI11 would only say that a command is missing.
+    const std::string command = argc > 1 ? argv[1] : "";
+    if (!command.starts_with('-') && command != "list" && command != "run") {
+        std::cerr << "dsc_scene: unknown command: got '" << command
+                  << "'; allowed: list, run (see dsc_scene --help)\n";
+        return 2;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -65,6 +65,8 @@ Limits Limits::read(const std::string& path) {
     Json json;
     try {
         json = Json::parse(read_file(path));
+    } catch (const Json::out_of_range& error) {
+        throw InputError("a number beyond all bounds", path, error.what(), "finite limits");
     } catch (const Json::parse_error& error) {
         throw InputError("not whole JSON", path, "an error at byte " + std::to_string(error.byte),
                          "a limits file, which this one may have been before it was cut off");

@@ -95,6 +95,13 @@ int main(int argc, char** argv) {
     run_command->add_option("--limits", arguments.limits, "the limits file");
     run_command->add_option("--out", arguments.out,
                             "folder for verify.json and verify.xml (default dsc_verify_out)");
+    // CLI11 would only say that a command is missing.
+    const std::string command = argc > 1 ? argv[1] : "";
+    if (!command.starts_with('-') && command != "list" && command != "run") {
+        std::cerr << "dsc_verify: unknown command: got '" << command
+                  << "'; allowed: list, run (see dsc_verify --help)\n";
+        return 2;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
