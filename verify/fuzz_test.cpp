@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random shapes in random flows, now and then wild ones: whatever is asked, every step ends, and ends
-// with a valid complex. The seeds are fixed; DSC_FUZZ_SEEDS=N runs N scenes of each kind, and
+// Random shapes in random flows, now and then wild ones: whatever is asked, every step ends, and
+// ends with a valid complex. The seeds are fixed; DSC_FUZZ_SEEDS=N runs N scenes of each kind, and
 // DSC_FUZZ_FIRST says where to begin.
 #include "random_scene.h"
 
@@ -111,8 +111,7 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
         }
         EXPECT_EQ(problem, "") << drawn.words << ", step " << step;
         EXPECT_LE(report.sub_steps, 60U) << drawn.words;
-        EXPECT_LE(report.passes,
-                  report.sub_steps * static_cast<std::uint32_t>(options.max_passes))
+        EXPECT_LE(report.passes, report.sub_steps * static_cast<std::uint32_t>(options.max_passes))
             << drawn.words;
         EXPECT_LE(report.held, report.unreached) << drawn.words;
         EXPECT_EQ(report.interface_vertices, simulation.interface().size()) << drawn.words;

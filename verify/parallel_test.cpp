@@ -59,8 +59,8 @@ Outcome simulate(std::uint64_t seed, const SlabOptions& slabs, bool sequential =
     Simulation<Real> simulation(complex, options, std::move(executor));
     Outcome outcome;
     for (int step = 0; step < 12; ++step) {
-        const auto report = simulation.step(velocity, static_cast<Real>(step) * Real(0.01),
-                                            Real(0.01));
+        const auto report =
+            simulation.step(velocity, static_cast<Real>(step) * Real(0.01), Real(0.01));
         outcome.counts += report.operations;
         outcome.unreached += report.unreached;
         outcome.hashes.push_back(mesh_hash(complex));
@@ -119,8 +119,7 @@ TEST_P(EverySlabbing, IsTheSequentialMethodWhereThereIsOneSlab) {
     const Outcome sequential = simulate<double>(2, slabs, true);
     EXPECT_EQ(one.red_slabs, 1U);
     EXPECT_EQ(one.unreached, sequential.unreached);
-    EXPECT_NEAR(static_cast<double>(one.counts.moves),
-                static_cast<double>(sequential.counts.moves),
+    EXPECT_NEAR(static_cast<double>(one.counts.moves), static_cast<double>(sequential.counts.moves),
                 0.05 * static_cast<double>(sequential.counts.moves));
 }
 
@@ -235,10 +234,9 @@ TEST(SlabExecutor, PassesOnWhatAVelocityThrows) {
         SlabOptions slabs;
         slabs.submeshes = 4;
         slabs.threads = threads;
-        Simulation<double> simulation(
-            complex, options,
-            std::make_unique<SlabExecutor<double>>(complex, options, default_algorithm<double>(),
-                                                   slabs));
+        Simulation<double> simulation(complex, options,
+                                      std::make_unique<SlabExecutor<double>>(
+                                          complex, options, default_algorithm<double>(), slabs));
         const Velocity<double> velocity = [](std::span<const Point<double>> positions, double,
                                              std::span<Point<double>> velocities) {
             for (std::size_t i = 0; i < positions.size(); ++i) {

@@ -15,8 +15,8 @@
 namespace dsc::scenes {
 namespace {
 
-const std::vector<std::string> all_keys{"h",         "dt",   "steps", "period", "integrator",
-                                        "insertion", "real", "seed"};
+const std::vector<std::string> all_keys{"h",          "dt",        "steps", "period",
+                                        "integrator", "insertion", "real",  "seed"};
 
 Parameters with(const std::string& key, const std::string& value) {
     Parameters parameters;
@@ -75,9 +75,9 @@ TEST_P(BadValue, IsRefusedWithKeyValueAndWhatIsAllowed) {
 std::vector<Bad> bad_values() {
     std::vector<Bad> list;
     for (const char* key : {"h", "dt", "period"}) {
-        for (const char* value : {"", " ", "abc", "0.1x", " 0.1", "0.1 ", "0", "-0.1", "nan", "NaN",
-                                  "-nan", "inf", "infinity", "1e999", "1e300", "1e-300", "0,1",
-                                  "0x1p-4", "+0.1", "--1", "1e"}) {
+        for (const char* value : {"",      " ",      "abc", "0.1x",   " 0.1", "0.1 ",     "0",
+                                  "-0.1",  "nan",    "NaN", "-nan",   "inf",  "infinity", "1e999",
+                                  "1e300", "1e-300", "0,1", "0x1p-4", "+0.1", "--1",      "1e"}) {
             list.push_back({key, value});
         }
     }
@@ -139,9 +139,9 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
         EXPECT_TRUE(std::isfinite(setup.dt) && setup.dt > 0);
         EXPECT_GT(setup.exact(0).area, 0);
     }
-    for (const char* name : {"translation", "scaling", "rotation-rectangle", "rotation-crescent",
-                             "vortex-square", "zalesak", "swirl", "single-vortex",
-                             "speedup-scaling", "speedup-four-circles"}) {
+    for (const char* name :
+         {"translation", "scaling", "rotation-rectangle", "rotation-crescent", "vortex-square",
+          "zalesak", "swirl", "single-vortex", "speedup-scaling", "speedup-four-circles"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
 }

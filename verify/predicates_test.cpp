@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The predicates against 128-bit integers. Coordinates that are integers times one power of two give
-// determinants that fit exactly, for every exponent that a double has; so the expected sign comes
-// from arithmetic that shares nothing with the predicates, neither filter nor rationals.
+// The predicates against 128-bit integers. Coordinates that are integers times one power of two
+// give determinants that fit exactly, for every exponent that a double has; so the expected sign
+// comes from arithmetic that shares nothing with the predicates, neither filter nor rationals.
 #include "dsc/base/predicates.h"
 
 #include <gtest/gtest.h>
@@ -64,8 +64,8 @@ class Sites {
 public:
     explicit Sites(std::uint64_t seed) : random_(seed) {}
     std::int64_t in(std::int64_t low, std::int64_t high) {
-        return low + static_cast<std::int64_t>(random_() %
-                                               static_cast<std::uint64_t>(high - low + 1));
+        return low +
+               static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(high - low + 1));
     }
     Site site(std::int64_t low, std::int64_t high) { return {in(low, high), in(low, high)}; }
 
@@ -76,7 +76,8 @@ private:
 // What a determinant in plain doubles says.
 int naive_orientation(Site a, Site b, Site c) {
     const auto d = [](std::int64_t value) { return static_cast<double>(value); };
-    const double det = (d(b.x) - d(a.x)) * (d(c.y) - d(a.y)) - (d(b.y) - d(a.y)) * (d(c.x) - d(a.x));
+    const double det =
+        (d(b.x) - d(a.x)) * (d(c.y) - d(a.y)) - (d(b.y) - d(a.y)) * (d(c.x) - d(a.x));
     return det > 0 ? 1 : (det < 0 ? -1 : 0);
 }
 
@@ -84,8 +85,8 @@ int naive_orientation(Site a, Site b, Site c) {
 Site near_line(Sites& sites, Site a, Site b, std::int64_t bound) {
     const auto t = static_cast<long double>(sites.in(-1000, 2000)) / 1000;
     const auto at = [&](std::int64_t p, std::int64_t q) {
-        const auto value = std::llround(static_cast<long double>(p) +
-                                        t * static_cast<long double>(q - p));
+        const auto value =
+            std::llround(static_cast<long double>(p) + t * static_cast<long double>(q - p));
         return std::clamp<std::int64_t>(value + sites.in(-1, 1), -bound, bound);
     };
     return {at(a.x, b.x), at(a.y, b.y)};
@@ -104,8 +105,8 @@ TEST(Orientation, AgreesOnNearlyCollinearPointsOfAnySize) {
         const int expected = wide_orientation(a, b, c);
         ++seen[static_cast<std::size_t>(expected + 1)];
         naive_wrong += naive_orientation(a, b, c) != expected ? 1 : 0;
-        ASSERT_EQ(orientation_of(a, b, c, 0), expected) << a.x << ' ' << a.y << ' ' << b.x << ' '
-                                                        << b.y << ' ' << c.x << ' ' << c.y;
+        ASSERT_EQ(orientation_of(a, b, c, 0), expected)
+            << a.x << ' ' << a.y << ' ' << b.x << ' ' << b.y << ' ' << c.x << ' ' << c.y;
         ASSERT_EQ(orientation_of(b, c, a, 0), expected);
         ASSERT_EQ(orientation_of(b, a, c, 0), -expected);
     }
@@ -163,8 +164,7 @@ TEST(Orientation, KnowsEveryPointOfTheGridNextToALine) {
         for (std::int64_t j = 0; j < 128; ++j) {
             // Left of the line that runs up to the right is above it.
             const int expected = j > i ? 1 : (j < i ? -1 : 0);
-            ASSERT_EQ(orientation_of({half + i, half + j}, b, c, -bits), expected)
-                << i << ' ' << j;
+            ASSERT_EQ(orientation_of({half + i, half + j}, b, c, -bits), expected) << i << ' ' << j;
         }
     }
 }

@@ -141,9 +141,9 @@ public:
         return [flow = *this](std::span<const Point<Real>> positions, Real time,
                               std::span<Point<Real>> velocities) {
             for (std::size_t i = 0; i < positions.size(); ++i) {
-                velocities[i] = flow.at(positions[i].template cast<double>(),
-                                        static_cast<double>(time))
-                                    .template cast<Real>();
+                velocities[i] =
+                    flow.at(positions[i].template cast<double>(), static_cast<double>(time))
+                        .template cast<Real>();
             }
         };
     }
@@ -160,10 +160,9 @@ private:
         Point<double> sum = Point<double>::Zero();
         for (const Wave& wave : waves_) {
             const Point<double> direction = wave.number / (1 + wave.number.norm());
-            const double value =
-                std::cos(wave.number.dot(p) + wave.phase + wave.frequency * time);
-            sum += value * (Point<double>(-direction.y(), direction.x()) +
-                            wave.potential * direction);
+            const double value = std::cos(wave.number.dot(p) + wave.phase + wave.frequency * time);
+            sum +=
+                value * (Point<double>(-direction.y(), direction.x()) + wave.potential * direction);
         }
         sum *= speed_;
         const bool inside = (p - centre_).norm() < 0.2;

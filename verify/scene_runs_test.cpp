@@ -168,13 +168,33 @@ TEST(RunScene, RefusesWhatDoesNotGoTogether) {
 TEST(RunScene, WritesTheContractsKeys) {
     const Scene& scene = find_scene("swirl");
     const auto json = nlohmann::json::parse(to_json(run_scene(scene, short_run(scene), {})));
-    for (const char* key :
-         {"scene", "parameters", "steps", "triangles_first", "triangles_last",
-          "interface_vertices_last", "area_first", "area_last", "area_exact_last", "area_ratio",
-          "sd_rel_last", "sd_rel_half", "hausdorff_last", "min_quality_last",
-          "min_angle_deg_last", "min_quality_ever", "inverted", "unreached", "operations",
-          "cpu_s", "wall_s", "step_us_median", "threads", "strategy", "mesh_hash", "commit",
-          "machine"}) {
+    for (const char* key : {"scene",
+                            "parameters",
+                            "steps",
+                            "triangles_first",
+                            "triangles_last",
+                            "interface_vertices_last",
+                            "area_first",
+                            "area_last",
+                            "area_exact_last",
+                            "area_ratio",
+                            "sd_rel_last",
+                            "sd_rel_half",
+                            "hausdorff_last",
+                            "min_quality_last",
+                            "min_angle_deg_last",
+                            "min_quality_ever",
+                            "inverted",
+                            "unreached",
+                            "operations",
+                            "cpu_s",
+                            "wall_s",
+                            "step_us_median",
+                            "threads",
+                            "strategy",
+                            "mesh_hash",
+                            "commit",
+                            "machine"}) {
         EXPECT_TRUE(json.contains(key)) << key;
     }
     EXPECT_EQ(json["scene"], "swirl");

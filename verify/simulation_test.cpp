@@ -208,9 +208,9 @@ void hold_half(double bad, double bad_from) {
 }
 
 TYPED_TEST(Driver, HoldsVerticesWhoseVelocityIsNotFinite) {
-    for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
-                             std::numeric_limits<double>::infinity(),
-                             -std::numeric_limits<double>::infinity()}) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+          -std::numeric_limits<double>::infinity()}) {
         hold_half<TypeParam>(bad, 0.0);
         hold_half<TypeParam>(bad, 0.1); // the stages of the integrator meet it first
     }
@@ -312,7 +312,8 @@ TYPED_TEST(Driver, RefusesOptionsThatMakeNoSense) {
         {"phases.longest", [](auto& o) { o.phases.longest = 2 * o.phases.shortest; }},
         {"phases.longest", [&](auto& o) { o.phases.longest = nan; }},
         {"phases.shortest", [](auto& o) { o.phases.shortest = -1; }},
-        {"phases.collapse_quality", [](auto& o) {
+        {"phases.collapse_quality",
+         [](auto& o) {
              o.per_phase.resize(2);
              o.per_phase[1].collapse_quality = 2;
          }},
@@ -360,8 +361,7 @@ TYPED_TEST(Driver, RunsTheApplicationsPassesInsteadOfTheDefault) {
         .motion = {noting("move", &move_vertices<Real>),
                    noting("forget", [](Work<Real>& work) { work.active.clear(); })}};
     Simulation<Real> simulation(
-        complex, options,
-        std::make_unique<SequentialExecutor<Real>>(complex, options, algorithm));
+        complex, options, std::make_unique<SequentialExecutor<Real>>(complex, options, algorithm));
     const StepReport report = simulation.step(constant<Real>(0.02, 0), 0, 1);
     EXPECT_EQ(calls, (std::vector<std::string>{"upkeep", "move", "forget"}));
     EXPECT_EQ(report.operations.moves, simulation.interface().size());
@@ -458,7 +458,8 @@ TYPED_TEST(Driver, CarriesAJunctionOfThreePhases) {
         constexpr double pi = std::numbers::pi;
         const double sx = std::sin(pi * p.x());
         const double sy = std::sin(pi * p.y());
-        return Point<double>(sx * sx * std::sin(2 * pi * p.y()), -sy * sy * std::sin(2 * pi * p.x()));
+        return Point<double>(sx * sx * std::sin(2 * pi * p.y()),
+                             -sy * sy * std::sin(2 * pi * p.x()));
     });
     std::uint64_t unreached = 0;
     for (int step = 0; step < 60; ++step) {

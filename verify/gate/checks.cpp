@@ -17,12 +17,8 @@ using scenes::RunResult;
 using scenes::Strategy;
 using Names = std::vector<std::string>;
 
-const Names compared{"scaling",
-                     "translation",
-                     "rotation-rectangle",
-                     "speedup-four-circles",
-                     "swirl",
-                     "single-vortex"};
+const Names compared{"scaling", "translation",  "rotation-rectangle", "speedup-four-circles",
+                     "swirl",   "single-vortex"};
 
 Names every_scene() {
     Names names;
@@ -57,8 +53,7 @@ double distinct_hashes(Runs& runs, const std::string& scene) {
         std::set<std::uint64_t> hashes;
         std::set<std::map<std::string, std::uint64_t>> counts;
         for (const std::uint32_t threads : {1U, 2U, 3U, 5U}) {
-            const RunResult& r =
-                finished(runs.get({scene, Size::coarse, strategy, threads}));
+            const RunResult& r = finished(runs.get({scene, Size::coarse, strategy, threads}));
             hashes.insert(r.mesh_hash);
             counts.insert(r.operations);
         }
@@ -72,14 +67,22 @@ using Difference = std::function<double(const RunResult&, const RunResult&)>;
 
 Check of_sequential(std::string name, std::string description, std::string unit, bool at_least,
                     Names scenes, Figure figure) {
-    return {std::move(name), std::move(description), std::move(unit), at_least, std::move(scenes),
+    return {std::move(name),
+            std::move(description),
+            std::move(unit),
+            at_least,
+            std::move(scenes),
             [figure = std::move(figure)](Runs& runs, const std::string& scene) {
                 return figure(finished(runs.get({scene})));
             }};
 }
 
 Check against_parallel(std::string name, std::string description, Difference difference) {
-    return {std::move(name), std::move(description), "1", false, compared,
+    return {std::move(name),
+            std::move(description),
+            "1",
+            false,
+            compared,
             [difference = std::move(difference)](Runs& runs, const std::string& scene) {
                 const RunResult& sequential = finished(runs.get({scene}));
                 return difference(finished(runs.get(parallel(scene))), sequential);
@@ -87,11 +90,15 @@ Check against_parallel(std::string name, std::string description, Difference dif
 }
 
 Check against_reference(std::string name, std::string description, Difference difference) {
-    return {std::move(name), std::move(description), "1", false, compared,
+    return {std::move(name),
+            std::move(description),
+            "1",
+            false,
+            compared,
             [difference = std::move(difference)](Runs& runs, const std::string& scene) {
                 const RunResult& library = finished(runs.get({scene, Size::coarse}));
-                return difference(
-                    library, finished(runs.get({scene, Size::coarse, Strategy::reference})));
+                return difference(library,
+                                  finished(runs.get({scene, Size::coarse, Strategy::reference})));
             }};
 }
 
@@ -222,8 +229,7 @@ Row judge(const Check& check, const std::string& scene, const Limits& limits, Ru
     } catch (const std::exception& error) {
         row.failure = error.what();
     }
-    row.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return row;
 }
 

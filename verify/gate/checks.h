@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the gate checks: each check measures one figure of each of its scenes, and a limit judges it.
+// What the gate checks: each check measures one figure of each of its scenes, and a limit judges
+// it.
 #pragma once
 
 #include "limits.h"
@@ -15,7 +16,7 @@ namespace dsc::gate {
 struct Check {
     std::string name;
     std::string description;
-    std::string unit; ///< "1" for a ratio
+    std::string unit;      ///< "1" for a ratio
     bool at_least = false; ///< the limit is a lower one
     std::vector<std::string> scenes;
     std::function<double(Runs& runs, const std::string& scene)> measure;

@@ -83,8 +83,7 @@ Limits Limits::read(const std::string& path) {
             throw InputError("no limits", path + ": " + check, shortened(scenes), allowed);
         }
         for (const auto& [scene, entry] : scenes.items()) {
-            limits.limits_[{check, scene}] =
-                read_limit(entry, path + ": " + check + ", " + scene);
+            limits.limits_[{check, scene}] = read_limit(entry, path + ": " + check + ", " + scene);
         }
     }
     return limits;

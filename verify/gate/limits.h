@@ -16,8 +16,8 @@ struct Limit {
 
 class Limits {
 public:
-    /// {"limits": {CHECK: {SCENE: {"value": 1e-3, "note": "..."}}}}. Throws FileError where the file
-    /// cannot be read, InputError where it is not whole or holds something else.
+    /// {"limits": {CHECK: {SCENE: {"value": 1e-3, "note": "..."}}}}. Throws FileError where the
+    /// file cannot be read, InputError where it is not whole or holds something else.
     static Limits read(const std::string& path);
 
     /// Throws InputError where there is none.

@@ -48,7 +48,8 @@ std::string xml(std::string text) {
 
 void print_heading(std::ostream& out) {
     out << std::left << std::setw(30) << "check" << std::setw(22) << "scene" << std::right
-        << std::setw(12) << "measured" << std::setw(14) << "limit" << "  verdict\n";
+        << std::setw(12) << "measured" << std::setw(14) << "limit"
+        << "  verdict\n";
 }
 
 void print_row(std::ostream& out, const Row& row) {
@@ -121,9 +122,8 @@ std::string to_junit(const std::vector<Row>& rows) {
             continue;
         }
         const std::string message =
-            row.failure.empty()
-                ? "measured " + measured_text(row) + ", limit " + limit_text(row)
-                : row.failure;
+            row.failure.empty() ? "measured " + measured_text(row) + ", limit " + limit_text(row)
+                                : row.failure;
         text += "><failure message=\"" + xml(message) + "\"/></testcase>\n";
     }
     return text + "</testsuite>\n</testsuites>\n";

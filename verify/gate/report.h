@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The gate's result as a table for people, JSON for plots, and JUnit XML for continuous integration.
+// The gate's result as a table for people, JSON for plots, and JUnit XML for continuous
+// integration.
 #pragma once
 
 #include "checks.h"
