@@ -88,27 +88,25 @@ private:
                 return;
             }
             ++work_.counts.examined;
-            if (has_non_delaunay_spoke(ring_) && flip_spokes()) {
+            const StarReport<Real> star = examine(ring_);
+            if (star.delaunay < 0 && flip_spokes()) {
                 continue;
             }
             const Limits limit = limits(ring_.phase[0]);
             const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
-            const SpokeLengths<Real> lengths = spoke_lengths_squared(ring_);
             if (may_move) {
-                const Real quality = worst_quality_squared(ring_, ring_.x0, ring_.y0);
-                const bool poor = quality < limit.collapse;
-                if ((poor || lengths.shortest < limit.shortest) &&
-                    collapse(quality, limit, lengths)) {
+                const bool poor = star.quality < limit.collapse;
+                if ((poor || star.shortest < limit.shortest) && collapse(star, limit)) {
                     return;
                 }
-                if (quality < limit.smooth && smooth(v, quality)) {
+                if (star.quality < limit.smooth && smooth(v, star.quality)) {
                     continue_edges();
                     return;
                 }
             }
             // About an interface vertex phases differ, and so may their limits.
             const bool mixed = !ring_.one_phase && !work_.options.per_phase.empty();
-            if ((mixed || lengths.longest > limit.longest) && split_longest(limit, mixed)) {
+            if ((mixed || star.longest > limit.longest) && split_longest(limit, mixed)) {
                 continue;
             }
             return;
@@ -120,23 +118,38 @@ private:
         const std::uint64_t before = work_.counts.flips;
         work_.suspects.clear();
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
-            work_.suspects.push_back(prev(ring_.corner[i]));
+            if (is_non_delaunay_spoke(ring_, i)) {
+                work_.suspects.push_back(prev(ring_.corner[i]));
+            }
         }
         drain();
         return work_.counts.flips != before;
     }
 
-    // The edges of the ring's triangles, after its centre moved: the spokes on all lanes at once.
+    // The edges of the ring's triangles, after its centre moved: what the ring knows is not looked
+    // up again, and only edges that fail are handed on.
     void continue_edges() {
         work_.suspects.clear();
         const bool spokes = has_non_delaunay_spoke(ring_);
+        const Point<Real> centre(ring_.x0, ring_.y0);
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
-            work_.suspects.push_back(ring_.corner[i]);
-            if (spokes) {
+            const Corner across = complex_.twin(ring_.corner[i]);
+            if (complex_.phase_at(across) == ring_.phase[i] &&
+                !is_delaunay<Real>(centre, {ring_.x[i], ring_.y[i]}, apex(across),
+                                   {ring_.x_next[i], ring_.y_next[i]})) {
+                work_.suspects.push_back(ring_.corner[i]);
+            }
+            if (spokes && is_non_delaunay_spoke(ring_, i)) {
                 work_.suspects.push_back(prev(ring_.corner[i]));
             }
         }
         drain();
+    }
+
+    /// The vertex at a corner, which another submesh may own and move.
+    Point<Real> apex(Corner corner) const {
+        const auto& record = complex_.vertices[complex_.vertex(corner)];
+        return {read_shared(record.x), read_shared(record.y)};
     }
 
     void drain() {
@@ -170,14 +183,14 @@ private:
 
     // --- coarsening ---------------------------------------------------------------------------
     /// Collapses the centre into the link vertex that leaves the best triangles.
-    bool collapse(Real quality, const Limits& limit, const SpokeLengths<Real>& lengths) {
+    bool collapse(const StarReport<Real>& star, const Limits& limit) {
         if (ring_.size < 4) {
             // Degree three: the link is the triangle that will stand there.
             return ring_.size == 3 && finish_collapse(0);
         }
         // A short spoke may cost quality, down to where it would be collapsed for that again.
-        const bool is_short = lengths.shortest < limit.shortest;
-        Real best = is_short ? std::min(quality, limit.collapse) : quality;
+        const bool is_short = star.shortest < limit.shortest;
+        Real best = is_short ? std::min(star.quality, limit.collapse) : star.quality;
         std::uint32_t best_spoke = no_id;
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             const Real after = worst_quality_squared_after_collapse(ring_, i);

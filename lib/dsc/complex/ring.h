@@ -26,11 +26,15 @@ struct Ring {
 
     // Triangle i is the centre, (x, y)[i] and (x_next, y_next)[i], counter-clockwise; the padding
     // repeats triangle 0. These are the link vertices i and i + 1; link[size] closes the ring, or
-    // is the last vertex of an open one.
+    // is the last vertex of an open one. Before spoke 0 of an open ring there is nothing: its
+    // (x_previous, y_previous) is link vertex 0 itself. Neighbours are stored, not shuffled: a
+    // vector that is loaded across two fresh stores waits for both.
     alignas(64) std::array<Real, room> x;
     alignas(64) std::array<Real, room> y;
     alignas(64) std::array<Real, room> x_next;
     alignas(64) std::array<Real, room> y_next;
+    alignas(64) std::array<Real, room> x_previous;
+    alignas(64) std::array<Real, room> y_previous;
     std::array<std::uint32_t, room> link;
     std::array<Corner, room> corner; ///< of the centre in triangle i
     std::array<Phase, room> phase;   ///< of triangle i
@@ -84,12 +88,20 @@ bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t ve
     }
     const auto put = [&](std::uint32_t i, std::uint32_t id) {
         const auto& record = vertices[id];
+        const Real x = whole ? record.x : read_shared(record.x);
+        const Real y = whole ? record.y : read_shared(record.y);
         ring.link[i] = id;
-        ring.x[i] = whole ? record.x : read_shared(record.x);
-        ring.y[i] = whole ? record.y : read_shared(record.y);
+        ring.x[i] = x;
+        ring.y[i] = y;
+        ring.x_previous[i + 1] = x;
+        ring.y_previous[i + 1] = y;
+        if (i > 0) {
+            ring.x_next[i - 1] = x;
+            ring.y_next[i - 1] = y;
+        }
         if (!whole) {
-            owned = owned &&
-                    region.owns(id, static_cast<double>(ring.x[i]), static_cast<double>(ring.y[i]));
+            owned =
+                owned && region.owns(id, static_cast<double>(x), static_cast<double>(y));
         }
     };
 
@@ -144,16 +156,18 @@ bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t ve
         ring.link[n] = ring.link[0];
         ring.x[n] = ring.x[0];
         ring.y[n] = ring.y[0];
+        ring.x_next[n - 1] = ring.x[0];
+        ring.y_next[n - 1] = ring.y[0];
     }
-    for (std::uint32_t i = 0; i < n; ++i) {
-        ring.x_next[i] = ring.x[i + 1];
-        ring.y_next[i] = ring.y[i + 1];
-    }
+    ring.x_previous[0] = ring.x[closed ? n - 1 : 0];
+    ring.y_previous[0] = ring.y[closed ? n - 1 : 0];
     for (std::uint32_t i = n; i < ring.padded(); ++i) {
         ring.x[i] = ring.x[0];
         ring.y[i] = ring.y[0];
         ring.x_next[i] = ring.x_next[0];
         ring.y_next[i] = ring.y_next[0];
+        ring.x_previous[i] = ring.x_previous[0];
+        ring.y_previous[i] = ring.y_previous[0];
     }
     return true;
 }

@@ -75,39 +75,6 @@ Real worst_quality_squared_after_collapse(const Ring<Real>& ring, std::uint32_t 
     return worst == harmless ? worst : worst * Real(4.0 / 3.0);
 }
 
-/// Squared lengths of the longest and the shortest spoke.
-template <class Real>
-struct SpokeLengths {
-    Real longest;
-    Real shortest;
-};
-
-template <class Real>
-SpokeLengths<Real> spoke_lengths_squared(const Ring<Real>& ring) {
-    Real longest = 0;
-    Real shortest = std::numeric_limits<Real>::max();
-    const std::uint32_t n = ring.padded();
-    const Real* x = ring.x.data();
-    const Real* y = ring.y.data();
-    const Real px = ring.x0;
-    const Real py = ring.y0;
-#pragma omp simd reduction(max : longest) reduction(min : shortest)
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = x[i] - px;
-        const Real ay = y[i] - py;
-        const Real aa = ax * ax + ay * ay;
-        longest = std::max(longest, aa);
-        shortest = std::min(shortest, aa);
-    }
-    if (!ring.closed) {
-        const Real ax = ring.link_x(ring.size) - px;
-        const Real ay = ring.link_y(ring.size) - py;
-        longest = std::max(longest, ax * ax + ay * ay);
-        shortest = std::min(shortest, ax * ax + ay * ay);
-    }
-    return {longest, shortest};
-}
-
 /// True if every triangle with the centre at (px, py) is certainly positive; false sends the caller
 /// to the exact predicate.
 template <class Real>
@@ -132,51 +99,87 @@ bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
     return least > 0 && scale > guard;
 }
 
-/// True if a spoke of a closed or open ring fails the Delaunay test by more than the slack: the
-/// angles opposite to it add up to more than pi. Constrained spokes are not told apart.
+/// What a mesh update asks of a star, found in one go.
 template <class Real>
-bool has_non_delaunay_spoke(const Ring<Real>& ring) {
-    alignas(64) std::array<Real, Ring<Real>::room> area;
-    alignas(64) std::array<Real, Ring<Real>::room> dot_first;  // angle at link vertex i
-    alignas(64) std::array<Real, Ring<Real>::room> dot_second; // angle at link vertex i + 1
+struct StarReport {
+    Real delaunay; ///< below 0: a spoke fails the Delaunay test by more than the slack
+    Real longest;  ///< squared length of the longest spoke
+    Real shortest; ///< squared length of the shortest spoke
+    Real quality;  ///< as `worst_quality_squared`
+};
+
+/// Examines the star: Delaunay test of the spokes (the angles opposite to one add up to at most pi;
+/// constrained spokes are not told apart), their lengths, the worst quality. O(degree).
+template <class Real>
+StarReport<Real> examine(const Ring<Real>& ring) {
+    constexpr Real most = std::numeric_limits<Real>::max();
+    Real delaunay = 0;
+    Real longest = 0;
+    Real shortest = most;
+    Real worst = most;
     const std::uint32_t n = ring.padded();
     const Real* x = ring.x.data();
     const Real* y = ring.y.data();
     const Real* x_next = ring.x_next.data();
     const Real* y_next = ring.y_next.data();
+    const Real* x_previous = ring.x_previous.data();
+    const Real* y_previous = ring.y_previous.data();
     const Real px = ring.x0;
     const Real py = ring.y0;
-    Real* areas = area.data() + 1;
-    Real* firsts = dot_first.data() + 1;
-    Real* seconds = dot_second.data() + 1;
-#pragma omp simd
+#pragma omp simd reduction(min : delaunay, shortest, worst) reduction(max : longest)
     for (std::uint32_t i = 0; i < n; ++i) {
         const Real ax = x[i] - px;
         const Real ay = y[i] - py;
         const Real bx = x_next[i] - px;
         const Real by = y_next[i] - py;
+        const Real ex = x_previous[i] - px;
+        const Real ey = y_previous[i] - py;
         const Real cx = bx - ax;
         const Real cy = by - ay;
-        areas[i] = ax * by - ay * bx;
-        firsts[i] = -(ax * cx + ay * cy);
-        seconds[i] = bx * cx + by * cy;
+        const Real fx = ax - ex;
+        const Real fy = ay - ey;
+        const Real area = ax * by - ay * bx;
+        const Real area_before = ex * ay - ey * ax;
+        // Spoke i: its far angles at the previous and at the next link vertex.
+        const Real one = -(area * (ex * fx + ey * fy));
+        const Real two = area_before * (bx * cx + by * cy);
+        delaunay =
+            std::min(delaunay, one + two + delaunay_slack<Real> * (std::abs(one) + std::abs(two)));
+        const Real aa = ax * ax + ay * ay;
+        const Real bb = bx * bx + by * by;
+        const Real cc = cx * cx + cy * cy;
+        longest = std::max(longest, aa);
+        shortest = std::min(shortest, aa);
+        const Real side = std::min(aa, std::min(bb, cc));
+        worst = std::min(worst, (area * std::abs(area)) * side / (aa * bb * cc));
     }
-    const std::uint32_t size = ring.size;
-    const std::uint32_t begin = ring.closed ? 0 : 1;
-    if (ring.closed) {
-        area[0] = areas[size - 1];
-        dot_first[0] = firsts[size - 1];
-        dot_second[0] = seconds[size - 1];
+    if (!ring.closed) {
+        const Real ax = ring.link_x(ring.size) - px;
+        const Real ay = ring.link_y(ring.size) - py;
+        longest = std::max(longest, ax * ax + ay * ay);
+        shortest = std::min(shortest, ax * ax + ay * ay);
     }
-    Real worst = 0;
-#pragma omp simd reduction(min : worst)
-    for (std::uint32_t i = begin; i < size; ++i) {
-        // Spoke i lies between triangle i - 1 (its far angle at vertex i - 1) and triangle i.
-        const Real one = area[i + 1] * dot_first[i];
-        const Real two = area[i] * dot_second[i + 1];
-        worst = std::min(worst, one + two + delaunay_slack<Real> * (std::abs(one) + std::abs(two)));
-    }
-    return worst < 0;
+    return {delaunay, longest, shortest, worst * Real(4.0 / 3.0)};
+}
+
+/// True if spoke i fails that test; not for spokes on the domain boundary.
+template <class Real>
+bool is_non_delaunay_spoke(const Ring<Real>& ring, std::uint32_t i) {
+    const Real ax = ring.x[i] - ring.x0;
+    const Real ay = ring.y[i] - ring.y0;
+    const Real bx = ring.x_next[i] - ring.x0;
+    const Real by = ring.y_next[i] - ring.y0;
+    const Real ex = ring.x_previous[i] - ring.x0;
+    const Real ey = ring.y_previous[i] - ring.y0;
+    const Real one = -((ax * by - ay * bx) * (ex * (ax - ex) + ey * (ay - ey)));
+    const Real two = (ex * ay - ey * ax) * (bx * (bx - ax) + by * (by - ay));
+    return one + two + delaunay_slack<Real> * (std::abs(one) + std::abs(two)) < 0;
+}
+
+/// Whether a spoke fails the Delaunay test, alone. O(degree).
+template <class Real>
+bool has_non_delaunay_spoke(const Ring<Real>& ring) {
+    return examine(ring).delaunay < 0;
 }
 
 } // namespace dsc
