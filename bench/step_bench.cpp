@@ -44,8 +44,9 @@ struct Case {
 scenes::RunOptions run_options(const Case& c, std::uint32_t threads) {
     scenes::RunOptions options;
     options.strategy = c.strategy;
-    options.submeshes = c.submeshes;
-    options.threads = threads;
+    options.submeshing.submeshes = c.submeshes;
+    options.submeshing.threads = threads;
+    options.submeshing.always_all_threads = true;
     return options;
 }
 
@@ -199,9 +200,9 @@ void register_steps() {
                 add({family, triangles, Strategy::reference});
             }
             add({family, triangles, Strategy::sequential});
-            for (const Strategy strategy : {Strategy::counting}) {
+            for (const Strategy strategy : {Strategy::fixed, Strategy::counting, Strategy::active, Strategy::blocks, Strategy::cells}) {
                 for (const std::uint32_t threads : thread_counts()) {
-                    add({family, triangles, strategy, std::max(slabs, threads), threads});
+                    add({family, triangles, strategy, strategy == Strategy::cells ? (getenv("CELLS") ? std::uint32_t(std::strtoul(getenv("CELLS"),nullptr,10)) : 0U) : std::max(slabs, threads), threads});
                 }
             }
         }

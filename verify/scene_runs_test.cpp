@@ -58,7 +58,7 @@ TEST_P(EveryScene, IsValidAfterEveryStep) {
     const Parameters parameters = coarse_parameters(scene);
     RunOptions options;
     options.strategy = GetParam().strategy;
-    options.submeshes = 4;
+    options.submeshing.submeshes = 4;
     int looked_at = 0;
     std::uint64_t hash = 0;
     std::uint64_t triangles = 0;
@@ -150,12 +150,12 @@ TEST(RunScene, EndsWhenInterrupted) {
 TEST(RunScene, RefusesWhatDoesNotGoTogether) {
     const Scene& scene = find_scene("swirl");
     RunOptions options;
-    options.threads = 2;
+    options.submeshing.threads = 2;
     EXPECT_THROW((void)run_scene(scene, short_run(scene), options), InputError);
     options.strategy = Strategy::reference;
     EXPECT_THROW((void)run_scene(scene, short_run(scene), options), InputError);
     options.strategy = Strategy::counting;
-    options.submeshes = 0;
+    options.submeshing.submeshes = 0;
     EXPECT_THROW((void)run_scene(scene, short_run(scene), options), InputError);
     EXPECT_THROW((void)parse_strategy("cubes"), InputError);
     EXPECT_THROW((void)find_scene("swril"), InputError);

@@ -36,7 +36,11 @@
 #include "dsc/algorithm/options.h"
 #include "dsc/algorithm/thesis_algorithm.h"
 
-#include "dsc/parallel/slab_executor.h"
+#include "dsc/parallel/blocks.h"
+#include "dsc/parallel/cells.h"
+#include "dsc/parallel/places.h"
+#include "dsc/parallel/slabs.h"
+#include "dsc/parallel/submesh_executor.h"
 
 #include "dsc/io/svg.h"
 #include "dsc/io/vtu.h"

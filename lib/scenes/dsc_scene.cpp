@@ -12,6 +12,8 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <charconv>
+#include <cmath>
 #include <csignal>
 #include <iomanip>
 #include <iostream>
@@ -29,6 +31,7 @@ struct Arguments {
     std::string scene;
     std::vector<std::string> settings;
     std::string strategy = "sequential";
+    std::string angle = "0";
     RunOptions run;
     std::optional<std::string> json;
 };
@@ -61,6 +64,19 @@ void print_summary(const RunResult& r) {
               << r.peak_memory_mb << " MB\n";
 }
 
+void parse_angle(const std::string& angle, Submeshing& submeshing) {
+    if (angle == "shape") {
+        submeshing.follow_shape = true;
+        return;
+    }
+    const char* end = angle.data() + angle.size();
+    const auto [stop, error] = std::from_chars(angle.data(), end, submeshing.degrees);
+    if (error != std::errc{} || stop != end || !std::isfinite(submeshing.degrees)) {
+        throw dsc::InputError("not a direction", "--angle", "'" + angle + "'",
+                              "degrees from the x axis, or shape");
+    }
+}
+
 int run(const Arguments& arguments) {
     const Scene& scene = find_scene(arguments.scene);
     Parameters parameters = scene.defaults;
@@ -74,6 +90,7 @@ int run(const Arguments& arguments) {
     }
     RunOptions options = arguments.run;
     options.strategy = parse_strategy(arguments.strategy);
+    parse_angle(arguments.angle, options.submeshing);
     options.progress = isatty(STDERR_FILENO) != 0;
     options.interrupted = &interrupted;
     if (arguments.json) {
@@ -112,10 +129,17 @@ int main(int argc, char** argv) {
     run_command->add_option("--set", arguments.settings, "key=value; may be repeated")
         ->allow_extra_args(false);
     run_command->add_option("--strategy", arguments.strategy,
-                            "sequential, fixed, counting, active or reference");
-    run_command->add_option("--submeshes", arguments.run.submeshes, "slabs (default 8)")
+                            "sequential, fixed, counting, active, blocks, cells, copy or "
+                            "reference");
+    run_command
+        ->add_option("--submeshes", arguments.run.submeshing.submeshes,
+                     "default: 8 slabs, 16 blocks, or as many cells as pay")
         ->check(CLI::Range(1, 65536));
-    run_command->add_option("--threads", arguments.run.threads, "threads (default 1)")
+    run_command
+        ->add_option("--angle", arguments.angle,
+                     "slabs are cut across this direction, in degrees from the x axis (default 0); "
+                     "shape: across the direction of the interface");
+    run_command->add_option("--threads", arguments.run.submeshing.threads, "threads (default 1)")
         ->check(CLI::Range(1, 1024));
     run_command->add_option("--frames", arguments.run.frames, "folder for .vtu and .pvd files");
     run_command->add_option("--json", arguments.json, "file for the result");

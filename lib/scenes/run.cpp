@@ -3,7 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
-#include "dsc/parallel/slab_executor.h"
+#include "dsc/algorithm/driver.h"
 #include "scenes/clock.h"
 #include "scenes/frames.h"
 #include "scenes/hausdorff.h"
@@ -82,7 +82,7 @@ public:
     }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     [[nodiscard]] std::uint64_t interface_vertices() const {
-        return simulation_->interface().size();
+        return simulation_->interface_size();
     }
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
 
@@ -225,29 +225,6 @@ void run_method(const Setup& setup, const Parameters& parameters, const RunOptio
 
 } // namespace
 
-std::string to_string(Strategy strategy) {
-    switch (strategy) {
-    case Strategy::sequential: return "sequential";
-    case Strategy::fixed: return "fixed";
-    case Strategy::counting: return "counting";
-    case Strategy::active: return "active";
-    case Strategy::reference: return "reference";
-    }
-    return "unknown";
-}
-
-Strategy parse_strategy(const std::string& name) {
-    std::string names;
-    for (const Strategy strategy : {Strategy::sequential, Strategy::fixed, Strategy::counting,
-                                    Strategy::active, Strategy::reference}) {
-        if (to_string(strategy) == name) {
-            return strategy;
-        }
-        names += (names.empty() ? "" : ", ") + to_string(strategy);
-    }
-    throw InputError("unknown strategy", "--strategy", "'" + name + "'", names);
-}
-
 template <class Real>
 Complex<Real> first_complex(const Setup& setup, const Parameters& parameters) {
     std::vector<Shape> shapes;
@@ -272,29 +249,17 @@ Options<Real> scene_options(const Parameters& parameters) {
 template <class Real>
 std::unique_ptr<Simulation<Real>>
 make_simulation(Complex<Real>& complex, const Options<Real>& options, const RunOptions& run) {
-    SlabOptions slabs;
-    slabs.submeshes = run.submeshes;
-    slabs.threads = run.threads;
-    switch (run.strategy) {
-    case Strategy::fixed: slabs.slabbing = Slabbing::fixed; break;
-    case Strategy::counting: slabs.slabbing = Slabbing::counting; break;
-    case Strategy::active: slabs.slabbing = Slabbing::active; break;
-    case Strategy::sequential:
-    case Strategy::reference: return std::make_unique<Simulation<Real>>(complex, options);
-    }
     return std::make_unique<Simulation<Real>>(
-        complex, options,
-        std::make_unique<SlabExecutor<Real>>(complex, options, default_algorithm<Real>(), slabs));
+        complex, options, make_executor(complex, options, run.strategy, run.submeshing));
 }
 
 RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunOptions& options) {
     const Setup setup = scene.prepare(parameters);
-    const bool parallel =
-        options.strategy != Strategy::sequential && options.strategy != Strategy::reference;
-    if (!parallel && options.threads > 1) {
+    const Submeshing& submeshing = options.submeshing;
+    if (!is_parallel(options.strategy) && submeshing.threads > 1) {
         throw InputError("this strategy runs on one thread", "--threads",
-                         std::to_string(options.threads),
-                         "1, or one of the strategies fixed, counting, active");
+                         std::to_string(submeshing.threads),
+                         "1, or one of the strategies " + parallel_strategies());
     }
     RunResult result;
     result.scene = scene.name;
@@ -303,8 +268,8 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
     result.parameters.steps =
         setup.half_step && scene.defaults.steps > 0 ? *setup.half_step : setup.steps;
     result.strategy = options.strategy;
-    result.submeshes = parallel ? options.submeshes : 1;
-    result.threads = options.threads;
+    result.submeshes = submeshes_of(options.strategy, submeshing);
+    result.threads = submeshing.threads;
     if (options.strategy == Strategy::reference) {
         if (parameters.real != RealType::double_precision) {
             throw InputError("the reference is written for double", "--set real", "'float'",

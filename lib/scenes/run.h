@@ -6,6 +6,7 @@
 #include "dsc/complex/complex.h"
 #include "dsc/quality/histogram.h"
 #include "scenes/scene.h"
+#include "scenes/strategy.h"
 
 #include <atomic>
 #include <functional>
@@ -21,17 +22,9 @@ struct Options;
 
 namespace dsc::scenes {
 
-/// How the passes are run; `reference` is the literal sequential method of the thesis.
-enum class Strategy : std::uint8_t { sequential, fixed, counting, active, reference };
-
-[[nodiscard]] std::string to_string(Strategy strategy);
-/// Throws InputError, naming those that there are.
-[[nodiscard]] Strategy parse_strategy(const std::string& name);
-
 struct RunOptions {
     Strategy strategy = Strategy::sequential;
-    std::uint32_t submeshes = 8; ///< slabs, for the parallel strategies
-    std::uint32_t threads = 1;
+    Submeshing submeshing;       ///< of the parallel strategies
     std::string frames;    ///< folder for frames (.vtu, .pvd); empty: none
     int frame_count = 9;   ///< about so many, evenly spread, with the first and the last
     bool progress = false; ///< a line on stderr

@@ -27,7 +27,7 @@ const scenes::RunResult& Runs::get(const Configuration& configuration) {
     const scenes::Scene& scene = scenes::find_scene(configuration.scene);
     scenes::RunOptions options;
     options.strategy = configuration.strategy;
-    options.threads = configuration.threads;
+    options.submeshing.threads = configuration.threads;
     return runs_[configuration] = scenes::run_scene(
                scene, configuration.size == Size::full ? scene.defaults : coarse(scene), options);
 }

@@ -89,7 +89,9 @@ private:
         Ring<Real>& ring = work_.ring;
         const bool gathered = gather(complex_, work_.submesh.region, v, ring);
         if (!ring.owned) {
+            // It stays where it is in the list; only the look at it is put off.
             work_.put_off_interface.push_back(v);
+            work_.interface_next.push_back(v);
             return;
         }
         if (!gathered) {
@@ -154,12 +156,14 @@ private:
             if (squared <= longest_squared_) {
                 continue;
             }
+            newest_ = no_id;
             if (!split(v, ring, spokes, i)) {
                 work_.put_off_interface.push_back(v);
-                return;
             }
             kept.push_back(v);
-            kept.push_back(newest_);
+            if (newest_ != no_id) {
+                kept.push_back(newest_);
+            }
             return; // the ring is stale; a junction's other edges wait for the next step
         }
         kept.push_back(v);
@@ -189,6 +193,12 @@ private:
         const auto& options = work_.options;
         Point<Real> point = options.insertion_function ? options.insertion_function(curve)
                                                        : insertion_point(options.insertion, curve);
+        if (!owns_point(point)) {
+            point = midpoint<Real>(curve.p1, curve.p2);
+            if (!owns_point(point)) {
+                return false;
+            }
+        }
         SplitResult result = edge_split(complex_, work_.submesh, prev(ring.corner[i]), point);
         if (result.verdict == Verdict::inverts) {
             point = midpoint<Real>(curve.p1, curve.p2);
@@ -198,7 +208,6 @@ private:
             return false;
         }
         if (result.verdict != Verdict::legal) {
-            newest_ = no_id;
             return true;
         }
         newest_ = result.vertex.id;
@@ -209,6 +218,11 @@ private:
         work_.activate(ring.link[i + 1]);
         work_.activate(ring.link[i == 0 ? ring.size - 1 : i - 1]);
         return true;
+    }
+
+    // What is made must lie where its maker works: the next colour looks for it there.
+    bool owns_point(const Point<Real>& point) const {
+        return owns_place(work_.submesh.region, point);
     }
 
     Work<Real>& work_;
@@ -226,8 +240,6 @@ private:
 template <class Real>
 void upkeep_interface(Work<Real>& work) {
     Upkeep<Real>(work).run();
-    // A split that was refused leaves a hole in the list.
-    std::erase(work.interface, no_id);
 }
 
 template <class Real>
@@ -289,6 +301,39 @@ std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::
     return list;
 }
 
+template <class Real>
+void order_interface(Complex<Real>& complex, std::vector<std::uint32_t>& list,
+                     std::uint32_t epoch) {
+    const std::uint32_t listed = epoch;
+    const std::uint32_t placed = epoch + 1;
+    for (const std::uint32_t v : list) {
+        complex.vertices[v].stamp = listed;
+    }
+    std::vector<std::uint32_t> ordered;
+    ordered.reserve(list.size());
+    Ring<Real> ring;
+    for (const std::uint32_t start : list) {
+        std::uint32_t v = start;
+        while (v != no_id && complex.vertices[v].stamp == listed) {
+            complex.vertices[v].stamp = placed;
+            ordered.push_back(v);
+            std::uint32_t following = no_id;
+            if (gather(complex, Region{}, v, ring)) {
+                for (std::uint32_t i = 0; i < ring.link_size() && following == no_id; ++i) {
+                    if (ring.is_constrained(i) &&
+                        complex.vertices[ring.link[i]].stamp == listed) {
+                        following = ring.link[i];
+                    }
+                }
+            }
+            v = following;
+        }
+    }
+    list.swap(ordered);
+}
+
+template void order_interface(Complex<double>&, std::vector<std::uint32_t>&, std::uint32_t);
+template void order_interface(Complex<float>&, std::vector<std::uint32_t>&, std::uint32_t);
 template void upkeep_interface(Work<double>&);
 template void upkeep_interface(Work<float>&);
 template std::vector<std::uint32_t> collect_interface(const Complex<double>&, std::uint64_t);

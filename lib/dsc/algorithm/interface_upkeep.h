@@ -9,7 +9,7 @@ namespace dsc {
 
 /// Splits interface edges that are too long, by the interpolator of the options; collapses
 /// interface vertices at short edges where the curve stays where it is. Rewrites `work.interface`;
-/// what a submesh may not touch goes to `put_off_interface`. O(interface vertices of the submesh).
+/// what a submesh may not touch stays in the list and goes to `put_off_interface` as well. O(interface vertices of the submesh).
 template <class Real>
 void upkeep_interface(Work<Real>& work);
 
@@ -17,5 +17,10 @@ void upkeep_interface(Work<Real>& work);
 /// far results depend on the order of operations. O(n), once at the start.
 template <class Real>
 std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::uint64_t seed = 0);
+
+/// Puts a list of interface vertices into the order of the curve again, from its first vertex on.
+/// O(list). Uses the stamps, of which `epoch` and epoch + 1 must not be in use.
+template <class Real>
+void order_interface(Complex<Real>& complex, std::vector<std::uint32_t>& list, std::uint32_t epoch);
 
 } // namespace dsc

@@ -65,18 +65,18 @@ private:
                 square(static_cast<Real>(t.shortest) * h)};
     }
 
-    bool gather_star(std::uint32_t v) {
-        if (!gather(complex_, work_.submesh.region, v, ring_)) {
-            if (!ring_.owned) {
-                work_.put_off_active.push_back(v);
-            }
-            return false;
+    /// Gathers and examines the star; false where there is nothing to do, or not here.
+    bool look_at(std::uint32_t v, StarReport<Real>& star) {
+        const Region& region = work_.submesh.region;
+        const bool gathered = gather_centre(complex_, region, v, ring_);
+        if (gathered) {
+            star = examine(ring_);
+            ring_.owned = owns_ring(region, ring_, star.longest);
         }
         if (!ring_.owned) {
             work_.put_off_active.push_back(v);
-            return false;
         }
-        return true;
+        return gathered && ring_.owned;
     }
 
     void visit(std::uint32_t v) {
@@ -84,11 +84,11 @@ private:
             return;
         }
         for (int turn = 0; turn < max_turns; ++turn) {
-            if (!gather_star(v)) {
+            StarReport<Real> star;
+            if (!look_at(v, star)) {
                 return;
             }
             ++work_.counts.examined;
-            const StarReport<Real> star = examine(ring_);
             if (star.delaunay < 0 && flip_spokes()) {
                 continue;
             }
@@ -159,13 +159,22 @@ private:
         while (!suspects.empty()) {
             const Corner c = suspects.back();
             suspects.pop_back();
-            if (!complex_.is_alive(Triangle{triangle_of(c)}) ||
-                !owns_triangle(complex_, region, triangle_of(c))) {
+            // Its triangle is of an owned star, or of a flip there: owned, if it is still alive.
+            if (!complex_.is_alive(Triangle{triangle_of(c)})) {
                 continue;
             }
             const Corner o = complex_.twin(c);
-            if (complex_.phase_at(o) != complex_.phase_at(c) ||
-                !owns(complex_, region, complex_.vertex(o)) || is_delaunay(complex_, c)) {
+            if (complex_.phase_at(o) != complex_.phase_at(c)) {
+                continue;
+            }
+            if (!owns(complex_, region, complex_.vertex(o))) {
+                // Nobody moves it while this edge's own vertices are here, or it is read whole.
+                if (!is_delaunay<Real>(apex(c), apex(next(c)), apex(o), apex(prev(c)))) {
+                    work_.put_off_active.push_back(complex_.vertex(next(c)));
+                }
+                continue;
+            }
+            if (is_delaunay(complex_, c)) {
                 continue;
             }
             if (flips >= max_flips_at_once ||
@@ -225,7 +234,8 @@ private:
         }
         // Delaunay again, about the vertex that took the star.
         Ring<Real>& star = work_.other_ring;
-        if (gather(complex_, work_.submesh.region, target, star) && has_non_delaunay_spoke(star)) {
+        if (gather(complex_, work_.submesh.region, target, star) && star.owned &&
+            has_non_delaunay_spoke(star)) {
             work_.suspects.clear();
             for (std::uint32_t j = 0; j < star.size; ++j) {
                 work_.suspects.push_back(prev(star.corner[j]));
@@ -261,6 +271,10 @@ private:
         if (!(best > quality) || !all_positive(ring_, best_x, best_y)) {
             return false;
         }
+        if (!owns_place<Real>(work_.submesh.region, {best_x, best_y})) {
+            work_.put_off_active.push_back(v);
+            return false;
+        }
         auto& record = complex_.vertices[v];
         write_shared(record.x, best_x);
         write_shared(record.y, best_y);
@@ -289,6 +303,10 @@ private:
         }
         const Point<Real> middle =
             midpoint<Real>({ring_.x0, ring_.y0}, {ring_.x[spoke], ring_.y[spoke]});
+        if (!owns_place(work_.submesh.region, middle)) {
+            work_.put_off_active.push_back(ring_.vertex);
+            return false;
+        }
         const SplitResult result =
             edge_split(complex_, work_.submesh, prev(ring_.corner[spoke]), middle);
         if (result.verdict == Verdict::out_of_ids) {
@@ -356,6 +374,11 @@ void move_vertices(Work<Real>& work) {
         Real y = mover.y;
         if (!ring.closed) {
             stay_on_boundary(ring, x, y);
+        }
+        if (!owns_place<Real>(work.submesh.region, {x, y})) {
+            // It would leave the submesh: the next colour looks for what is put off in there.
+            work.put_off_movers.push_back(mover);
+            continue;
         }
         const MoveOutcome outcome = move_vertex(work.complex, ring, x, y);
         if (outcome != MoveOutcome::blocked) {

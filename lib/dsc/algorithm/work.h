@@ -35,6 +35,15 @@ struct Mover {
     Real y;
 };
 
+/// Where the vertices of `Work::interface` are, and where they are to go; one entry for each.
+template <class Real>
+struct Aim {
+    std::vector<Point<Real>> positions;
+    std::vector<Point<Real>> targets;
+    std::vector<std::uint8_t> held; ///< not 0: the velocity is not finite, the vertex stays
+    IntegratorScratch<Real> scratch; ///< `first`: the velocities
+};
+
 template <class Real>
 struct Work {
     Work(Complex<Real>& complex_in, const Options<Real>& options_in)
@@ -45,6 +54,7 @@ struct Work {
     Submesh submesh;
 
     std::vector<std::uint32_t> interface; ///< interface vertices, about in the order of the curve
+    Aim<Real> aim;                        ///< of the interface vertices
     std::vector<Mover<Real>> movers;      ///< vertices that have not reached their target yet
     std::vector<std::uint32_t> active;    ///< vertices whose star must be looked at; no duplicates
     std::uint32_t epoch = 0;              ///< a vertex with this stamp is in `active` already

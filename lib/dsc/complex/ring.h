@@ -57,30 +57,67 @@ struct Ring {
     }
 };
 
-/// Gathers the star of `vertex`, counter-clockwise; an open star from its clockwise end. Returns
-/// false where it has more triangles than fit, or none, or where the region does not own the centre
-/// (then `owned` is false and nothing was read). O(degree).
+namespace detail {
+
+/// Whether the region owns the whole link, on all lanes at once where it is a box.
 template <class Real>
-bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
-            Ring<Real>& ring) {
+bool owns_link(const Region& region, const Ring<Real>& ring) {
+    if (region.kind == Region::Kind::box && region.low <= region.high) {
+        const std::uint32_t n = ring.padded();
+        const Real* x = ring.x.data();
+        const Real* y = ring.y.data();
+        const double normal_x = region.normal_x;
+        const double normal_y = region.normal_y;
+        double least = Region::infinity;
+        double most = -Region::infinity;
+        double side_least = Region::infinity;
+        double side_most = -Region::infinity;
+#pragma omp simd reduction(min : least, side_least) reduction(max : most, side_most)
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const double u =
+                normal_x * static_cast<double>(x[i]) + normal_y * static_cast<double>(y[i]);
+            const double w =
+                normal_x * static_cast<double>(y[i]) - normal_y * static_cast<double>(x[i]);
+            least = std::min(least, u);
+            most = std::max(most, u);
+            side_least = std::min(side_least, w);
+            side_most = std::max(side_most, w);
+        }
+        return region.low <= least && most < region.high && region.side_low <= side_least &&
+               side_most < region.side_high;
+    }
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+        if (!region.owns(ring.link[i], static_cast<double>(ring.x[i]),
+                         static_cast<double>(ring.y[i]))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+template <bool is_whole, class Real>
+bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
+                 Ring<Real>& ring) {
     const auto& centre = complex.vertices[vertex];
     ring.vertex = vertex;
     ring.owned = true;
     const auto* triangles = complex.triangles.data();
     const auto* vertices = complex.vertices.data();
-    const bool whole = region.is_whole();
-    bool owned = true;
-    if (!whole) {
-        ring.x0 = read_shared(centre.x);
-        ring.y0 = read_shared(centre.y);
+    const auto read = [](const Real& value) {
+        if constexpr (is_whole) {
+            return value;
+        } else {
+            return read_shared(value);
+        }
+    };
+    ring.x0 = read(centre.x);
+    ring.y0 = read(centre.y);
+    if constexpr (!is_whole) {
         if (!region.owns(vertex, static_cast<double>(ring.x0), static_cast<double>(ring.y0))) {
             // Another submesh may be rewriting this star: it must not be walked.
             ring.owned = false;
             return false;
         }
-    } else {
-        ring.x0 = centre.x;
-        ring.y0 = centre.y;
     }
     const Corner start = centre.corner;
     if (start == no_id) {
@@ -88,8 +125,8 @@ bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t ve
     }
     const auto put = [&](std::uint32_t i, std::uint32_t id) {
         const auto& record = vertices[id];
-        const Real x = whole ? record.x : read_shared(record.x);
-        const Real y = whole ? record.y : read_shared(record.y);
+        const Real x = read(record.x);
+        const Real y = read(record.y);
         ring.link[i] = id;
         ring.x[i] = x;
         ring.y[i] = y;
@@ -98,10 +135,6 @@ bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t ve
         if (i > 0) {
             ring.x_next[i - 1] = x;
             ring.y_next[i - 1] = y;
-        }
-        if (!whole) {
-            owned =
-                owned && region.owns(id, static_cast<double>(x), static_cast<double>(y));
         }
     };
 
@@ -151,7 +184,6 @@ bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t ve
     ring.size = n;
     ring.closed = closed;
     ring.one_phase = differing == 0;
-    ring.owned = owned;
     if (closed) {
         ring.link[n] = ring.link[0];
         ring.x[n] = ring.x[0];
@@ -170,6 +202,50 @@ bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t ve
         ring.y_previous[i] = ring.y_previous[0];
     }
     return true;
+}
+
+} // namespace detail
+
+/// Whether the region owns all of a star that was gathered with its centre owned. `longest`: the
+/// squared length of the longest spoke, where it is known; infinity where it is not. O(degree), O(1)
+/// where no spoke reaches the region's boundary.
+template <class Real>
+bool owns_ring(const Region& region, const Ring<Real>& ring,
+               Real longest = std::numeric_limits<Real>::infinity()) {
+    if (region.is_whole()) {
+        return true;
+    }
+    // Rounding of the two lengths is far below this.
+    constexpr double margin = 0.999;
+    const double reach =
+        margin * region.reach(static_cast<double>(ring.x0), static_cast<double>(ring.y0));
+    if (reach > 0 && reach * reach > static_cast<double>(longest)) {
+        return true;
+    }
+    return detail::owns_link(region, ring) &&
+           (ring.closed ||
+            region.owns(ring.link[ring.size], static_cast<double>(ring.link_x(ring.size)),
+                        static_cast<double>(ring.link_y(ring.size))));
+}
+
+/// Gathers the star of `vertex`, counter-clockwise; an open star from its clockwise end. Returns
+/// false where it has more triangles than fit, or none, or where the region does not own the centre
+/// (then `owned` is false and nothing was read). Where the centre is owned, `owned` says no more
+/// than that: see `owns_ring`. O(degree).
+template <class Real>
+bool gather_centre(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
+                   Ring<Real>& ring) {
+    return region.is_whole() ? detail::gather_star<true>(complex, region, vertex, ring)
+                             : detail::gather_star<false>(complex, region, vertex, ring);
+}
+
+/// The same, and `owned` says whether the whole star is.
+template <class Real>
+bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
+            Ring<Real>& ring) {
+    const bool gathered = gather_centre(complex, region, vertex, ring);
+    ring.owned = ring.owned && (!gathered || owns_ring(region, ring));
+    return gathered;
 }
 
 } // namespace dsc

@@ -7,35 +7,80 @@
 
 #include "dsc/complex/complex.h"
 
+#include <algorithm>
 #include <atomic>
+#include <limits>
 
 namespace dsc {
 
 /// Which vertices a submesh owns.
 struct Region {
-    enum class Kind : std::uint8_t { whole, slab, labels };
+    enum class Kind : std::uint8_t { whole, box, places, labels };
+    /// The number of the submesh that holds a point, by the partition of an application.
+    using PlaceFunction = std::uint32_t (*)(const void* context, double x, double y);
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
 
     Kind kind = Kind::whole;
-    /// slab: owns p where low <= normal . p < high.
+    /// box: with u along the normal and w along its left, owns (u, w) where low <= u < high and
+    /// side_low <= w < side_high. Where low > high the slab goes round the ends of the mesh: it
+    /// owns u < high and u >= low, as the first and the last black slab form one [thesis 8.5].
     double normal_x = 1;
     double normal_y = 0;
-    double low = 0;
-    double high = 0;
+    double low = -infinity;
+    double high = infinity;
+    double side_low = -infinity;
+    double side_high = infinity;
+    /// places: owns p where place(context, p) == label.
+    PlaceFunction place = nullptr;
+    const void* context = nullptr;
     /// labels: owns v where labels[v] == label.
     const std::uint32_t* labels = nullptr;
     std::uint32_t label = 0;
 
     [[nodiscard]] bool is_whole() const { return kind == Kind::whole; }
+    [[nodiscard]] bool owns_place(double x, double y) const {
+        const double u = normal_x * x + normal_y * y;
+        const double w = normal_x * y - normal_y * x;
+        const bool along = low <= high ? (low <= u) & (u < high) : (low <= u) | (u < high);
+        return along & (side_low <= w) & (w < side_high);
+    }
     [[nodiscard]] bool owns(std::uint32_t vertex, double x, double y) const {
         switch (kind) {
         case Kind::whole: return true;
-        case Kind::slab: {
-            const double s = normal_x * x + normal_y * y;
-            return low <= s && s < high;
-        }
+        case Kind::box: return owns_place(x, y);
+        case Kind::places: return place(context, x, y) == label;
         case Kind::labels: return labels[vertex] == label;
         }
         return false;
+    }
+    /// How far a box reaches beyond (x, y), which it owns: what is nearer is its own as well. 0 for
+    /// other kinds, and for slabs that go round.
+    [[nodiscard]] double reach(double x, double y) const {
+        if (kind != Kind::box || low > high) {
+            return 0;
+        }
+        const double u = normal_x * x + normal_y * y;
+        const double w = normal_x * y - normal_y * x;
+        return std::min(std::min(u - low, high - u), std::min(w - side_low, side_high - w));
+    }
+    /// False only where no point can lie in both; labels and places are not looked into.
+    [[nodiscard]] bool may_meet(const Region& other) const {
+        const bool comparable = kind == Kind::box && other.kind == Kind::box &&
+                                normal_x == other.normal_x && normal_y == other.normal_y;
+        if (!comparable) {
+            return true;
+        }
+        const bool sides = side_low < other.side_high && other.side_low < side_high;
+        const bool round = low > high || other.low > other.high;
+        if (!round) {
+            return sides && low < other.high && other.low < high;
+        }
+        if (low > high && other.low > other.high) {
+            return sides;
+        }
+        const Region& ring = low > high ? *this : other;
+        const Region& slab = low > high ? other : *this;
+        return sides && (slab.low < ring.high || ring.low < slab.high);
     }
 };
 
@@ -69,6 +114,13 @@ bool owns(const Complex<Real>& complex, const Region& region, std::uint32_t vert
     const auto& record = complex.vertices[vertex];
     return region.owns(vertex, static_cast<double>(read_shared(record.x)),
                        static_cast<double>(read_shared(record.y)));
+}
+
+/// Whether the region holds a point; labels do not ask where a vertex is.
+template <class Real>
+bool owns_place(const Region& region, const Point<Real>& point) {
+    return region.is_whole() || region.kind == Region::Kind::labels ||
+           region.owns(no_id, static_cast<double>(point.x()), static_cast<double>(point.y()));
 }
 
 /// True if all three vertices are owned.

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/slabs.h"
 
+#include "dsc/base/error.h"
+
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <numbers>
+#include <string>
 
 namespace dsc {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinity = Region::infinity;
 
 // Inner cuts, ascending, with those dropped that leave a slab thinner than allowed.
 std::vector<double> close_cuts(const std::vector<double>& inner, double low, double high,
@@ -25,34 +29,43 @@ std::vector<double> close_cuts(const std::vector<double>& inner, double low, dou
     return cuts;
 }
 
-} // namespace
-
-Cuts cuts_of_equal_share(std::vector<double>& positions, std::uint32_t slabs, double least_width) {
-    if (positions.empty() || slabs < 2) {
-        return {{-infinity, infinity}, {-infinity, infinity}};
-    }
-    std::sort(positions.begin(), positions.end());
-    const auto share = [&](double fraction) {
-        const auto at = static_cast<std::size_t>(fraction * static_cast<double>(positions.size()));
-        return positions[std::min(at, positions.size() - 1)];
-    };
-    std::vector<double> red;
-    std::vector<double> black;
-    for (std::uint32_t i = 0; i < slabs; ++i) {
-        const auto n = static_cast<double>(slabs);
-        if (i > 0) {
-            red.push_back(share(i / n));
-        }
-        black.push_back(share((i + 0.5) / n));
-    }
-    const double low = positions.front();
-    const double high = positions.back();
-    // The half slabs at the two ends are thin by design; only the full ones need the width.
+// The half slabs at the two ends are thin by design; only the full ones need the width.
+Cuts close_both(const std::vector<double>& red, const std::vector<double>& black, double low,
+                double high, double least_width) {
     return {close_cuts(red, low, high, least_width),
             close_cuts(black, low - least_width, high + least_width, least_width)};
 }
 
+} // namespace
+
+Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::uint32_t slabs,
+                         double least_width) {
+    if (positions.empty() || slabs < 2) {
+        return {{-infinity, infinity}, {-infinity, infinity}};
+    }
+    std::sort(positions.begin(), positions.end());
+    double total = 0;
+    for (const auto& [place, weight] : positions) {
+        total += static_cast<double>(weight);
+    }
+    std::vector<double> red;
+    std::vector<double> black;
+    double passed = 0;
+    std::uint32_t half = 1; // the next cut lies at half / (2 slabs) of the weight
+    for (const auto& [place, weight] : positions) {
+        passed += static_cast<double>(weight);
+        while (half < 2 * slabs && passed * 2 * slabs > total * half) {
+            (half % 2 == 0 ? red : black).push_back(place);
+            ++half;
+        }
+    }
+    return close_both(red, black, positions.front().first, positions.back().first, least_width);
+}
+
 Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double least_width) {
+    if (slabs < 2) {
+        return {{-infinity, infinity}, {-infinity, infinity}};
+    }
     std::vector<double> red;
     std::vector<double> black;
     const double width = (high - low) / slabs;
@@ -62,24 +75,126 @@ Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double le
         }
         black.push_back(low + (i + 0.5) * width);
     }
-    return {close_cuts(red, low, high, least_width),
-            close_cuts(black, low - least_width, high + least_width, least_width)};
+    return close_both(red, black, low, high, least_width);
 }
 
-std::size_t slab_of(std::span<const double> cuts, double s) {
-    // Outer cuts are infinite: the answer is always inside.
-    const auto after = std::upper_bound(cuts.begin() + 1, cuts.end() - 1, s);
-    return static_cast<std::size_t>(after - cuts.begin()) - 1;
-}
-
-Region slab_region(std::span<const double> cuts, std::size_t i, double normal_x, double normal_y) {
+Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_y, bool round) {
+    Colour colour;
+    const std::size_t count = cuts.size() - 1;
+    if (count == 1) {
+        colour.regions.emplace_back(); // the whole mesh
+        return colour;
+    }
     Region region;
-    region.kind = Region::Kind::slab;
+    region.kind = Region::Kind::box;
     region.normal_x = normal_x;
     region.normal_y = normal_y;
-    region.low = cuts[i];
-    region.high = cuts[i + 1];
-    return region;
+    // Two slabs that are one are the whole mesh; nothing is to be gained there.
+    const bool joins = round && count > 2;
+    for (std::size_t i = 0; i < (joins ? count - 1 : count); ++i) {
+        region.low = joins && i == 0 ? cuts[count - 1] : cuts[i];
+        region.high = cuts[i + 1];
+        colour.regions.push_back(region);
+    }
+    return colour;
 }
+
+template <class Real>
+Point<double> principal_direction(const Complex<Real>& complex,
+                                  std::span<const std::uint32_t> vertices) {
+    if (vertices.empty()) {
+        return {1, 0};
+    }
+    Point<double> mean = Point<double>::Zero();
+    for (const std::uint32_t v : vertices) {
+        mean += complex.position(Vertex{v}).template cast<double>();
+    }
+    mean /= static_cast<double>(vertices.size());
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    for (const std::uint32_t v : vertices) {
+        const Point<double> d = complex.position(Vertex{v}).template cast<double>() - mean;
+        xx += d.x() * d.x();
+        xy += d.x() * d.y();
+        yy += d.y() * d.y();
+    }
+    const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+    return {std::cos(angle), std::sin(angle)};
+}
+
+template <class Real>
+SlabPartitioner<Real>::SlabPartitioner(const SlabOptions& options) : options_(options) {
+    const auto refuse = [](const char* what, const std::string& value, const char* allowed) {
+        throw InputError("value out of range", what, value, allowed);
+    };
+    if (options.submeshes < 1 || options.submeshes > 65536) {
+        refuse("submeshes", std::to_string(options.submeshes), "1 to 65536");
+    }
+    if (!std::isfinite(options.degrees)) {
+        refuse("degrees", std::to_string(options.degrees), "a finite angle");
+    }
+    if (!(options.least_width >= 2)) {
+        refuse("least_width", std::to_string(options.least_width), "2 edge lengths or more");
+    }
+    if (options.recut < 1) {
+        refuse("recut", std::to_string(options.recut), "1 step or more");
+    }
+}
+
+template <class Real>
+Recut SlabPartitioner<Real>::is_due(const PartitionStatus& status) const {
+    return status.steps_since_all >= options_.recut ? Recut::all : Recut::none;
+}
+
+template <class Real>
+void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*recut*/,
+                                   Partition& partition) {
+    const double radians = options_.degrees * std::numbers::pi / 180;
+    // Axes exactly: the cosine of a right angle is not zero in floating point.
+    const bool upright = options_.degrees == 90;
+    const Point<double> normal = options_.follow_shape
+                                     ? principal_direction(input.complex, input.interface)
+                                     : (upright ? Point<double>(0, 1)
+                                                : Point<double>(std::cos(radians),
+                                                                std::sin(radians)));
+    const auto along = [&](const VertexRecord<Real>& record) {
+        return normal.x() * static_cast<double>(record.x) +
+               normal.y() * static_cast<double>(record.y);
+    };
+    const double least = options_.least_width * input.edge_length;
+    std::vector<std::pair<double, float>> places;
+    if (options_.slabbing == Slabbing::active) {
+        for (std::size_t i = 0; i < input.interface.size(); ++i) {
+            places.emplace_back(along(input.complex.vertices[input.interface[i]]), input.work[i]);
+        }
+    } else {
+        // Every vertex stands for the two triangles that it owns on average.
+        for (const auto& record : input.complex.vertices) {
+            if ((record.flags & vertex_dead) == 0) {
+                places.emplace_back(along(record), 1.0F);
+            }
+        }
+    }
+    Cuts cuts;
+    if (options_.slabbing == Slabbing::fixed && !places.empty()) {
+        const auto [low, high] = std::minmax_element(places.begin(), places.end());
+        cuts = cuts_of_equal_width(low->first, high->first, options_.submeshes, least);
+    } else {
+        cuts = cuts_of_equal_share(places, options_.submeshes, least);
+    }
+    partition.colours = {slab_colour(cuts.red, normal.x(), normal.y(), false)};
+    if (partition.colours.front().regions.size() > 1) {
+        partition.colours.push_back(slab_colour(cuts.black, normal.x(), normal.y(), true));
+    }
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template Point<double> principal_direction(const Complex<Real>&,                               \
+                                               std::span<const std::uint32_t>);                    \
+    template class SlabPartitioner<Real>;
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
 
 } // namespace dsc

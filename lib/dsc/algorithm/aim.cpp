@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/algorithm/aim.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc {
+
+template <class Real>
+AimReport<Real>& AimReport<Real>::operator+=(const AimReport& other) {
+    fastest = std::max(fastest, other.fastest);
+    farthest = std::max(farthest, other.farthest);
+    held += other.held;
+    vertices += other.vertices;
+    return *this;
+}
+
+template <class Real>
+AimReport<Real> find_velocities(Work<Real>& work, const Velocity<Real>& velocity, Real time) {
+    Aim<Real>& aim = work.aim;
+    const std::size_t n = work.interface.size();
+    aim.positions.resize(n);
+    aim.targets.resize(n);
+    aim.scratch.first.resize(n);
+    aim.held.assign(n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        aim.positions[i] = work.complex.position(Vertex{work.interface[i]});
+    }
+    AimReport<Real> report;
+    report.vertices = n;
+    if (n == 0) {
+        return report;
+    }
+    velocity(aim.positions, time, aim.scratch.first);
+    Real fastest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Real squared = aim.scratch.first[i].squaredNorm();
+        if (!std::isfinite(squared)) {
+            aim.held[i] = 1;
+            aim.scratch.first[i].setZero();
+            ++report.held;
+        } else {
+            fastest = std::max(fastest, squared);
+        }
+    }
+    report.fastest = std::sqrt(fastest);
+    return report;
+}
+
+template <class Real>
+Real find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt) {
+    Aim<Real>& aim = work.aim;
+    if (work.interface.empty()) {
+        return 0;
+    }
+    integrate<Real>(work.options.integrator, velocity, aim.positions, time, dt, aim.targets,
+                    aim.scratch);
+    Real farthest = 0;
+    for (std::size_t i = 0; i < aim.targets.size(); ++i) {
+        const Real squared = (aim.targets[i] - aim.positions[i]).squaredNorm();
+        farthest = std::isfinite(squared) ? std::max(farthest, squared) : farthest;
+    }
+    return std::sqrt(farthest);
+}
+
+template <class Real>
+std::uint64_t collect_movers(Work<Real>& work) {
+    const Aim<Real>& aim = work.aim;
+    std::uint64_t held = 0;
+    for (std::size_t i = 0; i < work.interface.size(); ++i) {
+        const std::uint32_t v = work.interface[i];
+        const Point<Real>& target = aim.targets[i];
+        if (aim.held[i] != 0 || work.complex.is_locked(Vertex{v})) {
+            continue;
+        }
+        if (!std::isfinite(target.x()) || !std::isfinite(target.y())) {
+            ++held;
+        } else if (target != aim.positions[i]) {
+            work.movers.push_back({v, target.x(), target.y()});
+        }
+    }
+    return held;
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template struct AimReport<Real>;                                                               \
+    template AimReport<Real> find_velocities(Work<Real>&, const Velocity<Real>&, Real);            \
+    template Real find_targets(Work<Real>&, const Velocity<Real>&, Real, Real);                    \
+    template std::uint64_t collect_movers(Work<Real>&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

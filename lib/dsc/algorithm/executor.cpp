@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/algorithm/executor.h"
+
+#include "dsc/algorithm/interface_upkeep.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dsc {
+
+MoveReport& MoveReport::operator+=(const MoveReport& other) {
+    passes = std::max(passes, other.passes);
+    unreached += other.unreached;
+    held += other.held;
+    return *this;
+}
+
+template <class Real>
+std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,
+                         std::uint32_t& next_epoch) {
+    std::uint32_t done = 0;
+    int idle = 0;
+    while (static_cast<int>(done) < work.options.max_passes) {
+        work.progressed = 0;
+        for (const auto& pass : passes) {
+            pass.run(work);
+        }
+        work.epoch = ++next_epoch;
+        ++done;
+        if (work.movers.empty()) {
+            break;
+        }
+        idle = work.progressed == 0 ? idle + 1 : 0;
+        if (idle >= work.options.max_idle_passes) {
+            break;
+        }
+    }
+    return done;
+}
+
+template <class Real>
+SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Options<Real>& options,
+                                             Algorithm<Real> algorithm)
+    : algorithm_(std::move(algorithm)), work_(complex, options) {
+    // Stamps of an earlier run must not look like this one's.
+    for (const auto& vertex : complex.vertices) {
+        epoch_ = std::max(epoch_, vertex.stamp);
+    }
+    work_.epoch = ++epoch_;
+    work_.interface = collect_interface(complex, options.shuffle_seed);
+}
+
+template <class Real>
+AimReport<Real> SequentialExecutor<Real>::aim(const Velocity<Real>& velocity, Real time, Real dt) {
+    for (const auto& pass : algorithm_.upkeep) {
+        pass.run(work_);
+    }
+    // Alone on the complex, nothing is put off.
+    work_.put_off_interface.clear();
+    AimReport<Real> report = find_velocities(work_, velocity, time);
+    report.farthest = find_targets(work_, velocity, time, dt);
+    return report;
+}
+
+template <class Real>
+Real SequentialExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
+    return find_targets(work_, velocity, time, dt);
+}
+
+template <class Real>
+MoveReport SequentialExecutor<Real>::move() {
+    MoveReport report;
+    work_.movers.clear();
+    report.held = collect_movers(work_);
+    report.passes = run_motion(work_, algorithm_.motion, epoch_);
+    report.unreached = work_.movers.size() + report.held;
+    work_.movers.clear();
+    work_.put_off_active.clear();
+    return report;
+}
+
+template <class Real>
+void SequentialExecutor<Real>::end_step() {
+    work_.movers.clear();
+}
+
+template <class Real>
+void SequentialExecutor<Real>::append_interface(std::vector<std::uint32_t>& list) const {
+    list.insert(list.end(), work_.interface.begin(), work_.interface.end());
+}
+
+template <class Real>
+OperationCounts SequentialExecutor<Real>::take_counts() {
+    return std::exchange(work_.counts, {});
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template std::uint32_t run_motion(Work<Real>&, const std::vector<Pass<Real>>&,                 \
+                                      std::uint32_t&);                                             \
+    template class SequentialExecutor<Real>;
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Runs the passes of an algorithm over a complex: in one piece (here), or in submeshes
+// (dsc/parallel). An application may bring an executor of its own.
+#pragma once
+
+#include "dsc/algorithm/aim.h"
+#include "dsc/algorithm/algorithm.h"
+
+namespace dsc {
+
+/// What a movement did.
+struct MoveReport {
+    std::uint32_t passes = 0;    ///< of movement and mesh update; the most that a submesh took
+    std::uint64_t unreached = 0; ///< vertices that did not arrive
+    std::uint64_t held = 0;      ///< vertices held for a target that is not finite
+
+    MoveReport& operator+=(const MoveReport& other);
+};
+
+/// The driver calls, for each step: begin_step; for each sub-step aim, perhaps aim_again, move;
+/// end_step. After an exception it calls end_step only, and the complex must be valid then.
+template <class Real>
+class Executor {
+public:
+    virtual ~Executor() = default;
+    Executor() = default;
+    Executor(const Executor&) = delete;
+    Executor& operator=(const Executor&) = delete;
+    Executor(Executor&&) = delete;
+    Executor& operator=(Executor&&) = delete;
+
+    virtual void begin_step() {}
+    /// Interface upkeep; then velocities at `time` and targets at time + dt. `dt` is what the
+    /// driver expects to do; the velocities may make it change its mind.
+    virtual AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) = 0;
+    /// New targets for another dt, from the same positions; returns the longest way.
+    virtual Real aim_again(const Velocity<Real>& velocity, Real time, Real dt) = 0;
+    /// Movement and mesh update, until all vertices are at their targets or do not get any further.
+    virtual MoveReport move() = 0;
+    virtual void end_step() {}
+
+    /// How many vertices the interface has.
+    [[nodiscard]] virtual std::size_t interface_size() const = 0;
+    /// Appends them, about in the order of the curve.
+    virtual void append_interface(std::vector<std::uint32_t>& list) const = 0;
+    /// What was done since the last call.
+    [[nodiscard]] virtual OperationCounts take_counts() = 0;
+};
+
+/// Repeats the motion passes over `work.movers` until all have arrived, for `max_passes` at most,
+/// and no longer than `max_idle_passes` without any progress. `next_epoch` gives the stamp of the
+/// next pass. Returns the passes run; who did not arrive is left in `work.movers`.
+template <class Real>
+std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,
+                         std::uint32_t& next_epoch);
+
+/// One work for the whole complex: the thesis's sequential DSC.
+template <class Real>
+class SequentialExecutor final : public Executor<Real> {
+public:
+    SequentialExecutor(Complex<Real>& complex, const Options<Real>& options,
+                       Algorithm<Real> algorithm);
+
+    AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
+    Real aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    MoveReport move() override;
+    void end_step() override;
+    [[nodiscard]] std::size_t interface_size() const override { return work_.interface.size(); }
+    void append_interface(std::vector<std::uint32_t>& list) const override;
+    [[nodiscard]] OperationCounts take_counts() override;
+
+private:
+    Algorithm<Real> algorithm_;
+    Work<Real> work_;
+    std::uint32_t epoch_ = 0;
+};
+
+} // namespace dsc

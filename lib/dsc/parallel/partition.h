@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The seam of submeshing [6]: how the mesh is divided is one object, which an application can
+// replace. A partition has colours [6.1]; the regions of one colour are disjoint and run at once;
+// what the boundaries of one colour kept from being done is handed to the next, and what all of
+// them left is done serially.
+#pragma once
+
+#include "dsc/complex/submesh.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace dsc {
+
+/// The submeshes of one colour. Their regions must be disjoint, and together cover the plane.
+struct Colour {
+    std::vector<Region> regions;
+
+    /// The region that holds a vertex at (x, y); tries `hint` first. regions.size() if there is
+    /// none. O(regions), O(1) where the hint is right.
+    [[nodiscard]] std::size_t locate(std::uint32_t vertex, double x, double y,
+                                     std::size_t hint = 0) const {
+        if (hint < regions.size() && regions[hint].owns(vertex, x, y)) {
+            return hint;
+        }
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            if (regions[i].owns(vertex, x, y)) {
+                return i;
+            }
+        }
+        return regions.size();
+    }
+};
+
+struct Partition {
+    std::vector<Colour> colours; ///< at least one
+};
+
+/// When to divide anew.
+enum class Recut : std::uint8_t {
+    none,
+    later, ///< the colours after the first; the interface lists of the submeshes stay
+    all,
+};
+
+/// What a partitioner may decide by. All of it is the same for any number of threads.
+struct PartitionStatus {
+    std::uint64_t step = 0;             ///< steps done so far; 0: there is no partition yet
+    std::uint64_t steps_since_all = 0;  ///< steps since the first colour was cut
+    std::size_t interface_vertices = 0; ///< now
+};
+
+template <class Real>
+struct PartitionInput {
+    const Complex<Real>& complex;
+    std::span<const std::uint32_t> interface; ///< about in the order of the curve
+    std::span<const float> work;              ///< of each of them in the steps before, any unit
+    double edge_length;                       ///< the target
+};
+
+/// A way to divide. Called by the executor between steps only, by one thread.
+template <class Real>
+class Partitioner {
+public:
+    virtual ~Partitioner() = default;
+    Partitioner() = default;
+    Partitioner(const Partitioner&) = delete;
+    Partitioner& operator=(const Partitioner&) = delete;
+    Partitioner(Partitioner&&) = delete;
+    Partitioner& operator=(Partitioner&&) = delete;
+
+    [[nodiscard]] virtual Recut is_due(const PartitionStatus& status) const = 0;
+    /// Divides; regions may point to what the partitioner holds. Must not depend on threads.
+    virtual void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) = 0;
+};
+
+} // namespace dsc

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Runs tasks on threads: static and dynamic assignment [6.2]. A task of a later colour starts as
+// soon as the tasks that it waits for are done, by flags: no barrier stands between the colours.
+// Which thread runs a task never matters to what it does.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace dsc {
+
+enum class Assignment : std::uint8_t {
+    fixed, ///< each thread has its share of each colour, always the same: static assignment
+    queue, ///< the same, but a thread that is done takes over what nobody has begun
+};
+
+/// Tasks in an order in which each comes after those it waits for.
+class Schedule {
+public:
+    /// Forgets all tasks.
+    void clear();
+    /// Adds one colour of so many tasks; returns the number of the first.
+    std::size_t add_colour(std::size_t tasks);
+    /// `task` waits for `earlier`, which has a smaller number. To be called in the order of `task`.
+    void wait_for(std::size_t task, std::size_t earlier);
+
+    [[nodiscard]] std::size_t size() const { return home_.size(); }
+    [[nodiscard]] std::span<const std::uint32_t> predecessors(std::size_t task) const;
+
+    /// Calls `run(task)` once for each. After one has thrown no further task begins, and what it
+    /// threw is thrown on when all have ended. No allocation but for the threads' own.
+    void run(std::uint32_t threads, Assignment assignment,
+             const std::function<void(std::size_t)>& run);
+
+private:
+    struct Share { // of the tasks of a colour: where a task is at home
+        std::uint32_t rank;
+        std::uint32_t of;
+    };
+    [[nodiscard]] bool is_ready(std::size_t task) const;
+    void work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
+              const std::function<void(std::size_t)>& run);
+    void run_one(std::size_t task, const std::function<void(std::size_t)>& run);
+
+    std::vector<Share> home_;
+    std::vector<std::uint32_t> first_predecessor_; // into predecessors_
+    std::vector<std::uint32_t> predecessors_;
+    std::unique_ptr<std::atomic<std::uint8_t>[]> states_;
+    std::size_t state_room_ = 0;
+    std::vector<std::exception_ptr> failures_; // by task
+    std::atomic<bool> has_failed_ = false;
+};
+
+} // namespace dsc

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Where the time of a step went, task by task: for the breakdown, for the picture of submeshes by
+// their work, and for the model of more threads than the machine has. Taken only where asked for.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace dsc {
+
+/// Seconds by a steady clock. On one thread of an idle machine that is the time of the task itself.
+struct SubStepProfile {
+    // Serial parts.
+    double set_up = 0;    ///< cuts, lists and ids, before anything runs
+    double hand_over = 0; ///< vertices that left their submesh
+    double clean_up = 0;  ///< what all colours left, and the lists after it
+    // By task.
+    std::vector<double> aim;  ///< upkeep, velocities and targets: the first colour's submeshes
+    std::vector<double> move; ///< movement and mesh update: all submeshes of all colours
+    // Sums over submeshes.
+    double upkeep = 0;
+    double velocities = 0;
+    std::vector<double> motion_passes; ///< one entry for each motion pass, first colour
+    double later_colours = 0;
+    // Wall time of the two parallel sections.
+    double aim_wall = 0;
+    double move_wall = 0;
+};
+
+struct StepProfile {
+    std::vector<SubStepProfile> sub_steps;
+    double serial_outside = 0; ///< the rest of the step: the driver's own
+};
+
+} // namespace dsc
