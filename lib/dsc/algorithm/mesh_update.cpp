@@ -65,14 +65,8 @@ private:
                 square(static_cast<Real>(t.shortest) * h)};
     }
 
-    /// Gathers and examines the star; false where there is nothing to do, or not here.
-    bool look_at(std::uint32_t v, StarReport<Real>& star) {
-        const Region& region = work_.submesh.region;
-        const bool gathered = gather_centre(complex_, region, v, ring_);
-        if (gathered) {
-            star = examine(ring_);
-            ring_.owned = owns_ring(region, ring_, star.longest);
-        }
+    bool gather_star(std::uint32_t v) {
+        const bool gathered = gather(complex_, work_.submesh.region, v, ring_);
         if (!ring_.owned) {
             work_.put_off_active.push_back(v);
         }
@@ -84,11 +78,11 @@ private:
             return;
         }
         for (int turn = 0; turn < max_turns; ++turn) {
-            StarReport<Real> star;
-            if (!look_at(v, star)) {
+            if (!gather_star(v)) {
                 return;
             }
             ++work_.counts.examined;
+            const StarReport<Real> star = examine(ring_);
             if (star.delaunay < 0 && flip_spokes()) {
                 continue;
             }

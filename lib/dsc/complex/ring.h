@@ -59,43 +59,52 @@ struct Ring {
 
 namespace detail {
 
-/// Whether the region owns the whole link, on all lanes at once where it is a box.
-template <class Real>
-bool owns_link(const Region& region, const Ring<Real>& ring) {
-    if (region.kind == Region::Kind::box && region.low <= region.high) {
-        const std::uint32_t n = ring.padded();
-        const Real* x = ring.x.data();
-        const Real* y = ring.y.data();
-        const double normal_x = region.normal_x;
-        const double normal_y = region.normal_y;
-        double least = Region::infinity;
-        double most = -Region::infinity;
-        double side_least = Region::infinity;
-        double side_most = -Region::infinity;
-#pragma omp simd reduction(min : least, side_least) reduction(max : most, side_most)
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const double u =
-                normal_x * static_cast<double>(x[i]) + normal_y * static_cast<double>(y[i]);
-            const double w =
-                normal_x * static_cast<double>(y[i]) - normal_y * static_cast<double>(x[i]);
-            least = std::min(least, u);
-            most = std::max(most, u);
-            side_least = std::min(side_least, w);
-            side_most = std::max(side_most, w);
-        }
-        return region.low <= least && most < region.high && region.side_low <= side_least &&
-               side_most < region.side_high;
-    }
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
-        if (!region.owns(ring.link[i], static_cast<double>(ring.x[i]),
-                         static_cast<double>(ring.y[i]))) {
-            return false;
-        }
-    }
-    return true;
-}
+/// How a star is tested for ownership while it is walked.
+enum class Owned : std::uint8_t {
+    surely, ///< the region is the whole mesh
+    upright, ///< a box along the axes: the extent of the star is kept, which costs next to nothing
+    tested, ///< any other region: vertex by vertex
+};
 
-template <bool is_whole, class Real>
+template <Owned how, class Real>
+class Ownership {
+public:
+    explicit Ownership(const Region& region) : region_(region) {}
+
+    void show([[maybe_unused]] std::uint32_t vertex, [[maybe_unused]] Real x,
+              [[maybe_unused]] Real y) {
+        if constexpr (how == Owned::upright) {
+            left_ = std::min(left_, x);
+            right_ = std::max(right_, x);
+            bottom_ = std::min(bottom_, y);
+            top_ = std::max(top_, y);
+        } else if constexpr (how == Owned::tested) {
+            owns_ =
+                owns_ && region_.owns(vertex, static_cast<double>(x), static_cast<double>(y));
+        }
+    }
+    [[nodiscard]] bool owns_all() const {
+        if constexpr (how == Owned::upright) {
+            return (region_.low <= static_cast<double>(left_)) &
+                   (static_cast<double>(right_) < region_.high) &
+                   (region_.side_low <= static_cast<double>(bottom_)) &
+                   (static_cast<double>(top_) < region_.side_high);
+        }
+        return owns_;
+    }
+
+private:
+    static constexpr Real most = std::numeric_limits<Real>::max();
+
+    const Region& region_;
+    bool owns_ = true;
+    Real left_ = most;
+    Real right_ = -most;
+    Real bottom_ = most;
+    Real top_ = -most;
+};
+
+template <Owned how, class Real>
 bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
                  Ring<Real>& ring) {
     const auto& centre = complex.vertices[vertex];
@@ -103,6 +112,7 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
     ring.owned = true;
     const auto* triangles = complex.triangles.data();
     const auto* vertices = complex.vertices.data();
+    constexpr bool is_whole = how == Owned::surely;
     const auto read = [](const Real& value) {
         if constexpr (is_whole) {
             return value;
@@ -123,10 +133,12 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
     if (start == no_id) {
         return false;
     }
+    Ownership<how, Real> ownership(region);
     const auto put = [&](std::uint32_t i, std::uint32_t id) {
         const auto& record = vertices[id];
         const Real x = read(record.x);
         const Real y = read(record.y);
+        ownership.show(id, x, y);
         ring.link[i] = id;
         ring.x[i] = x;
         ring.y[i] = y;
@@ -201,51 +213,24 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
         ring.x_previous[i] = ring.x_previous[0];
         ring.y_previous[i] = ring.y_previous[0];
     }
+    ring.owned = ownership.owns_all();
     return true;
 }
 
 } // namespace detail
 
-/// Whether the region owns all of a star that was gathered with its centre owned. `longest`: the
-/// squared length of the longest spoke, where it is known; infinity where it is not. O(degree), O(1)
-/// where no spoke reaches the region's boundary.
-template <class Real>
-bool owns_ring(const Region& region, const Ring<Real>& ring,
-               Real longest = std::numeric_limits<Real>::infinity()) {
-    if (region.is_whole()) {
-        return true;
-    }
-    // Rounding of the two lengths is far below this.
-    constexpr double margin = 0.999;
-    const double reach =
-        margin * region.reach(static_cast<double>(ring.x0), static_cast<double>(ring.y0));
-    if (reach > 0 && reach * reach > static_cast<double>(longest)) {
-        return true;
-    }
-    return detail::owns_link(region, ring) &&
-           (ring.closed ||
-            region.owns(ring.link[ring.size], static_cast<double>(ring.link_x(ring.size)),
-                        static_cast<double>(ring.link_y(ring.size))));
-}
-
 /// Gathers the star of `vertex`, counter-clockwise; an open star from its clockwise end. Returns
 /// false where it has more triangles than fit, or none, or where the region does not own the centre
-/// (then `owned` is false and nothing was read). Where the centre is owned, `owned` says no more
-/// than that: see `owns_ring`. O(degree).
-template <class Real>
-bool gather_centre(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
-                   Ring<Real>& ring) {
-    return region.is_whole() ? detail::gather_star<true>(complex, region, vertex, ring)
-                             : detail::gather_star<false>(complex, region, vertex, ring);
-}
-
-/// The same, and `owned` says whether the whole star is.
+/// (then `owned` is false and nothing was read). O(degree).
 template <class Real>
 bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
             Ring<Real>& ring) {
-    const bool gathered = gather_centre(complex, region, vertex, ring);
-    ring.owned = ring.owned && (!gathered || owns_ring(region, ring));
-    return gathered;
+    using detail::Owned;
+    if (region.is_whole()) {
+        return detail::gather_star<Owned::surely>(complex, region, vertex, ring);
+    }
+    return region.is_upright() ? detail::gather_star<Owned::upright>(complex, region, vertex, ring)
+                               : detail::gather_star<Owned::tested>(complex, region, vertex, ring);
 }
 
 } // namespace dsc

@@ -7,7 +7,6 @@
 
 #include "dsc/complex/complex.h"
 
-#include <algorithm>
 #include <atomic>
 #include <limits>
 
@@ -38,11 +37,17 @@ struct Region {
     std::uint32_t label = 0;
 
     [[nodiscard]] bool is_whole() const { return kind == Kind::whole; }
+    /// A box along the axes that does not go round.
+    [[nodiscard]] bool is_upright() const {
+        return kind == Kind::box && low <= high && normal_y == 0 && normal_x == 1;
+    }
+    [[nodiscard]] double along(double x, double y) const { return normal_x * x + normal_y * y; }
+    [[nodiscard]] double aside(double x, double y) const { return normal_x * y - normal_y * x; }
     [[nodiscard]] bool owns_place(double x, double y) const {
-        const double u = normal_x * x + normal_y * y;
-        const double w = normal_x * y - normal_y * x;
-        const bool along = low <= high ? (low <= u) & (u < high) : (low <= u) | (u < high);
-        return along & (side_low <= w) & (w < side_high);
+        const double u = along(x, y);
+        const double w = aside(x, y);
+        const bool is_along = low <= high ? (low <= u) & (u < high) : (low <= u) | (u < high);
+        return is_along & (side_low <= w) & (w < side_high);
     }
     [[nodiscard]] bool owns(std::uint32_t vertex, double x, double y) const {
         switch (kind) {
@@ -52,16 +57,6 @@ struct Region {
         case Kind::labels: return labels[vertex] == label;
         }
         return false;
-    }
-    /// How far a box reaches beyond (x, y), which it owns: what is nearer is its own as well. 0 for
-    /// other kinds, and for slabs that go round.
-    [[nodiscard]] double reach(double x, double y) const {
-        if (kind != Kind::box || low > high) {
-            return 0;
-        }
-        const double u = normal_x * x + normal_y * y;
-        const double w = normal_x * y - normal_y * x;
-        return std::min(std::min(u - low, high - u), std::min(w - side_low, side_high - w));
     }
     /// False only where no point can lie in both; labels and places are not looked into.
     [[nodiscard]] bool may_meet(const Region& other) const {

@@ -575,7 +575,7 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
     }
     std::uint32_t epoch = whole_.epoch;
     if (!whole_.movers.empty() || !whole_.active.empty()) {
-        report.passes += run_motion(whole_, algorithm_.motion, epoch);
+        report.passes = std::max(report.passes, run_motion(whole_, algorithm_.motion, epoch));
     }
     report.unreached += whole_.movers.size();
     whole_.movers.clear();

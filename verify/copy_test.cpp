@@ -1,0 +1,666 @@
+// SPDX-License-Identifier: MIT
+// Create and merge as printed (algorithms 6.1 to 6.3): dividing and merging alone changes nothing
+// but the ids; a step in copies is as good as one in place, with the same bits for any number of
+// threads; what a submesh throws comes out and leaves a complex to go on with.
+#include "dsc/parallel/copy_executor.h"
+
+#include "random_scene.h"
+
+#include "dsc/algorithm/driver.h"
+#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/base/error.h"
+#include "dsc/complex/hash.h"
+#include "dsc/complex/validate.h"
+#include "dsc/quality/measures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+
+namespace dsc {
+namespace {
+
+using test::Dice;
+using test::RandomFlow;
+using test::Wildness;
+
+template <class Real>
+Complex<Real> random_mesh(std::uint64_t seed, double h) {
+    Dice dice(seed);
+    return seed % 3 == 0 ? test::random_patches<Real>(dice, h, 12)
+                         : test::random_shapes<Real>(dice, h);
+}
+
+// --- algorithms 6.1 and 6.2 by themselves -------------------------------------------------------
+
+// Data by place, which tell wherever their simplex went.
+double datum(const Complex<double>& mesh, Vertex v) {
+    return mesh.vertices[v.id].x + 2 * mesh.vertices[v.id].y;
+}
+
+std::string datum(const Complex<double>& mesh, Corner c) {
+    const double sum =
+        datum(mesh, Vertex{mesh.vertex(next(c))}) + datum(mesh, Vertex{mesh.vertex(prev(c))});
+    return "edge " + std::to_string(sum);
+}
+
+float datum(const Complex<double>& mesh, Triangle t) {
+    const auto v = mesh.vertices_of(t);
+    return static_cast<float>(datum(mesh, v[0]) * datum(mesh, v[1]) * datum(mesh, v[2]));
+}
+
+struct Data {
+    explicit Data(Complex<double>& mesh)
+        : of_vertices(mesh.attributes.add<double>("by vertex", SimplexKind::vertex)),
+          of_edges(mesh.attributes.add<std::string>("by edge", SimplexKind::edge)),
+          of_triangles(mesh.attributes.add<float>("by triangle", SimplexKind::triangle)) {
+        for (std::uint32_t v = 0; v < mesh.vertex_bound(); ++v) {
+            of_vertices[Vertex{v}] = datum(mesh, Vertex{v});
+        }
+        for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
+            for (std::uint32_t i = 0; i < 3 && mesh.is_alive(Triangle{t}); ++i) {
+                of_triangles[Triangle{t}] = datum(mesh, Triangle{t});
+                of_edges.at_corner(corner_of(t, i)) = datum(mesh, corner_of(t, i));
+            }
+        }
+    }
+
+    void expect_in_place(const Complex<double>& mesh) {
+        for (std::uint32_t v = 0; v < mesh.vertex_bound(); ++v) {
+            ASSERT_EQ(of_vertices[Vertex{v}], datum(mesh, Vertex{v}));
+        }
+        for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
+            ASSERT_EQ(of_triangles[Triangle{t}], datum(mesh, Triangle{t}));
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                ASSERT_EQ(of_edges.at_corner(corner_of(t, i)), datum(mesh, corner_of(t, i)));
+            }
+        }
+    }
+
+    Attribute<double>& of_vertices;
+    Attribute<std::string>& of_edges;
+    Attribute<float>& of_triangles;
+};
+
+TEST(CopiedSubmeshes, MergeIntoTheMeshThatWasDivided) {
+    CopiedSubmeshes<double> submeshes; // used again and again, as by the executor
+    for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+        Dice dice(100 + seed);
+        auto mesh = random_mesh<double>(seed, 0.04);
+        Data data(mesh);
+        for (int i = 0; i < 20; ++i) {
+            const auto v =
+                static_cast<std::uint32_t>(dice.in(0, static_cast<int>(mesh.vertex_bound()) - 1));
+            mesh.set_locked(Vertex{v}, true);
+        }
+        const auto locked_places = [&] {
+            std::vector<std::pair<double, double>> places;
+            for (const auto& record : mesh.vertices) {
+                if ((record.flags & vertex_locked) != 0) {
+                    places.emplace_back(record.x, record.y);
+                }
+            }
+            std::sort(places.begin(), places.end());
+            return places;
+        };
+        const auto locked = locked_places();
+        const std::uint64_t hash = mesh_hash(mesh);
+        const ValidationReport before = validate(mesh);
+        for (const RedBlack colour : {RedBlack::red, RedBlack::black}) {
+            for (const std::uint32_t n : {1U, 2U, 3U, 8U, 60U}) {
+                SCOPED_TRACE("seed " + std::to_string(seed) + ", submeshes " + std::to_string(n));
+                create_submeshes(mesh, {n, 0.6, 0.8, colour}, submeshes);
+                for (const auto& submesh : submeshes.list) {
+                    lend_ids(*submesh, 7); // must not turn up in the mesh
+                }
+                merge_submeshes(submeshes, mesh);
+                EXPECT_EQ(mesh_hash(mesh), hash);
+                const ValidationReport report = validate(mesh);
+                EXPECT_EQ(report.problem, "");
+                EXPECT_EQ(report.vertices, before.vertices - before.unused_vertices);
+                EXPECT_EQ(report.triangles, before.triangles);
+                EXPECT_EQ(report.edges, before.edges) << "seams are open";
+                EXPECT_EQ(mesh.vertex_bound(), report.vertices) << "free ids after a merge";
+                EXPECT_EQ(mesh.triangle_bound(), report.triangles + 1);
+                EXPECT_EQ(locked_places(), locked);
+                data.expect_in_place(mesh);
+                submeshes.list.resize(1); // another number of submeshes next
+            }
+        }
+    }
+}
+
+TEST(CopiedSubmeshes, MapSharedVerticesToOneVertex) {
+    auto mesh = random_mesh<double>(1, 0.03);
+    const auto original = mesh.vertices;
+    CopiedSubmeshes<double> submeshes;
+    create_submeshes(mesh, {.submeshes = 7}, submeshes);
+    std::map<std::uint32_t, std::uint32_t> copies; // of shared vertices
+    std::uint64_t inserted = 0;
+    for (const auto& submesh : submeshes.list) {
+        for (std::uint32_t v = 0; v < submesh->complex.vertex_bound(); ++v) {
+            const std::uint32_t shared = submesh->shared[v];
+            EXPECT_EQ(submesh->region().owns(v, 0, 0), shared == no_id);
+            if (shared == no_id) {
+                ++inserted;
+                continue;
+            }
+            ++copies[shared];
+            EXPECT_EQ(submeshes.owner[shared], CopiedSubmeshes<double>::several);
+            EXPECT_EQ(submesh->complex.vertices[v].x, original[shared].x);
+            EXPECT_EQ(submesh->complex.vertices[v].y, original[shared].y);
+        }
+    }
+    EXPECT_GT(copies.size(), 100U);
+    for (const auto& [v, count] : copies) {
+        EXPECT_GE(count, 2U) << "vertex " << v << " is on no submesh boundary";
+    }
+    merge_submeshes(submeshes, mesh);
+    EXPECT_EQ(mesh.vertex_count(), inserted + copies.size());
+    for (const auto& submesh : submeshes.list) {
+        for (std::uint32_t v = 0; v < submesh->complex.vertex_bound(); ++v) {
+            if (submesh->shared[v] != no_id) {
+                EXPECT_EQ(submesh->merged[v], submeshes.merged[submesh->shared[v]]);
+            }
+        }
+    }
+    for (std::uint32_t v = 0; v < original.size(); ++v) {
+        const auto& record = mesh.vertices.at(submeshes.merged_vertex(v));
+        EXPECT_EQ(record.x, original[v].x);
+        EXPECT_EQ(record.y, original[v].y);
+    }
+}
+
+TEST(CopiedSubmeshes, HaveEqualSharesInTheOrderOfTheNormal) {
+    const auto mesh = random_mesh<double>(2, 0.03);
+    const std::uint32_t n = 7;
+    const std::size_t share = mesh.triangle_count() / n;
+    ASSERT_NE(mesh.triangle_count() % n, 0U) << "choose a mesh that has triangles over";
+    CopiedSubmeshes<double> red;
+    create_submeshes(mesh, {n, 0, 1, RedBlack::red}, red);
+    double highest = -1;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::size_t more = i < mesh.triangle_count() % n ? 1 : 0;
+        EXPECT_EQ(red.list[i]->complex.triangle_count(), share + more) << "submesh " << i;
+        double low = 4;
+        double high = -1;
+        for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
+            if (red.number[t] == i) {
+                double y = 0;
+                for (const Vertex v : mesh.vertices_of(Triangle{t})) {
+                    y += mesh.vertices[v.id].y;
+                }
+                low = std::min(low, y);
+                high = std::max(high, y);
+            }
+        }
+        EXPECT_LE(highest, low + 1e-12) << "submesh " << i;
+        highest = high;
+    }
+    // Black: the ends are one submesh [8.5], and what red locked is free.
+    CopiedSubmeshes<double> black;
+    create_submeshes(mesh, {n, 0, 1, RedBlack::black}, black);
+    ASSERT_EQ(black.list.size(), n);
+    std::uint32_t sum = 0;
+    for (const auto& submesh : black.list) {
+        EXPECT_NEAR(submesh->complex.triangle_count(), static_cast<double>(share), 1);
+        sum += submesh->complex.triangle_count();
+    }
+    EXPECT_EQ(sum, mesh.triangle_count());
+    EXPECT_EQ(validate(black.list[0]->complex).components, 2U) << "bottom and top of the mesh";
+    for (std::uint32_t v = 0; v < mesh.vertex_bound(); ++v) {
+        EXPECT_FALSE(red.owner[v] == CopiedSubmeshes<double>::several &&
+                     black.owner[v] == CopiedSubmeshes<double>::several)
+            << "vertex " << v << " is locked for both colours";
+    }
+}
+
+TEST(CopiedSubmeshes, MayBeEmptyWhereTrianglesAreFew) {
+    const std::array<Point<double>, 4> points{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    const std::array<std::array<std::uint32_t, 3>, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
+    const std::array<Phase, 2> phases{1, 2};
+    auto mesh = make_complex<double>(points, triangles, phases);
+    const std::uint64_t hash = mesh_hash(mesh);
+    CopiedSubmeshes<double> submeshes;
+    for (const RedBlack colour : {RedBlack::red, RedBlack::black}) {
+        create_submeshes(mesh, {5, 1, 0, colour}, submeshes);
+        merge_submeshes(submeshes, mesh);
+        EXPECT_EQ(validate(mesh).problem, "");
+        EXPECT_EQ(mesh_hash(mesh), hash);
+        EXPECT_EQ(mesh.vertex_count(), 4U);
+    }
+    Complex<double> empty;
+    create_submeshes(empty, {.submeshes = 3}, submeshes);
+    merge_submeshes(submeshes, empty);
+    EXPECT_EQ(validate(empty).problem, "");
+    EXPECT_EQ(empty.triangle_count(), 0U);
+}
+
+TEST(CopiedSubmeshes, RefuseAMeshWhoseIdsAreLent) {
+    auto mesh = test::disc_complex<double>(0.1);
+    CopiedSubmeshes<double> submeshes;
+    mesh.lent_vertices = 3;
+    EXPECT_THROW(create_submeshes(mesh, {}, submeshes), InputError);
+    mesh.lent_vertices = 0;
+    mesh.lent_triangles = 1;
+    EXPECT_THROW(create_submeshes(mesh, {}, submeshes), InputError);
+}
+
+// --- steps --------------------------------------------------------------------------------------
+
+auto counts_of(const OperationCounts& c) {
+    return std::tuple(c.moves, c.flips, c.interface_splits, c.interface_collapses, c.splits,
+                      c.collapses, c.smoothed, c.subdivisions, c.retriangulations, c.examined);
+}
+
+template <class Real>
+std::map<Phase, double> areas_of(const Complex<Real>& complex) {
+    std::map<Phase, double> areas;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (complex.is_alive(Triangle{t})) {
+            areas[complex.phase(Triangle{t})] += static_cast<double>(area(complex, Triangle{t}));
+        }
+    }
+    return areas;
+}
+
+struct Outcome {
+    std::vector<std::uint64_t> hashes; ///< after each step
+    OperationCounts counts;
+    std::uint64_t unreached = 0;
+    std::vector<std::uint32_t> interface;
+    std::map<Phase, double> areas;
+    std::uint32_t most_passes = 0;
+    CopyCosts costs;
+};
+
+constexpr int steps = 12;
+
+template <class Real>
+Outcome simulate(std::uint64_t seed, const CopyOptions* copy) {
+    constexpr double h = 0.025;
+    auto complex = random_mesh<Real>(seed, h);
+    Dice dice(seed);
+    const RandomFlow flow(dice, 1, seed % 5 == 4 ? Wildness::not_a_number : Wildness::none);
+    const Velocity<Real> velocity = flow.velocity<Real>();
+    Options<Real> options;
+    options.edge_length = static_cast<Real>(h);
+    std::unique_ptr<CopyExecutor<Real>> executor;
+    const CopyExecutor<Real>* seen = nullptr;
+    if (copy != nullptr) {
+        executor = std::make_unique<CopyExecutor<Real>>(complex, options, default_algorithm<Real>(),
+                                                        *copy);
+        seen = executor.get();
+    }
+    Simulation<Real> simulation(complex, options, std::move(executor));
+    Outcome outcome;
+    for (int step = 0; step < steps; ++step) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step));
+        const auto report =
+            simulation.step(velocity, static_cast<Real>(step) * Real(0.01), Real(0.01));
+        outcome.counts += report.operations;
+        outcome.unreached += report.unreached;
+        outcome.most_passes = std::max(outcome.most_passes, report.passes);
+        outcome.hashes.push_back(mesh_hash(complex));
+        EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
+        EXPECT_EQ(validate(complex).problem, "");
+    }
+    outcome.interface = simulation.interface();
+    outcome.areas = areas_of(complex);
+    outcome.costs = seen != nullptr ? seen->costs() : CopyCosts{};
+    return outcome;
+}
+
+TEST(CopyExecutor, GivesTheSameBitsForAnyNumberOfThreads) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        CopyOptions copy{.submeshes = static_cast<std::uint32_t>(2 + 2 * seed)};
+        if (seed % 2 == 0) {
+            copy.normal_x = 0.6;
+            copy.normal_y = 0.8;
+        }
+        const Outcome one = simulate<double>(seed, &copy);
+        EXPECT_GE(one.costs.rounds, 2U * steps) << "black had nothing to do";
+        for (const std::uint32_t threads : {2U, 3U, 5U}) {
+            copy.threads = threads;
+            const Outcome many = simulate<double>(seed, &copy);
+            EXPECT_EQ(many.hashes, one.hashes) << "seed " << seed << ", threads " << threads;
+            EXPECT_EQ(counts_of(many.counts), counts_of(one.counts)) << "seed " << seed;
+            EXPECT_EQ(many.unreached, one.unreached) << "seed " << seed;
+            EXPECT_EQ(many.interface, one.interface) << "seed " << seed << ": ids differ";
+        }
+    }
+}
+
+TEST(CopyExecutor, GivesTheSameBitsInFloat) {
+    CopyOptions copy{.submeshes = 5};
+    const Outcome one = simulate<float>(1, &copy);
+    copy.threads = 4;
+    EXPECT_EQ(simulate<float>(1, &copy).hashes, one.hashes);
+}
+
+TEST(CopyExecutor, ReachesWhatTheSequentialMethodReaches) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 5U, 6U, 7U}) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Outcome sequential = simulate<double>(seed, nullptr);
+        for (const std::uint32_t n : {2U, 6U, 24U}) {
+            CopyOptions copy{.submeshes = n};
+            std::tie(copy.normal_x, copy.normal_y) =
+                n == 6 ? std::tuple(0.0, 1.0) : std::tuple(1.0, 0.0);
+            const Outcome outcome = simulate<double>(seed, &copy);
+            EXPECT_EQ(sequential.unreached, 0U);
+            EXPECT_EQ(outcome.unreached, 0U);
+            ASSERT_EQ(outcome.areas.size(), sequential.areas.size());
+            for (const auto& [phase, area] : sequential.areas) {
+                EXPECT_NEAR(outcome.areas.at(phase), area, 5e-4) << "phase " << phase;
+            }
+        }
+    }
+}
+
+TEST(CopyExecutor, IsTheSequentialMethodWhereThereIsOneSubmesh) {
+    const CopyOptions copy{.submeshes = 1, .threads = 3};
+    const Outcome one = simulate<double>(2, &copy);
+    const Outcome sequential = simulate<double>(2, nullptr);
+    EXPECT_EQ(one.unreached, sequential.unreached);
+    EXPECT_EQ(one.costs.steps, static_cast<std::uint64_t>(steps));
+    EXPECT_EQ(one.costs.rounds, one.costs.steps) << "nothing is put off";
+    const auto near = [](std::uint64_t a, std::uint64_t b) {
+        EXPECT_NEAR(static_cast<double>(a), static_cast<double>(b), 0.05 * static_cast<double>(b));
+    };
+    near(one.counts.moves, sequential.counts.moves);
+    near(one.counts.examined, sequential.counts.examined);
+    near(one.counts.flips, sequential.counts.flips);
+    near(one.counts.smoothed, sequential.counts.smoothed);
+}
+
+Velocity<double> everywhere(double x, double y) {
+    return [=](std::span<const Point<double>>, double, std::span<Point<double>> velocities) {
+        std::fill(velocities.begin(), velocities.end(), Point<double>(x, y));
+    };
+}
+
+// Data and locks follow through steps; references to attributes stay good.
+TEST(CopyExecutor, CarriesDataAndLocksThroughSteps) {
+    constexpr double h = 0.03;
+    auto complex = test::disc_complex<double>(h);
+    auto& place = complex.attributes.add<double>("place", SimplexKind::vertex);
+    auto& phases = complex.attributes.add<Phase>("phase", SimplexKind::triangle);
+    auto& edges = complex.attributes.add<std::uint8_t>("on the interface", SimplexKind::edge);
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        place[Vertex{v}] = 1; // and 1 between them: splits blend
+    }
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        phases[Triangle{t}] = complex.phase(Triangle{t});
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t, i);
+            edges.at_corner(c) = is_interface(complex, complex.edge(c)) ? 1 : 0;
+        }
+    }
+    std::uint32_t pinned = 0;
+    for (std::uint32_t v = 1; v < complex.vertex_bound(); ++v) {
+        const auto distance = [&](std::uint32_t u) {
+            return (complex.position(Vertex{u}) - Point<double>(0.75, 0.5)).norm();
+        };
+        pinned = distance(v) < distance(pinned) ? v : pinned;
+    }
+    complex.set_locked(Vertex{pinned}, true);
+    const Point<double> pin = complex.position(Vertex{pinned});
+    Options<double> options;
+    options.edge_length = h;
+    Simulation<double> simulation(
+        complex, options,
+        std::make_unique<CopyExecutor<double>>(complex, options, default_algorithm<double>(),
+                                               CopyOptions{.submeshes = 6, .threads = 2}));
+    OperationCounts counts;
+    for (int step = 0; step < 10; ++step) {
+        counts += simulation.step(everywhere(0.4 * h, 0.3 * h), 0, 1).operations;
+    }
+    EXPECT_GT(counts.flips + counts.splits + counts.collapses, 100U);
+    ASSERT_EQ(validate(complex).problem, "");
+    int locked = 0;
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (complex.is_alive(Vertex{v})) {
+            ASSERT_EQ(place[Vertex{v}], 1);
+            if (complex.is_locked(Vertex{v})) {
+                ++locked;
+                EXPECT_EQ(complex.position(Vertex{v}), pin);
+            }
+        }
+    }
+    EXPECT_EQ(locked, 1);
+    int marked = 0;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        for (std::uint32_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
+            ASSERT_EQ(phases[Triangle{t}], complex.phase(Triangle{t}));
+            const Corner c = corner_of(t, i);
+            const bool expected = is_interface(complex, complex.edge(c));
+            ASSERT_EQ(edges.at_corner(c), expected ? 1 : 0) << "corner " << c;
+            marked += edges.at_corner(c);
+        }
+    }
+    EXPECT_GT(marked, 50);
+}
+
+// The list of the interface is that of the curve, vertex by vertex: nothing sorts it anew.
+TEST(CopyExecutor, KeepsTheInterfaceInTheOrderOfTheCurve) {
+    constexpr double h = 0.03;
+    auto complex = test::disc_complex<double>(h);
+    Options<double> options;
+    options.edge_length = h;
+    Simulation<double> simulation(
+        complex, options,
+        std::make_unique<CopyExecutor<double>>(complex, options, default_algorithm<double>(),
+                                               CopyOptions{.submeshes = 6}));
+    for (int step = 0; step < 10; ++step) {
+        (void)simulation.step(everywhere(0.3 * h, 0.2 * h), 0, 1);
+    }
+    const auto list = simulation.interface();
+    int apart = 0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::uint32_t following = list[(i + 1) % list.size()];
+        apart += complex.find_edge(Vertex{list[i]}, Vertex{following}).is_valid() ? 0 : 1;
+    }
+    EXPECT_LE(apart, 2);
+}
+
+// Upkeep among the motion passes makes and removes interface vertices in the submeshes.
+TEST(CopyExecutor, LetsPassesInSubmeshesChangeTheInterface) {
+    constexpr double h = 0.03;
+    auto complex = test::disc_complex<double>(h);
+    Options<double> options;
+    options.edge_length = h;
+    auto algorithm = default_algorithm<double>();
+    algorithm.motion.insert(algorithm.motion.begin(), algorithm.upkeep.front());
+    algorithm.upkeep.clear();
+    Simulation<double> simulation(complex, options,
+                                  std::make_unique<CopyExecutor<double>>(
+                                      complex, options, algorithm, CopyOptions{.submeshes = 4}));
+    const Velocity<double> stretch = [](std::span<const Point<double>> positions, double,
+                                        std::span<Point<double>> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {positions[i].x() - 0.5, 0.5 - positions[i].y()};
+        }
+    };
+    std::uint64_t changes = 0;
+    for (int step = 0; step < 10; ++step) {
+        const auto report = simulation.step(stretch, 0, 0.04);
+        changes += report.operations.interface_splits + report.operations.interface_collapses;
+        EXPECT_EQ(validate(complex).problem, "");
+        EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
+    }
+    EXPECT_GT(changes, 10U);
+}
+
+// More vertices than the submeshes have ids for: the rest is put off, and done.
+TEST(CopyExecutor, GoesOnWhereIdsRunOut) {
+    auto complex = test::disc_complex<double>(0.05);
+    Options<double> options;
+    options.edge_length = 0.008;
+    std::atomic<int> ran_out{0};
+    auto algorithm = default_algorithm<double>();
+    algorithm.motion.push_back(
+        {"look", [&](Work<double>& work) {
+             ran_out += work.submesh.pool->vertices.empty() && !work.submesh.pool->may_grow ? 1 : 0;
+         }});
+    Simulation<double> simulation(complex, options,
+                                  std::make_unique<CopyExecutor<double>>(
+                                      complex, options, algorithm, CopyOptions{.submeshes = 2}));
+    for (int step = 0; step < 6; ++step) {
+        (void)simulation.step(everywhere(0.004, 0.003), 0, 1);
+        EXPECT_EQ(validate(complex).problem, "");
+        EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
+    }
+    EXPECT_GT(ran_out, 0);
+    auto alone = test::disc_complex<double>(0.05);
+    Simulation<double> sequential(alone, options);
+    for (int step = 0; step < 6; ++step) {
+        (void)sequential.step(everywhere(0.004, 0.003), 0, 1);
+    }
+    EXPECT_NEAR(complex.vertex_count(), alone.vertex_count(), 0.1 * alone.vertex_count());
+}
+
+// --- failures -----------------------------------------------------------------------------------
+
+struct Fault : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+TEST(CopyExecutor, PassesOnWhatAVelocityThrows) {
+    constexpr double h = 0.03;
+    auto complex = test::disc_complex<double>(h);
+    Options<double> options;
+    options.edge_length = h;
+    Simulation<double> simulation(
+        complex, options,
+        std::make_unique<CopyExecutor<double>>(complex, options, default_algorithm<double>(),
+                                               CopyOptions{.submeshes = 4, .threads = 2}));
+    const Velocity<double> bad = [](std::span<const Point<double>>, double,
+                                    std::span<Point<double>>) { throw Fault("no velocity"); };
+    EXPECT_THROW((void)simulation.step(bad, 0, 1), Fault);
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_EQ(simulation.step(everywhere(0.01, 0), 0, 1).unreached, 0U);
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
+}
+
+// A pass throws in some submesh of some round, before or after the others ran there. The step is
+// lost, the simulation is not.
+TEST(CopyExecutor, GoesOnAfterAPassThrew) {
+    constexpr double h = 0.03;
+    enum class Where { upkeep, red, black, whole };
+    for (const Where where : {Where::upkeep, Where::red, Where::black, Where::whole}) {
+        for (const bool before : {true, false}) {
+            SCOPED_TRACE(std::to_string(static_cast<int>(where)) + (before ? ", first" : ", last"));
+            auto complex = test::disc_complex<double>(h);
+            Options<double> options;
+            options.edge_length = h;
+            constexpr std::uint32_t n = 12; // thin slabs: something is left for the last run
+            std::atomic<bool> faulty{true};
+            std::atomic<std::uint32_t> runs{0}; // of submeshes, their first passes
+            std::atomic<int> thrown{0};
+            const Pass<double> fault{
+                "fault", [&](Work<double>& work) {
+                    const bool is_whole = work.submesh.region.is_whole();
+                    const std::uint32_t run = is_whole || work.epoch > 1 ? runs.load() : runs++;
+                    const bool here = where == Where::upkeep || where == Where::whole
+                                          ? is_whole
+                                          : !is_whole && run == (where == Where::red ? 5 : n + 5);
+                    if (faulty && here) {
+                        ++thrown;
+                        throw Fault("as seeded");
+                    }
+                }};
+            auto algorithm = default_algorithm<double>();
+            auto& passes = where == Where::upkeep ? algorithm.upkeep : algorithm.motion;
+            passes.insert(before ? passes.begin() : passes.end(), fault);
+            Simulation<double> simulation(
+                complex, options,
+                std::make_unique<CopyExecutor<double>>(complex, options, algorithm,
+                                                       CopyOptions{.submeshes = n, .threads = 3}));
+            const std::uint64_t hash = mesh_hash(complex);
+            EXPECT_THROW((void)simulation.step(everywhere(0.01, 0), 0, 1), Fault);
+            EXPECT_GE(thrown, 1);
+            if (where == Where::red || where == Where::upkeep) {
+                EXPECT_EQ(mesh_hash(complex), hash) << "nothing was merged";
+            } else {
+                EXPECT_NE(mesh_hash(complex), hash) << "red was merged";
+            }
+            EXPECT_EQ(validate(complex).problem, "");
+            EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
+            // Who was on the way when the step was lost must not arrive in a later one.
+            faulty = false;
+            EXPECT_EQ(simulation.step(everywhere(0, 0), 0, 1).operations.moves, 0U);
+            EXPECT_EQ(simulation.step(everywhere(0.01, 0), 0, 1).unreached, 0U);
+            EXPECT_EQ(validate(complex).problem, "");
+            EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
+        }
+    }
+}
+
+TEST(CopyExecutor, LetsTheFirstSubmeshSpeak) {
+    constexpr double h = 0.03;
+    for (const std::uint32_t threads : {1U, 2U, 5U}) {
+        auto complex = test::disc_complex<double>(h);
+        Options<double> options;
+        options.edge_length = h;
+        auto algorithm = default_algorithm<double>();
+        algorithm.motion.push_back({"fault", [](Work<double>& work) {
+                                        double x = 0;
+                                        for (const auto& vertex : work.complex.vertices) {
+                                            x = std::max(x, vertex.x);
+                                        }
+                                        if (x > 0.3) {
+                                            throw Fault(std::to_string(x));
+                                        }
+                                    }});
+        CopyExecutor<double> executor(complex, options, algorithm,
+                                      {.submeshes = 8, .threads = threads});
+        (void)executor.aim(everywhere(0.01, 0), 0, 1);
+        try {
+            (void)executor.move();
+            ADD_FAILURE() << "nobody spoke";
+        } catch (const Fault& error) {
+            const double x = std::stod(error.what());
+            EXPECT_TRUE(x > 0.3 && x < 0.45) << x;
+        }
+        executor.end_step();
+    }
+}
+
+TEST(CopyExecutor, RefusesOptionsThatMakeNoSense) {
+    auto complex = test::disc_complex<double>(0.05);
+    Options<double> options;
+    options.edge_length = 0.05;
+    struct Seeded {
+        const char* where;
+        CopyOptions copy;
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::array<Seeded, 7> faults{{
+        {"submeshes", {.submeshes = 0}},
+        {"submeshes", {.submeshes = 70000}},
+        {"threads", {.threads = 0}},
+        {"threads", {.threads = 5000}},
+        {"normal", {.normal_x = 0}},
+        {"normal", {.normal_y = 1}},
+        {"normal", {.normal_x = nan}},
+    }};
+    for (const auto& fault : faults) {
+        try {
+            CopyExecutor<double> executor(complex, options, default_algorithm<double>(),
+                                          fault.copy);
+            ADD_FAILURE() << "accepted: " << fault.where;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.where(), fault.where);
+        }
+    }
+}
+
+} // namespace
+} // namespace dsc
