@@ -23,6 +23,9 @@ Starts& starts() {
 }
 
 std::string scene_of(const std::string& family) {
+    if (family == "swirl_step") {
+        return "swirl";
+    }
     return family == "scaling_step" ? "speedup-scaling" : "speedup-four-circles";
 }
 
@@ -35,11 +38,18 @@ std::unique_ptr<const Start> make_start(const std::string& family, int triangles
     auto& parameters = start->parameters;
     parameters = scene.defaults;
     parameters.h = std::sqrt(4 / (std::sqrt(3.0) * triangles));
-    parameters.dt = way_of_a_step * parameters.h;
-    const int middle = static_cast<int>(std::lround(way_to_the_middle / parameters.dt));
-    start->step = std::max(0, middle - timed_steps / 2 - warm_up_steps);
-    parameters.steps = start->step + warm_up_steps + timed_steps;
-    start->setup = scene.prepare(parameters);
+    if (family == "swirl_step") {
+        // The last steps before it turns back: the interface is at its longest.
+        start->setup = scene.prepare(parameters);
+        parameters.dt = start->setup.dt;
+        start->step = *start->setup.half_step - warm_up_steps - timed_steps;
+    } else {
+        parameters.dt = way_of_a_step * parameters.h;
+        const int middle = static_cast<int>(std::lround(way_to_the_middle / parameters.dt));
+        start->step = std::max(0, middle - timed_steps / 2 - warm_up_steps);
+        parameters.steps = start->step + warm_up_steps + timed_steps;
+        start->setup = scene.prepare(parameters);
+    }
 
     Complex<double> complex = scenes::first_complex<double>(start->setup, parameters);
     const Options<double> options = scenes::scene_options<double>(parameters);

@@ -28,7 +28,8 @@ struct Start {
 /// `scaling_step` or `four_circles_step` with about so many triangles in the unit square: h such
 /// that as many equilateral triangles fill it, 0.3 h of way a step, grown sequentially until the
 /// middle of the timed steps lies 0.15 from the begin (a circle of radius 0.25; 28,000 triangles
-/// and about 170 interface vertices as in the thesis). Made once, then kept.
+/// and about 170 interface vertices as in the thesis). `swirl_step`: the swirl of 2 x 260 steps, up
+/// to where it turns back, where the interface is dense. Made once, then kept.
 [[nodiscard]] const Start& start_of(const std::string& family, int triangles);
 
 /// Memory that all of them hold, in 10^6 bytes.

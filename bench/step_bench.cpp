@@ -28,6 +28,7 @@ namespace {
 
 using scenes::Strategy;
 
+constexpr int swirl_mesh = 95000; ///< h a little below 0.005
 constexpr int small_mesh = 28000; ///< the thesis's: the only one that the literal method gets
 constexpr std::uint32_t slabs = 8;
 constexpr int reference_steps = 3;
@@ -39,6 +40,7 @@ struct Case {
     Strategy strategy;
     std::uint32_t submeshes = 1;
     std::uint32_t threads = 1;
+    bool modelled = false; ///< from the tasks' times, for any number of threads
 };
 
 scenes::RunOptions run_options(const Case& c, std::uint32_t threads) {
@@ -56,6 +58,9 @@ std::string name_of(const Case& c) {
     if (c.strategy != Strategy::sequential && c.strategy != Strategy::reference) {
         name +=
             "/submeshes:" + std::to_string(c.submeshes) + "/threads:" + std::to_string(c.threads);
+    }
+    if (c.modelled) {
+        name += "/modelled:1";
     }
     return name;
 }
@@ -137,6 +142,57 @@ void measure(benchmark::State& state, const Case& c) {
     }
 }
 
+/// The account of tasks of a strategy: the least of all runs so far, at least `account_runs`.
+const ModelRun& account_of(const Case& c) {
+    using Key = std::tuple<std::string, int, Strategy, std::uint32_t>;
+    constexpr int account_runs = 3;
+    static std::map<Key, ModelRun> accounts;
+    ModelRun& account = accounts[{c.family, c.triangles, c.strategy, c.submeshes}];
+    const int runs = account.steps.empty() ? account_runs : 1;
+    for (int i = 0; i < runs; ++i) {
+        const Start& start = start_of(c.family, c.triangles);
+        Complex<double> complex = copy_with_room(start.complex);
+        take_least(account, profile_steps(start, complex, run_options(c, 1)));
+        if (mesh_hash(complex) != answer_of(c).hash) {
+            throw InvariantError("the mesh is not that of a run without an account of times");
+        }
+    }
+    return account;
+}
+
+void measure_model(benchmark::State& state, const Case& c) {
+    for (auto _ : state) {
+        const double load = load_average();
+        static const double fork_join = measure_fork_join(core_count());
+        const ModelRun& account = account_of(c);
+        const ModelTimes times = model(account, c.threads, fork_join);
+        state.SetIterationTime(times.seconds);
+        const auto per_step = [](double seconds) { return seconds * 1e6 / timed_steps; };
+        auto& counters = state.counters;
+        counters["us_per_step"] = per_step(times.seconds);
+        counters["modelled"] = 1;
+        counters["serial_share"] = times.serial_share;
+        counters["busy_share"] = times.busy_share;
+        counters["fork_join_us"] = fork_join * 1e6;
+        counters["load"] = load;
+        // Where the time of a step goes, summed over submeshes.
+        const SubStepProfile& total = account.total;
+        counters["us_set_up"] = per_step(total.set_up);
+        counters["us_hand_over"] = per_step(total.hand_over);
+        counters["us_clean_up"] = per_step(total.clean_up);
+        counters["us_upkeep"] = per_step(total.upkeep);
+        counters["us_velocities"] = per_step(total.velocities);
+        counters["us_movement"] = per_step(total.motion_passes.at(0));
+        counters["us_mesh_update"] = per_step(total.motion_passes.at(1));
+        counters["us_later_colours"] = per_step(total.later_colours);
+        double outside = 0;
+        for (const double seconds : account.serial_outside) {
+            outside += seconds;
+        }
+        counters["us_driver"] = per_step(outside);
+    }
+}
+
 // The literal method has no use for a warm-up: it sweeps the whole mesh anyway. It starts where the
 // others are half way, so that the interface is as long as theirs is on average.
 void measure_reference(benchmark::State& state, const Case& c) {
@@ -169,7 +225,9 @@ void add(const Case& c) {
     benchmark::RegisterBenchmark(name_of(c).c_str(),
                                  [c](benchmark::State& state) {
                                      guarded(state, [&c](benchmark::State& s) {
-                                         if (c.strategy == Strategy::reference) {
+                                         if (c.modelled) {
+                                             measure_model(s, c);
+                                         } else if (c.strategy == Strategy::reference) {
                                              measure_reference(s, c);
                                          } else {
                                              measure(s, c);
@@ -179,6 +237,14 @@ void add(const Case& c) {
         ->UseManualTime()
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
+}
+
+/// The same number for any number of threads, as far as it goes; 0: as many cells as pay.
+std::uint32_t submeshes_of(Strategy strategy, std::uint32_t threads) {
+    if (strategy == Strategy::cells) {
+        return 0;
+    }
+    return std::max(strategy == Strategy::blocks ? 2 * slabs : slabs, threads);
 }
 
 /// 1, 2, 4, ... and the number of cores.
@@ -191,6 +257,13 @@ std::vector<std::uint32_t> thread_counts() {
     return counts;
 }
 
+// As many as measured, and beyond them; the model of few threads stands beside what was measured.
+void add_modelled(const std::string& family, int triangles, Strategy strategy) {
+    for (const std::uint32_t threads : {1U, 2U, 4U, 8U, 16U, 32U}) {
+        add({family, triangles, strategy, submeshes_of(strategy, threads), threads, true});
+    }
+}
+
 } // namespace
 
 void register_steps() {
@@ -200,13 +273,22 @@ void register_steps() {
                 add({family, triangles, Strategy::reference});
             }
             add({family, triangles, Strategy::sequential});
-            for (const Strategy strategy : {Strategy::fixed, Strategy::counting, Strategy::active, Strategy::blocks, Strategy::cells}) {
+            for (const Strategy strategy : {Strategy::fixed, Strategy::counting, Strategy::active,
+                                            Strategy::blocks, Strategy::cells}) {
                 for (const std::uint32_t threads : thread_counts()) {
-                    add({family, triangles, strategy, strategy == Strategy::cells ? (getenv("CELLS") ? std::uint32_t(std::strtoul(getenv("CELLS"),nullptr,10)) : 0U) : std::max(slabs, threads), threads});
+                    add({family, triangles, strategy, submeshes_of(strategy, threads), threads});
                 }
+            }
+            for (const Strategy strategy : {Strategy::active, Strategy::cells}) {
+                add_modelled(family, triangles, strategy);
             }
         }
     }
+    add({"swirl_step", swirl_mesh, Strategy::sequential});
+    for (const std::uint32_t threads : thread_counts()) {
+        add({"swirl_step", swirl_mesh, Strategy::cells, 0, threads});
+    }
+    add_modelled("swirl_step", swirl_mesh, Strategy::cells);
 }
 
 } // namespace dsc::bench

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/algorithm/driver.h"
+#include "model.h"
 #include "reference/dsc.h"
 #include "scenes/run.h"
 #include "starts.h"
@@ -24,6 +25,10 @@ struct StepRun {
 
 /// Goes on from `start.step` with a copy of `start.complex`: warm-up, then the timed steps.
 StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& run);
+
+/// The same steps on one thread, with the account of the times of its tasks.
+ModelRun profile_steps(const Start& start, Complex<double>& complex,
+                       const scenes::RunOptions& run);
 
 /// The literal method takes `steps` steps after `first`, without a warm-up.
 StepRun run_reference(const Start& start, reference::Complex& complex, int first, int steps);

@@ -276,7 +276,7 @@ struct Outcome {
     std::uint64_t unreached = 0;
     std::vector<std::uint32_t> interface;
     std::map<Phase, double> areas;
-    std::uint32_t most_passes = 0;
+    std::uint64_t sub_steps = 0;
     CopyCosts costs;
 };
 
@@ -306,7 +306,7 @@ Outcome simulate(std::uint64_t seed, const CopyOptions* copy) {
             simulation.step(velocity, static_cast<Real>(step) * Real(0.01), Real(0.01));
         outcome.counts += report.operations;
         outcome.unreached += report.unreached;
-        outcome.most_passes = std::max(outcome.most_passes, report.passes);
+        outcome.sub_steps += report.sub_steps;
         outcome.hashes.push_back(mesh_hash(complex));
         EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
         EXPECT_EQ(validate(complex).problem, "");
@@ -325,7 +325,7 @@ TEST(CopyExecutor, GivesTheSameBitsForAnyNumberOfThreads) {
             copy.normal_y = 0.8;
         }
         const Outcome one = simulate<double>(seed, &copy);
-        EXPECT_GE(one.costs.rounds, 2U * steps) << "black had nothing to do";
+        EXPECT_EQ(one.costs.rounds, 2 * one.sub_steps) << "black had nothing to do";
         for (const std::uint32_t threads : {2U, 3U, 5U}) {
             copy.threads = threads;
             const Outcome many = simulate<double>(seed, &copy);
@@ -353,11 +353,10 @@ TEST(CopyExecutor, ReachesWhatTheSequentialMethodReaches) {
             std::tie(copy.normal_x, copy.normal_y) =
                 n == 6 ? std::tuple(0.0, 1.0) : std::tuple(1.0, 0.0);
             const Outcome outcome = simulate<double>(seed, &copy);
-            EXPECT_EQ(sequential.unreached, 0U);
-            EXPECT_EQ(outcome.unreached, 0U);
+            EXPECT_EQ(outcome.unreached, sequential.unreached);
             ASSERT_EQ(outcome.areas.size(), sequential.areas.size());
             for (const auto& [phase, area] : sequential.areas) {
-                EXPECT_NEAR(outcome.areas.at(phase), area, 5e-4) << "phase " << phase;
+                EXPECT_NEAR(outcome.areas.at(phase), area, 1e-4) << "phase " << phase;
             }
         }
     }
@@ -369,7 +368,7 @@ TEST(CopyExecutor, IsTheSequentialMethodWhereThereIsOneSubmesh) {
     const Outcome sequential = simulate<double>(2, nullptr);
     EXPECT_EQ(one.unreached, sequential.unreached);
     EXPECT_EQ(one.costs.steps, static_cast<std::uint64_t>(steps));
-    EXPECT_EQ(one.costs.rounds, one.costs.steps) << "nothing is put off";
+    EXPECT_EQ(one.costs.rounds, one.sub_steps) << "something was put off";
     const auto near = [](std::uint64_t a, std::uint64_t b) {
         EXPECT_NEAR(static_cast<double>(a), static_cast<double>(b), 0.05 * static_cast<double>(b));
     };
@@ -419,7 +418,9 @@ TEST(CopyExecutor, CarriesDataAndLocksThroughSteps) {
                                                CopyOptions{.submeshes = 6, .threads = 2}));
     OperationCounts counts;
     for (int step = 0; step < 10; ++step) {
-        counts += simulation.step(everywhere(0.4 * h, 0.3 * h), 0, 1).operations;
+        const auto report = simulation.step(everywhere(0.4 * h, 0.3 * h), 0, 1);
+        EXPECT_EQ(report.unreached, 0U) << "step " << step;
+        counts += report.operations;
     }
     EXPECT_GT(counts.flips + counts.splits + counts.collapses, 100U);
     ASSERT_EQ(validate(complex).problem, "");
@@ -501,7 +502,8 @@ TEST(CopyExecutor, LetsPassesInSubmeshesChangeTheInterface) {
 TEST(CopyExecutor, GoesOnWhereIdsRunOut) {
     auto complex = test::disc_complex<double>(0.05);
     Options<double> options;
-    options.edge_length = 0.008;
+    options.edge_length = 0.004;
+    options.interface.longest = 20; // no vertices there, and so fewer ids for the submeshes
     std::atomic<int> ran_out{0};
     auto algorithm = default_algorithm<double>();
     algorithm.motion.push_back(
@@ -560,7 +562,8 @@ TEST(CopyExecutor, GoesOnAfterAPassThrew) {
             auto complex = test::disc_complex<double>(h);
             Options<double> options;
             options.edge_length = h;
-            constexpr std::uint32_t n = 12; // thin slabs: something is left for the last run
+            // Slabs of less than two edges leave all there is to do for the last run.
+            const std::uint32_t n = where == Where::whole ? 30 : 6;
             std::atomic<bool> faulty{true};
             std::atomic<std::uint32_t> runs{0}; // of submeshes, their first passes
             std::atomic<int> thrown{0};
@@ -588,7 +591,7 @@ TEST(CopyExecutor, GoesOnAfterAPassThrew) {
             EXPECT_GE(thrown, 1);
             if (where == Where::red || where == Where::upkeep) {
                 EXPECT_EQ(mesh_hash(complex), hash) << "nothing was merged";
-            } else {
+            } else if (where == Where::black) {
                 EXPECT_NE(mesh_hash(complex), hash) << "red was merged";
             }
             EXPECT_EQ(validate(complex).problem, "");

@@ -24,34 +24,29 @@ void pause_briefly() {
 
 } // namespace
 
-void Schedule::clear() {
-    home_.clear();
+void TaskGraph::clear() {
+    shares_.clear();
     first_predecessor_.clear();
     predecessors_.clear();
 }
 
-std::size_t Schedule::add_colour(std::size_t tasks) {
-    const std::size_t first = home_.size();
+std::size_t TaskGraph::add_colour(std::size_t tasks) {
+    const std::size_t first = shares_.size();
     for (std::size_t i = 0; i < tasks; ++i) {
-        home_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(tasks)});
+        shares_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(tasks)});
         first_predecessor_.push_back(static_cast<std::uint32_t>(predecessors_.size()));
     }
-    if (state_room_ < home_.size()) {
-        state_room_ = 2 * home_.size();
-        states_ = std::make_unique<std::atomic<std::uint8_t>[]>(state_room_);
-    }
-    failures_.assign(home_.size(), nullptr);
     return first;
 }
 
-void Schedule::wait_for(std::size_t task, std::size_t earlier) {
+void TaskGraph::wait_for(std::size_t task, std::size_t earlier) {
     predecessors_.push_back(static_cast<std::uint32_t>(earlier));
     for (std::size_t later = task + 1; later < first_predecessor_.size(); ++later) {
         first_predecessor_[later] = static_cast<std::uint32_t>(predecessors_.size());
     }
 }
 
-std::span<const std::uint32_t> Schedule::predecessors(std::size_t task) const {
+std::span<const std::uint32_t> TaskGraph::predecessors(std::size_t task) const {
     const std::size_t begin = first_predecessor_[task];
     const std::size_t end = task + 1 < first_predecessor_.size() ? first_predecessor_[task + 1]
                                                                  : predecessors_.size();
@@ -59,7 +54,7 @@ std::span<const std::uint32_t> Schedule::predecessors(std::size_t task) const {
 }
 
 bool Schedule::is_ready(std::size_t task) const {
-    return std::ranges::all_of(predecessors(task), [this](std::uint32_t earlier) {
+    return std::ranges::all_of(tasks.predecessors(task), [this](std::uint32_t earlier) {
         return states_[earlier].load(std::memory_order_acquire) == done;
     });
 }
@@ -78,9 +73,7 @@ void Schedule::run_one(std::size_t task, const std::function<void(std::size_t)>&
 
 void Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
                     const std::function<void(std::size_t)>& run) {
-    const auto is_mine = [&](std::size_t task) {
-        return static_cast<std::uint64_t>(home_[task].rank) * threads / home_[task].of == thread;
-    };
+    const auto is_mine = [&](std::size_t task) { return tasks.home_of(task, threads) == thread; };
     const auto claim = [&](std::size_t task) {
         std::uint8_t expected = waiting;
         return states_[task].compare_exchange_strong(expected, claimed, std::memory_order_acq_rel);
@@ -90,7 +83,7 @@ void Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assi
         bool is_any_left = false;
         bool has_run = false;
         // What is mine in its order; then, from the end, what others have not begun.
-        for (std::size_t task = 0; task < size(); ++task) {
+        for (std::size_t task = 0; task < tasks.size(); ++task) {
             if (is_mine(task) && states_[task].load(std::memory_order_relaxed) == waiting) {
                 if (is_ready(task) && claim(task)) {
                     run_one(task, run);
@@ -101,7 +94,7 @@ void Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assi
             }
         }
         if (assignment == Assignment::queue) {
-            for (std::size_t i = size(); i > 0 && !has_run; --i) {
+            for (std::size_t i = tasks.size(); i > 0 && !has_run; --i) {
                 const std::size_t task = i - 1;
                 if (states_[task].load(std::memory_order_relaxed) == waiting) {
                     is_any_left = true;
@@ -126,11 +119,15 @@ void Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assi
 
 void Schedule::run(std::uint32_t threads, Assignment assignment,
                    const std::function<void(std::size_t)>& run) {
-    for (std::size_t task = 0; task < size(); ++task) {
+    if (failures_.size() < tasks.size()) {
+        states_ = std::make_unique<std::atomic<std::uint8_t>[]>(tasks.size());
+        failures_.assign(tasks.size(), nullptr);
+    }
+    for (std::size_t task = 0; task < tasks.size(); ++task) {
         states_[task].store(waiting, std::memory_order_relaxed);
     }
     if (threads <= 1) {
-        for (std::size_t task = 0; task < size(); ++task) {
+        for (std::size_t task = 0; task < tasks.size(); ++task) {
             run_one(task, run);
         }
     } else {

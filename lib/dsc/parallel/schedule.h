@@ -19,8 +19,8 @@ enum class Assignment : std::uint8_t {
     queue, ///< the same, but a thread that is done takes over what nobody has begun
 };
 
-/// Tasks in an order in which each comes after those it waits for.
-class Schedule {
+/// Tasks, and who waits for whom, in an order in which each comes after those it waits for.
+class TaskGraph {
 public:
     /// Forgets all tasks.
     void clear();
@@ -29,29 +29,41 @@ public:
     /// `task` waits for `earlier`, which has a smaller number. To be called in the order of `task`.
     void wait_for(std::size_t task, std::size_t earlier);
 
-    [[nodiscard]] std::size_t size() const { return home_.size(); }
+    [[nodiscard]] std::size_t size() const { return shares_.size(); }
     [[nodiscard]] std::span<const std::uint32_t> predecessors(std::size_t task) const;
+    /// The thread that has this task first, of so many.
+    [[nodiscard]] std::uint32_t home_of(std::size_t task, std::uint32_t threads) const {
+        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(shares_[task].rank) * threads /
+                                          shares_[task].of);
+    }
+
+private:
+    struct Share { // which of how many tasks of its colour
+        std::uint32_t rank;
+        std::uint32_t of;
+    };
+    std::vector<Share> shares_;
+    std::vector<std::uint32_t> first_predecessor_; // into predecessors_
+    std::vector<std::uint32_t> predecessors_;
+};
+
+/// Runs the tasks of a graph, as often as one likes.
+class Schedule {
+public:
+    TaskGraph tasks;
 
     /// Calls `run(task)` once for each. After one has thrown no further task begins, and what it
-    /// threw is thrown on when all have ended. No allocation but for the threads' own.
+    /// threw is thrown on when all have ended. No allocation where the graph has not grown.
     void run(std::uint32_t threads, Assignment assignment,
              const std::function<void(std::size_t)>& run);
 
 private:
-    struct Share { // of the tasks of a colour: where a task is at home
-        std::uint32_t rank;
-        std::uint32_t of;
-    };
     [[nodiscard]] bool is_ready(std::size_t task) const;
     void work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
               const std::function<void(std::size_t)>& run);
     void run_one(std::size_t task, const std::function<void(std::size_t)>& run);
 
-    std::vector<Share> home_;
-    std::vector<std::uint32_t> first_predecessor_; // into predecessors_
-    std::vector<std::uint32_t> predecessors_;
     std::unique_ptr<std::atomic<std::uint8_t>[]> states_;
-    std::size_t state_room_ = 0;
     std::vector<std::exception_ptr> failures_; // by task
     std::atomic<bool> has_failed_ = false;
 };

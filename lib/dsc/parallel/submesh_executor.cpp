@@ -85,6 +85,7 @@ struct SubmeshExecutor<Real>::Part {
     double aim_s = 0;
     double move_s = 0;
     std::vector<double> passes_s;
+    std::vector<Pass<Real>> motion; // the algorithm's, with a clock about each where times are kept
 
     void forget_put_off() {
         work.put_off_movers.clear();
@@ -247,7 +248,7 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
     }
     while (parts_.size() < wanted) {
         parts_.push_back(std::make_unique<Part>(complex_, options_));
-        parts_.back()->passes_s.assign(algorithm_.motion.size(), 0);
+        keep_times(*parts_.back());
     }
     first_colour_ = partition_.colours.front().regions.size();
     std::size_t number = 0;
@@ -262,6 +263,19 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
             }
             ++number;
         }
+    }
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::keep_times(Part& part) {
+    part.passes_s.assign(algorithm_.motion.size(), 0);
+    part.motion = algorithm_.motion;
+    for (std::size_t i = 0; submeshes_.profile && i < part.motion.size(); ++i) {
+        part.motion[i].run = [&part, i, run = algorithm_.motion[i].run](Work<Real>& work) {
+            Timer timer(true);
+            run(work);
+            part.passes_s[i] += timer.lap();
+        };
     }
 }
 
@@ -284,15 +298,15 @@ void SubmeshExecutor<Real>::hand_out(std::vector<std::uint32_t> list) {
 // it owns: what is in none of these it cannot reach.
 template <class Real>
 void SubmeshExecutor<Real>::connect() {
-    aiming_.clear();
-    moving_.clear();
-    aiming_.add_colour(first_colour_);
+    aiming_.tasks.clear();
+    moving_.tasks.clear();
+    aiming_.tasks.add_colour(first_colour_);
     std::size_t before = 0; // first part of the colour before
     std::size_t first = 0;
     for (std::size_t c = 0; c < partition_.colours.size(); ++c) {
         const Colour& colour = partition_.colours[c];
         const std::size_t count = colour.regions.size();
-        moving_.add_colour(count);
+        moving_.tasks.add_colour(count);
         for (std::size_t i = 0; i < count; ++i) {
             Part& part = *parts_[first + i];
             const bool is_last = c + 1 == partition_.colours.size();
@@ -300,7 +314,7 @@ void SubmeshExecutor<Real>::connect() {
             part.next_first = first + count;
             for (std::size_t j = before; j < first; ++j) {
                 if (colour.regions[i].may_meet(partition_.colours[c - 1].regions[j - before])) {
-                    moving_.wait_for(first + i, j);
+                    moving_.tasks.wait_for(first + i, j);
                 }
             }
         }
@@ -379,7 +393,7 @@ template <class Real>
 void SubmeshExecutor<Real>::take_from_predecessors(Part& part, std::size_t task) {
     Work<Real>& work = part.work;
     const auto number = static_cast<std::uint32_t>(task);
-    for (const std::uint32_t earlier : moving_.predecessors(task)) {
+    for (const std::uint32_t earlier : moving_.tasks.predecessors(task)) {
         const Part& from = *parts_[earlier];
         for (std::size_t i = 0; i < from.mover_routes.size(); ++i) {
             if (from.mover_routes[i] == number) {
@@ -407,6 +421,7 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     Work<Real>& work = part.work;
     const bool is_first = task < first_colour_;
     part.moved = {};
+    std::ranges::fill(part.passes_s, 0.0);
     if (is_first) {
         work.movers.clear();
         part.moved.held = collect_movers(work);
@@ -418,7 +433,7 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     }
     std::uint32_t epoch = work.epoch;
     if (is_first || !work.movers.empty() || !work.active.empty()) {
-        part.moved.passes = run_motion(work, algorithm_.motion, epoch);
+        part.moved.passes = run_motion(work, part.motion, epoch);
     }
     // Who is blocked here may find room when others have moved.
     work.put_off_movers.insert(work.put_off_movers.end(), work.movers.begin(), work.movers.end());
@@ -430,7 +445,7 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
             pass.run(work);
         }
         if (!work.active.empty()) {
-            run_motion(work, algorithm_.motion, epoch);
+            run_motion(work, part.motion, epoch);
         }
     }
     route(part);
@@ -543,6 +558,10 @@ MoveReport SubmeshExecutor<Real>::move() {
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             profile.move.push_back(parts_[i]->move_s);
             profile.later_colours += i < first_colour_ ? 0 : parts_[i]->move_s;
+            profile.motion_passes.resize(algorithm_.motion.size());
+            for (std::size_t k = 0; i < first_colour_ && k < algorithm_.motion.size(); ++k) {
+                profile.motion_passes[k] += parts_[i]->passes_s[k];
+            }
         }
     }
     return report;

@@ -48,7 +48,7 @@ public:
     /// The partition in force, for drawing.
     [[nodiscard]] const Partition& partition() const { return partition_; }
     /// Which task waits for which: task i of `SubStepProfile::move`.
-    [[nodiscard]] const Schedule& schedule() const { return moving_; }
+    [[nodiscard]] const TaskGraph& tasks() const { return moving_.tasks; }
     /// Of the last step, where `SubmeshOptions::profile` is set.
     [[nodiscard]] const StepProfile& profile() const { return profile_; }
     /// Threads that the last step used.
@@ -60,6 +60,7 @@ private:
     // Set-up.
     void divide();
     void make_parts(Recut recut);
+    void keep_times(Part& part);
     void hand_out(std::vector<std::uint32_t> list);
     void connect();
     void refill(Part& part);

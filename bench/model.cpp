@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "model.h"
+
+#include "dsc/base/error.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace dsc::bench {
+
+namespace {
+
+constexpr double never = 1e300;
+
+double sum(const std::vector<double>& values) {
+    double total = 0;
+    for (const double value : values) {
+        total += value;
+    }
+    return total;
+}
+
+void add(SubStepProfile& total, const SubStepProfile& one) {
+    total.set_up += one.set_up;
+    total.hand_over += one.hand_over;
+    total.clean_up += one.clean_up;
+    total.upkeep += one.upkeep;
+    total.velocities += one.velocities;
+    total.later_colours += one.later_colours;
+    total.aim_wall += one.aim_wall;
+    total.move_wall += one.move_wall;
+    total.motion_passes.resize(one.motion_passes.size());
+    for (std::size_t i = 0; i < one.motion_passes.size(); ++i) {
+        total.motion_passes[i] += one.motion_passes[i];
+    }
+}
+
+void least(std::vector<double>& values, const std::vector<double>& others) {
+    if (values.size() != others.size()) {
+        throw InvariantError("two runs of the same steps have different tasks");
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = std::min(values[i], others[i]);
+    }
+}
+
+} // namespace
+
+double makespan(const Section& section, std::uint32_t workers, Assignment assignment) {
+    const TaskGraph& tasks = section.tasks;
+    const std::size_t n = tasks.size();
+    std::vector<double> ended(n, never);
+    std::vector<bool> taken(n, false);
+    std::vector<double> free_at(workers, 0);
+    std::size_t left = n;
+    double last = 0;
+    const auto is_ready = [&](std::size_t task, double now) {
+        return std::ranges::all_of(tasks.predecessors(task),
+                                   [&](std::uint32_t earlier) { return ended[earlier] <= now; });
+    };
+    while (left > 0) {
+        const auto worker = static_cast<std::uint32_t>(
+            std::min_element(free_at.begin(), free_at.end()) - free_at.begin());
+        const double now = free_at[worker];
+        std::size_t next = n;
+        bool has_work = false; // at home, or anywhere
+        for (std::size_t task = 0; task < n && next == n; ++task) {
+            if (!taken[task] && tasks.home_of(task, workers) == worker) {
+                has_work = true;
+                next = is_ready(task, now) ? task : next;
+            }
+        }
+        for (std::size_t i = n; i > 0 && next == n && assignment == Assignment::queue; --i) {
+            if (!taken[i - 1]) {
+                has_work = true;
+                next = is_ready(i - 1, now) ? i - 1 : next;
+            }
+        }
+        if (next < n) {
+            taken[next] = true;
+            --left;
+            ended[next] = now + section.seconds[next];
+            free_at[worker] = ended[next];
+            last = std::max(last, ended[next]);
+        } else {
+            // Nothing yet: when the next of the others ends, or never again.
+            double wake = never;
+            for (const double end : ended) {
+                wake = end > now ? std::min(wake, end) : wake;
+            }
+            free_at[worker] = has_work ? wake : never;
+        }
+    }
+    return last;
+}
+
+void add_step(ModelRun& run, const SubmeshExecutor<double>& executor, double wall) {
+    auto& step = run.steps.emplace_back();
+    double inside = 0;
+    for (const SubStepProfile& profile : executor.profile().sub_steps) {
+        ModelSubStep& sub_step = step.emplace_back();
+        sub_step.serial = profile.set_up + profile.hand_over + profile.clean_up;
+        sub_step.aim.tasks.add_colour(profile.aim.size());
+        sub_step.aim.seconds = profile.aim;
+        sub_step.move.seconds = profile.move;
+        std::size_t first = 0;
+        for (const Colour& colour : executor.partition().colours) {
+            sub_step.move.tasks.add_colour(colour.regions.size());
+            for (std::size_t i = 0; i < colour.regions.size(); ++i) {
+                for (const std::uint32_t earlier : executor.tasks().predecessors(first + i)) {
+                    sub_step.move.tasks.wait_for(first + i, earlier);
+                }
+            }
+            first += colour.regions.size();
+        }
+        inside += sub_step.serial + profile.aim_wall + profile.move_wall;
+        add(run.total, profile);
+    }
+    run.serial_outside.push_back(std::max(0.0, wall - inside));
+}
+
+void take_least(ModelRun& run, const ModelRun& other) {
+    if (run.steps.empty()) {
+        run = other;
+        return;
+    }
+    least(run.serial_outside, other.serial_outside);
+    for (std::size_t i = 0; i < run.steps.size(); ++i) {
+        for (std::size_t k = 0; k < run.steps[i].size(); ++k) {
+            ModelSubStep& mine = run.steps[i][k];
+            const ModelSubStep& theirs = other.steps.at(i).at(k);
+            mine.serial = std::min(mine.serial, theirs.serial);
+            least(mine.aim.seconds, theirs.aim.seconds);
+            least(mine.move.seconds, theirs.move.seconds);
+        }
+    }
+    if (other.total.aim_wall + other.total.move_wall < run.total.aim_wall + run.total.move_wall) {
+        run.total = other.total;
+    }
+}
+
+ModelTimes model(const ModelRun& run, std::uint32_t workers, double fork_join_s) {
+    const double sections = workers > 1 ? fork_join_s * std::ceil(std::log2(workers)) : 0;
+    double serial = sum(run.serial_outside);
+    double tasks = 0;
+    double parallel = 0;
+    for (const auto& step : run.steps) {
+        for (const ModelSubStep& sub_step : step) {
+            serial += sub_step.serial;
+            tasks += sum(sub_step.aim.seconds) + sum(sub_step.move.seconds);
+            parallel += makespan(sub_step.aim, workers, Assignment::queue) + sections +
+                        makespan(sub_step.move, workers, Assignment::queue) + sections;
+        }
+    }
+    ModelTimes times;
+    times.seconds = serial + parallel;
+    times.serial_share = serial / (serial + tasks);
+    times.busy_share = tasks / (parallel * workers);
+    return times;
+}
+
+double measure_fork_join(std::uint32_t threads) {
+    using Clock = std::chrono::steady_clock;
+    Schedule schedule;
+    schedule.tasks.add_colour(threads);
+    std::vector<double> seconds;
+    constexpr int times = 4000;
+    for (int i = 0; i < times; ++i) {
+        const auto begin = Clock::now();
+        schedule.run(threads, Assignment::queue, [](std::size_t) {});
+        seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
+    }
+    std::sort(seconds.begin(), seconds.end());
+    return seconds[seconds.size() / 2];
+}
+
+} // namespace dsc::bench
