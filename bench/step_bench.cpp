@@ -262,6 +262,12 @@ void add_modelled(const std::string& family, int triangles, Strategy strategy) {
     for (const std::uint32_t threads : {1U, 2U, 4U, 8U, 16U, 32U}) {
         add({family, triangles, strategy, submeshes_of(strategy, threads), threads, true});
     }
+    if (strategy == Strategy::cells) {
+        // Cells as many as threads, where that is more than pays for two.
+        for (const std::uint32_t threads : {8U, 16U, 32U}) {
+            add({family, triangles, strategy, threads, threads, true});
+        }
+    }
 }
 
 } // namespace

@@ -3,9 +3,10 @@
 // ends with a valid complex. The seeds are fixed; DSC_FUZZ_SEEDS=N runs N scenes of each kind, and
 // DSC_FUZZ_FIRST says where to begin.
 #include "random_scene.h"
+#include "random_submeshes.h"
 
+#include "dsc/algorithm/driver.h"
 #include "dsc/complex/validate.h"
-#include "dsc/parallel/slab_executor.h"
 
 #include <gtest/gtest.h>
 
@@ -32,28 +33,6 @@ struct Drawn {
     std::uint64_t moves = 0;
     std::uint64_t unreached = 0;
 };
-
-template <class Real>
-std::unique_ptr<Executor<Real>> random_executor(Dice& dice, Complex<Real>& complex,
-                                                const Options<Real>& options,
-                                                std::ostringstream& words) {
-    if (dice.chance(0.5)) {
-        words << ", sequential";
-        return nullptr;
-    }
-    SlabOptions slabs;
-    slabs.slabbing = static_cast<Slabbing>(dice.in(0, 2));
-    slabs.submeshes = static_cast<std::uint32_t>(dice.in(1, 9));
-    slabs.threads = dice.chance(0.2) ? 2 : 1; // parallel_test says that it makes no difference
-    slabs.least_width = dice.in(2.0, 8.0);
-    slabs.recount = static_cast<std::uint32_t>(dice.in(1, 8));
-    const double angle = dice.in(0.0, 7.0);
-    slabs.normal_x = std::cos(angle);
-    slabs.normal_y = std::sin(angle);
-    words << ", " << to_string(slabs.slabbing) << " slabs " << slabs.submeshes << " threads "
-          << slabs.threads;
-    return std::make_unique<SlabExecutor<Real>>(complex, options, default_algorithm<Real>(), slabs);
-}
 
 template <class Real>
 void draw_options(Dice& dice, Options<Real>& options) {
@@ -95,7 +74,12 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
     // From a hundredth of an edge a step to eight.
     const double dt = h * std::pow(10.0, dice.in(-2.0, wild ? 0.9 : 0.0));
     words << ", h " << h << ", dt " << dt << ", wildness " << static_cast<int>(wildness);
-    auto executor = random_executor(dice, complex, options, words);
+    std::unique_ptr<Executor<Real>> executor; // none: sequential
+    if (dice.chance(0.6)) {
+        // parallel_test says that the number of threads makes no difference.
+        const std::uint32_t threads = dice.chance(0.2) ? 2 : 1;
+        executor = test::random_executor(dice, complex, options, threads, words);
+    }
     Simulation<Real> simulation(complex, options, std::move(executor));
     Drawn drawn;
     drawn.words = words.str();

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Parallel DSC: the same bits and the same counts for any number of threads, for every way to cut;
-// a submesh leaves what it does not own alone; what a thread throws comes out.
-#include "dsc/parallel/slab_executor.h"
+// Parallel DSC: the same bits, ids and data for any number of threads, for every way to divide; as
+// good as the sequential method; the sequential method itself where there is one submesh.
+#include "dsc/parallel/submesh_executor.h"
 
 #include "random_scene.h"
+#include "random_submeshes.h"
 
-#include "dsc/base/error.h"
+#include "dsc/algorithm/driver.h"
+#include "dsc/algorithm/interface_upkeep.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
+#include "dsc/quality/measures.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
+#include <bit>
+
+#include <functional>
+#include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <tuple>
 
@@ -22,6 +29,7 @@ namespace dsc {
 namespace {
 
 using test::Dice;
+using test::Division;
 using test::RandomFlow;
 using test::Wildness;
 
@@ -30,384 +38,449 @@ auto counts_of(const OperationCounts& c) {
                       c.collapses, c.smoothed, c.subdivisions, c.retriangulations, c.examined);
 }
 
+class Hash {
+public:
+    void add(std::uint64_t value) { sum_ = (sum_ ^ value) * 0x100000001b3U + (sum_ >> 47U); }
+    template <class Real>
+    void add_real(Real value) {
+        add(std::bit_cast<std::uint64_t>(static_cast<double>(value)));
+    }
+    [[nodiscard]] std::uint64_t value() const { return sum_; }
+
+private:
+    std::uint64_t sum_ = 0xcbf29ce484222325U;
+};
+
+// Who is where, by id: positions, triangles and their links, and what ids are free.
+template <class Real>
+std::uint64_t id_hash(const Complex<Real>& complex) {
+    Hash hash;
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        const auto& record = complex.vertices[v];
+        hash.add(record.flags);
+        if (complex.is_alive(Vertex{v})) {
+            hash.add_real(record.x);
+            hash.add_real(record.y);
+            hash.add(record.corner);
+        }
+    }
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        hash.add(complex.is_alive(Triangle{t}) ? 1 : 0);
+        for (std::size_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
+            hash.add(complex.triangles[t].v[i]);
+            hash.add(complex.triangles[t].n[i]);
+            hash.add(complex.triangles[t].phase);
+        }
+    }
+    return hash.value();
+}
+
+// Data on all three kinds of simplices, set by place, so that no two are the same.
+template <class Real>
+class Data {
+public:
+    explicit Data(Complex<Real>& complex)
+        : complex_(complex),
+          of_vertices_(complex.attributes.template add<double>("vertex", SimplexKind::vertex, -1)),
+          of_edges_(complex.attributes.template add<double>("edge", SimplexKind::edge, -2)),
+          of_triangles_(
+              complex.attributes.template add<double>("triangle", SimplexKind::triangle, -3)) {
+        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+            of_vertices_[Vertex{v}] = place_of(v);
+        }
+        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+            for (std::uint32_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
+                const Corner c = corner_of(t, i);
+                of_edges_.at_corner(c) =
+                    place_of(complex.vertex(next(c))) + place_of(complex.vertex(prev(c)));
+                of_triangles_[Triangle{t}] = 3 * place_of(complex.vertex(c));
+            }
+        }
+    }
+
+    [[nodiscard]] std::uint64_t hash() const {
+        Hash hash;
+        for (std::uint32_t v = 0; v < complex_.vertex_bound(); ++v) {
+            if (complex_.is_alive(Vertex{v})) {
+                hash.add_real(of_vertices_[Vertex{v}]);
+            }
+        }
+        for (std::uint32_t t = 1; t < complex_.triangle_bound(); ++t) {
+            for (std::uint32_t i = 0; i < 3 && complex_.is_alive(Triangle{t}); ++i) {
+                hash.add_real(of_edges_.at_corner(corner_of(t, i)));
+                hash.add_real(of_triangles_[Triangle{t}]);
+            }
+        }
+        return hash.value();
+    }
+
+private:
+    [[nodiscard]] double place_of(std::uint32_t v) const {
+        const auto& record = complex_.vertices[v];
+        return static_cast<double>(record.x) + 17 * static_cast<double>(record.y);
+    }
+
+    Complex<Real>& complex_;
+    Attribute<double>& of_vertices_;
+    Attribute<double>& of_edges_;
+    Attribute<double>& of_triangles_;
+};
+
 struct Outcome {
-    std::vector<std::uint64_t> hashes; ///< after each step
+    // After each step.
+    std::vector<std::uint64_t> hashes;
+    std::vector<std::uint64_t> id_hashes;
+    std::vector<std::uint64_t> data_hashes;
+    std::vector<std::uint64_t> unreached;
+    std::vector<std::vector<std::uint32_t>> interfaces;
+    // In all.
     OperationCounts counts;
-    std::uint64_t unreached = 0;
-    std::vector<std::uint32_t> interface;
-    std::size_t red_slabs = 0;
+    std::uint64_t passes = 0;
+    std::map<Phase, double> areas;
+    std::size_t most_submeshes = 0;      ///< of the first colour
+    std::uint32_t most_threads = 0;
+    std::string words;
+};
+
+void expect_same(const Outcome& one, const Outcome& other) {
+    SCOPED_TRACE(one.words + "\nagainst" + other.words);
+    EXPECT_EQ(other.hashes, one.hashes);
+    EXPECT_EQ(other.id_hashes, one.id_hashes) << "ids differ";
+    EXPECT_EQ(other.data_hashes, one.data_hashes) << "attributes differ";
+    EXPECT_EQ(other.unreached, one.unreached);
+    EXPECT_EQ(other.interfaces, one.interfaces) << "ids or order differ";
+    EXPECT_EQ(counts_of(other.counts), counts_of(one.counts));
+    EXPECT_EQ(other.passes, one.passes);
+    EXPECT_EQ(other.most_submeshes, one.most_submeshes);
+}
+
+// What is run, but for the number of threads and the account of times.
+struct Scene {
+    std::uint64_t seed;
+    double h = 0.025;
+    int steps = 10;
+    Wildness wildness = Wildness::none;
+    bool patches = false;
+    bool data = false;
+    double dt = 0.4; ///< in edge lengths at a speed of one
 };
 
 template <class Real>
-Outcome simulate(std::uint64_t seed, const SlabOptions& slabs, bool sequential = false) {
-    constexpr double h = 0.025;
-    Dice dice(seed);
-    auto complex = seed % 3 == 0 ? test::random_patches<Real>(dice, h, 12)
-                                 : test::random_shapes<Real>(dice, h);
-    const RandomFlow flow(dice, 1, seed % 5 == 4 ? Wildness::not_a_number : Wildness::none);
+using MakeExecutor = std::function<std::unique_ptr<SubmeshExecutor<Real>>(
+    Complex<Real>&, const Options<Real>&, std::ostream&)>;
+
+// No `make`: sequential.
+template <class Real>
+Outcome simulate(const Scene& scene, const MakeExecutor<Real>& make) {
+    Dice dice(scene.seed);
+    auto complex = scene.patches ? test::random_patches<Real>(dice, scene.h, 12)
+                                 : test::random_shapes<Real>(dice, scene.h);
+    const RandomFlow flow(dice, 1, scene.wildness);
     const Velocity<Real> velocity = flow.velocity<Real>();
     Options<Real> options;
-    options.edge_length = static_cast<Real>(h);
-    std::unique_ptr<Executor<Real>> executor;
-    SlabExecutor<Real>* parallel = nullptr;
-    if (!sequential) {
-        auto made = std::make_unique<SlabExecutor<Real>>(complex, options,
-                                                         default_algorithm<Real>(), slabs);
-        parallel = made.get();
-        executor = std::move(made);
+    options.edge_length = static_cast<Real>(scene.h);
+    std::unique_ptr<Data<Real>> data;
+    if (scene.data) {
+        data = std::make_unique<Data<Real>>(complex);
     }
+    std::ostringstream words;
+    words << " seed " << scene.seed << ", wildness " << static_cast<int>(scene.wildness);
+    std::unique_ptr<SubmeshExecutor<Real>> executor;
+    if (make) {
+        executor = make(complex, options, words);
+    }
+    const SubmeshExecutor<Real>* seen = executor.get();
     Simulation<Real> simulation(complex, options, std::move(executor));
     Outcome outcome;
-    for (int step = 0; step < 12; ++step) {
+    outcome.words = words.str();
+    const double dt = scene.dt * scene.h;
+    for (int step = 0; step < scene.steps; ++step) {
         const auto report =
-            simulation.step(velocity, static_cast<Real>(step) * Real(0.01), Real(0.01));
+            simulation.step(velocity, static_cast<Real>(step * dt), static_cast<Real>(dt));
         outcome.counts += report.operations;
-        outcome.unreached += report.unreached;
+        outcome.passes += report.passes;
+        outcome.unreached.push_back(report.unreached);
         outcome.hashes.push_back(mesh_hash(complex));
-        EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "")
-            << "seed " << seed << ", step " << step;
+        outcome.id_hashes.push_back(id_hash(complex));
+        outcome.data_hashes.push_back(data ? data->hash() : 0);
+        outcome.interfaces.push_back(simulation.interface());
+        EXPECT_EQ(report.interface_vertices, outcome.interfaces.back().size());
+        const std::string problem = validate(complex).problem;
+        EXPECT_EQ(problem, "") << outcome.words << ", step " << step;
+        if (!problem.empty()) {
+            return outcome;
+        }
+        EXPECT_EQ(test::interface_fault(complex, outcome.interfaces.back()), "")
+            << outcome.words << ", step " << step;
+        if (seen != nullptr) {
+            outcome.most_submeshes = std::max(
+                outcome.most_submeshes, seen->partition().colours.front().regions.size());
+            outcome.most_threads = std::max(outcome.most_threads, seen->threads_used());
+        }
     }
-    EXPECT_EQ(validate(complex).problem, "") << "seed " << seed;
-    outcome.interface = simulation.interface();
-    outcome.red_slabs = parallel != nullptr ? parallel->cuts().red_count() : 1;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (complex.is_alive(Triangle{t})) {
+            outcome.areas[complex.phase(Triangle{t})] +=
+                static_cast<double>(area(complex, Triangle{t}));
+        }
+    }
     return outcome;
 }
 
-class EverySlabbing : public testing::TestWithParam<Slabbing> {};
+template <class Real>
+Outcome run_division(const Scene& scene, Division division, std::uint32_t threads,
+                     bool profile = false) {
+    return simulate<Real>(scene, [&](Complex<Real>& complex, const Options<Real>& options,
+                                     std::ostream& words) {
+        Dice dice(1000 * scene.seed + static_cast<std::uint64_t>(division));
+        return test::random_executor(dice, division, complex, options, threads, words, profile);
+    });
+}
 
-TEST_P(EverySlabbing, GivesTheSameBitsForAnyNumberOfThreads) {
-    std::size_t most_slabs = 0;
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-        SlabOptions slabs;
-        slabs.slabbing = GetParam();
-        slabs.submeshes = static_cast<std::uint32_t>(2 + seed);
-        slabs.least_width = 4;
-        if (seed % 2 == 0) {
-            slabs.normal_x = 0.6;
-            slabs.normal_y = 0.8;
-        }
-        const Outcome one = simulate<double>(seed, slabs);
-        most_slabs = std::max(most_slabs, one.red_slabs);
+Scene scene_of(std::uint64_t seed) {
+    Scene scene{.seed = seed};
+    scene.patches = seed % 3 == 0;
+    scene.data = seed % 2 == 0;
+    // Smooth, not a number, torn, noise.
+    constexpr std::array wild{Wildness::not_a_number, Wildness::torn, Wildness::noise};
+    scene.wildness = seed % 4 == 3 ? wild.at(seed / 4 % wild.size()) : Wildness::none;
+    return scene;
+}
+
+class EveryDivision : public testing::TestWithParam<Division> {};
+
+TEST_P(EveryDivision, GivesTheSameBitsForAnyNumberOfThreads) {
+    std::size_t several = 0;
+    std::uint32_t most_threads = 0;
+    constexpr std::uint64_t seeds = 9;
+    for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
+        const Scene scene = scene_of(seed);
+        const Outcome one = run_division<double>(scene, GetParam(), 1);
+        several += one.most_submeshes >= 3 ? 1 : 0;
         for (const std::uint32_t threads : {2U, 3U, 5U}) {
-            slabs.threads = threads;
-            const Outcome many = simulate<double>(seed, slabs);
-            EXPECT_EQ(many.hashes, one.hashes) << "seed " << seed << ", threads " << threads;
-            EXPECT_EQ(counts_of(many.counts), counts_of(one.counts)) << "seed " << seed;
-            EXPECT_EQ(many.unreached, one.unreached) << "seed " << seed;
-            EXPECT_EQ(many.interface, one.interface) << "seed " << seed << ": ids differ";
+            const Outcome many = run_division<double>(scene, GetParam(), threads);
+            expect_same(one, many);
+            most_threads = std::max(most_threads, many.most_threads);
         }
     }
-    EXPECT_GE(most_slabs, 5U) << "hardly anything ran in parallel";
+    EXPECT_GE(several, seeds / 2) << "hardly anything ran in parallel";
+    EXPECT_GE(most_threads, 3U);
 }
 
-TEST_P(EverySlabbing, GivesTheSameBitsInFloat) {
-    SlabOptions slabs;
-    slabs.slabbing = GetParam();
-    slabs.submeshes = 5;
-    slabs.least_width = 4;
-    const Outcome one = simulate<float>(1, slabs);
-    slabs.threads = 4;
-    EXPECT_EQ(simulate<float>(1, slabs).hashes, one.hashes);
+TEST_P(EveryDivision, GivesTheSameBitsInFloat) {
+    for (std::uint64_t seed = 21; seed <= 23; ++seed) {
+        const Scene scene = scene_of(seed);
+        const Outcome one = run_division<float>(scene, GetParam(), 1);
+        expect_same(one, run_division<float>(scene, GetParam(), 4));
+    }
 }
 
-TEST_P(EverySlabbing, IsTheSequentialMethodWhereThereIsOneSlab) {
-    SlabOptions slabs;
-    slabs.slabbing = GetParam();
-    slabs.submeshes = 1;
-    slabs.threads = 3;
-    const Outcome one = simulate<double>(2, slabs);
-    const Outcome sequential = simulate<double>(2, slabs, true);
-    EXPECT_EQ(one.red_slabs, 1U);
-    EXPECT_EQ(one.unreached, sequential.unreached);
-    EXPECT_NEAR(static_cast<double>(one.counts.moves), static_cast<double>(sequential.counts.moves),
-                0.05 * static_cast<double>(sequential.counts.moves));
+// Clocks are read, and nothing else; nor does chance come in where the same is run again.
+TEST_P(EveryDivision, GivesTheSameBitsWithAnAccountOfTimesAndWhenRunAgain) {
+    for (std::uint64_t seed = 31; seed <= 33; ++seed) {
+        const Scene scene = scene_of(seed);
+        const Outcome one = run_division<double>(scene, GetParam(), 3);
+        expect_same(one, run_division<double>(scene, GetParam(), 3));
+        expect_same(one, run_division<double>(scene, GetParam(), 3, true));
+    }
 }
 
-INSTANTIATE_TEST_SUITE_P(Parallel, EverySlabbing,
-                         testing::Values(Slabbing::fixed, Slabbing::counting, Slabbing::active),
+void expect_near(std::uint64_t value, std::uint64_t expected, double share, const char* what) {
+    EXPECT_NEAR(static_cast<double>(value), static_cast<double>(expected),
+                share * static_cast<double>(expected) + 12)
+        << what;
+}
+
+// Where nothing is in the way all vertices arrive, and about the same is done as sequentially.
+TEST_P(EveryDivision, DoesWhatTheSequentialMethodDoes) {
+    std::size_t several = 0;
+    for (std::uint64_t seed = 41; seed <= 45; ++seed) {
+        Scene scene{.seed = seed};
+        scene.dt = 0.3;
+        const Outcome sequential = simulate<double>(scene, {});
+        ASSERT_EQ(std::ranges::count(sequential.unreached, 0U), scene.steps)
+            << "choose a tamer scene than seed " << seed;
+        const Outcome parallel = run_division<double>(scene, GetParam(), 3);
+        SCOPED_TRACE(parallel.words);
+        several += parallel.most_submeshes >= 3 ? 1 : 0;
+        EXPECT_EQ(parallel.unreached, sequential.unreached);
+        ASSERT_EQ(parallel.areas.size(), sequential.areas.size());
+        for (const auto& [phase, area] : sequential.areas) {
+            EXPECT_NEAR(parallel.areas.at(phase), area, 1e-4) << "phase " << phase;
+        }
+        const OperationCounts& p = parallel.counts;
+        const OperationCounts& s = sequential.counts;
+        expect_near(p.moves, s.moves, 0.02, "moves");
+        expect_near(p.interface_splits, s.interface_splits, 0.1, "interface splits");
+        expect_near(p.interface_collapses, s.interface_collapses, 0.1, "interface collapses");
+        expect_near(p.flips, s.flips, 0.1, "flips");
+        expect_near(p.splits, s.splits, 0.15, "splits");
+        expect_near(p.collapses, s.collapses, 0.15, "collapses");
+        expect_near(p.smoothed, s.smoothed, 0.1, "smoothed");
+    }
+    EXPECT_GE(several, 2U) << "hardly anything ran in parallel";
+}
+
+INSTANTIATE_TEST_SUITE_P(Parallel, EveryDivision, testing::ValuesIn(test::all_divisions),
                          [](const auto& one) { return std::string(to_string(one.param)); });
 
-// All that is known of a vertex but the scratch of the active set.
-struct Seen {
-    double x, y;
-    std::uint32_t flags;
-    friend bool operator==(const Seen&, const Seen&) = default;
+// --- one submesh --------------------------------------------------------------------------------
+
+template <class Real>
+struct OneSubmesh {
+    const char* name;
+    std::function<std::unique_ptr<Partitioner<Real>>()> make;
 };
 
-// The passes run on one slab only: whatever is not owned stays bit for bit, and so do the triangles
-// that are not wholly in the slab, but for their links into it.
-TEST(Submesh, LeavesAloneWhatItDoesNotOwn) {
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        constexpr double h = 0.03;
-        Dice dice(seed);
-        auto complex = seed % 2 == 0 ? test::random_patches<double>(dice, h, 8)
-                                     : test::random_shapes<double>(dice, h);
-        Options<double> options;
-        options.edge_length = h;
-        const RandomFlow flow(dice, 1, Wildness::none);
-        Work<double> work(complex, options);
-        const double low = dice.in(0.2, 0.4);
-        const std::array<double, 2> cuts{low, low + 0.3};
-        work.submesh.region = slab_region(cuts, 0, 1, 0);
-        IdPool pool;
-        for (int i = 0; i < 200; ++i) {
-            const std::uint32_t v = complex.take_vertex(complex.ids);
-            complex.vertices[v].flags = vertex_dead;
-            pool.vertices.push_back(v);
-            for (int k = 0; k < 2; ++k) {
-                const std::uint32_t t = complex.take_triangle(complex.ids);
-                complex.triangles[t].v = {no_id, no_id, no_id};
-                pool.triangles.push_back(t);
-            }
+template <class Real>
+std::vector<OneSubmesh<Real>> ways_to_have_one_submesh() {
+    return {
+        {"one slab",
+         [] {
+             return std::make_unique<SlabPartitioner<Real>>(SlabOptions{.submeshes = 1});
+         }},
+        {"slabs too thin",
+         [] {
+             return std::make_unique<SlabPartitioner<Real>>(
+                 SlabOptions{.slabbing = Slabbing::active, .submeshes = 8, .least_width = 1000});
+         }},
+        {"one block",
+         [] {
+             return std::make_unique<BlockPartitioner<Real>>(BlockOptions{.submeshes = 1});
+         }},
+        {"cells too poor in vertices",
+         [] {
+             return std::make_unique<CellPartitioner<Real>>(
+                 CellOptions{.submeshes = 6, .least_vertices = 5000});
+         }},
+        {"one place",
+         [] {
+             return std::make_unique<PlacePartitioner<Real>>([](const PartitionInput<Real>&) {
+                 return std::vector<PlaceColour>{
+                     {[](double, double) { return std::uint32_t{0}; }, 1}};
+             });
+         }},
+    };
+}
+
+template <class Real>
+void expect_the_sequential_method() {
+    // As long as nobody is blocked: the sequential method does not try these again.
+    for (const std::uint64_t seed : {41U, 42U, 43U, 51U}) {
+        Scene scene{.seed = seed};
+        scene.data = true;
+        const Outcome sequential = simulate<Real>(scene, {});
+        for (const auto& way : ways_to_have_one_submesh<Real>()) {
+            const Outcome one = simulate<Real>(scene, [&](Complex<Real>& complex,
+                                                          const Options<Real>& options,
+                                                          std::ostream& words) {
+                words << ", " << way.name;
+                return std::make_unique<SubmeshExecutor<Real>>(
+                    complex, options, default_algorithm<Real>(), way.make(),
+                    SubmeshOptions{.threads = 3, .vertices_per_thread = 1});
+            });
+            SCOPED_TRACE(one.words);
+            EXPECT_EQ(one.most_submeshes, 1U);
+            EXPECT_EQ(one.most_threads, 1U);
+            EXPECT_EQ(one.hashes, sequential.hashes);
+            EXPECT_EQ(one.id_hashes, sequential.id_hashes);
+            EXPECT_EQ(one.data_hashes, sequential.data_hashes);
+            EXPECT_EQ(one.interfaces, sequential.interfaces);
+            EXPECT_EQ(one.unreached, sequential.unreached);
+            EXPECT_EQ(counts_of(one.counts), counts_of(sequential.counts));
+            EXPECT_EQ(one.passes, sequential.passes);
         }
-        pool.may_grow = false;
-        work.submesh.pool = &pool;
-        const auto on = test::on_interface(complex);
-        work.epoch = 1;
-        for (std::uint32_t v = 0; v < on.size(); ++v) {
-            if (on[v] != 0) {
-                work.interface.push_back(v);
-            }
-        }
-        const auto vertices = complex.vertices;
-        const auto triangles = complex.triangles;
-        const auto owned = [&](std::uint32_t v) {
-            return vertices[v].x >= cuts[0] && vertices[v].x < cuts[1];
-        };
-        std::vector<Point<double>> positions;
-        for (const std::uint32_t v : work.interface) {
-            positions.push_back(complex.position(Vertex{v}));
-        }
-        std::vector<Point<double>> velocities(positions.size());
-        flow.velocity<double>()(positions, 0, velocities);
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            const Point<double> target = positions[i] + 0.5 * h * velocities[i];
-            work.movers.push_back({work.interface[i], target.x(), target.y()});
-        }
-        const auto algorithm = default_algorithm<double>();
-        for (const auto* passes : {&algorithm.upkeep, &algorithm.motion}) {
-            for (const auto& pass : *passes) {
-                pass.run(work);
-            }
-        }
-        EXPECT_GT(work.counts.moves, 0U);
-        int foreign = 0;
-        for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-            if ((vertices[v].flags & vertex_dead) == 0 && !owned(v)) {
-                ++foreign;
-                const auto& now = complex.vertices[v];
-                ASSERT_EQ((Seen{now.x, now.y, now.flags}),
-                          (Seen{vertices[v].x, vertices[v].y, vertices[v].flags}))
-                    << "vertex " << v << " of seed " << seed;
-            }
-        }
-        for (std::uint32_t t = 1; t < triangles.size(); ++t) {
-            const auto& v = triangles[t].v;
-            if (v[0] != no_id && !(owned(v[0]) && owned(v[1]) && owned(v[2]))) {
-                ASSERT_EQ(complex.triangles[t].v, v) << "triangle " << t << " of seed " << seed;
-                ASSERT_EQ(complex.triangles[t].phase, triangles[t].phase);
-            }
-        }
-        EXPECT_GT(foreign, 100);
-        // Everyone is accounted for: arrived, still on the way, or put off.
-        for (const auto& mover : work.put_off_movers) {
-            EXPECT_FALSE(on[mover.vertex] == 0);
-        }
-        complex.lent_vertices = static_cast<std::uint32_t>(pool.vertices.size());
-        complex.lent_triangles = static_cast<std::uint32_t>(pool.triangles.size());
-        EXPECT_EQ(validate(complex).problem, "") << "seed " << seed;
     }
 }
 
-// --- failures ----------------------------------------------------------------------------------
+TEST(OneSubmesh, IsTheSequentialMethodBitForBit) {
+    expect_the_sequential_method<double>();
+    expect_the_sequential_method<float>();
+}
 
-struct Fault : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+// --- threads ------------------------------------------------------------------------------------
 
-TEST(SlabExecutor, PassesOnWhatAVelocityThrows) {
-    constexpr double h = 0.03;
-    for (const std::uint32_t threads : {1U, 2U, 4U}) {
+TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
+    constexpr double h = 0.02;
+    auto complex = test::disc_complex<double>(h);
+    Options<double> options;
+    options.edge_length = h;
+    const auto vertices = static_cast<std::uint32_t>(collect_interface(complex).size());
+    ASSERT_GT(vertices, 60U);
+    const auto threads_of = [&](std::uint32_t threads, std::uint32_t per_thread) {
+        auto executor = std::make_unique<SubmeshExecutor<double>>(
+            complex, options, default_algorithm<double>(),
+            std::make_unique<SlabPartitioner<double>>(
+                SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .least_width = 4}),
+            SubmeshOptions{.threads = threads, .vertices_per_thread = per_thread});
+        const SubmeshExecutor<double>& seen = *executor;
+        Simulation<double> simulation(complex, options, std::move(executor));
+        const Velocity<double> rest = [](std::span<const Point<double>>, double,
+                                         std::span<Point<double>> velocities) {
+            std::ranges::fill(velocities, Point<double>(0, 0));
+        };
+        (void)simulation.step(rest, 0, 1);
+        EXPECT_EQ(seen.partition().colours.front().regions.size(), 4U);
+        return seen.threads_used();
+    };
+    EXPECT_EQ(threads_of(1, 1), 1U);
+    EXPECT_EQ(threads_of(3, 1), 3U);
+    EXPECT_EQ(threads_of(9, 1), 4U) << "no more than submeshes";
+    EXPECT_EQ(threads_of(4, vertices / 2), 2U);
+    EXPECT_EQ(threads_of(4, 2 * vertices), 1U);
+}
+
+TEST(SubmeshExecutor, KeepsAccountOfTimesWhereAsked) {
+    constexpr double h = 0.02;
+    for (const bool profile : {false, true}) {
         auto complex = test::disc_complex<double>(h);
         Options<double> options;
         options.edge_length = h;
-        SlabOptions slabs;
-        slabs.submeshes = 4;
-        slabs.threads = threads;
-        Simulation<double> simulation(complex, options,
-                                      std::make_unique<SlabExecutor<double>>(
-                                          complex, options, default_algorithm<double>(), slabs));
-        const Velocity<double> velocity = [](std::span<const Point<double>> positions, double,
-                                             std::span<Point<double>> velocities) {
-            for (std::size_t i = 0; i < positions.size(); ++i) {
-                if (positions[i].x() > 0.7) {
-                    throw Fault("no velocity here");
-                }
-                velocities[i] = {0.01, 0};
-            }
-        };
-        EXPECT_THROW((void)simulation.step(velocity, 0, 1), Fault);
-        EXPECT_EQ(validate(complex).problem, "");
-        // The complex is still good for another step.
-        const Velocity<double> good = [](std::span<const Point<double>> positions, double,
+        auto executor = std::make_unique<SubmeshExecutor<double>>(
+            complex, options, default_algorithm<double>(),
+            std::make_unique<SlabPartitioner<double>>(
+                SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .least_width = 4}),
+            SubmeshOptions{.threads = 2, .vertices_per_thread = 1, .profile = profile});
+        const SubmeshExecutor<double>& seen = *executor;
+        Simulation<double> simulation(complex, options, std::move(executor));
+        const Velocity<double> grow = [](std::span<const Point<double>> positions, double,
                                          std::span<Point<double>> velocities) {
             for (std::size_t i = 0; i < positions.size(); ++i) {
-                velocities[i] = {0.01, 0};
+                velocities[i] = positions[i] - Point<double>(0.5, 0.5);
             }
         };
-        EXPECT_EQ(simulation.step(good, 0, 1).unreached, 0U);
-        EXPECT_EQ(validate(complex).problem, "");
-        EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
-    }
-}
-
-// A pass of the application throws in one slab, before or after the others ran there. The step is
-// lost, the simulation is not.
-TEST(SlabExecutor, GoesOnAfterAPassThrew) {
-    constexpr double h = 0.03;
-    for (const bool in_upkeep : {true, false}) {
-        for (const bool before : {true, false}) {
-            SCOPED_TRACE(std::string(in_upkeep ? "upkeep" : "motion") +
-                         (before ? ", first" : ", last"));
-            auto complex = test::disc_complex<double>(h);
-            Options<double> options;
-            options.edge_length = h;
-            std::atomic<bool> faulty{true};
-            const Pass<double> fault{"fault", [&](Work<double>& work) {
-                                         if (faulty && work.submesh.region.low > 0.4) {
-                                             throw Fault("as seeded");
-                                         }
-                                     }};
-            auto algorithm = default_algorithm<double>();
-            auto& passes = in_upkeep ? algorithm.upkeep : algorithm.motion;
-            passes.insert(before ? passes.begin() : passes.end(), fault);
-            SlabOptions slabs;
-            slabs.submeshes = 4;
-            slabs.threads = 3;
-            Simulation<double> simulation(
-                complex, options,
-                std::make_unique<SlabExecutor<double>>(complex, options, algorithm, slabs));
-            const Velocity<double> right = [](std::span<const Point<double>> positions, double,
-                                              std::span<Point<double>> velocities) {
-                for (std::size_t i = 0; i < positions.size(); ++i) {
-                    velocities[i] = {0.01, 0};
+        for (int step = 0; step < 3; ++step) {
+            const StepReport report = simulation.step(grow, 0, 0.2);
+            ASSERT_GT(report.sub_steps, 1U);
+            ASSERT_EQ(seen.profile().sub_steps.size(), profile ? report.sub_steps : 0U);
+            for (const SubStepProfile& times : seen.profile().sub_steps) {
+                const auto& colours = seen.partition().colours;
+                ASSERT_EQ(colours.size(), 2U);
+                EXPECT_EQ(times.aim.size(), colours[0].regions.size());
+                EXPECT_EQ(times.move.size(), seen.tasks().size());
+                EXPECT_EQ(times.move.size(), colours[0].regions.size() + colours[1].regions.size());
+                EXPECT_EQ(times.motion_passes.size(), default_algorithm<double>().motion.size());
+                double aim = 0;
+                for (const double time : times.aim) {
+                    EXPECT_GT(time, 0);
+                    aim += time;
                 }
-            };
-            EXPECT_THROW((void)simulation.step(right, 0, 1), Fault);
-            EXPECT_EQ(validate(complex).problem, "");
-            EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
-            // What was on its way when the step was lost must not arrive in a later one.
-            faulty = false;
-            const Velocity<double> rest = [](std::span<const Point<double>> positions, double,
-                                             std::span<Point<double>> velocities) {
-                for (std::size_t i = 0; i < positions.size(); ++i) {
-                    velocities[i] = {0, 0};
+                EXPECT_NEAR(times.upkeep + times.velocities, aim, 1e-9);
+                double move = 0;
+                for (const double time : times.move) {
+                    move += time;
                 }
-            };
-            EXPECT_EQ(simulation.step(rest, 0, 1).operations.moves, 0U);
-            EXPECT_EQ(simulation.step(right, 0, 1).unreached, 0U);
-            EXPECT_EQ(validate(complex).problem, "");
-            EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
-        }
-    }
-}
-
-TEST(SlabExecutor, RefusesOptionsThatMakeNoSense) {
-    auto complex = test::disc_complex<double>(0.05);
-    Options<double> options;
-    options.edge_length = 0.05;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    struct Seeded {
-        const char* where;
-        void (*seed)(SlabOptions&, double);
-    };
-    const std::array<Seeded, 10> faults{{
-        {"submeshes", [](SlabOptions& s, double) { s.submeshes = 0; }},
-        {"submeshes", [](SlabOptions& s, double) { s.submeshes = 70000; }},
-        {"threads", [](SlabOptions& s, double) { s.threads = 0; }},
-        {"threads", [](SlabOptions& s, double) { s.threads = 5000; }},
-        {"normal", [](SlabOptions& s, double) { s.normal_x = 0; }},
-        {"normal", [](SlabOptions& s, double) { s.normal_y = 1; }},
-        {"normal", [](SlabOptions& s, double bad) { s.normal_x = bad; }},
-        {"least_width", [](SlabOptions& s, double) { s.least_width = 1; }},
-        {"least_width", [](SlabOptions& s, double bad) { s.least_width = bad; }},
-        {"recount", [](SlabOptions& s, double) { s.recount = 0; }},
-    }};
-    for (const auto& fault : faults) {
-        SlabOptions slabs;
-        fault.seed(slabs, nan);
-        try {
-            SlabExecutor<double> executor(complex, options, default_algorithm<double>(), slabs);
-            ADD_FAILURE() << "accepted: " << fault.where;
-        } catch (const InputError& error) {
-            EXPECT_EQ(error.where(), fault.where);
-        }
-    }
-}
-
-// --- cuts --------------------------------------------------------------------------------------
-
-TEST(Cuts, GiveEachSlabTheSameShareAndNoneIsThin) {
-    Dice dice(1);
-    std::vector<double> positions;
-    for (int i = 0; i < 4000; ++i) {
-        positions.push_back(dice.chance(0.5) ? dice.in(0.0, 1.0) : dice.in(0.2, 0.5));
-    }
-    const Cuts cuts = cuts_of_equal_share(positions, 8, 0.01);
-    ASSERT_EQ(cuts.red_count(), 8U);
-    std::array<int, 8> held{};
-    for (const double s : positions) {
-        ++held.at(slab_of(cuts.red, s));
-    }
-    for (const int count : held) {
-        EXPECT_NEAR(count, 500, 2);
-    }
-    const Cuts wide = cuts_of_equal_share(positions, 8, 0.2);
-    EXPECT_LT(wide.red_count(), 6U);
-    for (std::size_t i = 1; i + 2 < wide.red.size(); ++i) {
-        EXPECT_GE(wide.red[i + 1] - wide.red[i], 0.2);
-    }
-}
-
-TEST(Cuts, CoverEverything) {
-    Dice dice(2);
-    for (const double least : {0.0, 0.05, 0.5, 5.0}) {
-        for (const std::uint32_t slabs : {1U, 2U, 3U, 8U, 100U}) {
-            std::vector<double> positions;
-            const int n = dice.in(0, 300);
-            for (int i = 0; i < n; ++i) {
-                positions.push_back(dice.in(-1.0, 1.0));
-            }
-            for (const Cuts& cuts : {cuts_of_equal_share(positions, slabs, least),
-                                     cuts_of_equal_width(-1, 1, slabs, least)}) {
-                for (const auto* list : {&cuts.red, &cuts.black}) {
-                    ASSERT_GE(list->size(), 2U);
-                    EXPECT_EQ(list->front(), -std::numeric_limits<double>::infinity());
-                    EXPECT_EQ(list->back(), std::numeric_limits<double>::infinity());
-                    EXPECT_TRUE(std::is_sorted(list->begin(), list->end()));
-                    for (int i = 0; i < 20; ++i) {
-                        const double s = i < 2 ? (i == 0 ? -1e9 : 1e9) : dice.in(-2.0, 2.0);
-                        const std::size_t slab = slab_of(*list, s);
-                        ASSERT_LT(slab, list->size() - 1);
-                        const Region region = slab_region(*list, slab, 1, 0);
-                        EXPECT_TRUE(region.owns(0, s, 17));
-                    }
+                double motion = 0;
+                for (const double time : times.motion_passes) {
+                    EXPECT_GT(time, 0);
+                    motion += time;
                 }
+                EXPECT_GT(times.later_colours, 0);
+                EXPECT_LE(motion + times.later_colours, move);
+                EXPECT_GT(times.aim_wall, 0);
+                EXPECT_GT(times.move_wall, 0);
             }
         }
-    }
-}
-
-// Black slabs straddle the cuts of the red ones: what one colour locks, the other does not.
-TEST(Cuts, OfTheTwoColoursLieApart) {
-    const Cuts cuts = cuts_of_equal_width(0, 1, 8, 0.1);
-    ASSERT_EQ(cuts.red_count(), 8U);
-    for (std::size_t i = 1; i + 1 < cuts.red.size(); ++i) {
-        double nearest = 1;
-        for (const double black : cuts.black) {
-            nearest = std::min(nearest, std::abs(black - cuts.red[i]));
-        }
-        EXPECT_GE(nearest, 0.05) << "red cut " << i;
     }
 }
 

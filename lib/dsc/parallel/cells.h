@@ -2,7 +2,7 @@
 // Cells that follow the interface: the plane is halved again and again, each time where few
 // interface vertices lie, until each cell has its share of them. What lies near the cuts goes to
 // cells of a second colour, cut in the same way from these vertices alone, so that its cuts run
-// where the first colour has nothing left over. The work is at the interface, and so are the cells:
+// where the first colour has nothing left over; what lies near the cuts of both, to a third. The work is at the interface, and so are the cells:
 // slabs over the whole mesh [6.3] leave most of theirs empty.
 #pragma once
 
@@ -11,31 +11,37 @@
 namespace dsc {
 
 struct CellOptions {
-    /// Cells of the first colour; 0: as many as there are `vertices_per_cell`. Fewer where they
-    /// would be too small.
+    /// Cells of the first colour; 0: as many as pay, by the length of the interface. Fewer where
+    /// they would be too small.
     std::uint32_t submeshes = 0;
-    std::uint32_t vertices_per_cell = 40; ///< interface vertices, where `submeshes` is 0
     std::uint32_t least_vertices = 20;    ///< smaller cells do not pay for their boundaries
     double least_width = 6;               ///< in edge lengths
     double band = 4;                      ///< in edge lengths: nearer to a cut is the second colour's
-    std::uint32_t recut = 64;             ///< steps between two divisions of the first colour
-    std::uint32_t recut_later = 8;        ///< and of the second
+    std::uint32_t recut = 32;             ///< steps between two divisions of the first colour
+    std::uint32_t recut_later = 16;       ///< and of the later ones
 };
 
-/// A box of the plane, and the vertices in it.
-struct CellTree {
-    struct Site {
-        double x;
-        double y;
-        float weight;
-    };
-    /// Halves `box` and its sites until there are `cells` of them, or they get too small; appends
-    /// the boxes. Cuts where the fewest sites lie within `band` of the cut, for shares that are
-    /// nearly equal. O(n log n) for each level; reorders the sites.
-    static void divide(std::span<Site> sites, const Region& box, std::uint32_t cells, double band,
-                       double least_width, std::uint32_t least_sites,
-                       std::vector<Region>& boxes);
+/// A place where there is work.
+struct Site {
+    double x;
+    double y;
+    float weight;
 };
+
+/// How boxes of sites are cut.
+struct CutRules {
+    double band = 0;              ///< a site nearer to a cut than this is done by two colours
+    double least_width = 0;       ///< of the sites' extent, on either side of a cut
+    std::uint32_t least_sites = 1; ///< on either side
+    double tolerance = 0.12;      ///< a share may be off by so much of the whole
+    double band_price = 2;        ///< of a site in the band, against one that is off balance
+};
+
+/// Halves the plane and its sites until there are `cells` boxes, or no cut is left that the rules
+/// allow. Each cut runs where it costs least: few sites in its band, shares nearly equal.
+/// Deterministic. O(n log n + n log(cells)); reorders the sites.
+std::vector<Region> divide_sites(std::vector<Site>& sites, std::uint32_t cells,
+                                 const CutRules& rules);
 
 template <class Real>
 class CellPartitioner final : public Partitioner<Real> {
@@ -47,7 +53,7 @@ public:
 
 private:
     CellOptions options_;
-    std::vector<CellTree::Site> sites_;
+    std::vector<Site> sites_;
 };
 
 } // namespace dsc
