@@ -26,7 +26,7 @@ std::string scene_of(const std::string& family) {
     if (family == "swirl_step") {
         return "swirl";
     }
-    return family == "scaling_step" ? "speedup-scaling" : "speedup-four-circles";
+    return family == "four_circles_step" ? "speedup-four-circles" : "speedup-scaling";
 }
 
 std::unique_ptr<const Start> make_start(const std::string& family, int triangles) {

@@ -285,9 +285,22 @@ void register_steps() {
                     add({family, triangles, strategy, submeshes_of(strategy, threads), threads});
                 }
             }
+            if (triangles < 1000000) {
+                // Of larger meshes the copies take seconds a step; nothing new would be learnt.
+                for (const std::uint32_t threads : thread_counts()) {
+                    add({family, triangles, Strategy::copy, slabs, threads});
+                }
+            }
             for (const Strategy strategy : {Strategy::active, Strategy::cells}) {
                 add_modelled(family, triangles, strategy);
             }
+        }
+    }
+    // The same scene with less and more to do in a step.
+    for (const int triangles : {1800, 3500, 7000, 14000, small_mesh, 56000, 112000, 280000}) {
+        add({"granularity_step", triangles, Strategy::sequential});
+        for (const std::uint32_t threads : thread_counts()) {
+            add({"granularity_step", triangles, Strategy::cells, 0, threads});
         }
     }
     add({"swirl_step", swirl_mesh, Strategy::sequential});

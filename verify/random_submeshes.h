@@ -6,6 +6,7 @@
 #include "random_scene.h"
 
 #include "dsc/algorithm/algorithm.h"
+#include "dsc/algorithm/interface_upkeep.h"
 #include "dsc/parallel/blocks.h"
 #include "dsc/parallel/cells.h"
 #include "dsc/parallel/places.h"
@@ -17,6 +18,7 @@
 #include <ostream>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace dsc::test {
 
@@ -134,6 +136,41 @@ std::unique_ptr<SubmeshExecutor<Real>> random_executor(Dice& dice, Complex<Real>
                                                        std::uint32_t threads, std::ostream& words) {
     const Division division = all_divisions.at(number_in(dice, 0, all_divisions.size() - 1));
     return random_executor(dice, division, complex, options, threads, words);
+}
+
+/// A complex and what a partitioner gets to see of it.
+struct Divided {
+    Divided(Complex<double> mesh, double edge_length)
+        : complex(std::move(mesh)), h(edge_length), interface(collect_interface(complex)),
+          work(interface.size(), 1.0F) {}
+
+    void divide(Partitioner<double>& partitioner, Recut recut = Recut::all) {
+        partitioner.divide({complex, interface, work, h}, recut, partition);
+    }
+    [[nodiscard]] Point<double> position(std::size_t i) const {
+        return complex.position(Vertex{interface[i]});
+    }
+    [[nodiscard]] const std::vector<Region>& regions(std::size_t colour) const {
+        return partition.colours.at(colour).regions;
+    }
+
+    Complex<double> complex;
+    double h;
+    std::vector<std::uint32_t> interface;
+    std::vector<float> work;
+    Partition partition;
+};
+
+inline Divided random_divided(Dice& dice, bool patches) {
+    const double h = dice.in(0.015, 0.04);
+    Divided divided(patches ? random_patches<double>(dice, h, 12) : random_shapes<double>(dice, h),
+                    h);
+    if (dice.chance(0.5)) {
+        for (float& work : divided.work) {
+            work = static_cast<float>(dice.in(1.0, 9.0));
+        }
+    }
+    return divided;
 }
 
 } // namespace dsc::test

@@ -38,6 +38,8 @@
 
 #include "dsc/parallel/blocks.h"
 #include "dsc/parallel/cells.h"
+#include "dsc/parallel/copied_submeshes.h"
+#include "dsc/parallel/copy_executor.h"
 #include "dsc/parallel/places.h"
 #include "dsc/parallel/slabs.h"
 #include "dsc/parallel/submesh_executor.h"

@@ -38,15 +38,17 @@ bool Frames::is_due(int step) const {
 }
 
 template <class Real>
-void Frames::write(int step, double time, const Complex<Real>& complex) {
+std::string Frames::write(int step, double time, const Complex<Real>& complex) {
     if (!is_due(step)) {
-        return;
+        return {};
     }
     char number[16];
     std::snprintf(number, sizeof number, "%05d", step);
     const std::string file = name_ + "_" + number + ".vtu";
-    write_vtu(complex, (std::filesystem::path(folder_) / file).string());
+    std::string path = (std::filesystem::path(folder_) / file).string();
+    write_vtu(complex, path);
     entries_.push_back({time, file});
+    return path;
 }
 
 void Frames::finish() const {
@@ -55,7 +57,7 @@ void Frames::finish() const {
     }
 }
 
-template void Frames::write(int, double, const Complex<double>&);
-template void Frames::write(int, double, const Complex<float>&);
+template std::string Frames::write(int, double, const Complex<double>&);
+template std::string Frames::write(int, double, const Complex<float>&);
 
 } // namespace dsc::scenes

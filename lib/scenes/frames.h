@@ -17,9 +17,10 @@ public:
     /// written to, before anything has run.
     Frames(std::string folder, std::string name, int count, int steps, std::optional<int> half);
 
-    /// Writes a frame if this step has one. Throws FileError.
+    /// Writes a frame if this step has one, and returns its path; empty where it has none. Throws
+    /// FileError.
     template <class Real>
-    void write(int step, double time, const Complex<Real>& complex);
+    std::string write(int step, double time, const Complex<Real>& complex);
     /// Writes the collection.
     void finish() const;
 

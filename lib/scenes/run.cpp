@@ -10,10 +10,13 @@
 #include "scenes/measure.h"
 #include "scenes/progress.h"
 #include "scenes/reference_run.h"
+#include "scenes/submesh_map.h"
 #include "scenes/symmetric_difference.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <utility>
 
 namespace dsc::scenes {
 
@@ -64,8 +67,13 @@ class DscMethod {
 public:
     DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run)
         : complex_(first_complex<Real>(setup, parameters)),
-          options_(scene_options<Real>(parameters)),
-          simulation_(make_simulation(complex_, options_, run)) {}
+          options_(scene_options<Real>(parameters)) {
+        Submeshing submeshing = run.submeshing;
+        submeshing.profile = !run.frames.empty(); // the submeshes are drawn by their work
+        auto executor = make_executor(complex_, options_, run.strategy, submeshing);
+        submeshes_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
+        simulation_ = std::make_unique<Simulation<Real>>(complex_, options_, std::move(executor));
+    }
 
     void step(const Velocity& velocity, double time, double dt, RunResult& result) {
         const StepReport report = simulation_->step(velocity_in<Real>(velocity),
@@ -85,11 +93,19 @@ public:
         return simulation_->interface_size();
     }
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
+    /// The submeshes beside a frame, where there are any.
+    void map_submeshes(const std::string& frame) const {
+        if (submeshes_ != nullptr && !submeshes_->partition().colours.empty() && !frame.empty()) {
+            write_submesh_map(*submeshes_,
+                              std::filesystem::path(frame).replace_extension("submeshes.json"));
+        }
+    }
 
 private:
     Complex<Real> complex_;
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
+    const SubmeshExecutor<Real>* submeshes_ = nullptr;
     std::uint64_t vertex_steps_ = 0;
 };
 
@@ -123,7 +139,7 @@ public:
             result_.steps = step;
             time_ = end;
             after(step);
-            frames.write(step, time_, complex());
+            map_submeshes(frames.write(step, time_, complex()));
             progress.show(step, complex().triangle_count());
             if (!result_.gave_up.empty()) {
                 break;
@@ -141,6 +157,12 @@ private:
             if (options_.observer) {
                 options_.observer(step, method_.complex());
             }
+        }
+    }
+
+    void map_submeshes(const std::string& frame) {
+        if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
+            method_.map_submeshes(frame);
         }
     }
 

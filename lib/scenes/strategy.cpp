@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/parallel/blocks.h"
 #include "dsc/parallel/cells.h"
+#include "dsc/parallel/copy_executor.h"
 #include "dsc/parallel/slabs.h"
 #include "dsc/parallel/submesh_executor.h"
 
@@ -94,6 +95,13 @@ std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Opti
                                               Strategy strategy, const Submeshing& submeshing) {
     if (!is_parallel(strategy)) {
         return nullptr;
+    }
+    if (strategy == Strategy::copy) {
+        CopyOptions copies;
+        copies.submeshes = submeshes_of(strategy, submeshing);
+        copies.threads = submeshing.threads;
+        return std::make_unique<CopyExecutor<Real>>(complex, options, default_algorithm<Real>(),
+                                                    copies);
     }
     SubmeshOptions choices;
     choices.threads = submeshing.threads;

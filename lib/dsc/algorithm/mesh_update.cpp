@@ -161,18 +161,19 @@ private:
             if (complex_.phase_at(o) != complex_.phase_at(c)) {
                 continue;
             }
+            const auto at = [this](Corner corner) {
+                return complex_.position(Vertex{complex_.vertex(corner)});
+            };
+            if (is_delaunay<Real>(at(c), at(next(c)), apex(o), at(prev(c)))) {
+                continue;
+            }
             if (!owns(complex_, region, complex_.vertex(o))) {
-                // Nobody moves it while this edge's own vertices are here, or it is read whole.
-                if (!is_delaunay<Real>(apex(c), apex(next(c)), apex(o), apex(prev(c)))) {
-                    work_.put_off_active.push_back(complex_.vertex(next(c)));
-                }
+                work_.put_off_active.push_back(complex_.vertex(next(c)));
                 continue;
             }
-            if (is_delaunay(complex_, c)) {
-                continue;
-            }
+            // All four vertices are owned: nothing is left to ask the region.
             if (flips >= max_flips_at_once ||
-                edge_flip(complex_, work_.submesh, c) != Verdict::legal) {
+                edge_flip(complex_, Submesh{Region{}, work_.submesh.pool}, c) != Verdict::legal) {
                 continue;
             }
             ++flips;

@@ -43,6 +43,12 @@ public:
     /// Entry i of the result is the old entry order[i].
     virtual void permute(const std::vector<std::uint32_t>& order) = 0;
     [[nodiscard]] virtual std::unique_ptr<AttributeBase> clone() const = 0;
+    /// An attribute of the same name, kind, initial value and interpolator, without entries.
+    [[nodiscard]] virtual std::unique_ptr<AttributeBase> clone_empty() const = 0;
+    /// Appends the entries order[i] of an attribute of the same type; no_id: the initial value.
+    virtual void append(const AttributeBase& from, const std::vector<std::uint32_t>& order) = 0;
+    /// Swaps the entries, and nothing else, with an attribute of the same type.
+    virtual void swap_entries(AttributeBase& other) noexcept = 0;
     [[nodiscard]] virtual const std::type_info& type() const = 0;
 
 private:
@@ -94,6 +100,18 @@ public:
         auto other = std::make_unique<Attribute>(name(), kind(), initial_, blend_);
         other->data_ = data_;
         return other;
+    }
+    [[nodiscard]] std::unique_ptr<AttributeBase> clone_empty() const override {
+        return std::make_unique<Attribute>(name(), kind(), initial_, blend_);
+    }
+    void append(const AttributeBase& from, const std::vector<std::uint32_t>& order) override {
+        const auto& data = static_cast<const Attribute&>(from).data_;
+        for (const std::uint32_t entry : order) {
+            data_.push_back(entry == no_id ? initial_ : data[entry]);
+        }
+    }
+    void swap_entries(AttributeBase& other) noexcept override {
+        data_.swap(static_cast<Attribute&>(other).data_);
     }
     [[nodiscard]] const std::type_info& type() const override { return typeid(T); }
 
@@ -161,6 +179,15 @@ public:
     }
     /// Entry i of the result is the old entry order[i]; no_id: the initial value.
     void permute(SimplexKind kind, const std::vector<std::uint32_t>& order);
+
+    // For complexes that are divided and merged; the sets must be clones of each other.
+    /// The same attributes without entries.
+    [[nodiscard]] AttributeSet clone_empty() const;
+    /// Appends the entries order[i] of `from`; no_id: the initial value.
+    void append(SimplexKind kind, const AttributeSet& from,
+                const std::vector<std::uint32_t>& order);
+    /// Swaps the entries; references to the attributes of either set stay what they are.
+    void swap_entries(AttributeSet& other) noexcept;
 
 private:
     void insert(std::unique_ptr<AttributeBase> attribute);

@@ -85,15 +85,11 @@ MoveReport CopyExecutor<Real>::move() {
     MoveReport report;
     whole_.movers.clear();
     report.held = collect_movers(whole_);
-    // Algorithm 6.3: divided anew until all is done, but for what two colours cannot do.
-    for (const RedBlack colour : {RedBlack::red, RedBlack::black}) {
-        report.passes = std::max(report.passes, run_round(colour));
-        if (whole_.movers.empty() && whole_.active.empty()) {
-            break;
-        }
-    }
+    // Algorithm 6.3: divided anew until nothing is put off, but for what two colours cannot do. Who
+    // is blocked although nothing is put off has had all the room that there is.
+    const bool is_left = run_round(RedBlack::red, report) && run_round(RedBlack::black, report);
     Timer timer;
-    if (!whole_.movers.empty() || !whole_.active.empty()) {
+    if (is_left) {
         report.passes += run_motion(whole_, algorithm_.motion, epoch_);
     }
     report.unreached = whole_.movers.size() + report.held;
@@ -104,9 +100,9 @@ MoveReport CopyExecutor<Real>::move() {
     return report;
 }
 
-// Returns the passes; what is left to do is in `whole_` again, with the new ids.
+// What is left to do is in `whole_` again, with the new ids.
 template <class Real>
-std::uint32_t CopyExecutor<Real>::run_round(RedBlack colour) {
+bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
     Timer timer;
     create_submeshes(complex_, {copy_.submeshes, copy_.normal_x, copy_.normal_y, colour},
                      submeshes_);
@@ -115,14 +111,13 @@ std::uint32_t CopyExecutor<Real>::run_round(RedBlack colour) {
     run_tasks();
     costs_.run_s += timer.lap();
     merge_submeshes(submeshes_, complex_);
-    take_back();
+    const bool is_put_off = take_back();
     costs_.merge_s += timer.lap();
     ++costs_.rounds;
-    std::uint32_t passes = 0;
     for (const auto& task : tasks_) {
-        passes = std::max(passes, task->passes);
+        report.passes = std::max(report.passes, task->passes);
     }
-    return passes;
+    return is_put_off;
 }
 
 template <class Real>
@@ -196,7 +191,7 @@ void CopyExecutor<Real>::run_tasks() {
 }
 
 template <class Real>
-void CopyExecutor<Real>::take_back() {
+bool CopyExecutor<Real>::take_back() {
     // In the merged complex all stamps are 0.
     whole_.movers.clear();
     whole_.active.clear();
@@ -209,6 +204,7 @@ void CopyExecutor<Real>::take_back() {
             whole_.activate(merged);
         }
     }
+    bool is_put_off = !waiting_movers_.empty() || !waiting_active_.empty();
     bool is_as_given = true;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         const Work<Real>& work = tasks_[i]->work;
@@ -226,10 +222,12 @@ void CopyExecutor<Real>::take_back() {
                 }
             }
         }
+        is_put_off = is_put_off || !work.put_off_movers.empty() || !work.put_off_active.empty();
         is_as_given = is_as_given && work.interface == tasks_[i]->given;
     }
     take_interface_back(is_as_given);
     std::erase_if(whole_.movers, [](const auto& mover) { return mover.vertex == no_id; });
+    return is_put_off;
 }
 
 // The order of the list stays, unless passes of an application rewrote it.

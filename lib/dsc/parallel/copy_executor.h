@@ -66,14 +66,15 @@ private:
         Task(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {}
         Work<Real> work;
         std::vector<std::uint32_t> given; ///< `work.interface` as it was handed out
-        std::uint32_t passes = 0;
         std::exception_ptr failure;
+        std::uint32_t passes = 0;
     };
 
-    [[nodiscard]] std::uint32_t run_round(RedBlack colour);
+    /// Whether submesh boundaries, or too few ids, kept anything from being done.
+    [[nodiscard]] bool run_round(RedBlack colour, MoveReport& report);
     void hand_out();
     void run_tasks();
-    void take_back();
+    [[nodiscard]] bool take_back();
     void take_interface_back(bool is_as_given);
     void recover();
 
