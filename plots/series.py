@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Groups the rows of step benchmarks (FAMILY_step/strategy:S/triangles:N/...) into series, and
-computes S(n) = t_s / t_n and U(n) = S(n) / n (thesis, section 9.7) from medians."""
+computes S(n) = t_s / t_n and U(n) = S(n) / n (thesis, section 9.7) from medians.
+
+Rows come as two kinds that never mix: `rows` gives what was measured, `modelled` what the
+benchmark program modelled for more threads than the machine has."""
 import statistics
 from dataclasses import dataclass
 
@@ -8,9 +11,11 @@ import style
 
 # Parts of a name that never tell two configurations apart.
 STRUCTURAL = {"strategy", "triangles", "threads", "submeshes", "iterations", "repeats",
-              "min_time", "min_warmup_time", "warmup", "h", "steps"}
+              "min_time", "min_warmup_time", "warmup", "h", "steps", "modelled"}
 SERIAL = ("reference", "sequential")
-FAMILY_TITLES = {"scaling_step": "scaling of a circle", "four_circles_step": "four circles"}
+FAMILY_TITLES = {"scaling_step": "scaling of a circle", "four_circles_step": "four circles",
+                 "swirl_step": "swirl", "granularity_step": "scaling of a circle, many sizes"}
+GRANULARITY = "granularity_step"  # has a picture of its own
 
 
 @dataclass
@@ -27,10 +32,21 @@ class Row:
     oversubscribed: bool
     measurement: object
     label: str = ""
+    modelled: bool = False  # computed for so many threads and not measured with them
+    loaded: bool = False    # measured while the load average was above the number of cores
 
     @property
     def median(self):
         return statistics.median(self.times)
+
+    @property
+    def doubtful(self):
+        return self.oversubscribed or self.loaded
+
+    def flags(self):
+        """What is to be said beside the row's figures."""
+        words = ["oversubscribed"] if self.oversubscribed else []
+        return words + ([f"load {self.measurement.counter('load'):.1f}"] if self.loaded else [])
 
 
 @dataclass(frozen=True)
@@ -51,6 +67,14 @@ class Point:
     def u(self):
         return self.s / self.row.threads
 
+    @property
+    def doubtful(self):
+        return self.row.doubtful or self.base.loaded
+
+    def flags(self):
+        """What is to be said beside S(n), of the row and of the sequential run."""
+        return self.row.flags() + [f"sequential run: {w}" for w in self.base.flags()]
+
 
 def title(family):
     if family in FAMILY_TITLES:
@@ -59,7 +83,21 @@ def title(family):
 
 
 def rows(bench):
-    """All step rows, labelled such that two rows of one label differ in threads or size only."""
+    """All measured step rows; two rows of one label differ in threads or size only."""
+    return _labelled([r for r in _all(bench) if not r.modelled])
+
+
+def modelled(bench):
+    """The modelled step rows, of several numbers of submeshes the fastest for each n."""
+    fastest = {}
+    for row in _all(bench):
+        key = (row.family, row.triangles, row.strategy, row.other, row.threads)
+        if row.modelled and (key not in fastest or row.median < fastest[key].median):
+            fastest[key] = row
+    return _labelled(list(fastest.values()))
+
+
+def _all(bench):
     found = []
     for m in bench.measurements:
         triangles = m.number("triangles")
@@ -70,10 +108,17 @@ def rows(bench):
             continue
         threads = int(m.number("threads") or 1) if m.strategy not in SERIAL else 1
         cores = bench.context.cores
+        model = bool(m.number("modelled")) or bool(m.counter("modelled"))
         found.append(Row(
-            m.family, triangles, m.strategy, threads, int(m.number("submeshes") or 0),
+            m.family, triangles, m.strategy, threads,
+            int(m.number("submeshes") or 0),
             tuple(sorted((k, v) for k, v in m.params.items() if k not in STRUCTURAL)), times,
-            bool(m.counter("oversubscribed")) or 0 < cores < threads, m))
+            not model and (bool(m.counter("oversubscribed")) or 0 < cores < threads), m,
+            modelled=model, loaded=0 < cores < (m.counter("load") or 0)))
+    return found
+
+
+def _labelled(found):
     for row in found:
         kin = [r for r in found if r.family == row.family and r.strategy == row.strategy]
         words = [f"{k} {v}" for k, v in row.other
@@ -95,18 +140,22 @@ def families(found):
 def base_of(row, found):
     """The sequential row that a parallel row is compared with, or None."""
     mine = dict(row.other)
-    fitting = [r for r in found if r.strategy == "sequential" and r.family == row.family
+    fitting = [r for r in found if r.strategy == "sequential" and not r.modelled
+               and r.family == row.family
                and r.triangles == row.triangles
                and all(mine.get(k, v) == v for k, v in r.other)]
     # Where several fit, the one that shares most parameters.
     return max(fitting, key=lambda r: len(set(r.other) & set(row.other)), default=None)
 
 
-def speedups(found):
-    """A Point for each parallel row that has a sequential run beside it."""
+def speedups(found, bases=None):
+    """A Point for each parallel row that has a sequential run beside it (in `bases`, which for
+    modelled rows are the measured ones)."""
     points = []
     for row in found:
-        base = base_of(row, found) if row.strategy not in SERIAL else None
+        base = None
+        if row.strategy not in SERIAL:
+            base = base_of(row, found if bases is None else bases)
         if base is not None:
             points.append(Point(row, base, base.median / row.median,
                                 base.median / max(row.times), base.median / min(row.times)))

@@ -1,33 +1,117 @@
 # SPDX-License-Identifier: MIT
-"""Speed-up S(n) and utilisation U(n) against threads, with the thesis's table 10.1 beside ours.
+"""Speed-up S(n) and utilisation U(n) against threads, with the thesis's table 10.1 and published
+efficiencies beside ours.
 
 The base is always the sequential driver at the same size (thesis, equation 14), never the
-parallel one at one thread; t_1 / t_s is stated in the sentence.
+parallel one at one thread. What the benchmark program modelled for more threads than the machine
+has is drawn hollow and dashed, and called modelled in legend, table and caption.
 """
+from dataclasses import dataclass
+
 import numpy
-from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
 
 import load
 import series
+import speedup_text
 import style
 
 THESIS = {"scaling_step": ("scaling_table_10_1", "thesis, table 10.1 (4 cores)"),
           "four_circles_step": ("four_circles", "thesis, section 10.7 (4 cores)")}
-WIDE = 16  # from here on threads go on a logarithmic axis
+# entry of reference/published/speedup.json -> name, marker
+OTHERS = {"omega_h_s2": ("omega_h, measured", "P"),
+          "omega_h_utilisation": ("omega_h, modelled", "P"),
+          "pragmatic_s2": ("PRAgMaTIc, measured", "X"),
+          "pragmatic_utilisation": ("PRAgMaTIc, published", "1"),
+          "trinity_utilisation": ("trinity, published", "2")}
+OTHERS_FAMILY = "scaling_step"  # theirs is a growing circle too, or a mesh adapted all over
+WIDE = 8  # from here on threads go on a logarithmic axis
 
 
-def _thesis(family, published):
-    """Rows {n, t_n, S, U} of the thesis for a family, its label and its t_s."""
-    identifier, label = THESIS.get(family, (None, ""))
-    found = load.entry(published, "speedup", identifier) if identifier else None
-    return (found["values"], label, found.get("t_s")) if found else ([], "", None)
+@dataclass(frozen=True)
+class Other:
+    """S(n) of another program."""
+
+    name: str
+    marker: str
+    kind: str
+    triangles: float  # 0: not stated
+    n: int
+    s: float
+
+    @property
+    def modelled(self):
+        return self.kind == "modelled"
+
+
+@dataclass
+class Family:
+    """All that one picture shows."""
+
+    name: str
+    points: list    # measured
+    models: list    # modelled
+    thesis: list    # rows {n, t_n, S, U} of the thesis
+    thesis_label: str
+    thesis_ts: object
+    others: list
+
+    @property
+    def sizes(self):
+        return sorted({p.row.triangles for p in self.points + self.models})
+
+    @property
+    def top(self):
+        """The largest number of threads."""
+        return max([p.n for p in self.points + self.models + self.others]
+                   + [t["n"] for t in self.thesis] + [2])
+
+    def others_at(self, size):
+        """Other programs' points at about this size, and those that state none."""
+        return [o for o in self.others if not o.triangles or 0.5 < o.triangles / size < 2]
+
+
+def others(published):
+    """Every published or measured S(n) of another program."""
+    found = []
+    for identifier, (name, marker) in OTHERS.items():
+        entry = load.entry(published, "speedup", identifier)
+        for v in entry["values"] if entry else []:
+            s = v["S"] if "S" in v else v["U"] * v["n"]
+            found.append(Other(name, marker, name.split(", ")[1], v.get("triangles", 0), v["n"],
+                               s))
+    return found
+
+
+def gather(bench, published):
+    """A Family for each family of step benchmarks that has parallel rows."""
+    measured, modelled = series.rows(bench), series.modelled(bench)
+    result = []
+    for name in series.families(measured + modelled):
+        bases = [r for r in measured if r.family == name]
+        points = series.speedups(bases)
+        models = series.speedups([r for r in modelled if r.family == name], bases)
+        if name == series.GRANULARITY or not points + models:
+            continue
+        identifier, label = THESIS.get(name, (None, ""))
+        found = load.entry(published, "speedup", identifier) if identifier else None
+        result.append(Family(name, points, models, found["values"] if found else [], label,
+                             found.get("t_s") if found else None,
+                             others(published) if name == OTHERS_FAMILY else []))
+    return result
+
+
+def draw(bench, published):
+    """A Picture for each family of step benchmarks that has parallel rows."""
+    for family in gather(bench, published):
+        yield _picture(family, bench.context)
 
 
 def _thread_axis(axes, top):
     if top > WIDE:
         axes.set_xscale("log", base=2)
         ticks = [2 ** k for k in range(12) if 2 ** k <= top]
-        axes.set_xlim(0.85, top * 1.15)
+        axes.set_xlim(0.76, top * 1.25)
     else:
         ticks = list(range(1, top + 1))
         axes.set_xlim(0.7, top + 0.3)
@@ -36,27 +120,44 @@ def _thread_axis(axes, top):
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 
 
-def _cores(axes, cores, top, ceiling, with_text, oversubscribed):
+def _speed_axis(axes, family):
+    """S(n): logarithmic where the threads are, so that the ideal is a straight line."""
+    values = [p.high for p in family.points + family.models] + [t["S"] for t in family.thesis] \
+        + [o.s for o in family.others]
+    if family.top <= WIDE:
+        axes.set_ylim(0, 1.15 * max(values + [2.0]))
+        return
+    low = min([p.low for p in family.points + family.models] + [1.0])
+    axes.set_yscale("log", base=2)
+    axes.set_ylim(0.8 * low, 1.3 * max(values + [2.0]))
+    axes.yaxis.set_major_locator(FixedLocator([2.0 ** k for k in range(-4, 12)]))
+    axes.yaxis.set_minor_formatter(NullFormatter())
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+
+
+def _cores(axes, cores, top, over):
     """The vertical line at the machine's cores, and the field beyond it."""
     if not cores or cores > top:
         return
     axes.axvline(cores, color=style.MUTED, linewidth=0.9, linestyle=(0, (1, 1.5)), zorder=1.5)
-    if with_text:
-        axes.text(cores, ceiling, f" {style.counted(cores, 'core')} ", va="top",
-                  ha="left" if cores == 1 else "right", fontsize=7.5, color=style.MUTED)
-    if oversubscribed and cores < top:
+    if cores < top:
         axes.axvspan(cores, axes.get_xlim()[1], color=style.SHADE, zorder=0, linewidth=0)
-        if with_text:
-            axes.text(axes.get_xlim()[1], ceiling, "oversubscribed ", ha="right", va="top",
-                      fontsize=7.5, color=style.MUTED)
+    words = {"transform": axes.get_xaxis_transform(), "fontsize": 7.5, "color": style.MUTED}
+    axes.text(cores, 0.015, f" {style.counted(cores, 'core')} ", va="bottom",
+              ha="left" if cores == 1 else "right", **words)
+    if cores < top:
+        axes.text(axes.get_xlim()[1], 0.985,
+                  "oversubscribed " if over else "more than the machine has ", ha="right",
+                  va="top", **words)
 
 
-def _lines(axes, points, looks, spread, value):
-    """One line for each series: trusted points solid, oversubscribed ones hollow."""
-    for index, (label, line) in enumerate(points.items()):
+def _measured(axes, lines, looks, spread, value):
+    """One line for each series: trusted points solid, others half filled."""
+    for index, (label, line) in enumerate(lines.items()):
         colour, marker = looks[label]
         # Series are set apart sideways so that markers and bars of equal height stay visible.
-        place = [p.n * (1 + spread * (index - (len(points) - 1) / 2)) for p in line]
+        place = [p.n * (1 + spread * (index - (len(lines) - 1) / 2)) for p in line]
         middle = [value(p, p.s) for p in line]
         bars = [[m - value(p, p.low) for m, p in zip(middle, line)],
                 [value(p, p.high) - m for m, p in zip(middle, line)]]
@@ -64,115 +165,104 @@ def _lines(axes, points, looks, spread, value):
         axes.errorbar(place, middle, yerr=bars, fmt="none", ecolor=colour, elinewidth=1,
                       capsize=2.5, zorder=3.2)
         for x, y, p in zip(place, middle, line):
-            marks = style.hollow(colour) if p.row.oversubscribed else style.solid(colour)
+            marks = style.doubtful(colour) if p.doubtful else style.solid(colour)
             axes.plot([x], [y], marker=marker, color=colour, linestyle="none", zorder=4, **marks)
 
 
-def sentence(family, points, thesis):
-    """What the numbers say, with the base and both times of each S(n)."""
-    fair = [p for p in points if not p.row.oversubscribed and p.n > 1]
-    words = []
-    if fair:
-        best = max(fair, key=lambda p: p.s)
-        words.append(
-            f"In the {series.title(family)}, {best.row.label} with {best.n} threads takes "
-            f"{style.duration(best.row.median)} a step at {style.whole(best.row.triangles)} "
-            f"triangles against {style.duration(best.base.median)} sequentially: "
-            f"S({best.n}) = {best.s:.2f}, U({best.n}) = {best.u:.2f}")
-        same = [p for p in fair if p.n == best.n]
-        if len(same) > 1:
-            words.append(f"; over all {len(same)} series and sizes S({best.n}) lies between "
-                         f"{min(p.s for p in same):.2f} and {max(p.s for p in same):.2f}")
-        beside = [t for t in thesis if t["n"] == best.n]
-        if beside:
-            words.append(f" (thesis: {beside[0]['S']:.2f})")
-    else:
-        words.append(f"In the {series.title(family)}, no row has more than one thread within the "
-                     "machine's cores, so nothing here is a speed-up to trust")
-    ones = [1 / p.s for p in points if p.n == 1]
-    if ones:
-        low, high = f"{min(ones):.2f}", f"{max(ones):.2f}"
-        span = low if low == high else f"{low} to {high}"
-        words.append(f"; one parallel thread takes {span} times the sequential time")
-    over = sum(p.row.oversubscribed for p in points)
-    if over:
-        words.append(f"; {over} of {len(points)} points are oversubscribed (hollow) and say "
-                     "nothing about scaling")
-    return "".join(words) + "."
+def _modelled(axes, lines, looks, value):
+    for label, line in lines.items():
+        colour, marker = looks[label]
+        axes.plot([p.n for p in line], [value(p, p.s) for p in line], color=colour,
+                  linestyle=style.DASHED, linewidth=1.3, marker=marker, zorder=3.6,
+                  **style.hollow(colour))
 
 
-def draw(bench, published):
-    """A Picture for each family of step benchmarks that has parallel rows."""
-    found = series.rows(bench)
-    pictures = []
-    for family in series.families(found):
-        points = series.speedups([r for r in found if r.family == family])
-        if points:
-            pictures.append(_family(family, points, bench.context, published))
-    return pictures
+def _beside(axes, family, size, value):
+    """The thesis and the other programs, in grey."""
+    if family.thesis:
+        axes.plot([t["n"] for t in family.thesis], [value(t["n"], t["S"]) for t in family.thesis],
+                  color=style.MUTED, linewidth=1, linestyle=(0, (1, 1)), zorder=2.5,
+                  **style.other("*"))
+    for name, line in series.by_label(family.others_at(size), lambda o: o.name).items():
+        axes.plot([o.n for o in line], [value(o.n, o.s) for o in line], color=style.MUTED,
+                  linewidth=0.8, linestyle=style.DASHED if line[0].modelled else "none",
+                  zorder=2.6, **_grey(line[0]))
 
 
-def _family(family, points, context, published):
-    sizes = sorted({p.row.triangles for p in points})
-    looks = series.looks(series.by_label(points, lambda p: p.row.label))
-    thesis, thesis_label, thesis_ts = _thesis(family, published)
-    top = max([p.n for p in points] + [t["n"] for t in thesis] + [2])
-    tall = max([p.high for p in points] + [t["S"] for t in thesis] + [2.0]) * 1.15
-    fig, grid = style.figure(max(7.2, 0.5 + 3.1 * len(sizes)), 6.6, 2, len(sizes), sharey="row")
-    for column, size in enumerate(sizes):
-        here = [p for p in points if p.row.triangles == size]
-        lines = series.by_label(here, lambda p: p.row.label)
-        over = any(p.row.oversubscribed for p in here)
-        panels = ((grid[0][column], lambda p, s: s, "S", tall),
-                  (grid[1][column], lambda p, s: s / p.n, "U", max(
-                      1.25, 1.1 * max(p.high / p.n for p in points))))
-        for axes, value, quantity, ceiling in panels:
-            _thread_axis(axes, top)
-            axes.set_ylim(0, ceiling)
-            _cores(axes, context.cores, top, ceiling * 0.99, quantity == "U", over)
-            ideal = numpy.linspace(1, top, 200)  # curved where the axis is logarithmic
-            axes.plot(ideal, ideal if quantity == "S" else ideal ** 0,
-                      color=style.MUTED,
-                      linestyle=(0, (4, 3)), linewidth=1, zorder=2)
-            if quantity == "S":
-                base = here[0].base
-                axes.axhspan(base.median / max(base.times), base.median / min(base.times),
-                             color=style.BLUE, alpha=0.13, linewidth=0, zorder=1)
-            if thesis:
-                axes.plot([t["n"] for t in thesis], [t[quantity] for t in thesis],
-                          color=style.MUTED, linewidth=1, linestyle=(0, (1, 1)), zorder=2.5,
-                          **style.other("*"))
-            _lines(axes, lines, looks, 0.02 if top <= 4 else 0.012, value)
-        grid[0][column].set_title(f"{style.whole(size)} triangles, "
-                                  f"$t_s$ = {style.duration(here[0].base.median)} a step")
-        grid[1][column].set_xlabel("threads $n$")
+def _grey(other):
+    marks = style.other(other.marker)
+    if other.modelled:
+        marks.update(style.hollow(style.MUTED))
+    return marks
+
+
+def _looks(family):
+    """{label: colour and marker}, the same for what is measured and modelled of one label."""
+    return series.looks(series.by_label(family.points + family.models, lambda p: p.row.label))
+
+
+def _panels(family, column, grid, cores, looks):
+    size = family.sizes[column]
+    here = [p for p in family.points if p.row.triangles == size]
+    lines = series.by_label(here, lambda p: p.row.label)
+    models = series.by_label([p for p in family.models if p.row.triangles == size],
+                             lambda p: p.row.label)
+    over = any(p.row.oversubscribed for p in here)
+    base = next(p.base for p in family.points + family.models if p.row.triangles == size)
+    for axes, quantity in zip((grid[0][column], grid[1][column]), "SU"):
+        _thread_axis(axes, family.top)
+        if quantity == "S":
+            _speed_axis(axes, family)
+            axes.axhspan(base.median / max(base.times), base.median / min(base.times),
+                         color=style.BLUE, alpha=0.13, linewidth=0, zorder=1)
+        else:
+            axes.set_ylim(0, max([1.25] + [1.1 * p.high / p.n for p in here]))
+        _cores(axes, cores, family.top, over)
+        ideal = numpy.array([1, family.top])
+        axes.plot(ideal, ideal if quantity == "S" else ideal ** 0, color=style.MUTED,
+                  linestyle=(0, (4, 3)), linewidth=1, zorder=2)
+        power = 0 if quantity == "S" else 1
+        _beside(axes, family, size, lambda n, s, power=power: s / n ** power)
+        _measured(axes, lines, looks, 0.045 if family.top > WIDE else 0.02,
+                  lambda p, s, power=power: s / p.n ** power)
+        _modelled(axes, models, looks, lambda p, s, power=power: s / p.n ** power)
+    grid[0][column].set_title(f"{style.whole(size)} triangles, "
+                              f"$t_s$ = {style.duration(base.median)} a step")
+    grid[1][column].set_xlabel("threads $n$")
+
+
+def _legend(family, looks):
+    measured = {p.row.label for p in family.points}
+    modelled = {p.row.label for p in family.models}
+    handles = [style.key(label, *look) for label, look in looks.items() if label in measured]
+    handles += [style.key(f"{label}, modelled", *look, line=style.DASHED, width=1.3,
+                          marking=style.hollow)
+                for label, look in looks.items() if label in modelled]
+    if any(p.doubtful for p in family.points):
+        handles.append(style.key("oversubscribed or under load", style.MUTED, "o", "none",
+                                 style.doubtful))
+    handles.append(style.key("ideal", style.MUTED, line=(0, (4, 3)), width=1))
+    if family.thesis:
+        handles.append(style.key(family.thesis_label, style.MUTED, line=(0, (1, 1)), width=1,
+                                 marks=style.other("*")))
+    shown = [o for size in family.sizes for o in family.others_at(size)]
+    for name, found in series.by_label(shown, lambda o: o.name).items():
+        handles.append(style.key(name, style.MUTED, width=0.8, marks=_grey(found[0]),
+                                 line=style.DASHED if found[0].modelled else "none"))
+    return handles
+
+
+def _picture(family, context):
+    columns = len(family.sizes)
+    width = 3.7 if family.top > WIDE else 3.1
+    looks = _looks(family)
+    fig, grid = style.figure(max(7.2, 0.5 + width * columns), 7.4, 2, columns, sharey="row")
+    for column in range(columns):
+        _panels(family, column, grid, context.cores, looks)
     grid[0][0].set_ylabel("speed-up  $S(n) = t_s\\,/\\,t_n$")
     grid[1][0].set_ylabel("utilisation  $U(n) = S(n)\\,/\\,n$")
-    handles = [style.key(label, *look) for label, look in looks.items()]
-    handles.append(style.key("ideal", style.MUTED, line=(0, (4, 3)), width=1))
-    if thesis:
-        handles.append(style.key(thesis_label, style.MUTED, line=(0, (1, 1)), width=1,
-                                 marks=style.other("*")))
-    if any(p.row.oversubscribed for p in points):
-        handles.append(style.key("oversubscribed (threads > cores)", style.MUTED, "o", "none",
-                                 open_marker=True))
-    style.finish(fig, f"Speed-up: {series.title(family)}", style.caption_text(
-        context, "Medians over repetitions; bars from the slowest to the fastest repetition; blue "
-        "band: the same of the sequential run."), handles)
-    return style.Picture("speedup_" + series.title(family).replace(" ", "_"),
-                         f"Speed-up: {series.title(family)}",
-                         sentence(family, points, thesis), fig, *_table(points, thesis, thesis_ts))
-
-
-def _table(points, thesis, thesis_ts):
-    header = ["triangles", "strategy", "threads", "t_s a step", "t_n a step", "S(n)", "U(n)",
-              "thesis t_n", "thesis S(n)", "thesis U(n)", ""]
-    rows = []
-    for p in points:
-        beside = next((t for t in thesis if t["n"] == p.n), None)
-        theirs = ([f"{beside['t_n']} s of {thesis_ts} s", f"{beside['S']:.2f}",
-                   f"{beside['U']:.2f}"] if beside else ["–"] * 3)
-        rows.append([style.whole(p.row.triangles), p.row.label, str(p.n),
-                     style.duration(p.base.median), style.duration(p.row.median), f"{p.s:.2f}",
-                     f"{p.u:.2f}", *theirs, "oversubscribed" if p.row.oversubscribed else ""])
-    return header, rows
+    name = series.title(family.name)
+    style.finish(fig, f"Speed-up: {name}", style.caption_text(
+        context, speedup_text.conditions(family)), _legend(family, looks))
+    return style.Picture("speedup_" + name.replace(" ", "_"), f"Speed-up: {name}",
+                         speedup_text.sentence(family), fig, *speedup_text.table(family))

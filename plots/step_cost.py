@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Time of a step against the number of triangles, and per interface vertex: a step that touches
-only what changed grows with the interface, one that sweeps the mesh grows with the triangles."""
+only what changed grows with the interface, one that sweeps the mesh grows with the triangles.
+Measured rows only; what was modelled stays out."""
 import math
 import statistics
 
@@ -13,7 +14,9 @@ import style
 
 PEER_MARKERS = ["*", "p", "<", "d"]
 GUIDES = ((1.0, "grows with the mesh", "-"), (0.5, "grows with its square root", (0, (5, 2))))
-PEER_SCENES = {"scaling_step": "speedup-scaling", "four_circles_step": "speedup-four-circles"}
+PEER_SCENES = {"scaling_step": "speedup-scaling", "four_circles_step": "speedup-four-circles",
+               "swirl_step": "swirl"}
+DOUBTFUL = "oversubscribed or under load"
 
 
 def chosen(found):
@@ -117,7 +120,7 @@ def _plot(axes, line, values, look):
     axes.errorbar(sizes, middle, yerr=bars, fmt="none", ecolor=colour, elinewidth=1, capsize=2.5,
                   zorder=3.2)
     for size, value, row in zip(sizes, middle, line):
-        marks = style.hollow(colour) if row.oversubscribed else style.solid(colour)
+        marks = style.doubtful(colour) if row.doubtful else style.solid(colour)
         axes.plot([size], [value], marker=marker, color=colour, linestyle="none", zorder=4,
                   **marks)
 
@@ -130,7 +133,7 @@ def _per_vertex(row):
 
 
 def draw(bench, published):
-    found = series.rows(bench)
+    found = [r for r in series.rows(bench) if r.family != series.GRANULARITY]
     names = series.families(found)
     if not names:
         return []
@@ -151,8 +154,8 @@ def _common(names, found):
 
 def _legend(looks, lines):
     handles = [style.key(label, *look) for label, look in looks.items()]
-    if any(r.oversubscribed for line in lines.values() for l in line.values() for r in l):
-        handles.append(style.key("oversubscribed", style.MUTED, "o", "none", open_marker=True))
+    if any(r.doubtful for line in lines.values() for l in line.values() for r in l):
+        handles.append(style.key(DOUBTFUL, style.MUTED, "o", "none", style.doubtful))
     return handles
 
 
@@ -163,7 +166,7 @@ def _strips(names, found, context, published):
     for family in names:
         entries[family] = [
             (label, line[0].times, {"marker": looks[label][1], **(
-                style.hollow if line[0].oversubscribed else style.solid)(looks[label][0])},
+                style.doubtful if line[0].doubtful else style.solid)(looks[label][0])},
              looks[label][0]) for label, line in lines[family].items()]
         for (name, points), marker in zip(peers(family, published), PEER_MARKERS):
             size, time = min(points, key=lambda point: abs(math.log(point[0] / sizes[0])))
@@ -176,11 +179,11 @@ def _strips(names, found, context, published):
         strip.draw(axes, entries[family], "time of a step (median)")
         axes.set_title(f"{series.title(family)}, {style.whole(sizes[0])} triangles")
     theirs = any(peers(f, published) for f in names)
-    hollow = any(l[0].oversubscribed for line in lines.values() for l in line.values())
+    doubtful = any(l[0].doubtful for line in lines.values() for l in line.values())
     style.finish(fig, "Time of a step", style.caption_text(
         context, "Medians; bars from the fastest to the slowest repetition."
         + (" Grey: other programs, CPU time on one thread." if theirs else "")
-        + (" Hollow: oversubscribed." if hollow else "")))
+        + (f" Half filled: {DOUBTFUL}." if doubtful else "")))
     return style.Picture("step_cost", "Time of a step", _text(names, lines, published), fig,
                          *_table(names, lines))
 
@@ -229,7 +232,7 @@ def _table(names, lines):
              f"{min(r.times):,.1f} – {max(r.times):,.1f}", str(len(r.times)),
              style.digits(r.measurement.counter("min_quality")),
              style.digits(r.measurement.counter("peak_memory_mb")),
-             "oversubscribed" if r.oversubscribed else ""]
+             ", ".join(r.flags())]
             for f in names for label, line in lines[f].items() for r in line]
     return header, rows
 

@@ -111,9 +111,19 @@ def order(strategy):
     return (names.index(strategy) if strategy in names else len(names), strategy)
 
 
+DASHED = (0, (3.5, 2))  # what was modelled and not measured
+
+
 def hollow(colour):
-    """Marker keywords of a point that must not be trusted like the others."""
+    """Marker keywords of a point that was modelled and not measured."""
     return {"markerfacecolor": "white", "markeredgecolor": colour, "markeredgewidth": 1.3}
+
+
+def doubtful(colour):
+    """Marker keywords of a measured point that must not be trusted like the others: half
+    filled."""
+    return {"fillstyle": "left", "markerfacecolor": colour, "markerfacecoloralt": "white",
+            "markeredgecolor": colour, "markeredgewidth": 1.0}
 
 
 def solid(colour):
@@ -128,9 +138,9 @@ def other(marker):
             "markeredgewidth": 1.1 if marker in ("1", "2") else 0.5}
 
 
-def key(label, colour, marker=None, line="-", open_marker=False, width=1.6, marks=None):
-    """A legend entry."""
-    marks = marks or {"marker": marker, **(hollow(colour) if open_marker else solid(colour))}
+def key(label, colour, marker=None, line="-", marking=solid, width=1.6, marks=None):
+    """A legend entry; marking is solid, hollow or doubtful."""
+    marks = marks or {"marker": marker, **marking(colour)}
     return Line2D([], [], color=colour, linestyle=line, label=label, linewidth=width, **marks)
 
 

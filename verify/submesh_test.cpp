@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: MIT
-// A submesh leaves what it does not own alone, whatever its region is like; what one of them throws
-// comes out, and the simulation goes on.
-#include "dsc/parallel/submesh_executor.h"
+// A submesh leaves what it does not own alone, whatever its region is like.
+#include "dsc/complex/submesh.h"
 
 #include "random_scene.h"
-#include "random_submeshes.h"
 
-#include "dsc/algorithm/driver.h"
+#include "dsc/algorithm/algorithm.h"
 #include "dsc/algorithm/interface_upkeep.h"
-#include "dsc/base/error.h"
 #include "dsc/complex/validate.h"
+#include "dsc/parallel/places.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <functional>
-#include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,8 +24,6 @@ namespace {
 using test::Dice;
 using test::RandomFlow;
 using test::Wildness;
-
-// --- ownership ----------------------------------------------------------------------------------
 
 // All that is known of a vertex but the scratch of the active set.
 struct Seen {
@@ -212,250 +204,6 @@ TEST(Submesh, LeavesAloneWhatItDoesNotOwn) {
         EXPECT_GT(moved, 100U) << "form " << static_cast<int>(form);
         EXPECT_GT(put_off, 100U) << "form " << static_cast<int>(form);
     }
-}
-
-// --- failures -----------------------------------------------------------------------------------
-
-struct Fault : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-Velocity<double> everywhere(double x, double y) {
-    return [=](std::span<const Point<double>>, double, std::span<Point<double>> velocities) {
-        std::ranges::fill(velocities, Point<double>(x, y));
-    };
-}
-
-// A disc that grows, in submeshes of a partitioner; `seen` is where the partition is.
-struct Growing {
-    static constexpr double h = 0.02;
-
-    explicit Growing(std::unique_ptr<Partitioner<double>> partitioner, std::uint32_t threads,
-                     Algorithm<double> algorithm = default_algorithm<double>())
-        : complex(test::disc_complex<double>(h)) {
-        options.edge_length = h;
-        auto made = std::make_unique<SubmeshExecutor<double>>(
-            complex, options, std::move(algorithm), std::move(partitioner),
-            SubmeshOptions{.threads = threads, .vertices_per_thread = 1});
-        seen = made.get();
-        simulation = std::make_unique<Simulation<double>>(complex, options, std::move(made));
-    }
-
-    void expect_good() {
-        EXPECT_EQ(validate(complex).problem, "");
-        EXPECT_EQ(test::interface_fault(complex, simulation->interface()), "");
-    }
-    // What was on its way when a step was lost must not arrive in a later one.
-    void expect_to_go_on() {
-        expect_good();
-        EXPECT_EQ(simulation->step(everywhere(0, 0), 0, 1).operations.moves, 0U);
-        for (int step = 0; step < 6; ++step) {
-            EXPECT_EQ(simulation->step(grow, 0, h).unreached, 0U);
-            expect_good();
-        }
-    }
-
-    Velocity<double> grow = [](std::span<const Point<double>> positions, double,
-                               std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = (positions[i] - Point<double>(0.5, 0.5)).normalized();
-        }
-    };
-    Complex<double> complex;
-    Options<double> options;
-    const SubmeshExecutor<double>* seen = nullptr;
-    std::unique_ptr<Simulation<double>> simulation;
-};
-
-struct Way {
-    const char* name;
-    std::function<std::unique_ptr<Partitioner<double>>()> make;
-};
-
-// Small, and divided anew while all this happens.
-std::vector<Way> ways_to_divide() {
-    return {
-        {"slabs",
-         [] {
-             return std::make_unique<SlabPartitioner<double>>(
-                 SlabOptions{.slabbing = Slabbing::active,
-                             .submeshes = 4,
-                             .degrees = 20,
-                             .least_width = 3,
-                             .recut = 3});
-         }},
-        {"blocks",
-         [] {
-             return std::make_unique<BlockPartitioner<double>>(
-                 BlockOptions{.submeshes = 9, .least_width = 4, .recut = 3});
-         }},
-        {"cells",
-         [] {
-             return std::make_unique<CellPartitioner<double>>(
-                 CellOptions{.submeshes = 4, .least_vertices = 8, .recut = 3, .recut_later = 1});
-         }},
-        {"Voronoi regions",
-         [] {
-             return std::make_unique<PlacePartitioner<double>>(
-                 [](const PartitionInput<double>& input) { return voronoi_colours(input, 5); }, 3);
-         }},
-    };
-}
-
-TEST(SubmeshExecutor, PassesOnWhatAVelocityThrows) {
-    for (const Way& way : ways_to_divide()) {
-        for (const std::uint32_t threads : {1U, 2U, 4U}) {
-            for (const int good_steps : {0, 2}) { // before; two: it is just about to divide anew
-                SCOPED_TRACE(std::string(way.name) + ", threads " + std::to_string(threads));
-                Growing disc(way.make(), threads);
-                for (int step = 0; step < good_steps; ++step) {
-                    (void)disc.simulation->step(disc.grow, 0, Growing::h);
-                }
-                const Velocity<double> faulty = [&](std::span<const Point<double>> positions,
-                                                    double, std::span<Point<double>> velocities) {
-                    disc.grow(positions, 0, velocities);
-                    for (const auto& p : positions) {
-                        if (p.x() > 0.7) {
-                            throw Fault("no velocity here");
-                        }
-                    }
-                };
-                EXPECT_THROW((void)disc.simulation->step(faulty, 0, Growing::h), Fault);
-                EXPECT_GE(disc.seen->partition().colours.front().regions.size(), 3U);
-                disc.expect_to_go_on();
-            }
-        }
-    }
-}
-
-bool is_same(const Region& a, const Region& b) {
-    return a.kind == b.kind && a.low == b.low && a.high == b.high && a.side_low == b.side_low &&
-           a.side_high == b.side_high && a.place == b.place && a.context == b.context &&
-           a.label == b.label;
-}
-
-// A pass of the application throws in one submesh of some colour, or in the serial clean-up, before
-// or after the other passes ran there, in a step that is not the first. The step is lost, the
-// simulation is not.
-TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
-    constexpr std::size_t clean_up = 99;
-    int serial_faults = 0;
-    for (const Way& way : ways_to_divide()) {
-        for (const bool in_upkeep : {true, false}) {
-            for (const bool before : {true, false}) {
-                for (const std::size_t colour : {std::size_t{0}, std::size_t{1}, clean_up}) {
-                    SCOPED_TRACE(std::string(way.name) + (in_upkeep ? ", upkeep" : ", motion") +
-                                 (before ? ", first" : ", last") + ", colour " +
-                                 std::to_string(colour));
-                    std::atomic<bool> is_armed{false};
-                    std::atomic<bool> has_thrown{false};
-                    const SubmeshExecutor<double>* seen = nullptr;
-                    const auto is_meant = [&](const Region& region) {
-                        if (colour == clean_up) {
-                            return region.is_whole();
-                        }
-                        // Any but the first of them.
-                        const auto& regions = seen->partition().colours.at(colour).regions;
-                        return std::any_of(regions.begin() + 1, regions.end(),
-                                           [&](const auto& r) { return is_same(r, region); });
-                    };
-                    const Pass<double> fault{"fault", [&](Work<double>& work) {
-                                                 if (is_armed && is_meant(work.submesh.region)) {
-                                                     has_thrown = true;
-                                                     throw Fault("as seeded");
-                                                 }
-                                             }};
-                    auto algorithm = default_algorithm<double>();
-                    auto& passes = in_upkeep ? algorithm.upkeep : algorithm.motion;
-                    passes.insert(before ? passes.begin() : passes.end(), fault);
-                    Growing disc(way.make(), 3, algorithm);
-                    seen = disc.seen;
-                    (void)disc.simulation->step(disc.grow, 0, Growing::h);
-                    disc.expect_good();
-                    is_armed = true;
-                    bool came_out = false;
-                    for (int step = 0; step < 4 && !came_out; ++step) {
-                        try {
-                            (void)disc.simulation->step(disc.grow, 0, Growing::h);
-                        } catch (const Fault&) {
-                            came_out = true;
-                        }
-                    }
-                    EXPECT_EQ(came_out, has_thrown);
-                    if (colour != clean_up) {
-                        EXPECT_TRUE(has_thrown) << "nothing ran there";
-                    }
-                    serial_faults += colour == clean_up && has_thrown ? 1 : 0;
-                    is_armed = false;
-                    disc.expect_to_go_on();
-                }
-            }
-        }
-    }
-    EXPECT_GE(serial_faults, 2) << "nothing was ever left for the serial clean-up";
-}
-
-// A partition of the application that does not cover the plane, or that throws.
-TEST(SubmeshExecutor, PassesOnWhatIsWrongWithAPartition) {
-    bool is_faulty = false;
-    Growing disc(std::make_unique<PlacePartitioner<double>>(
-                     [&](const PartitionInput<double>& input) {
-                         if (is_faulty) {
-                             throw Fault("no partition");
-                         }
-                         return voronoi_colours(input, 4);
-                     },
-                     2),
-                 2);
-    for (int step = 0; step < 5; ++step) {
-        is_faulty = step == 2;
-        if (is_faulty) {
-            EXPECT_THROW((void)disc.simulation->step(disc.grow, 0, Growing::h), Fault);
-        } else {
-            EXPECT_EQ(disc.simulation->step(disc.grow, 0, Growing::h).unreached, 0U);
-        }
-        disc.expect_good();
-    }
-    Growing gap(std::make_unique<PlacePartitioner<double>>([](const PartitionInput<double>&) {
-                    return std::vector<PlaceColour>{
-                        {[](double x, double) { return x < 0.5 ? 0U : 2U; }, 2}};
-                }),
-                2);
-    EXPECT_THROW((void)gap.simulation->step(gap.grow, 0, Growing::h), InvariantError);
-    EXPECT_EQ(validate(gap.complex).problem, "");
-}
-
-// --- options ------------------------------------------------------------------------------------
-
-TEST(SubmeshExecutor, RefusesOptionsThatMakeNoSense) {
-    auto complex = test::disc_complex<double>(0.05);
-    Options<double> options;
-    options.edge_length = 0.05;
-    const auto make = [&](bool with_partitioner, const SubmeshOptions& submeshes) {
-        std::unique_ptr<Partitioner<double>> partitioner;
-        if (with_partitioner) {
-            partitioner = std::make_unique<SlabPartitioner<double>>(SlabOptions{});
-        }
-        const SubmeshExecutor<double> executor(complex, options, default_algorithm<double>(),
-                                               std::move(partitioner), submeshes);
-    };
-    make(true, {});
-    EXPECT_THROW(make(false, {}), InputError);
-    struct Seeded {
-        const char* where;
-        SubmeshOptions options;
-    };
-    for (const Seeded& fault :
-         {Seeded{"threads", {.threads = 0}}, Seeded{"threads", {.threads = 5000}},
-          Seeded{"vertices_per_thread", {.vertices_per_thread = 0}}}) {
-        try {
-            make(true, fault.options);
-            ADD_FAILURE() << "accepted: " << fault.where;
-        } catch (const InputError& error) {
-            EXPECT_EQ(error.where(), fault.where);
-        }
-    }
-    EXPECT_EQ(validate(complex).problem, "");
 }
 
 } // namespace

@@ -11,10 +11,10 @@ namespace dsc {
 /// What is known once all targets are.
 template <class Real>
 struct AimReport {
-    Real fastest = 0;          ///< the largest finite speed at the start
-    Real farthest = 0;         ///< the longest way to a target
-    std::uint64_t held = 0;    ///< vertices held for a velocity that is not finite
-    std::size_t vertices = 0;  ///< interface vertices
+    Real fastest = 0;         ///< the largest finite speed at the start
+    Real farthest = 0;        ///< the longest way to a target
+    std::uint64_t held = 0;   ///< vertices held for a velocity that is not finite
+    std::size_t vertices = 0; ///< interface vertices
 
     AimReport& operator+=(const AimReport& other);
 };

@@ -89,8 +89,7 @@ bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real
     // The speed may rise within the step; then the step is halved.
     constexpr int max_halvings = 6;
     constexpr Real tolerated = 2;
-    const Real farthest =
-        tolerated * static_cast<Real>(options_.sub_step) * options_.edge_length;
+    const Real farthest = tolerated * static_cast<Real>(options_.sub_step) * options_.edge_length;
     for (int halving = 0; aim.farthest > farthest && halving < max_halvings; ++halving) {
         dt *= Real(0.5);
         aim.farthest = executor_->aim_again(velocity, time, dt);

@@ -320,8 +320,7 @@ void order_interface(Complex<Real>& complex, std::vector<std::uint32_t>& list,
             std::uint32_t following = no_id;
             if (gather(complex, Region{}, v, ring)) {
                 for (std::uint32_t i = 0; i < ring.link_size() && following == no_id; ++i) {
-                    if (ring.is_constrained(i) &&
-                        complex.vertices[ring.link[i]].stamp == listed) {
+                    if (ring.is_constrained(i) && complex.vertices[ring.link[i]].stamp == listed) {
                         following = ring.link[i];
                     }
                 }

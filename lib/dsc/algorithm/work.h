@@ -40,7 +40,7 @@ template <class Real>
 struct Aim {
     std::vector<Point<Real>> positions;
     std::vector<Point<Real>> targets;
-    std::vector<std::uint8_t> held; ///< not 0: the velocity is not finite, the vertex stays
+    std::vector<std::uint8_t> held;  ///< not 0: the velocity is not finite, the vertex stays
     IntegratorScratch<Real> scratch; ///< `first`: the velocities
 };
 

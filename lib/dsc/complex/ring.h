@@ -61,9 +61,9 @@ namespace detail {
 
 /// How a star is tested for ownership while it is walked.
 enum class Owned : std::uint8_t {
-    surely, ///< the region is the whole mesh
+    surely,  ///< the region is the whole mesh
     upright, ///< a box along the axes: the extent of the star is kept, which costs next to nothing
-    tested, ///< any other region: vertex by vertex
+    tested,  ///< any other region: vertex by vertex
 };
 
 template <Owned how, class Real>
@@ -79,8 +79,7 @@ public:
             bottom_ = std::min(bottom_, y);
             top_ = std::max(top_, y);
         } else if constexpr (how == Owned::tested) {
-            owns_ =
-                owns_ && region_.owns(vertex, static_cast<double>(x), static_cast<double>(y));
+            owns_ = owns_ && region_.owns(vertex, static_cast<double>(x), static_cast<double>(y));
         }
     }
     [[nodiscard]] bool owns_all() const {

@@ -140,10 +140,10 @@ bool is_near_side(const Region& box, const Site& site, double band) {
            box.side_high - site.y < band;
 }
 
-// Small cells spread the load, large ones have less boundary for their work. Measured on circles and
-// spirals of 150 to 2,200 vertices, both are even where cells grow as the 3/8th power of all: 4, 8,
-// 16 cells for 180, 500, 1,400 vertices. A power of two: two, four or eight threads then have equal
-// shares.
+// Small cells spread the load, large ones have less boundary for their work. Measured on circles
+// and spirals of 150 to 2,200 vertices, both are even where cells grow as the 3/8th power of all:
+// 4, 8, 16 cells for 180, 500, 1,400 vertices. A power of two: two, four or eight threads then have
+// equal shares.
 std::uint32_t cells_that_pay(std::size_t vertices) {
     const double doublings = 0.625 * std::log2(static_cast<double>(vertices) + 1) - 2.45;
     return static_cast<std::uint32_t>(std::exp2(std::max(0.0, std::round(doublings))));
@@ -202,11 +202,10 @@ void CellPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut recu
             sites_.push_back(site_of(i));
         }
         partition.colours.assign(1, {});
-        partition.colours.front().regions =
-            divide_sites(sites_,
-                         options_.submeshes > 0 ? options_.submeshes
-                                                : cells_that_pay(input.interface.size()),
-                         rules);
+        partition.colours.front().regions = divide_sites(
+            sites_,
+            options_.submeshes > 0 ? options_.submeshes : cells_that_pay(input.interface.size()),
+            rules);
     }
     partition.colours.resize(1);
     if (partition.colours.front().regions.size() < 2) {
@@ -224,8 +223,7 @@ void CellPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut recu
     for (std::size_t i = 0; i < input.interface.size(); ++i) {
         const Site site = site_of(i);
         at = first.locate(input.interface[i], site.x, site.y, at);
-        if (is_near_side(first.regions[std::min(at, first.regions.size() - 1)], site,
-                         rules.band)) {
+        if (is_near_side(first.regions[std::min(at, first.regions.size() - 1)], site, rules.band)) {
             sites_.push_back({site.x, site.y, 1.0F});
         }
     }

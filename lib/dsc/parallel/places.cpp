@@ -101,8 +101,8 @@ PlaceColour voronoi_colour(std::vector<Point<double>> sites) {
 }
 
 template <class Real>
-std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input,
-                                         std::uint32_t submeshes, int rounds) {
+std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input, std::uint32_t submeshes,
+                                         int rounds) {
     std::vector<Point<double>> points;
     for (const std::uint32_t v : input.interface) {
         points.push_back(input.complex.position(Vertex{v}).template cast<double>());

@@ -44,7 +44,7 @@ PlaceColour voronoi_colour(std::vector<Point<double>> sites);
 /// from vertices evenly spread along the list): the "springs" of section 6, which even out the
 /// submeshes. The second colour's sites lie in the middle between neighbouring sites of the first.
 template <class Real>
-std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input,
-                                         std::uint32_t submeshes, int rounds = 8);
+std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input, std::uint32_t submeshes,
+                                         int rounds = 8);
 
 } // namespace dsc

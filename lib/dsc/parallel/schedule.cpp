@@ -48,8 +48,8 @@ void TaskGraph::wait_for(std::size_t task, std::size_t earlier) {
 
 std::span<const std::uint32_t> TaskGraph::predecessors(std::size_t task) const {
     const std::size_t begin = first_predecessor_[task];
-    const std::size_t end = task + 1 < first_predecessor_.size() ? first_predecessor_[task + 1]
-                                                                 : predecessors_.size();
+    const std::size_t end =
+        task + 1 < first_predecessor_.size() ? first_predecessor_[task + 1] : predecessors_.size();
     return {predecessors_.data() + begin, end - begin};
 }
 
@@ -131,12 +131,13 @@ void Schedule::run(std::uint32_t threads, Assignment assignment,
             run_one(task, run);
         }
     } else {
-#pragma omp parallel num_threads(static_cast<int>(threads))
+#pragma omp parallel num_threads(static_cast <int>(threads))
         work(static_cast<std::uint32_t>(omp_get_thread_num()),
              static_cast<std::uint32_t>(omp_get_num_threads()), assignment, run);
     }
     if (has_failed_.exchange(false)) {
-        const auto first = std::ranges::find_if(failures_, [](const auto& f) { return f != nullptr; });
+        const auto first =
+            std::ranges::find_if(failures_, [](const auto& f) { return f != nullptr; });
         const std::exception_ptr failure = *first;
         std::ranges::fill(failures_, nullptr);
         std::rethrow_exception(failure);

@@ -153,11 +153,10 @@ void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*re
     const double radians = options_.degrees * std::numbers::pi / 180;
     // Axes exactly: the cosine of a right angle is not zero in floating point.
     const bool upright = options_.degrees == 90;
-    const Point<double> normal = options_.follow_shape
-                                     ? principal_direction(input.complex, input.interface)
-                                     : (upright ? Point<double>(0, 1)
-                                                : Point<double>(std::cos(radians),
-                                                                std::sin(radians)));
+    const Point<double> normal =
+        options_.follow_shape
+            ? principal_direction(input.complex, input.interface)
+            : (upright ? Point<double>(0, 1) : Point<double>(std::cos(radians), std::sin(radians)));
     const auto along = [&](const VertexRecord<Real>& record) {
         return normal.x() * static_cast<double>(record.x) +
                normal.y() * static_cast<double>(record.y);

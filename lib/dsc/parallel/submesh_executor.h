@@ -26,8 +26,8 @@ template <class Real>
 class SubmeshExecutor final : public Executor<Real> {
 public:
     /// Throws InputError where the options make no sense.
-    SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options,
-                    Algorithm<Real> algorithm, std::unique_ptr<Partitioner<Real>> partitioner,
+    SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
+                    std::unique_ptr<Partitioner<Real>> partitioner,
                     const SubmeshOptions& submeshes);
     /// Gives the ids that the submeshes hold back to the complex.
     ~SubmeshExecutor() override;

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// What the two files of the executor share: one submesh, and its account of times.
+#pragma once
+
+#include "dsc/parallel/submesh_executor.h"
+
+#include <chrono>
+#include <utility>
+
+namespace dsc {
+
+// Adds the time since the last call to an account; reads no clock where there is none to keep.
+class Timer {
+public:
+    explicit Timer(bool on) : on_(on) {
+        if (on_) {
+            last_ = std::chrono::steady_clock::now();
+        }
+    }
+    double lap() {
+        if (!on_) {
+            return 0;
+        }
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+private:
+    bool on_;
+    std::chrono::steady_clock::time_point last_;
+};
+
+/// One submesh: its work, its ids, and where what it put off goes.
+template <class Real>
+struct SubmeshExecutor<Real>::Part {
+    Part(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {
+        pool.may_grow = false;
+        work.submesh.pool = &pool;
+    }
+
+    Work<Real> work;
+    IdPool pool;
+    const Colour* next = nullptr; // the next colour; null: there is none
+    std::size_t next_first = 0;   // number of its first part
+
+    std::vector<std::uint32_t> emigrants; // interface vertices that have left the region
+    std::vector<std::uint32_t> newcomers; // and those that came: listed when the sub-step is over
+    std::vector<Mover<Real>> immigrants;  // the same, on their way
+    std::uint64_t examined = 0;           // stars, since the last division
+    // By entry of the lists of what was put off: the part of the next colour, or nowhere.
+    std::vector<std::uint32_t> mover_routes;
+    std::vector<std::uint32_t> active_routes;
+    std::vector<std::uint32_t> interface_routes;
+    std::vector<std::uint32_t> taken; // later colours: interface vertices to look at, as they came
+    AimReport<Real> aimed;
+    MoveReport moved;
+
+    // Account of times.
+    double upkeep_s = 0;
+    double velocities_s = 0;
+    double aim_s = 0;
+    double move_s = 0;
+    std::vector<double> passes_s;
+    std::vector<Pass<Real>> motion; // the algorithm's, with a clock about each where times are kept
+
+    void forget_put_off() {
+        work.put_off_movers.clear();
+        work.put_off_active.clear();
+        work.put_off_interface.clear();
+        mover_routes.clear();
+        active_routes.clear();
+        interface_routes.clear();
+        emigrants.clear();
+        taken.clear();
+    }
+};
+
+} // namespace dsc
