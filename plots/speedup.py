@@ -136,20 +136,22 @@ def _speed_axis(axes, family):
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 
 
-def _cores(axes, cores, top, over):
+def _cores(axes, cores, top, over, with_text):
     """The vertical line at the machine's cores, and the field beyond it."""
     if not cores or cores > top:
         return
     axes.axvline(cores, color=style.MUTED, linewidth=0.9, linestyle=(0, (1, 1.5)), zorder=1.5)
     if cores < top:
         axes.axvspan(cores, axes.get_xlim()[1], color=style.SHADE, zorder=0, linewidth=0)
-    words = {"transform": axes.get_xaxis_transform(), "fontsize": 7.5, "color": style.MUTED}
-    axes.text(cores, 0.015, f" {style.counted(cores, 'core')} ", va="bottom",
+    if not with_text:
+        return
+    words = {"transform": axes.get_xaxis_transform(), "fontsize": 7.5, "color": style.MUTED,
+             "va": "top"}
+    axes.text(cores, 0.985, f" {style.counted(cores, 'core')} ",
               ha="left" if cores == 1 else "right", **words)
     if cores < top:
         axes.text(axes.get_xlim()[1], 0.985,
-                  "oversubscribed " if over else "more than the machine has ", ha="right",
-                  va="top", **words)
+                  "oversubscribed " if over else "more than the machine has ", ha="right", **words)
 
 
 def _measured(axes, lines, looks, spread, value):
@@ -217,7 +219,7 @@ def _panels(family, column, grid, cores, looks):
                          color=style.BLUE, alpha=0.13, linewidth=0, zorder=1)
         else:
             axes.set_ylim(0, max([1.25] + [1.1 * p.high / p.n for p in here]))
-        _cores(axes, cores, family.top, over)
+        _cores(axes, cores, family.top, over, quantity == "U")
         ideal = numpy.array([1, family.top])
         axes.plot(ideal, ideal if quantity == "S" else ideal ** 0, color=style.MUTED,
                   linestyle=(0, (4, 3)), linewidth=1, zorder=2)

@@ -27,7 +27,10 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
         }
         work.epoch = ++next_epoch;
         ++done;
-        if (work.movers.empty()) {
+        const bool has_arrived = std::ranges::all_of(work.movers, [&](const auto& mover) {
+            return is_in_contact(work.complex.vertices[mover.vertex]);
+        });
+        if (has_arrived) {
             break;
         }
         idle = work.progressed == 0 ? idle + 1 : 0;
@@ -74,6 +77,9 @@ MoveReport SequentialExecutor<Real>::move() {
     report.held = collect_movers(work_);
     report.passes = run_motion(work_, algorithm_.motion, epoch_);
     report.unreached = work_.movers.size() + report.held;
+    for (const auto& mover : work_.movers) {
+        note_miss(work_.complex.vertices[mover.vertex]);
+    }
     work_.movers.clear();
     work_.put_off_active.clear();
     return report;

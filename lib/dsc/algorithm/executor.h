@@ -47,8 +47,21 @@ public:
     [[nodiscard]] virtual OperationCounts take_counts() = 0;
 };
 
-/// Repeats the motion passes over `work.movers` until all have arrived, for `max_passes` at most,
-/// and no longer than `max_idle_passes` without any progress. `next_epoch` gives the stamp of the
+/// True once a vertex has missed its target three times on end: something is in its way, and to
+/// try for long is to try in vain.
+template <class Real>
+bool is_in_contact(const VertexRecord<Real>& record) {
+    return (record.flags & vertex_contact) == vertex_contact;
+}
+
+/// Notes that a vertex did not arrive this time.
+template <class Real>
+void note_miss(VertexRecord<Real>& record) {
+    record.flags += is_in_contact(record) ? 0U : static_cast<std::uint32_t>(vertex_missed);
+}
+
+/// Repeats the motion passes over `work.movers` until all have arrived but those in contact, for
+/// `max_passes` at most, and no longer than `max_idle_passes` without any progress. `next_epoch` gives the stamp of the
 /// next pass. Returns the passes run; who did not arrive is left in `work.movers`.
 template <class Real>
 std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,

@@ -386,6 +386,9 @@ void move_vertices(Work<Real>& work) {
         }
         if (outcome != MoveOutcome::reached) {
             work.movers[kept++] = mover;
+        } else {
+            auto& record = work.complex.vertices[mover.vertex];
+            record.flags &= ~static_cast<std::uint32_t>(vertex_contact);
         }
     }
     work.movers.resize(kept);

@@ -20,6 +20,10 @@ namespace dsc {
 enum VertexFlag : std::uint32_t {
     vertex_dead = 1U,   ///< the id is free
     vertex_locked = 2U, ///< the application forbids that it moves or vanishes
+    /// One step in which it did not arrive; two bits count such steps up to three. With both the
+    /// vertex is in contact: it is asked once a step, not again and again, until it arrives.
+    vertex_missed = 4U,
+    vertex_contact = 12U,
 };
 
 struct TriangleRecord {

@@ -93,6 +93,9 @@ MoveReport CopyExecutor<Real>::move() {
         report.passes += run_motion(whole_, algorithm_.motion, epoch_);
     }
     report.unreached = whole_.movers.size() + report.held;
+    for (const auto& mover : whole_.movers) {
+        note_miss(complex_.vertices[mover.vertex]);
+    }
     whole_.movers.clear();
     whole_.put_off_active.clear();
     costs_.whole_s += timer.lap();

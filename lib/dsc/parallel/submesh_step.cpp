@@ -118,9 +118,15 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     if (is_first || !work.movers.empty() || !work.active.empty()) {
         part.moved.passes = run_motion(work, part.motion, epoch);
     }
-    // Who is blocked here may find room when others have moved.
+    // Who is blocked here may find room when others have moved, unless it is in contact.
     const bool has_arrived = work.movers.empty();
-    work.put_off_movers.insert(work.put_off_movers.end(), work.movers.begin(), work.movers.end());
+    for (const auto& mover : work.movers) {
+        if (is_in_contact(complex_.vertices[mover.vertex])) {
+            ++part.moved.unreached;
+        } else {
+            work.put_off_movers.push_back(mover);
+        }
+    }
     work.movers.clear();
     if (!has_arrived) {
         work.put_off_interface.insert(work.put_off_interface.end(), part.taken.begin(),
@@ -285,6 +291,9 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
         report.passes = std::max(report.passes, run_motion(whole_, algorithm_.motion, epoch));
     }
     report.unreached += whole_.movers.size();
+    for (const auto& mover : whole_.movers) {
+        note_miss(complex_.vertices[mover.vertex]);
+    }
     whole_.movers.clear();
     if (!whole_before_.empty()) {
         whole_.interface = whole_before_;
