@@ -12,14 +12,14 @@ PARTS = [("us_upkeep", "interface upkeep", style.SKY),
          ("us_movement", "movement", style.GREEN),
          ("us_mesh_update", "mesh update", style.BLUE),
          ("us_later_colours", "later colours", style.PURPLE),
-         ("us_set_up", "set-up (serial)", "#F0B183"),
+         ("us_set_up", "set-up (serial)", "#F7CFA3"),
          ("us_hand_over", "hand-over (serial)", style.ORANGE),
          ("us_clean_up", "clean-up (serial)", "#8C3A00"),
          ("us_driver", "driver (serial)", style.VERMILLION)]
 PARALLEL = 5
-USES = [("work", "work in parallel sections", style.BLUE),
-        ("serial", "serial parts", style.VERMILLION),
-        ("idle", "others idle during serial parts", "#F3C7AE"),
+USES = [("work", "work in parallel sections", "#6B8CA6"),
+        ("serial", "serial parts", style.INK),
+        ("idle", "others idle during serial parts", "#E6C2AD"),
         ("waiting", "waiting in parallel sections", style.FAINT)]
 STRATEGIES = ("cells", "active")
 THREADS = (2, 4, 8, 16)
@@ -103,7 +103,7 @@ def _stack(axes, bars, kinds, tallest):
                      zorder=3)
             if value >= WRITE_FROM * tallest and value >= 0.05 * total and width > 0.35:
                 axes.text(place, bottom + value / 2, f"{100 * value / total:.0f} %", ha="center",
-                          va="center", fontsize=7, zorder=4, color=_ink(colour))
+                          va="center", fontsize=7, zorder=6, color=_ink(colour))
             bottom += value
 
 
@@ -132,7 +132,7 @@ def _modelled_panel(axes, many, base):
     _stack(axes, [(p, 0.78, uses(r)) for p, (_, _, r) in zip(places, many)], USES, tallest)
     axes.set_xticks(places, labels)
     for strategy, where in groups.items():
-        axes.annotate(f"threads, {strategy}", (numpy.mean(where), 0), (0, -17), fontsize=8.5,
+        axes.annotate(f"threads (modelled), {strategy}", (numpy.mean(where), 0), (0, -17), fontsize=8.5,
                       xycoords=axes.get_xaxis_transform(), textcoords="offset points",
                       ha="center", va="top")
     axes.set_xlim(-0.7, (places[-1] if places else 0) + 0.7)
@@ -162,17 +162,16 @@ def _picture(family, rows, measured, sizes, context):
     fig, grid = style.figure(max(7.2, 0.5 + 3.6 * len(sizes)), 7.6, 2, len(sizes))
     for column, size in enumerate(sizes):
         ones, many = _panel_rows(rows, size)
-        base = series.base_of(rows[0], [r for r in measured if r.triangles == size]) \
-            if rows[0].triangles == size else series.base_of(many[0][2], measured)
+        base = series.base_of(ones[0][2], measured)
         base = base.median if base else None
         _measured_panel(grid[0][column], ones, base)
         _modelled_panel(grid[1][column], many, base)
         grid[0][column].set_title(f"{style.whole(size)} triangles, one thread, measured")
-        grid[1][column].set_title("more threads, modelled")
+        grid[1][column].set_title("more threads, modelled and not measured")
     grid[0][0].set_ylabel("time of a step (µs)")
     grid[1][0].set_ylabel("threads × time of a step (µs)")
-    handles = [_square(name, colour) for _, name, colour in PARTS]
-    handles += [_square(f"modelled: {name}", colour) for _, name, colour in USES]
+    handles = [style.square(name, colour) for _, name, colour in PARTS]
+    handles += [style.square(f"modelled: {name}", colour) for _, name, colour in USES]
     handles.append(style.key("sequential step", style.INK, line=(0, (2.5, 1.5)), width=1))
     name = f"Where the time of a step goes: {series.title(family)}"
     style.finish(fig, name, style.caption_text(
@@ -182,12 +181,6 @@ def _picture(family, rows, measured, sizes, context):
         "one of a section, and for threads to start and join."), handles)
     return style.Picture("breakdown_" + series.title(family).replace(" ", "_"), name,
                          sentence(family, rows), fig, *_table(rows))
-
-
-def _square(name, colour):
-    handle = style.key(name, colour, "s", "none")
-    handle.set(markersize=8)
-    return handle
 
 
 def _table(rows):

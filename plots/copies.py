@@ -57,8 +57,9 @@ def table(bench):
         f"copy / {s}" for s in strategies] + [""]
     rows = []
     for mine, beside in found:
-        flags = list(dict.fromkeys(mine.flags() + [
-            f"{s}: {flag}" for s, (_, r) in beside.items() for flag in r.flags()]))
+        involved = [mine] + [r for _, r in beside.values()]
+        flags = ["oversubscribed"] if any(r.oversubscribed for r in involved) else []
+        flags += ["under load"] if any(r.loaded for r in involved) else []
         rows.append([series.title(mine.family), style.whole(mine.triangles), str(mine.threads),
                      style.duration(mine.median)]
                     + [style.digits(beside[s][0]) if s in beside else "–" for s in strategies]

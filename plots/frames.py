@@ -39,26 +39,30 @@ def areas(frame):
     return {int(p): float(twice[frame.phases == p].sum() / 2) for p in numpy.unique(frame.phases)}
 
 
-def window(frame, count=CLOSE_COUNT):
-    """Corners (low, high) of a square with about `count` triangles at the top of the interface."""
+def window(frame, count=CLOSE_COUNT, centre=None):
+    """Corners (low, high) of a square with about `count` triangles, at the top of the interface
+    where no centre is given."""
     low, high = frame.points.min(axis=0), frame.points.max(axis=0)
     ends = frame.points[interface(frame)].reshape(-1, 2)
-    centre = ends[ends[:, 1].argmax()] if len(ends) else (low + high) / 2
+    if centre is None:
+        centre = ends[ends[:, 1].argmax()] if len(ends) else (low + high) / 2
     near = frame.points[frame.triangles].mean(axis=1)
     reach = numpy.sort(numpy.abs(near - centre).max(axis=1))[min(count, len(near)) - 1]
     return centre - reach, centre + reach
 
 
-def _mesh(axes, frame, inches, low, high):
-    """Draws what lies in the rectangle between low and high."""
+def mesh(axes, frame, inches, low, high, fills=None):
+    """Draws what lies in the rectangle between low and high; fills: a colour a triangle, where
+    it is not that of the phase."""
     corners = frame.points[frame.triangles]
     inside = ((corners.max(axis=1) >= low) & (corners.min(axis=1) <= high)).all(axis=1)
     corners = corners[inside]
-    fills = numpy.array(style.PHASE_FILLS)[frame.phases[inside] % len(style.PHASE_FILLS)]
+    if fills is None:
+        fills = numpy.array(style.PHASE_FILLS)[frame.phases % len(style.PHASE_FILLS)]
     # An edge is drawn thinner the more triangles share the panel, and not at all in the end.
     width = min(0.6, 4.5 * inches / max(1.0, len(corners) ** 0.5))
     axes.add_collection(PolyCollection(
-        corners, facecolors=fills, edgecolors=style.EDGE if width > 0.02 else "face",
+        corners, facecolors=fills[inside], edgecolors=style.EDGE if width > 0.02 else "face",
         linewidths=max(width, 0.02), rasterized=len(corners) > RASTER))
     axes.add_collection(LineCollection(frame.points[interface(frame)], colors=style.INTERFACE,
                                        linewidths=1.5, capstyle="round", zorder=3))
@@ -92,16 +96,22 @@ def sentence(scene, strategy, shown):
     return text + "."
 
 
-def draw(folder, context=None):
-    """A Picture for each run in the folder."""
-    pictures = []
+def read(folder):
+    """[(scene, strategy, [(number, time, Frame)])] of the runs in the folder."""
+    runs = []
     for (scene, strategy), files in sorted(load.frame_files(folder).items(), key=lambda pair: (
             pair[0][0], style.order(pair[0][1]))):
         shown = [(number, time, load.read_frame(path)) for number, time, path in picked(files)]
         shown = [item for item in shown if len(item[2].triangles)]
         if shown:
-            pictures.append(_one(scene, strategy, shown, context))
-    return pictures
+            runs.append((scene, strategy, shown))
+    return runs
+
+
+def draw(runs, context=None):
+    """A Picture for each run."""
+    for scene, strategy, shown in runs:
+        yield _one(scene, strategy, shown, context)
 
 
 def _one(scene, strategy, shown, context):
@@ -115,14 +125,14 @@ def _one(scene, strategy, shown, context):
     for column, (number, time, frame) in enumerate(shown):
         low, high = frame.points.min(axis=0), frame.points.max(axis=0)
         slack = 0.004 * (high - low).max()
-        _mesh(grid[0][column], frame, side, low - slack, high + slack)
+        mesh(grid[0][column], frame, side, low - slack, high + slack)
         when = f"frame {number}" + (f", t = {time:.4g}" if time is not None else "")
         grid[0][column].set_title(f"{when}, {style.whole(len(frame.triangles))} triangles",
                                   fontsize=9)
         if near:
             low, high = window(frame)
             axes = grid[1][column]
-            _mesh(axes, frame, side, low, high)
+            mesh(axes, frame, side, low, high)
             axes.set_title(f"close-up, {style.digits(high[0] - low[0], 2)} wide", fontsize=9)
             for spine in axes.spines.values():
                 spine.set(visible=True, color=style.FAINT)

@@ -126,7 +126,7 @@ def _axes(axes, points, n):
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_xlabel("sequential work a step  $t_s$")
     axes.set_title(style.counted(n, "thread"))
-    axes.annotate(f"S = 1: threads pay above ", (1, 1 / n), (0, -3), ha="right", va="top",
+    axes.annotate("S = 1: threads pay above ", (1, 1 / n), (0, -3), ha="right", va="top",
                   xycoords=axes.get_yaxis_transform(), textcoords="offset points", fontsize=7.5,
                   color=style.MUTED)
 
@@ -141,7 +141,7 @@ def _picture(points, context):
         _plot(axes, points, n, looks)
     grid[0][0].set_ylabel("utilisation  $U(n) = S(n)\\,/\\,n$")
     families = series.families([p.row for p in points])
-    handles = [_square(label, colour) for label, (colour, _) in looks.items()]
+    handles = [style.square(label, colour) for label, (colour, _) in looks.items()]
     handles += [style.key(series.title(f), style.MUTED, MARKERS.get(f, "p"),
                           "-" if f == series.GRANULARITY else "none") for f in families]
     if any(p.doubtful for p in points):
@@ -152,12 +152,6 @@ def _picture(points, context):
         context, "Measured rows only. Colour: strategy; marker: scene. Medians over repetitions; "
         "bars from the slowest to the fastest repetition."), handles)
     return style.Picture("granularity", name, sentence(points), fig, *_table(points))
-
-
-def _square(name, colour):
-    handle = style.key(name, colour, "s", "none")
-    handle.set(markersize=8)
-    return handle
 
 
 def _table(points):

@@ -67,10 +67,8 @@ def sentence(scene, quantity, found):
 
 def draw(scenes, verify, published, context=None):
     """A Picture for each scene and quantity."""
-    pictures = []
     for (scene, quantity), found in groups(scenes, verify).items():
-        pictures.append(_one(scene, quantity, found, published, context))
-    return pictures
+        yield _one(scene, quantity, found, published, context)
 
 
 def _one(scene, quantity, found, published, context):

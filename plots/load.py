@@ -2,7 +2,7 @@
 """Reads result files into plain records, and says in one sentence what is wrong with a bad one.
 
 Google Benchmark's JSON (a name is FAMILY/key:value/...; unknown parts are ignored), the JSON of
-dsc_scene and dsc_verify, the published figures, and frames in VTK's XML.
+dsc_scene and dsc_verify, the published figures, frames in VTK's XML, and the submeshes beside them.
 """
 import json
 import math
@@ -374,3 +374,54 @@ def read_frame(path):
     if len(corners) and (corners.min() < 0 or corners.max() >= count):
         raise InputFault(f"{path} names a vertex outside 0 to {count - 1}.")
     return Frame(points.reshape(-1, 3)[:, :2], corners.reshape(-1, 3), phases)
+
+
+@dataclass
+class Region:
+    """Where a submesh owns the vertices: low <= u < high and side_low <= w < side_high, with
+    u = nx x + ny y and w = nx y - ny x; low > high: u >= low or u < high."""
+
+    kind: str       # "box" or "whole"
+    normal: tuple   # of length 1
+    low: float
+    high: float
+    side_low: float
+    side_high: float
+    work_us: float  # measured
+
+
+SUBMESHES = ".submeshes.json"
+
+
+def read_submeshes(path):
+    """The colours of a partition, each a list of regions."""
+    colours = []
+    for c, colour in enumerate(need(read_json(path), "colours", path, list)):
+        regions = need(colour, "regions", path, list, f"colour {c}")
+        colours.append([_region(item, path, f"region {r} of colour {c}")
+                        for r, item in enumerate(regions)])
+    if not any(colours):
+        raise InputFault(f"{path} has no region.")
+    return colours
+
+
+def _region(data, path, where):
+    kind = need(data, "kind", path, str, where)
+    work = need(data, "work_us", path, float, where)
+    if kind == "whole":
+        return Region(kind, (1.0, 0.0), -math.inf, math.inf, -math.inf, math.inf, work)
+    if kind != "box":
+        raise InputFault(f"{path} has kind '{kind}' in {where}, where box or whole is expected.")
+    normal = need(data, "normal", path, list, where)
+    if len(normal) != 2 or not all(isinstance(v, (int, float)) for v in normal) \
+            or abs(math.hypot(*normal) - 1) > 1e-3:
+        raise InputFault(f"{path} has normal {json.dumps(normal)[:60]} in {where}, where two "
+                         "numbers, a vector of length 1, are expected.")
+
+    def bound(key, infinite):
+        if need(data, key, path, None, where) is None:
+            return infinite
+        return float(need(data, key, path, float, where))
+
+    return Region(kind, tuple(normal), bound("low", -math.inf), bound("high", math.inf),
+                  bound("side_low", -math.inf), bound("side_high", math.inf), work)

@@ -19,7 +19,10 @@ except ImportError:
                      "has (Debian: package python3-matplotlib and /usr/bin/python3).\n")
     sys.exit(2)
 
+import breakdown
+import copies
 import frames
+import granularity
 import histograms
 import load
 import page
@@ -28,6 +31,7 @@ import precision
 import speedup
 import step_cost
 import style
+import submeshes
 
 FORMATS = ("png", "svg", "pdf")
 
@@ -61,7 +65,8 @@ def arguments(argv):
 
 
 class Report:
-    """Collects the sections of the page while pictures are saved."""
+    """Collects the sections of the page while pictures are saved: where they come one by one, no
+    figure is open when the next is drawn."""
 
     def __init__(self, out, formats):
         self.out, self.formats, self.sections = out, formats, []
@@ -166,31 +171,60 @@ def refusals(bench):
         + page.table(["benchmark", "reason"], bench.refused)
 
 
+def missing(bench):
+    return "The benchmarks were not run." if not bench else \
+        "The benchmarks were run without the rows that this picture needs."
+
+
+def copied(bench):
+    """The sentence and the table of what copies cost."""
+    found = copies.table(bench) if bench else None
+    return page.paragraph(found[0]) + page.table(*found[1:]) if found else ""
+
+
+def add_steps(report, bench, published):
+    """The sections on the time of a step."""
+    def pictures(draw, *more):
+        return draw(bench, *more) if bench else []
+
+    off = missing(bench)
+    unmodelled = "The benchmarks were run without modelled rows." if bench else off
+    report.add("speedup", "Speed-up", pictures(speedup.draw, published), off,
+               before=refusals(bench))
+    report.add("breakdown", "Where the time of a step goes", pictures(breakdown.draw),
+               unmodelled)
+    report.add("granularity", "How much work threads need", pictures(granularity.draw), off)
+    report.add("copies", "Copies of submeshes against work in place", [], off,
+               before=copied(bench))
+    report.add("steps", "Time of a step", pictures(step_cost.draw, published), off)
+
+
 def build(options):
     """Reads everything first, so that a bad file leaves no half report behind."""
     bench = load.read_bench(options.bench) if options.bench else None
     scenes = [load.read_scene(path) for path in options.scenes]
     verify = load.read_verify(options.verify) if options.verify else None
     published = load.read_published(options.published) if options.published else {}
-    drawn = frames.draw(options.frames, scenes[0].context if scenes else None) \
-        if options.frames else []
+    runs = frames.read(options.frames) if options.frames else []
+    divided = submeshes.read(options.frames) if options.frames else []
     try:
         os.makedirs(options.out, exist_ok=True)
     except OSError as fault:
         raise load.InputFault(f"{options.out} cannot be made: {fault.strerror}.") from fault
 
     report = Report(options.out, options.formats)
-    off_bench = "The benchmarks were not run." if not bench else \
-        "The benchmarks were run without the rows that this picture needs."
     # Histograms come from a verify report or a scene: whichever names its machine.
     context = next((c for c in ([verify.context] if verify else []) + [
         s.context for s in scenes] if c.machine), None)
     report.add("verdict", "Verdict", [], "The gate (dsc_verify) was not run.",
                before=verdict(verify) if verify else "")
-    report.add("speedup", "Speed-up", speedup.draw(bench, published) if bench else [], off_bench,
-               before=refusals(bench))
-    report.add("steps", "Time of a step", step_cost.draw(bench, published) if bench else [],
-               off_bench)
+    add_steps(report, bench, published)
+    no_frames = "No frames were written." if options.frames else \
+        "The scenes were run without frames." if scenes else "The scenes were not run."
+    drawn_by = scenes[0].context if scenes else None
+    report.add("submeshes", "Submeshes", submeshes.draw(divided, drawn_by),
+               "No frame was written with its submeshes." if runs else no_frames)
+    off_bench = missing(bench)
     report.add("operations", "Cost per operation",
                per_operation.draw(bench, published) if bench else [], off_bench)
     report.add("precision", "Error against time", precision.draw(scenes, published),
@@ -202,8 +236,7 @@ def build(options):
                histograms.draw(scenes, verify, published, context),
                "No run wrote histograms." if scenes or verify else
                "Neither scenes nor the gate were run, so there are no histograms.")
-    report.add("frames", "Meshes", drawn, "No frames were written." if options.frames else
-               "The scenes were run without frames." if scenes else "The scenes were not run.")
+    report.add("frames", "Meshes", frames.draw(runs, drawn_by), no_frames)
     report.add("sources", "What we compare with", [], "No published figures were given, so the "
                "pictures show our own results only.",
                before=sources(published) if published else "")

@@ -83,10 +83,11 @@ def modelled(family):
         if pairs:
             worst = max(pairs, key=lambda pair: abs(error(pair[0], [pair[1]])))
             errors = [error(m, [p]) for m, p in pairs]
+            over = f" over {len(pairs)} rows, most" if len(pairs) > 1 else ""
             words.append(
                 f"the model's S({n}) is off from the measured one by "
-                f"{_span(errors, '{:+.1f} %'.format)} over {style.counted(len(pairs), 'row')}, "
-                f"most for {worst[0].row.label} at {style.whole(worst[0].row.triangles)} "
+                f"{_span(errors, '{:+.1f} %'.format)}{over} "
+                f"for {worst[0].row.label} at {style.whole(worst[0].row.triangles)} "
                 f"triangles, {worst[0].s:.2f} against {worst[1].s:.2f}")
     if not words:
         words.append("no measured row has more than one thread, so the model is checked by none")

@@ -188,9 +188,17 @@ def _strips(names, found, context, published):
                          *_table(names, lines))
 
 
+def _panels(names, lines, height):
+    """A panel for each scene, narrow where it has one size only."""
+    widths = [1.0 if len({r.triangles for line in lines[f].values() for r in line}) > 1 else 0.55
+              for f in names]
+    return style.figure(max(7.2, 0.4 + 4.0 * sum(widths)), height, 1, len(names), sharex=True,
+                        sharey=True, gridspec_kw={"width_ratios": widths})
+
+
 def _steps(names, found, context, published):
     lines, looks, sizes = _common(names, found)
-    fig, grid = style.figure(max(7.2, 0.4 + 4.0 * len(names)), 5.4, 1, len(names), sharey=True)
+    fig, grid = _panels(names, lines, 5.4)
     others = {}
     for axes, family in zip(grid[0], names):
         for label, line in lines[family].items():
@@ -258,7 +266,7 @@ def _vertices(names, found, context):
     if not names:
         return []
     shown = {label for family in names for label in lines[family]}
-    fig, grid = style.figure(max(7.2, 0.4 + 4.0 * len(names)), 4.6, 1, len(names), sharey=True)
+    fig, grid = _panels(names, lines, 4.6)
     for axes, family in zip(grid[0], names):
         for label, line in lines[family].items():
             _plot(axes, line, _per_vertex, looks[label])
@@ -279,10 +287,11 @@ def _vertices(names, found, context):
                 values = [statistics.median(_per_vertex(r)) for r in line]
                 low, high = style.duration(min(values)), style.duration(max(values))
                 span = low if low == high else f"{low} to {high}"
+                over = (f", a factor of {max(values) / min(values):.2f} over a range of "
+                        f"{line[-1].triangles / line[0].triangles:.3g} in triangles"
+                        if len(line) > 1 else "")
                 words.append(f"In the {series.title(family)} the {label} step costs {span} per "
-                             f"interface vertex, a factor of {max(values) / min(values):.2f} "
-                             f"over a range of {line[-1].triangles / line[0].triangles:.3g} in "
-                             "triangles.")
+                             f"interface vertex{over}.")
     if not words:
         words = ["No sequential row states its cost per interface vertex."]
     style.finish(fig, "Time per interface vertex and step", style.caption_text(

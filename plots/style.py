@@ -144,6 +144,13 @@ def key(label, colour, marker=None, line="-", marking=solid, width=1.6, marks=No
     return Line2D([], [], color=colour, linestyle=line, label=label, linewidth=width, **marks)
 
 
+def square(label, colour):
+    """A legend entry of a filled area."""
+    handle = key(label, colour, "s", "none")
+    handle.set(markersize=8)
+    return handle
+
+
 def figure(width, height, rows=1, columns=1, **keywords):
     """A figure and its axes (always a 2D array), laid out below a title and above a caption."""
     apply()

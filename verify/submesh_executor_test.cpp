@@ -19,6 +19,7 @@
 #include <array>
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -159,8 +160,70 @@ TEST(SubmeshExecutor, LeavesNothingUndoneAtTheBoundaries) {
             flaws.add(disc.complex, Growing::h);
         }
         disc.expect_good();
-        printf("%s %g %g %zu %zu\n", way.name, flaws.longest_interface, flaws.longest,
-               flaws.non_delaunay, flaws.poor);
+        // Upkeep splits at 1.4, and then the disc grows a little.
+        EXPECT_LT(flaws.longest_interface, 1.45);
+        EXPECT_LT(flaws.longest, 2.2);
+        EXPECT_LE(flaws.non_delaunay, 15U);
+        EXPECT_LE(flaws.poor, 6U);
+    }
+}
+
+// Who was put off by one submesh, until another one looks at him.
+class Waiting {
+public:
+    void add(const std::vector<std::uint32_t>& vertices, const Work<double>& by) {
+        for (const std::uint32_t v : vertices) {
+            waiting_[v] = &by;
+            ++added_;
+        }
+    }
+    void look_at(const std::vector<std::uint32_t>& vertices, const Work<double>& by) {
+        for (const std::uint32_t v : vertices) {
+            const auto at = waiting_.find(v);
+            if (at != waiting_.end() && at->second != &by) {
+                waiting_.erase(at);
+            }
+        }
+    }
+    [[nodiscard]] std::size_t added() const { return added_; }
+    // Starts anew.
+    std::size_t take_forgotten(const Complex<double>& complex) {
+        const auto count = std::ranges::count_if(
+            waiting_, [&](const auto& one) { return complex.is_alive(Vertex{one.first}); });
+        waiting_.clear();
+        return static_cast<std::size_t>(count);
+    }
+
+private:
+    std::map<std::uint32_t, const Work<double>*> waiting_;
+    std::size_t added_ = 0;
+};
+
+TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
+    for (const Way& way : ways_to_divide(4)) {
+        SCOPED_TRACE(way.name);
+        Waiting stars;
+        Waiting upkeep;
+        auto algorithm = default_algorithm<double>();
+        auto& first = algorithm.upkeep;
+        first.insert(first.begin(),
+                     {"before", [&](Work<double>& work) { upkeep.look_at(work.interface, work); }});
+        first.push_back(
+            {"after", [&](Work<double>& work) { upkeep.add(work.put_off_interface, work); }});
+        auto& motion = algorithm.motion;
+        motion.insert(motion.end() - 1,
+                      {"before", [&](Work<double>& work) { stars.look_at(work.active, work); }});
+        motion.push_back(
+            {"after", [&](Work<double>& work) { stars.add(work.put_off_active, work); }});
+        Growing disc(way.make(), 1, algorithm); // one thread: they may write to these
+        for (int step = 0; step < 12; ++step) {
+            const StepReport report = disc.simulation->step(disc.grow, 0, 0.5 * Growing::h);
+            ASSERT_EQ(report.sub_steps, 1U) << "the next one would hide what this one forgot";
+            EXPECT_EQ(stars.take_forgotten(disc.complex), 0U) << "step " << step;
+            EXPECT_EQ(upkeep.take_forgotten(disc.complex), 0U) << "step " << step;
+        }
+        EXPECT_GT(stars.added(), 100U);
+        EXPECT_GT(upkeep.added(), 50U);
     }
 }
 

@@ -88,9 +88,13 @@ private:
         }
         Ring<Real>& ring = work_.ring;
         const bool gathered = gather(complex_, work_.submesh.region, v, ring);
-        if (!ring.owned) {
-            // It stays where it is in the list; only the look at it is put off.
-            work_.put_off_interface.push_back(v);
+        if (gathered && !ring.owned) {
+            // The triangles of this star are of two submeshes, so that nobody rewrites them, and
+            // nothing moves during upkeep: whether there is anything to do can be seen from here.
+            const Spokes spokes = interface_spokes(ring);
+            if (should_collapse(ring, spokes) || is_too_long(ring)) {
+                work_.put_off_interface.push_back(v);
+            }
             work_.interface_next.push_back(v);
             return;
         }
@@ -102,30 +106,49 @@ private:
         if (spokes.count == 0) {
             return;
         }
-        if (spokes.count == 2 && ring.closed && try_collapse(ring, spokes)) {
+        if (should_collapse(ring, spokes) && try_collapse(ring, spokes)) {
             return;
         }
         refine(v, ring, spokes);
     }
 
-    bool try_collapse(Ring<Real>& ring, const Spokes& spokes) {
+    bool should_collapse(const Ring<Real>& ring, const Spokes& spokes) const {
+        if (spokes.count != 2 || !ring.closed) {
+            return false;
+        }
         const Point<Real> p(ring.x0, ring.y0);
         const Point<Real> a = link_point(ring, spokes.first);
         const Point<Real> b = link_point(ring, spokes.second);
-        const Real to_a = (a - p).squaredNorm();
-        const Real to_b = (b - p).squaredNorm();
-        if (std::min(to_a, to_b) >= shortest_squared_) {
+        if (std::min((a - p).squaredNorm(), (b - p).squaredNorm()) >= shortest_squared_) {
             return false;
         }
         const Point<Real> chord = b - a;
         const Real chord_squared = chord.squaredNorm();
         const Point<Real> offset = p - a;
         const Real area = chord.x() * offset.y() - chord.y() * offset.x();
-        if (chord_squared >= longest_squared_ ||
-            area * area >= deviation_squared_ * chord_squared ||
-            !is_smooth(a, p, b, corner_cosine_)) {
-            return false;
+        return chord_squared < longest_squared_ &&
+               area * area < deviation_squared_ * chord_squared &&
+               is_smooth(a, p, b, corner_cosine_);
+    }
+
+    // Whether `refine` would split an edge that leaves the centre.
+    bool is_too_long(const Ring<Real>& ring) const {
+        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+            const Phase before = ring.phase_before(i);
+            const Phase after = ring.phase_after(i);
+            if (before != border_phase && after != border_phase && after > before &&
+                (link_point(ring, i) - Point<Real>(ring.x0, ring.y0)).squaredNorm() >
+                    longest_squared_) {
+                return true;
+            }
         }
+        return false;
+    }
+
+    bool try_collapse(Ring<Real>& ring, const Spokes& spokes) {
+        const Point<Real> p(ring.x0, ring.y0);
+        const Real to_a = (link_point(ring, spokes.first) - p).squaredNorm();
+        const Real to_b = (link_point(ring, spokes.second) - p).squaredNorm();
         const std::uint32_t nearer = to_a < to_b ? spokes.first : spokes.second;
         const std::uint32_t farther = to_a < to_b ? spokes.second : spokes.first;
         for (const std::uint32_t i : {nearer, farther}) {

@@ -9,7 +9,8 @@ namespace dsc {
 
 /// Splits interface edges that are too long, by the interpolator of the options; collapses
 /// interface vertices at short edges where the curve stays where it is. Rewrites `work.interface`;
-/// what a submesh may not touch stays in the list and goes to `put_off_interface` as well.
+/// where a submesh may not do what is needed, the vertex stays in the list and goes to
+/// `put_off_interface` as well.
 /// O(interface vertices of the submesh).
 template <class Real>
 void upkeep_interface(Work<Real>& work);

@@ -67,15 +67,15 @@ private:
     void give_back(IdPool& pool, std::size_t vertices, std::size_t triangles);
     [[nodiscard]] std::uint32_t next_epochs();
     // Tasks.
-    void aim_part(Part& part, const Velocity<Real>& velocity, Real time, Real dt);
+    void begin_part(Part& part);
+    void aim_part(Part& part, std::size_t pass, const Velocity<Real>& velocity, Real time, Real dt);
     void move_part(std::size_t task);
     void take_from_predecessors(Part& part, std::size_t task);
     void route(Part& part);
     // Between and after them.
-    AimReport<Real> hand_over_emigrants(const Velocity<Real>& velocity, Real time, Real dt);
+    AimReport<Real> hand_over(const Velocity<Real>& velocity, Real time, Real dt);
+    void unlist(std::uint32_t vertex);
     void clean_up(MoveReport& report);
-    void mend_lists(const std::vector<std::uint32_t>& before,
-                    const std::vector<std::uint32_t>& after);
     void recover();
     [[nodiscard]] Part& owner_of(std::uint32_t vertex);
     [[nodiscard]] Point<double> place_of(std::uint32_t vertex) const;
@@ -93,8 +93,8 @@ private:
     std::size_t first_colour_ = 0;             // parts of the first colour
     Schedule aiming_;
     Schedule moving_;
-    Work<Real> whole_; // for what all colours left
-    std::vector<std::uint32_t> whole_before_;
+    Work<Real> whole_;                  // for what all colours left
+    std::vector<std::uint32_t> listed_; // scratch of hand_over
     std::uint32_t threads_ = 1;
     std::uint32_t epoch_ = 0;
     bool under_way_ = false; // still true at the end of a step: something threw

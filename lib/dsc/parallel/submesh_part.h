@@ -50,8 +50,6 @@ struct SubmeshExecutor<Real>::Part {
     // By entry of the lists of what was put off: the part of the next colour, or nowhere.
     std::vector<std::uint32_t> mover_routes;
     std::vector<std::uint32_t> active_routes;
-    std::vector<std::uint32_t> interface_routes;
-    std::vector<std::uint32_t> taken; // later colours: interface vertices to look at, as they came
     AimReport<Real> aimed;
     MoveReport moved;
 
@@ -69,9 +67,7 @@ struct SubmeshExecutor<Real>::Part {
         work.put_off_interface.clear();
         mover_routes.clear();
         active_routes.clear();
-        interface_routes.clear();
         emigrants.clear();
-        taken.clear();
     }
 };
 

@@ -36,39 +36,47 @@ void SubmeshExecutor<Real>::route(Part& part) {
     for (std::size_t i = part.active_routes.size(); i < work.put_off_active.size(); ++i) {
         part.active_routes.push_back(destination(work.put_off_active[i]));
     }
-    for (std::size_t i = part.interface_routes.size(); i < work.put_off_interface.size(); ++i) {
-        part.interface_routes.push_back(destination(work.put_off_interface[i]));
-    }
 }
 
+// Interface vertices that are no longer in the region are somebody else's.
 template <class Real>
-void SubmeshExecutor<Real>::aim_part(Part& part, const Velocity<Real>& velocity, Real time,
-                                     Real dt) {
+void SubmeshExecutor<Real>::begin_part(Part& part) {
+    part.forget_put_off();
+    part.aim_s = 0;
+    part.upkeep_s = 0;
+    const Region& region = part.work.submesh.region;
+    if (region.is_whole()) {
+        return;
+    }
+    std::erase_if(part.work.interface, [&](std::uint32_t v) {
+        const Point<double> place = place_of(v);
+        if (region.owns(v, place.x(), place.y())) {
+            return false;
+        }
+        part.emigrants.push_back(v);
+        return true;
+    });
+}
+
+// One pass of upkeep; with the last one velocities and targets.
+template <class Real>
+void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Velocity<Real>& velocity,
+                                     Real time, Real dt) {
     Timer timer(submeshes_.profile);
     Work<Real>& work = part.work;
-    part.forget_put_off();
-    const Region& region = work.submesh.region;
-    if (!region.is_whole()) {
-        std::erase_if(work.interface, [&](std::uint32_t v) {
-            const Point<double> place = place_of(v);
-            if (region.owns(v, place.x(), place.y())) {
-                return false;
-            }
-            part.emigrants.push_back(v);
-            return true;
-        });
+    if (pass == 0) {
+        begin_part(part);
     }
-    for (const auto& pass : algorithm_.upkeep) {
-        pass.run(work);
+    if (pass < algorithm_.upkeep.size()) {
+        algorithm_.upkeep[pass].run(work);
     }
-    if (region.is_whole()) {
-        work.put_off_interface.clear();
+    part.upkeep_s += timer.lap();
+    if (pass + 1 >= algorithm_.upkeep.size()) {
+        part.aimed = find_velocities(work, velocity, time);
+        part.aimed.farthest = find_targets(work, velocity, time, dt);
+        part.velocities_s = timer.lap();
+        part.aim_s = part.upkeep_s + part.velocities_s;
     }
-    part.upkeep_s = timer.lap();
-    part.aimed = find_velocities(work, velocity, time);
-    part.aimed.farthest = find_targets(work, velocity, time, dt);
-    part.velocities_s = timer.lap();
-    part.aim_s = part.upkeep_s + part.velocities_s;
 }
 
 // What the submeshes that this one waited for put off, and what lies in this one.
@@ -87,11 +95,6 @@ void SubmeshExecutor<Real>::take_from_predecessors(Part& part, std::size_t task)
             const std::uint32_t v = from.work.put_off_active[i];
             if (from.active_routes[i] == number && complex_.is_alive(Vertex{v})) {
                 work.activate(v);
-            }
-        }
-        for (std::size_t i = 0; i < from.interface_routes.size(); ++i) {
-            if (from.interface_routes[i] == number) {
-                part.taken.push_back(from.work.put_off_interface[i]);
             }
         }
     }
@@ -119,7 +122,6 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
         part.moved.passes = run_motion(work, part.motion, epoch);
     }
     // Who is blocked here may find room when others have moved, unless it is in contact.
-    const bool has_arrived = work.movers.empty();
     for (const auto& mover : work.movers) {
         if (is_in_contact(complex_.vertices[mover.vertex])) {
             ++part.moved.unreached;
@@ -128,20 +130,6 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
         }
     }
     work.movers.clear();
-    if (!has_arrived) {
-        work.put_off_interface.insert(work.put_off_interface.end(), part.taken.begin(),
-                                      part.taken.end());
-        part.taken.clear();
-    } else if (!part.taken.empty()) {
-        // All that it owns is at the new time level now: upkeep of the next sub-step.
-        work.interface = part.taken;
-        for (const auto& pass : algorithm_.upkeep) {
-            pass.run(work);
-        }
-        if (!work.active.empty()) {
-            run_motion(work, part.motion, epoch);
-        }
-    }
     route(part);
     part.move_s = timer.lap();
 }
@@ -161,14 +149,18 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>& velocity, Real 
         }
     }
     const double set_up = timer.lap();
-    aiming_.run(threads_, submeshes_.assignment,
-                [&](std::size_t i) { aim_part(*parts_[i], velocity, time, dt); });
+    // A pass may move what the next one looks at across a boundary: one section for each.
+    const std::size_t sections = std::max<std::size_t>(algorithm_.upkeep.size(), 1);
+    for (std::size_t pass = 0; pass < sections; ++pass) {
+        aiming_.run(threads_, submeshes_.assignment,
+                    [&](std::size_t i) { aim_part(*parts_[i], pass, velocity, time, dt); });
+    }
     const double wall = timer.lap();
     AimReport<Real> report;
     for (std::size_t i = 0; i < first_colour_; ++i) {
         report += parts_[i]->aimed;
     }
-    report += hand_over_emigrants(velocity, time, dt);
+    report += hand_over(velocity, time, dt);
     if (submeshes_.profile) {
         SubStepProfile& profile = profile_.sub_steps.emplace_back();
         profile.set_up = set_up;
@@ -183,26 +175,60 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>& velocity, Real 
     return report;
 }
 
-// Vertices that have left their submesh go to the one where they are; upkeep looks at them in the
-// next sub-step.
+// What upkeep may not touch in any submesh, and vertices that have left theirs: few, and done here.
+// Those that are new to a submesh are aimed here as well, and listed when the sub-step is over.
 template <class Real>
-AimReport<Real> SubmeshExecutor<Real>::hand_over_emigrants(const Velocity<Real>& velocity,
-                                                           Real time, Real dt) {
+AimReport<Real> SubmeshExecutor<Real>::hand_over(const Velocity<Real>& velocity, Real time,
+                                                 Real dt) {
     whole_.interface.clear();
+    listed_.clear();
     for (std::size_t i = 0; i < first_colour_; ++i) {
-        for (const std::uint32_t v : parts_[i]->emigrants) {
-            if (complex_.is_alive(Vertex{v})) {
-                whole_.interface.push_back(v);
-            }
-        }
-        parts_[i]->emigrants.clear();
+        const auto& put_off = parts_[i]->work.put_off_interface;
+        listed_.insert(listed_.end(), put_off.begin(), put_off.end());
+        const auto& emigrants = parts_[i]->emigrants;
+        whole_.interface.insert(whole_.interface.end(), emigrants.begin(), emigrants.end());
     }
-    if (whole_.interface.empty()) {
+    if (listed_.empty() && whole_.interface.empty()) {
         return {};
     }
+    std::ranges::sort(listed_);
+    listed_.erase(std::unique(listed_.begin(), listed_.end()), listed_.end());
+    whole_.interface.insert(whole_.interface.end(), listed_.begin(), listed_.end());
+    whole_.epoch = next_epochs();
+    for (const auto& pass : algorithm_.upkeep) {
+        pass.run(whole_);
+    }
+    whole_.put_off_interface.clear();
+    // What is left of those that are listed stays listed; the others are new somewhere.
+    for (const std::uint32_t v : listed_) {
+        if (std::ranges::find(whole_.interface, v) == whole_.interface.end()) {
+            unlist(v);
+        }
+    }
+    std::erase_if(whole_.interface,
+                  [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
     AimReport<Real> report = find_velocities(whole_, velocity, time);
     report.farthest = find_targets(whole_, velocity, time, dt);
     return report;
+}
+
+// Takes a vertex that is gone off the list that has it, with its aim.
+template <class Real>
+void SubmeshExecutor<Real>::unlist(std::uint32_t vertex) {
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        Work<Real>& work = parts_[i]->work;
+        const auto found = std::ranges::find(work.interface, vertex);
+        if (found != work.interface.end()) {
+            const auto at = found - work.interface.begin();
+            const auto drop = [at](auto& list) { list.erase(list.begin() + at); };
+            drop(work.interface);
+            drop(work.aim.positions);
+            drop(work.aim.targets);
+            drop(work.aim.held);
+            drop(work.aim.scratch.first);
+            return;
+        }
+    }
 }
 
 template <class Real>
@@ -230,7 +256,6 @@ MoveReport SubmeshExecutor<Real>::move() {
         }
         whole_.movers.clear();
         for (const std::uint32_t v : whole_.interface) {
-            // Not yet: this sub-step's targets are listed by place.
             owner_of(v).newcomers.push_back(v);
         }
         whole_.interface.clear();
@@ -264,7 +289,6 @@ MoveReport SubmeshExecutor<Real>::move() {
 template <class Real>
 void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
     whole_.epoch = next_epochs();
-    whole_before_.clear();
     const std::size_t last_colour = parts_.size() - partition_.colours.back().regions.size();
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const Part& part = *parts_[i];
@@ -280,11 +304,6 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
                 whole_.activate(v);
             }
         }
-        for (std::size_t k = 0; k < part.interface_routes.size(); ++k) {
-            if (is_last || part.interface_routes[k] == nowhere) {
-                whole_before_.push_back(part.work.put_off_interface[k]);
-            }
-        }
     }
     std::uint32_t epoch = whole_.epoch;
     if (!whole_.movers.empty() || !whole_.active.empty()) {
@@ -295,56 +314,12 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
         note_miss(complex_.vertices[mover.vertex]);
     }
     whole_.movers.clear();
-    if (!whole_before_.empty()) {
-        whole_.interface = whole_before_;
-        for (const auto& pass : algorithm_.upkeep) {
-            pass.run(whole_);
-        }
-        if (!whole_.active.empty()) {
-            run_motion(whole_, algorithm_.motion, epoch);
-        }
-        mend_lists(whole_before_, whole_.interface);
-        whole_.interface.clear();
-    }
     whole_.put_off_active.clear();
-    whole_.put_off_interface.clear();
-    for (std::size_t i = first_colour_; i < parts_.size(); ++i) {
-        Part& part = *parts_[i];
-        if (!part.taken.empty()) {
-            mend_lists(part.taken, part.work.interface);
-            part.work.interface.clear();
-        }
-    }
     for (std::size_t i = 0; i < first_colour_; ++i) {
         auto& newcomers = parts_[i]->newcomers;
         auto& list = parts_[i]->work.interface;
         list.insert(list.end(), newcomers.begin(), newcomers.end());
         newcomers.clear();
-    }
-}
-
-// What upkeep by another than the owner of the list did to it: rare, so that it may search.
-template <class Real>
-void SubmeshExecutor<Real>::mend_lists(const std::vector<std::uint32_t>& before,
-                                       const std::vector<std::uint32_t>& after) {
-    if (before == after) {
-        return;
-    }
-    const auto contains = [](const std::vector<std::uint32_t>& list, std::uint32_t v) {
-        return std::ranges::find(list, v) != list.end();
-    };
-    for (const std::uint32_t v : before) {
-        if (!contains(after, v)) {
-            for (std::size_t i = 0; i < first_colour_; ++i) {
-                std::erase(parts_[i]->work.interface, v);
-                std::erase(parts_[i]->newcomers, v);
-            }
-        }
-    }
-    for (const std::uint32_t v : after) {
-        if (!contains(before, v)) {
-            owner_of(v).work.interface.push_back(v);
-        }
     }
 }
 

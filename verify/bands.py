@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""bands.py DSC_SCENE LIMITS_JSON: writes the limits of the parallel checks anew.
+
+How far may a parallel run be from the sequential one? As far as the sequential method is from itself
+when it takes the interface in another order: each scene is run in nine shuffled orders (--set
+seed=1..9), and the worst of the nine, a tenth added, is the limit. To be run by hand when the
+algorithm changes; the gate itself never writes limits. Standard library only."""
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+SEEDS = range(1, 10)
+MARGIN = 0.1
+# Runs of rigid motions end on the exact shape to rounding, in any order.
+LEAST = {"parallel_area": 1e-12, "parallel_symmetric_difference": 1e-12}
+
+
+def scenes(program):
+    listed = subprocess.run([program, "list"], capture_output=True, text=True, check=True).stdout
+    return [line.split()[0] for line in listed.splitlines() if line.strip()]
+
+
+def run(program, scene, seed):
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "result.json")
+        subprocess.run([program, "run", scene, "--set", f"seed={seed}", "--json", path],
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        with open(path, encoding="utf-8") as stream:
+            return json.load(stream)
+
+
+def distance(a, b):
+    """Kolmogorov and Smirnov's, of two histograms with the same bins."""
+    sums, most = [0.0, 0.0], 0.0
+    totals = [sum(a["counts"]), sum(b["counts"])]
+    for pair in zip(a["counts"], b["counts"]):
+        sums = [s + count / total for s, count, total in zip(sums, pair, totals)]
+        most = max(most, abs(sums[0] - sums[1]))
+    return most
+
+
+def figures(base, other):
+    return {
+        "parallel_area": abs(other["area_ratio"] - base["area_ratio"]) / base["area_ratio"],
+        "parallel_symmetric_difference": max(other["sd_rel_last"] - base["sd_rel_last"], 0.0),
+        "parallel_area_histogram": distance(base["histograms"]["area"],
+                                            other["histograms"]["area"]),
+        "parallel_quality_histogram": distance(base["histograms"]["quality"],
+                                               other["histograms"]["quality"]),
+        "parallel_min_quality": other["min_quality_last"],
+        "parallel_min_angle": other["min_angle_deg_last"],
+    }
+
+
+def rounded(value, up):
+    """To two digits, away from what was measured."""
+    if value == 0:
+        return 0.0
+    digits = 1 - math.floor(math.log10(abs(value)))
+    scale = 10.0 ** digits
+    return round((math.ceil if up else math.floor)(value * scale) / scale, max(digits, 0))
+
+
+def limit(name, values):
+    if name in ("parallel_min_quality", "parallel_min_angle"):
+        value = rounded(min(values) * (1 - MARGIN), False)
+        word = "a tenth below their least"
+    else:
+        value = max(rounded(max(values) * (1 + MARGIN), True), LEAST.get(name, 0.0))
+        word = "a tenth above their largest"
+    return {"value": value, "note": f"nine sequential runs in shuffled orders had {min(values):.3g} "
+                                    f"to {max(values):.3g}; {word}"}
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    program, path = sys.argv[1:]
+    with open(path, encoding="utf-8") as stream:
+        data = json.load(stream)
+    for scene in scenes(program):
+        base = run(program, scene, 0)
+        found = [figures(base, run(program, scene, seed)) for seed in SEEDS]
+        for name in found[0]:
+            values = [one[name] for one in found]
+            data["limits"].setdefault(name, {})[scene] = limit(name, values)
+            print(f"{name} {scene}: {data['limits'][name][scene]['value']}")
+    with open(path + ".part", "w", encoding="utf-8") as stream:
+        json.dump(data, stream, indent=2)
+        stream.write("\n")
+    os.replace(path + ".part", path)
+
+
+if __name__ == "__main__":
+    main()
