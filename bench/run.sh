@@ -120,6 +120,16 @@ run_scenes() {
         --threads "$cores"
     run_scene scaling-reference speedup-scaling "${coarse[@]}" --strategy reference
 
+    # Frames with the submeshes beside them.
+    run_scene scaling-cells speedup-scaling "${coarse[@]}" --strategy cells --threads "$cores" \
+        "${keep_frames[@]}"
+    if ! $quick; then
+        run_scene scaling-active speedup-scaling --strategy active --threads "$cores" \
+            "${keep_frames[@]}"
+        run_scene swirl-cells swirl --set h=0.01 --strategy cells --threads "$cores" \
+            "${keep_frames[@]}"
+    fi
+
     run_scene four-circles speedup-four-circles "${keep_frames[@]}"
     run_scene zalesak zalesak "${keep_frames[@]}"
     if ! $quick; then

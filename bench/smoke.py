@@ -12,7 +12,8 @@ import unittest
 
 PROGRAM = ""
 FILTER = ("^(operation/edge_flip|kernel/gather_ring|"
-          "[a-z_]+_step/strategy:(sequential|counting)/triangles:28000/)")
+          "(scaling|four_circles)_step/strategy:(sequential|counting)/triangles:28000/|"
+          "scaling_step/strategy:cells/triangles:28000/submeshes:0/threads:2/modelled:1)")
 
 # Google Benchmark's own keys of one repetition, then ours; numbers are masked by their type.
 ITERATION = {
@@ -25,6 +26,10 @@ STEP = {**ITERATION, **dict.fromkeys((
     "us_per_step", "cpu_us_per_step", "us_per_vertex_step", "interface_vertices", "triangles",
     "min_quality", "area_error_rel", "load", "oversubscribed", "peak_memory_mb",
     "flips_per_step", "examined_per_step"), "number")}
+MODEL = {**ITERATION, **dict.fromkeys((
+    "us_per_step", "modelled", "serial_share", "busy_share", "fork_join_us", "load", "us_set_up",
+    "us_hand_over", "us_clean_up", "us_driver", "us_upkeep", "us_velocities", "us_movement",
+    "us_mesh_update", "us_later_colours"), "number")}
 OPERATION = {**ITERATION, "items_per_second": "number", "batch": "number", "label": "text"}
 KERNEL = {**ITERATION, "items_per_second": "number", "label": "text"}
 CONTEXT = ("dsc_machine", "dsc_commit", "dsc_cores", "dsc_compiler", "dsc_build_type",
@@ -58,7 +63,9 @@ class Schema(unittest.TestCase):
         cls.rows = [row for row in data["benchmarks"] if row["run_type"] == "iteration"]
 
     def family(self, name):
-        rows = [row for row in self.rows if row["name"].split("/")[0] == name]
+        """Of what was measured."""
+        rows = [row for row in self.rows
+                if row["name"].split("/")[0] == name and "/modelled:" not in row["name"]]
         self.assertTrue(rows, f"no row of {name}")
         return rows
 
@@ -75,6 +82,21 @@ class Schema(unittest.TestCase):
                              ("operation", OPERATION), ("kernel", KERNEL)):
             for row in self.family(name):
                 self.assertEqual(masked(row), schema, row["name"])
+
+    def test_modelled_rows_say_so_and_add_up(self):
+        rows = [row for row in self.rows if "/modelled:1/" in row["name"]]
+        self.assertTrue(rows)
+        for row in rows:
+            self.assertEqual(masked(row), MODEL, row["name"])
+            self.assertEqual(row["modelled"], 1)
+            self.assertTrue(0 < row["serial_share"] < 0.5, row)
+            self.assertTrue(0 < row["busy_share"] <= 1, row)
+            work = sum(row[key] for key in (
+                "us_upkeep", "us_velocities", "us_movement", "us_mesh_update",
+                "us_later_colours"))
+            # Two threads cannot take less than half of the work, nor more than all of it.
+            self.assertGreater(row["us_per_step"], 0.45 * work)
+            self.assertLess(row["us_per_step"], 1.5 * work)
 
     def test_names_say_what_was_run(self):
         names = {row["name"] for row in self.rows}

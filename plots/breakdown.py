@@ -115,9 +115,9 @@ def _ink(colour):
 
 def _measured_panel(axes, ones, base):
     tallest = max([sum(parts(r).values()) for _, _, r in ones], default=1)
-    _stack(axes, [(k, 0.55, parts(r)) for k, (_, _, r) in enumerate(ones)], PARTS, tallest)
+    _stack(axes, [(k, 0.55 if len(ones) > 1 else 0.36, parts(r)) for k, (_, _, r) in enumerate(ones)], PARTS, tallest)
     axes.set_xticks(range(len(ones)), [s for s, _, _ in ones])
-    axes.set_xlim(-0.8, max(len(ones), 2) - 0.2)
+    axes.set_xlim(-0.8, len(ones) - 0.2)
     _finish_panel(axes, base, tallest)
 
 
@@ -132,7 +132,8 @@ def _modelled_panel(axes, many, base):
     _stack(axes, [(p, 0.78, uses(r)) for p, (_, _, r) in zip(places, many)], USES, tallest)
     axes.set_xticks(places, labels)
     for strategy, where in groups.items():
-        axes.annotate(f"threads (modelled), {strategy}", (numpy.mean(where), 0), (0, -17), fontsize=8.5,
+        text = f"{strategy}, modelled" if len(groups) > 1 else f"threads, modelled: {strategy}"
+        axes.annotate(text, (numpy.mean(where), 0), (0, -17), fontsize=8.5,
                       xycoords=axes.get_xaxis_transform(), textcoords="offset points",
                       ha="center", va="top")
     axes.set_xlim(-0.7, (places[-1] if places else 0) + 0.7)

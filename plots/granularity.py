@@ -101,9 +101,9 @@ def _plot(axes, points, n, looks):
     found = threshold(judged(points, n))
     if found and found[1]:
         axes.axvline(found[0], color=style.INK, linewidth=0.9, linestyle=(0, (1, 1.5)), zorder=2)
-        axes.annotate(f" pays from {style.duration(found[0])}", (found[0], 0), (2, 4),
+        axes.annotate(f" pays from {style.duration(found[0])}", (found[0], 1), (2, -4),
                       xycoords=axes.get_xaxis_transform(), textcoords="offset points",
-                      fontsize=8, va="bottom")
+                      fontsize=8, va="top")
 
 
 def _lines(points):
@@ -157,8 +157,9 @@ def _picture(points, context):
 def _table(points):
     header = ["scene", "triangles", "strategy", "threads", "t_s a step", "t_n a step", "S(n)",
               "U(n)", "pays", ""]
+    points = sorted(points, key=lambda p: (p.n, p.base.median, style.order(p.row.strategy)))
     rows = [[series.title(p.row.family), style.whole(p.row.triangles), p.row.label, str(p.n),
              style.duration(p.base.median), style.duration(p.row.median), f"{p.s:.2f}",
              f"{p.u:.2f}", "yes" if p.s > 1 else "no", ", ".join(p.flags())]
-            for p in sorted(points, key=lambda p: (p.n, p.base.median, style.order(p.row.strategy)))]
+            for p in points]
     return header, rows

@@ -128,7 +128,11 @@ def window(frame, centre, away):
     wide = numpy.array([centre - 1.15 * away, centre + 1.15 * away])
     middle = frame.points[frame.triangles].mean(axis=1)
     inside = ((middle >= wide[0]) & (middle <= wide[1])).all(axis=1).sum()
-    return wide if wide[1][0] > high[0] and inside <= CLOSE_MOST else (low, high)
+    low, high = wide if wide[1][0] > high[0] and inside <= CLOSE_MOST else (low, high)
+    # Moved back where it would stick out of the mesh.
+    first, last = frame.points.min(axis=0), frame.points.max(axis=0)
+    shift = numpy.maximum(first - low, 0) + numpy.minimum(last - high, 0)
+    return low + shift, high + shift
 
 
 def reach(frame):

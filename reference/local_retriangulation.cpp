@@ -33,6 +33,7 @@ void submesh_boundary_filter(SimplexSet& R, const Complex& K) {
 /// from the oriented triangles of R.
 std::vector<Vertex> polygon_of(const SimplexSet& R_, const SimplexSet& R, const Complex& K) {
     std::map<Vertex, Vertex> successor;
+    std::size_t followed = 0;
     for (const TriangleKey& t : R.triangles) {
         const OrientedTriangle& o = K.oriented(t);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -40,15 +41,16 @@ std::vector<Vertex> polygon_of(const SimplexSet& R_, const SimplexSet& R, const 
             const Vertex b = o[(i + 1) % 3];
             if (R_.contains(edge_key(a, b))) {
                 successor[a] = b;
+                ++followed;
             }
         }
     }
-    if (R_.vertices.empty()) {
+    // An edge that was met from both sides is a loose end inside R.
+    if (R_.vertices.empty() || followed != R_.edges.size()) {
         return {};
     }
     // The walk must come back to its start just when it has been everywhere: there is one loop, it
-    // touches itself nowhere, and no vertex is left over. At a loose end, an edge with R on both
-    // sides, it would go to and fro.
+    // touches itself nowhere, and no vertex is left over.
     std::vector<Vertex> polygon;
     Vertex v = *R_.vertices.begin();
     do {

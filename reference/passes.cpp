@@ -18,7 +18,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace dsc::reference {
@@ -31,9 +30,6 @@ constexpr double patch_mean_area = 0.5;
 
 // An interface edge that a collapse makes longer must stay clear of the threshold that splits it.
 constexpr double split_margin = 0.95;
-
-// A triangle is halved if it is longer than this times the constrained edge that it stands on.
-constexpr double long_spoke = 2.5;
 
 /// The area of `t` in units of the target's.
 double relative_area(const Complex& K, const TriangleKey& t, Phase p, const PassOptions& options) {
@@ -162,18 +158,27 @@ std::optional<EdgeKey> longest_free_edge(const Complex& K, const TriangleKey& t)
     return longest;
 }
 
-/// Splits the longest edge of a poor triangle that no collapse could mend: one that stands with a
-/// short edge on the interface or the boundary. Sizes then grow step by step away from there; what
-/// is split off has no such edge, and is for flips and smoothing to mend.
-Verdict split_poor(const TriangleKey& t, Complex& K) {
-    double standing = std::numeric_limits<double>::infinity();
-    for (const EdgeKey& e : edges_of(t)) {
-        if (K.is_constrained(e)) {
-            standing = std::min(standing, length(K, e));
-        }
+/// The smallest quality of the triangles of `e`, now and once it is split at its midpoint.
+std::pair<double, double> quality_if_split(const Complex& K, const EdgeKey& e) {
+    const Point<double> m = compute_midpoint(K.coord(e.v[0]), K.coord(e.v[1]));
+    double before = std::numeric_limits<double>::infinity();
+    double after = before;
+    for (const TriangleKey& t : K.triangles_at(e)) {
+        before = std::min(before, quality(K, t));
+        for (Vertex v : e.v)
+            after = std::min(after, quality_if_moved(K, t, v, m));
     }
+    return {before, after};
+}
+
+/// Splits the longest free edge of a poor triangle that no collapse could mend: one with a short
+/// edge on the interface, where sizes then grow step by step away from the interface.
+Verdict split_poor(const TriangleKey& t, Complex& K) {
     const std::optional<EdgeKey> e = longest_free_edge(K, t);
-    return e && length(K, *e) > long_spoke * standing ? edge_split(*e, K) : Verdict::no_gain;
+    if (!e)
+        return Verdict::on_interface;
+    const auto [before, after] = quality_if_split(K, *e);
+    return after > before ? edge_split(*e, K) : Verdict::no_gain;
 }
 
 } // namespace
@@ -267,8 +272,8 @@ void optimization(Complex& K, const PassOptions& options, PassCounts& counts) {
         for (const auto& entry : K.edges()) {
             edges.push_back(entry.first);
         }
-        const std::size_t flips =
-            mesh_update(BelowThreshold<EdgeKey>(edges, Q, -options.flip_slack, K), edge_flip, K);
+        const std::size_t flips = mesh_update(
+            BelowThreshold<EdgeKey>(edges, Q, -options.flip_slack, K), edge_flip, K);
         counts.flips += flips;
         if (flips == 0)
             break;

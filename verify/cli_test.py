@@ -93,8 +93,9 @@ class SceneGood(CommandLine):
 
     def test_every_strategy_runs(self):
         hashes = {}
-        for strategy in ("sequential", "fixed", "counting", "active", "reference"):
-            threads = ["--threads", "2"] if strategy in ("fixed", "counting", "active") else []
+        parallel = ("fixed", "counting", "active", "blocks", "cells", "copy")
+        for strategy in ("sequential", *parallel, "reference"):
+            threads = ["--threads", "2"] if strategy in parallel else []
             done = self.call("run", "scaling", *SHORT, "--strategy", strategy, *threads,
                              "--submeshes", "4", "--json", self.path("r.json"))
             self.assertEqual((done.returncode, done.stderr), (0, ""), strategy)
@@ -102,7 +103,27 @@ class SceneGood(CommandLine):
                 result = json.load(stream)
             self.assertEqual(result["strategy"], strategy)
             hashes[strategy] = result["mesh_hash"]
-        self.assertEqual(len(hashes), 5)
+        self.assertEqual(len(hashes), 8)
+
+    def test_slabs_may_lie_at_an_angle(self):
+        for angle in ("0", "90", "-33.5", "shape"):
+            done = self.call("run", "scaling", *SHORT, "--strategy", "active", "--submeshes", "3",
+                             f"--angle={angle}", "--json", self.path("r.json"))
+            self.assertEqual((done.returncode, done.stderr), (0, ""), angle)
+
+    def test_frames_of_submeshes_say_where_they_are(self):
+        done = self.call("run", "speedup-scaling", *SHORT, "--strategy", "cells", "--submeshes",
+                         "2", "--frames", self.path("frames"))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        maps = [name for name in self.files() if name.endswith(".submeshes.json")]
+        self.assertTrue(maps)
+        with open(os.path.join(self.path("frames"), maps[-1]), encoding="utf-8") as stream:
+            colours = json.load(stream)["colours"]
+        self.assertGreaterEqual(len(colours), 1)
+        for colour in colours:
+            for region in colour["regions"]:
+                self.assertIn(region["kind"], ("box", "whole"))
+                self.assertGreaterEqual(region["work_us"], 0)
 
     def test_frames_are_whole(self):
         done = self.call("run", "swirl", *SHORT, "--frames", self.path("frames"))
@@ -185,6 +206,11 @@ class SceneBad(CommandLine):
             for value in ("0", "-1", "x", "1.5", "1000000", "99999999999", "nan", ""):
                 self.expect_refusal("run", "swirl", *SHORT, "--strategy", "fixed",
                                     f"{option}={value}", words=[option])
+
+    def test_bad_angles(self):
+        for value in ("x", "nan", "inf", "", "9o"):
+            self.expect_refusal("run", "swirl", *SHORT, "--strategy", "fixed", f"--angle={value}",
+                                words=["--angle"])
 
     def test_what_does_not_go_together(self):
         self.expect_refusal("run", "swirl", *SHORT, "--threads", "2", words=["--threads"])

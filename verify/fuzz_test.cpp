@@ -131,12 +131,6 @@ TEST_P(Fuzz, EveryStepEndsWithAValidComplex) {
              from_environment("DSC_FUZZ_SEEDS", 20));
 }
 
-// A vertex made in the serial clean-up got the id of one that a later colour had removed just
-// before; the lists were mended in the wrong order, and it was listed nowhere.
-TEST(FuzzAgain, ListsVerticesThatGetTheIdOfARemovedOne) {
-    (void)survive<double>(5005, true, false);
-}
-
 INSTANTIATE_TEST_SUITE_P(Scenes, Fuzz,
                          testing::Values(Kind{"smooth_shapes", false, false},
                                          Kind{"smooth_patches", false, true},

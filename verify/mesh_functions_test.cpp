@@ -252,7 +252,7 @@ TYPED_TEST(MeshFunctions, InterfaceAndBoundaryAreDerived) {
 TYPED_TEST(MeshFunctions, SubmeshBoundary) {
     const auto complex = grid<TypeParam>(8, 0.15, 6);
     Region slab;
-    slab.kind = Region::Kind::slab;
+    slab.kind = Region::Kind::box;
     slab.low = 2.5;
     slab.high = 6.5;
     const auto owned = [&](Vertex v) {

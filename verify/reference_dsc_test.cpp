@@ -189,23 +189,6 @@ TEST(ReferencePasses, PhasesKeepTheirSizes) {
     expect_valid(coarse);
 }
 
-TEST(ReferencePasses, PoorTrianglesCollapseOrAreSplit) {
-    Complex K = grid(4);
-    K.set_coord(12_v, {2.95, 2.04}); // close to 13
-    PassCounts counts;
-    phase_coarsening(K, *phases(K).begin(), with_edge_length_only(1), counts);
-    EXPECT_EQ(counts.collapses, 1U);
-    EXPECT_GT(worst_quality(K), 0.3);
-    expect_valid(K);
-    // A short edge of the boundary under a long triangle: only a split helps.
-    Complex needle =
-        make({{0, 0}, {.1, 0}, {.05, 1}, {1, 0}, {-1, 0}}, {{0, 1, 2}, {1, 3, 2}, {0, 2, 4}});
-    phase_refinement(needle, *phases(needle).begin(), with_edge_length_only(2), counts);
-    EXPECT_EQ(counts.splits, 1U);
-    EXPECT_TRUE(needle.is_valid_simplex(T(0, 1, 5)));
-    expect_valid(needle);
-}
-
 TEST(ReferencePasses, FlipsAndSmoothingRaiseTheQuality) {
     Complex K = fan();
     K.set_coord(0_v, {.7, .2});

@@ -223,7 +223,7 @@ TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
             EXPECT_EQ(upkeep.take_forgotten(disc.complex), 0U) << "step " << step;
         }
         EXPECT_GT(stars.added(), 100U);
-        EXPECT_GT(upkeep.added(), 50U);
+        EXPECT_GT(upkeep.added(), 5U);
     }
 }
 
@@ -265,16 +265,19 @@ bool is_same(const Region& a, const Region& b) {
            a.label == b.label;
 }
 
-// A pass of the application throws in one submesh of some colour, or in the serial clean-up, before
+// A pass of the application throws in one submesh of some colour, or in what is serial, before
 // or after the other passes ran there, in a step that is not the first. The step is lost, the
 // simulation is not.
 TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
-    constexpr std::size_t clean_up = 99;
+    constexpr std::size_t serial = 99;
     int serial_faults = 0;
     for (const Way& way : ways_to_divide(3)) {
         for (const bool in_upkeep : {true, false}) {
             for (const bool before : {true, false}) {
-                for (const std::size_t colour : {std::size_t{0}, std::size_t{1}, clean_up}) {
+                for (const std::size_t colour : {std::size_t{0}, std::size_t{1}, serial}) {
+                    if (in_upkeep && colour == 1) {
+                        continue; // what the first colour puts off of it is done serially
+                    }
                     SCOPED_TRACE(std::string(way.name) + (in_upkeep ? ", upkeep" : ", motion") +
                                  (before ? ", first" : ", last") + ", colour " +
                                  std::to_string(colour));
@@ -282,7 +285,7 @@ TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
                     std::atomic<bool> has_thrown{false};
                     const SubmeshExecutor<double>* seen = nullptr;
                     const auto is_meant = [&](const Region& region) {
-                        if (colour == clean_up) {
+                        if (colour == serial) {
                             return region.is_whole();
                         }
                         // Any but the first of them.
@@ -313,17 +316,17 @@ TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
                         }
                     }
                     EXPECT_EQ(came_out, has_thrown);
-                    if (colour != clean_up) {
+                    if (colour != serial) {
                         EXPECT_TRUE(has_thrown) << "nothing ran there";
                     }
-                    serial_faults += colour == clean_up && has_thrown ? 1 : 0;
+                    serial_faults += colour == serial && has_thrown ? 1 : 0;
                     is_armed = false;
                     disc.expect_to_go_on();
                 }
             }
         }
     }
-    EXPECT_GE(serial_faults, 2) << "nothing was ever left for the serial clean-up";
+    EXPECT_GE(serial_faults, 2) << "nothing was ever left to be done serially";
 }
 
 // A partition of the application that does not cover the plane, or that throws.
