@@ -115,7 +115,8 @@ def _ink(colour):
 
 def _measured_panel(axes, ones, base):
     tallest = max([sum(parts(r).values()) for _, _, r in ones], default=1)
-    _stack(axes, [(k, 0.55 if len(ones) > 1 else 0.36, parts(r)) for k, (_, _, r) in enumerate(ones)], PARTS, tallest)
+    width = 0.55 if len(ones) > 1 else 0.36
+    _stack(axes, [(k, width, parts(r)) for k, (_, _, r) in enumerate(ones)], PARTS, tallest)
     axes.set_xticks(range(len(ones)), [s for s, _, _ in ones])
     axes.set_xlim(-0.8, len(ones) - 0.2)
     _finish_panel(axes, base, tallest)

@@ -155,12 +155,11 @@ TEST(RunScene, RefusesWhatDoesNotGoTogether) {
     options.strategy = Strategy::reference;
     EXPECT_THROW((void)run_scene(scene, short_run(scene), options), InputError);
     options.strategy = Strategy::counting;
-    options.submeshing.submeshes = 0;
+    options.submeshing.submeshes = 70000;
     EXPECT_THROW((void)run_scene(scene, short_run(scene), options), InputError);
     EXPECT_THROW((void)parse_strategy("cubes"), InputError);
     EXPECT_THROW((void)find_scene("swril"), InputError);
-    for (const Strategy strategy : {Strategy::sequential, Strategy::fixed, Strategy::counting,
-                                    Strategy::active, Strategy::reference}) {
+    for (const Strategy strategy : all_strategies) {
         EXPECT_EQ(parse_strategy(to_string(strategy)), strategy);
     }
 }

@@ -14,26 +14,39 @@ namespace {
 
 constexpr double infinity = Region::infinity;
 
-// Inner cuts, ascending, with those dropped that leave a slab thinner than allowed.
-std::vector<double> close_cuts(const std::vector<double>& inner, double low, double high,
-                               double least_width) {
+// Inner cuts with the outer ones, which are infinite.
+std::vector<double> closed(const std::vector<double>& inner) {
     std::vector<double> cuts{-infinity};
-    double last = low;
-    for (const double cut : inner) {
-        if (cut - last >= least_width && high - cut >= least_width) {
-            cuts.push_back(cut);
-            last = cut;
-        }
-    }
+    cuts.insert(cuts.end(), inner.begin(), inner.end());
     cuts.push_back(infinity);
     return cuts;
 }
 
-// The half slabs at the two ends are thin by design; only the full ones need the width.
-Cuts close_both(const std::vector<double>& red, const std::vector<double>& black, double low,
-                double high, double least_width) {
-    return {close_cuts(red, low, high, least_width),
-            close_cuts(black, low - least_width, high + least_width, least_width)};
+bool is_thin(const std::vector<double>& red, double low, double high, double least_width) {
+    double last = low;
+    for (const double cut : red) {
+        if (cut - last < least_width) {
+            return true;
+        }
+        last = cut;
+    }
+    return high - last < least_width;
+}
+
+// Cuts at each n-th of the weight (red), and half way between (black).
+Cuts shares(const std::vector<std::pair<double, float>>& sorted, double total,
+            std::uint32_t slabs) {
+    Cuts cuts;
+    double passed = 0;
+    std::uint32_t half = 1; // the next cut lies at half / (2 slabs) of the weight
+    for (const auto& [place, weight] : sorted) {
+        passed += static_cast<double>(weight);
+        while (half < 2 * slabs && passed * 2 * slabs > total * half) {
+            (half % 2 == 0 ? cuts.red : cuts.black).push_back(place);
+            ++half;
+        }
+    }
+    return cuts;
 }
 
 } // namespace
@@ -48,34 +61,30 @@ Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::
     for (const auto& [place, weight] : positions) {
         total += static_cast<double>(weight);
     }
-    std::vector<double> red;
-    std::vector<double> black;
-    double passed = 0;
-    std::uint32_t half = 1; // the next cut lies at half / (2 slabs) of the weight
-    for (const auto& [place, weight] : positions) {
-        passed += static_cast<double>(weight);
-        while (half < 2 * slabs && passed * 2 * slabs > total * half) {
-            (half % 2 == 0 ? red : black).push_back(place);
-            ++half;
+    // Fewer slabs rather than thin ones; both colours go together.
+    const double low = positions.front().first;
+    const double high = positions.back().first;
+    for (std::uint32_t n = slabs; n > 1; --n) {
+        const Cuts cuts = shares(positions, total, n);
+        if (!is_thin(cuts.red, low, high, least_width)) {
+            return {closed(cuts.red), closed(cuts.black)};
         }
     }
-    return close_both(red, black, positions.front().first, positions.back().first, least_width);
+    return {closed({}), closed({})};
 }
 
 Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double least_width) {
-    if (slabs < 2) {
-        return {{-infinity, infinity}, {-infinity, infinity}};
-    }
-    std::vector<double> red;
-    std::vector<double> black;
-    const double width = (high - low) / slabs;
-    for (std::uint32_t i = 0; i < slabs; ++i) {
+    const double most = least_width > 0 ? (high - low) / least_width : slabs;
+    const auto count = static_cast<std::uint32_t>(std::clamp<double>(most, 1, slabs));
+    Cuts cuts;
+    const double width = (high - low) / count;
+    for (std::uint32_t i = 0; i < count && count > 1; ++i) {
         if (i > 0) {
-            red.push_back(low + i * width);
+            cuts.red.push_back(low + i * width);
         }
-        black.push_back(low + (i + 0.5) * width);
+        cuts.black.push_back(low + (i + 0.5) * width);
     }
-    return close_both(red, black, low, high, least_width);
+    return {closed(cuts.red), closed(cuts.black)};
 }
 
 Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_y, bool round) {

@@ -194,17 +194,28 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Velocity<Real>& velocity,
     std::ranges::sort(listed_);
     listed_.erase(std::unique(listed_.begin(), listed_.end()), listed_.end());
     whole_.interface.insert(whole_.interface.end(), listed_.begin(), listed_.end());
+    listed_places_.clear();
+    for (const std::uint32_t v : listed_) {
+        listed_places_.push_back(place_of(v));
+    }
     whole_.epoch = next_epochs();
     for (const auto& pass : algorithm_.upkeep) {
         pass.run(whole_);
     }
     whole_.put_off_interface.clear();
-    // What is left of those that are listed stays listed; the others are new somewhere.
-    for (const std::uint32_t v : listed_) {
-        if (std::ranges::find(whole_.interface, v) == whole_.interface.end()) {
+    // Who is left of those that are listed stays listed; the others are new somewhere. A vertex
+    // elsewhere under the same id is a new one, which got the id of one that is gone.
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < listed_.size(); ++i) {
+        const std::uint32_t v = listed_[i];
+        if (std::ranges::find(whole_.interface, v) != whole_.interface.end() &&
+            place_of(v) == listed_places_[i]) {
+            listed_[kept++] = v;
+        } else {
             unlist(v);
         }
     }
+    listed_.resize(kept);
     std::erase_if(whole_.interface,
                   [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
     AimReport<Real> report = find_velocities(whole_, velocity, time);
