@@ -28,7 +28,8 @@ namespace {
 
 using scenes::Strategy;
 
-constexpr int swirl_mesh = 95000; ///< h a little below 0.005
+constexpr int swirl_mesh = 95000;       ///< h a little below 0.005
+constexpr int fine_swirl_mesh = 380000; ///< and a little below 0.0025
 constexpr int small_mesh = 28000; ///< the thesis's: the only one that the literal method gets
 constexpr std::uint32_t slabs = 8;
 constexpr int reference_steps = 3;
@@ -257,14 +258,21 @@ std::vector<std::uint32_t> thread_counts() {
     return counts;
 }
 
+// A cell for each thread, and no more: the least boundary that so many can have.
+void add_few_cells(const std::string& family, int triangles) {
+    for (const std::uint32_t threads : thread_counts()) {
+        add({family, triangles, Strategy::cells, core_count(), threads});
+    }
+}
+
 // As many as measured, and beyond them; the model of few threads stands beside what was measured.
 void add_modelled(const std::string& family, int triangles, Strategy strategy) {
     for (const std::uint32_t threads : {1U, 2U, 4U, 8U, 16U, 32U}) {
         add({family, triangles, strategy, submeshes_of(strategy, threads), threads, true});
     }
     if (strategy == Strategy::cells) {
-        // Cells as many as threads, where that is more than pays for two.
-        for (const std::uint32_t threads : {8U, 16U, 32U}) {
+        // Cells as many as threads: not the number that pays for most.
+        for (const std::uint32_t threads : {4U, 8U, 16U, 32U}) {
             add({family, triangles, strategy, threads, threads, true});
         }
     }
@@ -285,6 +293,7 @@ void register_steps() {
                     add({family, triangles, strategy, submeshes_of(strategy, threads), threads});
                 }
             }
+            add_few_cells(family, triangles);
             if (triangles < 1000000) {
                 // Of larger meshes the copies take seconds a step; nothing new would be learnt.
                 for (const std::uint32_t threads : thread_counts()) {
@@ -303,11 +312,13 @@ void register_steps() {
             add({"granularity_step", triangles, Strategy::cells, 0, threads});
         }
     }
-    add({"swirl_step", swirl_mesh, Strategy::sequential});
-    for (const std::uint32_t threads : thread_counts()) {
-        add({"swirl_step", swirl_mesh, Strategy::cells, 0, threads});
+    for (const int triangles : {swirl_mesh, fine_swirl_mesh}) {
+        add({"swirl_step", triangles, Strategy::sequential});
+        for (const std::uint32_t threads : thread_counts()) {
+            add({"swirl_step", triangles, Strategy::cells, 0, threads});
+        }
+        add_modelled("swirl_step", triangles, Strategy::cells);
     }
-    add_modelled("swirl_step", swirl_mesh, Strategy::cells);
 }
 
 } // namespace dsc::bench

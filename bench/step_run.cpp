@@ -22,6 +22,25 @@ namespace {
 /// A stretched interface loses more than a circle.
 constexpr double swirl_area_limit = 0.01;
 
+// Cores that have been idle start slowly; a measurement is a few milliseconds long. So that all rows
+// are measured at the same clock, each of its threads is kept busy for a while before.
+void wake(std::uint32_t threads) {
+    constexpr double seconds = 0.03;
+    Schedule schedule;
+    schedule.tasks.add_colour(threads);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto since = [begin] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    while (since() < seconds) {
+        schedule.run(threads, Assignment::fixed, [](std::size_t) {
+            const auto start = std::chrono::steady_clock::now();
+            while (std::chrono::steady_clock::now() - start < std::chrono::microseconds(50)) {
+            }
+        });
+    }
+}
+
 void add(StepRun& run, const StepReport& report) {
     run.unreached += report.unreached;
     run.gave_up = run.gave_up || report.gave_up != GiveUp::none;
@@ -37,6 +56,7 @@ StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::Ru
     StepRun run;
     run.steps = timed_steps;
     int step = start.step;
+    wake(options.submeshing.threads);
     for (int i = 0; i < warm_up_steps; ++i, ++step) {
         add(run, simulation->step(velocity, step * dt, dt));
     }
@@ -68,6 +88,7 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
     const double dt = start.parameters.dt;
     ModelRun run;
     int step = start.step;
+    wake(1);
     for (int i = 0; i < warm_up_steps + timed_steps; ++i, ++step) {
         const auto begin = std::chrono::steady_clock::now();
         (void)simulation.step(velocity, step * dt, dt);

@@ -36,6 +36,7 @@ struct SubmeshExecutor<Real>::Part {
     Part(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {
         pool.may_grow = false;
         work.submesh.pool = &pool;
+        keep_apart();
     }
 
     Work<Real> work;
@@ -60,6 +61,19 @@ struct SubmeshExecutor<Real>::Part {
     double move_s = 0;
     std::vector<double> passes_s;
     std::vector<Pass<Real>> motion; // the algorithm's, with a clock about each where times are kept
+
+    // Short lists of two submeshes side by side in the heap would share cache lines, which two
+    // threads then take from each other at each push.
+    void keep_apart() {
+        constexpr std::size_t entries = 512;
+        const auto reserve = [](auto&... lists) { (lists.reserve(entries), ...); };
+        reserve(work.interface, work.interface_next, work.movers, work.active, work.suspects,
+                work.put_off_movers, work.put_off_active, work.put_off_interface);
+        reserve(work.aim.positions, work.aim.targets, work.aim.held, work.aim.scratch.first,
+                work.aim.scratch.stage, work.aim.scratch.slope, work.aim.scratch.sum);
+        reserve(pool.vertices, pool.triangles);
+        reserve(emigrants, newcomers, immigrants, mover_routes, active_routes);
+    }
 
     void forget_put_off() {
         work.put_off_movers.clear();
