@@ -30,7 +30,7 @@ using scenes::Strategy;
 
 constexpr int swirl_mesh = 95000;       ///< h a little below 0.005
 constexpr int fine_swirl_mesh = 380000; ///< and a little below 0.0025
-constexpr int small_mesh = 28000; ///< the thesis's: the only one that the literal method gets
+constexpr int small_mesh = 28000;       ///< the thesis's: the only one that the literal method gets
 constexpr std::uint32_t slabs = 8;
 constexpr int reference_steps = 3;
 constexpr double reference_area_limit = 0.01;

@@ -22,8 +22,8 @@ namespace {
 /// A stretched interface loses more than a circle.
 constexpr double swirl_area_limit = 0.01;
 
-// Cores that have been idle start slowly; a measurement is a few milliseconds long. So that all rows
-// are measured at the same clock, each of its threads is kept busy for a while before.
+// Cores that have been idle start slowly; a measurement is a few milliseconds long. So that all
+// rows are measured at the same clock, each of its threads is kept busy for a while before.
 void wake(std::uint32_t threads) {
     constexpr double seconds = 0.03;
     Schedule schedule;

@@ -27,8 +27,7 @@ struct StepRun {
 StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& run);
 
 /// The same steps on one thread, with the account of the times of its tasks.
-ModelRun profile_steps(const Start& start, Complex<double>& complex,
-                       const scenes::RunOptions& run);
+ModelRun profile_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& run);
 
 /// The literal method takes `steps` steps after `first`, without a warm-up.
 StepRun run_reference(const Start& start, reference::Complex& complex, int first, int steps);

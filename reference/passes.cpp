@@ -272,8 +272,8 @@ void optimization(Complex& K, const PassOptions& options, PassCounts& counts) {
         for (const auto& entry : K.edges()) {
             edges.push_back(entry.first);
         }
-        const std::size_t flips = mesh_update(
-            BelowThreshold<EdgeKey>(edges, Q, -options.flip_slack, K), edge_flip, K);
+        const std::size_t flips =
+            mesh_update(BelowThreshold<EdgeKey>(edges, Q, -options.flip_slack, K), edge_flip, K);
         counts.flips += flips;
         if (flips == 0)
             break;

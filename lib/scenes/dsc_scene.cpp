@@ -135,10 +135,10 @@ int main(int argc, char** argv) {
         ->add_option("--submeshes", arguments.run.submeshing.submeshes,
                      "default: 8 slabs, 16 blocks, or as many cells as pay")
         ->check(CLI::Range(1, 65536));
-    run_command
-        ->add_option("--angle", arguments.angle,
-                     "slabs are cut across this direction, in degrees from the x axis (default 0); "
-                     "shape: across the direction of the interface");
+    run_command->add_option(
+        "--angle", arguments.angle,
+        "slabs are cut across this direction, in degrees from the x axis (default 0); "
+        "shape: across the direction of the interface");
     run_command->add_option("--threads", arguments.run.submeshing.threads, "threads (default 1)")
         ->check(CLI::Range(1, 1024));
     run_command->add_option("--frames", arguments.run.frames, "folder for .vtu and .pvd files");

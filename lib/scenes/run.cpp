@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/run.h"
 
+#include "dsc/algorithm/driver.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
-#include "dsc/algorithm/driver.h"
 #include "scenes/clock.h"
 #include "scenes/frames.h"
 #include "scenes/hausdorff.h"
@@ -89,9 +89,7 @@ public:
         add_operations(result, report.operations);
     }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
-    [[nodiscard]] std::uint64_t interface_vertices() const {
-        return simulation_->interface_size();
-    }
+    [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
     /// The submeshes beside a frame, where there are any.
     void map_submeshes(const std::string& frame) const {

@@ -24,7 +24,7 @@ namespace dsc::scenes {
 
 struct RunOptions {
     Strategy strategy = Strategy::sequential;
-    Submeshing submeshing;       ///< of the parallel strategies
+    Submeshing submeshing; ///< of the parallel strategies
     std::string frames;    ///< folder for frames (.vtu, .pvd); empty: none
     int frame_count = 9;   ///< about so many, evenly spread, with the first and the last
     bool progress = false; ///< a line on stderr

@@ -48,13 +48,14 @@ struct Submeshing {
     std::uint32_t submeshes = 0; ///< 0: the strategy's own choice
     std::uint32_t threads = 1;
     Assignment assignment = Assignment::queue;
-    double degrees = 0;        ///< slabs are cut across this direction
-    bool follow_shape = false; ///< slabs are cut across the direction of the shape instead
+    double degrees = 0;              ///< slabs are cut across this direction
+    bool follow_shape = false;       ///< slabs are cut across the direction of the shape instead
     bool always_all_threads = false; ///< also where there is too little to do for them
     bool profile = false;
 };
 
-/// The submeshes that this makes: the number asked for, or the strategy's own; 0: chosen as it runs.
+/// The submeshes that this makes: the number asked for, or the strategy's own; 0: chosen as it
+/// runs.
 [[nodiscard]] std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing);
 
 /// The executor; null for `sequential` and `reference`. Throws InputError where options make no

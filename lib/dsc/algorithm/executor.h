@@ -61,8 +61,9 @@ void note_miss(VertexRecord<Real>& record) {
 }
 
 /// Repeats the motion passes over `work.movers` until all have arrived but those in contact, for
-/// `max_passes` at most, and no longer than `max_idle_passes` without any progress. `next_epoch` gives the stamp of the
-/// next pass. Returns the passes run; who did not arrive is left in `work.movers`.
+/// `max_passes` at most, and no longer than `max_idle_passes` without any progress. `next_epoch`
+/// gives the stamp of the next pass. Returns the passes run; who did not arrive is left in
+/// `work.movers`.
 template <class Real>
 std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,
                          std::uint32_t& next_epoch);

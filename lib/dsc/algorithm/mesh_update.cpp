@@ -73,10 +73,9 @@ private:
         return gathered && ring_.owned;
     }
 
+    // A vertex that is gone has no star. Its id may be in use again elsewhere, so that nothing of
+    // it is looked at before its place.
     void visit(std::uint32_t v) {
-        if (!complex_.is_alive(Vertex{v})) {
-            return;
-        }
         for (int turn = 0; turn < max_turns; ++turn) {
             if (!gather_star(v)) {
                 return;
@@ -388,7 +387,9 @@ void move_vertices(Work<Real>& work) {
             work.movers[kept++] = mover;
         } else {
             auto& record = work.complex.vertices[mover.vertex];
-            record.flags &= ~static_cast<std::uint32_t>(vertex_contact);
+            if ((record.flags & vertex_contact) != 0) {
+                record.flags &= ~static_cast<std::uint32_t>(vertex_contact);
+            }
         }
     }
     work.movers.resize(kept);
