@@ -31,6 +31,7 @@ std::string scene_of(const std::string& family) {
 
 std::unique_ptr<const Start> make_start(const std::string& family, int triangles) {
     constexpr double way_of_a_step = 0.3; // in edge lengths; both scenes move at speed 1
+    constexpr double short_way_of_a_step = 0.05;
     constexpr double way_to_the_middle = 0.15;
     auto start = std::make_unique<Start>();
     start->family = family;
@@ -44,7 +45,9 @@ std::unique_ptr<const Start> make_start(const std::string& family, int triangles
         parameters.dt = start->setup.dt;
         start->step = *start->setup.half_step - warm_up_steps - timed_steps;
     } else {
-        parameters.dt = way_of_a_step * parameters.h;
+        // In a coarse mesh as many whole steps would lead out of the domain.
+        const bool is_coarse = triangles < 7000;
+        parameters.dt = (is_coarse ? short_way_of_a_step : way_of_a_step) * parameters.h;
         const int middle = static_cast<int>(std::lround(way_to_the_middle / parameters.dt));
         start->step = std::max(0, middle - timed_steps / 2 - warm_up_steps);
         parameters.steps = start->step + warm_up_steps + timed_steps;
