@@ -44,10 +44,9 @@ done
 # shellcheck source=verify/setup.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/../verify/setup.sh"
 
-# Threads that spin while they wait are slow where cores are shared; threads that wander between
-# cores make figures that cannot be repeated.
-# Threads that spin between two parallel sections cost microseconds less on an idle machine, and
-# milliseconds more on one that has other work.
+# Threads that spin while they wait cost a step microseconds less on an idle machine, and
+# milliseconds more where cores are shared; threads that wander between cores make figures that
+# cannot be repeated.
 read -r load_now _ </proc/loadavg
 if awk -v load="$load_now" -v cores="$(nproc)" 'BEGIN { exit !(load > 0.75 * cores) }'; then
     export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
