@@ -125,7 +125,7 @@ def _labelled(found):
                  if len({dict(r.other).get(k) for r in kin}) > 1]
         twins = [r for r in kin if r.triangles == row.triangles and r.other == row.other]
         if any(len({t.submeshes for t in twins if t.threads == u.threads}) > 1 for u in twins):
-            words.insert(0, f"{row.submeshes} submeshes")
+            words.insert(0, f"{row.submeshes} submeshes" if row.submeshes else "as many as pay")
         row.label = row.strategy + (f" ({', '.join(words)})" if words else "")
     found.sort(key=lambda r: (r.family, r.triangles, style.order(r.strategy), r.label, r.threads))
     return found
