@@ -46,7 +46,7 @@ std::unique_ptr<const Start> make_start(const std::string& family, int triangles
         start->step = *start->setup.half_step - warm_up_steps - timed_steps;
     } else {
         // In a coarse mesh as many whole steps would lead out of the domain.
-        const bool is_coarse = triangles < 7000;
+        const bool is_coarse = triangles < 14000;
         parameters.dt = (is_coarse ? short_way_of_a_step : way_of_a_step) * parameters.h;
         const int middle = static_cast<int>(std::lround(way_to_the_middle / parameters.dt));
         start->step = std::max(0, middle - timed_steps / 2 - warm_up_steps);
