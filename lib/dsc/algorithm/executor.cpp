@@ -42,6 +42,30 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
 }
 
 template <class Real>
+std::uint64_t give_up_movers(Work<Real>& work) {
+    for (const auto& mover : work.movers) {
+        auto& flags = work.complex.vertices[mover.vertex].flags;
+        flags += (flags & vertex_contact) == vertex_contact ? 0U : std::uint32_t{vertex_missed};
+    }
+    const std::uint64_t given_up = work.movers.size();
+    work.movers.clear();
+    return given_up;
+}
+
+template <class Real>
+AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkeep,
+                          const Velocity<Real>& velocity, Real time, Real dt) {
+    for (const auto& pass : upkeep) {
+        pass.run(work);
+    }
+    // Alone on the complex, nothing is put off.
+    work.put_off_interface.clear();
+    AimReport<Real> report = find_velocities(work, velocity, time);
+    report.farthest = find_targets(work, velocity, time, dt);
+    return report;
+}
+
+template <class Real>
 SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Options<Real>& options,
                                              Algorithm<Real> algorithm)
     : algorithm_(std::move(algorithm)), work_(complex, options) {
@@ -55,14 +79,7 @@ SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Optio
 
 template <class Real>
 AimReport<Real> SequentialExecutor<Real>::aim(const Velocity<Real>& velocity, Real time, Real dt) {
-    for (const auto& pass : algorithm_.upkeep) {
-        pass.run(work_);
-    }
-    // Alone on the complex, nothing is put off.
-    work_.put_off_interface.clear();
-    AimReport<Real> report = find_velocities(work_, velocity, time);
-    report.farthest = find_targets(work_, velocity, time, dt);
-    return report;
+    return aim_whole(work_, algorithm_.upkeep, velocity, time, dt);
 }
 
 template <class Real>
@@ -76,11 +93,7 @@ MoveReport SequentialExecutor<Real>::move() {
     work_.movers.clear();
     report.held = collect_movers(work_);
     report.passes = run_motion(work_, algorithm_.motion, epoch_);
-    report.unreached = work_.movers.size() + report.held;
-    for (const auto& mover : work_.movers) {
-        note_miss(work_.complex.vertices[mover.vertex]);
-    }
-    work_.movers.clear();
+    report.unreached = give_up_movers(work_) + report.held;
     work_.put_off_active.clear();
     return report;
 }
@@ -103,6 +116,9 @@ OperationCounts SequentialExecutor<Real>::take_counts() {
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::uint32_t run_motion(Work<Real>&, const std::vector<Pass<Real>>&,                 \
                                       std::uint32_t&);                                             \
+    template std::uint64_t give_up_movers(Work<Real>&);                                            \
+    template AimReport<Real> aim_whole(Work<Real>&, const std::vector<Pass<Real>>&,                \
+                                       const Velocity<Real>&, Real, Real);                         \
     template class SequentialExecutor<Real>;
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -54,11 +54,15 @@ bool is_in_contact(const VertexRecord<Real>& record) {
     return (record.flags & vertex_contact) == vertex_contact;
 }
 
-/// Notes that a vertex did not arrive this time.
+/// Empties `work.movers`: they did not arrive this time, which is noted with each. Returns how
+/// many.
 template <class Real>
-void note_miss(VertexRecord<Real>& record) {
-    record.flags += is_in_contact(record) ? 0U : static_cast<std::uint32_t>(vertex_missed);
-}
+std::uint64_t give_up_movers(Work<Real>& work);
+
+/// Upkeep, velocities and targets by a work that has the complex for itself.
+template <class Real>
+AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkeep,
+                          const Velocity<Real>& velocity, Real time, Real dt);
 
 /// Repeats the motion passes over `work.movers` until all have arrived but those in contact, for
 /// `max_passes` at most, and no longer than `max_idle_passes` without any progress. `next_epoch`

@@ -92,7 +92,7 @@ private:
             // The triangles of this star are of two submeshes, so that nobody rewrites them, and
             // nothing moves during upkeep: whether there is anything to do can be seen from here.
             const Spokes spokes = interface_spokes(ring);
-            if (should_collapse(ring, spokes) || is_too_long(ring)) {
+            if (should_collapse(ring, spokes) || long_spoke(ring) != no_id) {
                 work_.put_off_interface.push_back(v);
             }
             work_.interface_next.push_back(v);
@@ -131,18 +131,19 @@ private:
                is_smooth(a, p, b, corner_cosine_);
     }
 
-    // Whether `refine` would split an edge that leaves the centre.
-    bool is_too_long(const Ring<Real>& ring) const {
+    // The interface edge that is to be split: too long, and leaving the centre with the larger
+    // phase on its left, so that each edge is seen from one of its ends only. no_id: there is none.
+    std::uint32_t long_spoke(const Ring<Real>& ring) const {
         for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
             const Phase before = ring.phase_before(i);
             const Phase after = ring.phase_after(i);
             if (before != border_phase && after != border_phase && after > before &&
                 (link_point(ring, i) - Point<Real>(ring.x0, ring.y0)).squaredNorm() >
                     longest_squared_) {
-                return true;
+                return i;
             }
         }
-        return false;
+        return no_id;
     }
 
     bool try_collapse(Ring<Real>& ring, const Spokes& spokes) {
@@ -164,32 +165,17 @@ private:
         return false;
     }
 
-    // Splits the interface edge that leaves v with the larger phase on its left: each edge is seen
-    // from one of its ends only.
+    // Splits one edge at most: then the ring is stale; a junction's other edges wait for the next
+    // step.
     void refine(std::uint32_t v, Ring<Real>& ring, const Spokes& spokes) {
-        std::vector<std::uint32_t>& kept = work_.interface_next;
-        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-            const Phase before = ring.phase_before(i);
-            const Phase after = ring.phase_after(i);
-            if (before == border_phase || after == border_phase || after <= before) {
-                continue;
-            }
-            const Real squared =
-                (link_point(ring, i) - Point<Real>(ring.x0, ring.y0)).squaredNorm();
-            if (squared <= longest_squared_) {
-                continue;
-            }
-            newest_ = no_id;
-            if (!split(v, ring, spokes, i)) {
-                work_.put_off_interface.push_back(v);
-            }
-            kept.push_back(v);
-            if (newest_ != no_id) {
-                kept.push_back(newest_);
-            }
-            return; // the ring is stale; a junction's other edges wait for the next step
+        newest_ = no_id;
+        if (const std::uint32_t i = long_spoke(ring); i != no_id && !split(v, ring, spokes, i)) {
+            work_.put_off_interface.push_back(v);
         }
-        kept.push_back(v);
+        work_.interface_next.push_back(v);
+        if (newest_ != no_id) {
+            work_.interface_next.push_back(newest_);
+        }
     }
 
     bool split(std::uint32_t v, const Ring<Real>& ring, const Spokes& spokes, std::uint32_t i) {

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/options.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace dsc {
 
 namespace {
-
-void require(bool good, const char* name, double value, const char* allowed) {
-    if (!good) {
-        std::ostringstream text;
-        text << value;
-        throw InputError("value out of range", name, text.str(), allowed);
-    }
-}
 
 void check_thresholds(const PhaseThresholds& t) {
     require(t.collapse_quality >= 0 && t.collapse_quality < 1, "phases.collapse_quality",

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/blocks.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 namespace dsc {
 
@@ -29,18 +28,10 @@ std::vector<double> cuts_of(double low, double high, std::uint32_t blocks, std::
 
 template <class Real>
 BlockPartitioner<Real>::BlockPartitioner(const BlockOptions& options) : options_(options) {
-    const auto refuse = [](const char* what, const std::string& value, const char* allowed) {
-        throw InputError("value out of range", what, value, allowed);
-    };
-    if (options.submeshes < 1 || options.submeshes > 65536) {
-        refuse("submeshes", std::to_string(options.submeshes), "1 to 65536");
-    }
-    if (!(options.least_width >= 2)) {
-        refuse("least_width", std::to_string(options.least_width), "2 edge lengths or more");
-    }
-    if (options.recut < 1) {
-        refuse("recut", "0", "1 step or more");
-    }
+    require(options.submeshes >= 1 && options.submeshes <= 65536, "submeshes", options.submeshes,
+            "1 to 65536");
+    require(options.least_width >= 2, "least_width", options.least_width, "2 edge lengths or more");
+    require(options.recut >= 1, "recut", options.recut, "1 step or more");
 }
 
 template <class Real>

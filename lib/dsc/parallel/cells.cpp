@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/cells.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 
 namespace dsc {
@@ -160,21 +159,13 @@ std::vector<Region> divide_sites(std::vector<Site>& sites, std::uint32_t cells,
 
 template <class Real>
 CellPartitioner<Real>::CellPartitioner(const CellOptions& options) : options_(options) {
-    const auto refuse = [](const char* what, const std::string& value, const char* allowed) {
-        throw InputError("value out of range", what, value, allowed);
-    };
-    if (options.submeshes > 65536) {
-        refuse("submeshes", std::to_string(options.submeshes), "0 (automatic) to 65536");
-    }
-    if (!(options.least_width >= 2) || !std::isfinite(options.least_width)) {
-        refuse("least_width", std::to_string(options.least_width), "2 edge lengths or more");
-    }
-    if (!(options.band >= 0) || !std::isfinite(options.band)) {
-        refuse("band", std::to_string(options.band), "0 edge lengths or more");
-    }
-    if (options.recut < 1 || options.recut_later < 1) {
-        refuse("recut", "0", "1 step or more");
-    }
+    require(options.submeshes <= 65536, "submeshes", options.submeshes, "0 (automatic) to 65536");
+    require(options.least_width >= 2 && std::isfinite(options.least_width), "least_width",
+            options.least_width, "2 edge lengths or more");
+    require(options.band >= 0 && std::isfinite(options.band), "band", options.band,
+            "0 edge lengths or more");
+    const std::uint32_t least_recut = std::min(options.recut, options.recut_later);
+    require(least_recut >= 1, "recut", least_recut, "1 step or more");
 }
 
 template <class Real>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/copied_submeshes.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -316,15 +316,10 @@ void close_seams(CopiedSubmeshes<Real>& submeshes) {
 } // namespace
 
 void check_division(const CountingDivision& division) {
-    if (division.submeshes < 1 || division.submeshes > 65536) {
-        throw InputError("value out of range", "submeshes", std::to_string(division.submeshes),
-                         "1 to 65536");
-    }
+    require(division.submeshes >= 1 && division.submeshes <= 65536, "submeshes", division.submeshes,
+            "1 to 65536");
     const double norm = std::hypot(division.normal_x, division.normal_y);
-    if (!(std::abs(norm - 1) < 1e-9)) {
-        throw InputError("value out of range", "normal", std::to_string(norm),
-                         "a direction of length 1");
-    }
+    require(std::abs(norm - 1) < 1e-9, "normal", norm, "a direction of length 1");
 }
 
 template <class Real>

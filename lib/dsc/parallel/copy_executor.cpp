@@ -2,11 +2,10 @@
 #include "dsc/parallel/copy_executor.h"
 
 #include "dsc/algorithm/interface_upkeep.h"
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
+#include "dsc/parallel/timer.h"
 
 #include <algorithm>
-#include <chrono>
-#include <string>
 #include <utility>
 
 namespace dsc {
@@ -16,19 +15,6 @@ namespace {
 /// Free ids of a submesh, beside two for each of its interface vertices: a sub-step of at most an
 /// edge length makes about one vertex for each; what does not fit is put off, never lost.
 constexpr std::size_t spare_vertices = 256;
-
-class Timer {
-public:
-    /// Seconds since the last call.
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<double> passed = now - std::exchange(begin_, now);
-        return passed.count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 template <class Real>
 void forget(Work<Real>& work) {
@@ -48,10 +34,7 @@ CopyExecutor<Real>::CopyExecutor(Complex<Real>& complex, const Options<Real>& op
     : complex_(complex), options_(options), algorithm_(std::move(algorithm)), copy_(copy),
       whole_(complex, options) {
     check_division({copy.submeshes, copy.normal_x, copy.normal_y});
-    if (copy.threads < 1 || copy.threads > 1024) {
-        throw InputError("value out of range", "threads", std::to_string(copy.threads),
-                         "1 to 1024");
-    }
+    require(copy.threads >= 1 && copy.threads <= 1024, "threads", copy.threads, "1 to 1024");
     // Stamps of an earlier run must not look like this one's.
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
@@ -63,13 +46,7 @@ CopyExecutor<Real>::CopyExecutor(Complex<Real>& complex, const Options<Real>& op
 template <class Real>
 AimReport<Real> CopyExecutor<Real>::aim(const Velocity<Real>& velocity, Real time, Real dt) {
     under_way_ = true;
-    for (const auto& pass : algorithm_.upkeep) {
-        pass.run(whole_);
-    }
-    // Alone on the complex, nothing is put off.
-    whole_.put_off_interface.clear();
-    AimReport<Real> report = find_velocities(whole_, velocity, time);
-    report.farthest = find_targets(whole_, velocity, time, dt);
+    const AimReport<Real> report = aim_whole(whole_, algorithm_.upkeep, velocity, time, dt);
     under_way_ = false;
     return report;
 }
@@ -92,11 +69,7 @@ MoveReport CopyExecutor<Real>::move() {
     if (is_left) {
         report.passes += run_motion(whole_, algorithm_.motion, epoch_);
     }
-    report.unreached = whole_.movers.size() + report.held;
-    for (const auto& mover : whole_.movers) {
-        note_miss(complex_.vertices[mover.vertex]);
-    }
-    whole_.movers.clear();
+    report.unreached = give_up_movers(whole_) + report.held;
     whole_.put_off_active.clear();
     costs_.whole_s += timer.lap();
     under_way_ = false;

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/slabs.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace dsc {
 
 namespace {
 
 constexpr double infinity = Region::infinity;
+
+/// More vertices than this tell the counting method nothing new: to sort all of a large mesh took
+/// it longer than the steps between two divisions.
+constexpr std::size_t most_counted = 32768;
+
+template <class Real>
+double along(const Point<double>& normal, const VertexRecord<Real>& record) {
+    return normal.x() * static_cast<double>(record.x) + normal.y() * static_cast<double>(record.y);
+}
 
 // Inner cuts with the outer ones, which are infinite.
 std::vector<double> closed(const std::vector<double>& inner) {
@@ -134,26 +142,33 @@ Point<double> principal_direction(const Complex<Real>& complex,
 
 template <class Real>
 SlabPartitioner<Real>::SlabPartitioner(const SlabOptions& options) : options_(options) {
-    const auto refuse = [](const char* what, const std::string& value, const char* allowed) {
-        throw InputError("value out of range", what, value, allowed);
-    };
-    if (options.submeshes < 1 || options.submeshes > 65536) {
-        refuse("submeshes", std::to_string(options.submeshes), "1 to 65536");
-    }
-    if (!std::isfinite(options.degrees)) {
-        refuse("degrees", std::to_string(options.degrees), "a finite angle");
-    }
-    if (!(options.least_width >= 2)) {
-        refuse("least_width", std::to_string(options.least_width), "2 edge lengths or more");
-    }
-    if (options.recut < 1) {
-        refuse("recut", std::to_string(options.recut), "1 step or more");
-    }
+    require(options.submeshes >= 1 && options.submeshes <= 65536, "submeshes", options.submeshes,
+            "1 to 65536");
+    require(std::isfinite(options.degrees), "degrees", options.degrees, "a finite angle");
+    require(options.least_width >= 2, "least_width", options.least_width, "2 edge lengths or more");
+    require(options.recut >= 1, "recut", options.recut, "1 step or more");
 }
 
 template <class Real>
 Recut SlabPartitioner<Real>::is_due(const PartitionStatus& status) const {
     return status.steps_since_all >= options_.recut ? Recut::all : Recut::none;
+}
+
+// How far the mesh reaches along the normal: once, for its domain does not change.
+template <class Real>
+void SlabPartitioner<Real>::find_extent(const Complex<Real>& complex, const Point<double>& normal) {
+    if (normal == extent_of_) {
+        return;
+    }
+    extent_of_ = normal;
+    low_ = infinity;
+    high_ = -infinity;
+    for (const auto& record : complex.vertices) {
+        if ((record.flags & vertex_dead) == 0) {
+            low_ = std::min(low_, along(normal, record));
+            high_ = std::max(high_, along(normal, record));
+        }
+    }
 }
 
 template <class Real>
@@ -166,29 +181,28 @@ void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*re
         options_.follow_shape
             ? principal_direction(input.complex, input.interface)
             : (upright ? Point<double>(0, 1) : Point<double>(std::cos(radians), std::sin(radians)));
-    const auto along = [&](const VertexRecord<Real>& record) {
-        return normal.x() * static_cast<double>(record.x) +
-               normal.y() * static_cast<double>(record.y);
-    };
     const double least = options_.least_width * input.edge_length;
-    std::vector<std::pair<double, float>> places;
-    if (options_.slabbing == Slabbing::active) {
-        for (std::size_t i = 0; i < input.interface.size(); ++i) {
-            places.emplace_back(along(input.complex.vertices[input.interface[i]]), input.work[i]);
-        }
+    Cuts cuts;
+    if (options_.slabbing == Slabbing::fixed) {
+        find_extent(input.complex, normal);
+        cuts = cuts_of_equal_width(low_, high_, options_.submeshes, least);
     } else {
-        // Every vertex stands for the two triangles that it owns on average.
-        for (const auto& record : input.complex.vertices) {
-            if ((record.flags & vertex_dead) == 0) {
-                places.emplace_back(along(record), 1.0F);
+        std::vector<std::pair<double, float>> places;
+        if (options_.slabbing == Slabbing::active) {
+            for (std::size_t i = 0; i < input.interface.size(); ++i) {
+                places.emplace_back(along(normal, input.complex.vertices[input.interface[i]]),
+                                    input.work[i]);
+            }
+        } else {
+            // Every vertex stands for the two triangles that it owns on average, and in a large
+            // mesh for its neighbours by number as well, which lie near it.
+            const auto& vertices = input.complex.vertices;
+            for (std::size_t v = 0; v < vertices.size(); v += 1 + vertices.size() / most_counted) {
+                if ((vertices[v].flags & vertex_dead) == 0) {
+                    places.emplace_back(along(normal, vertices[v]), 1.0F);
+                }
             }
         }
-    }
-    Cuts cuts;
-    if (options_.slabbing == Slabbing::fixed && !places.empty()) {
-        const auto [low, high] = std::minmax_element(places.begin(), places.end());
-        cuts = cuts_of_equal_width(low->first, high->first, options_.submeshes, least);
-    } else {
         cuts = cuts_of_equal_share(places, options_.submeshes, least);
     }
     partition.colours = {slab_colour(cuts.red, normal.x(), normal.y(), false)};

@@ -13,7 +13,7 @@ namespace dsc {
 /// How the cuts between slabs are chosen.
 enum class Slabbing : std::uint8_t {
     fixed,    ///< equal widths [6.3]
-    counting, ///< equal numbers of triangles [6.3]
+    counting, ///< equal numbers of triangles [6.3], judged by a sample of a large mesh
     active,   ///< equal shares of the work that was done
 };
 
@@ -69,7 +69,12 @@ public:
     void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
 
 private:
+    void find_extent(const Complex<Real>& complex, const Point<double>& normal);
+
     SlabOptions options_;
+    Point<double> extent_of_ = Point<double>::Zero(); // the normal that these belong to
+    double low_ = 0;
+    double high_ = 0;
 };
 
 } // namespace dsc

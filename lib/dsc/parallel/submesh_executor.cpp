@@ -2,7 +2,7 @@
 #include "dsc/parallel/submesh_part.h"
 
 #include "dsc/algorithm/interface_upkeep.h"
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 
 #include <algorithm>
 #include <string>
@@ -15,16 +15,12 @@ namespace {
 /// Ids that each submesh holds beyond one for each of its interface vertices; what does not fit is
 /// put off to the next colour, never lost.
 constexpr std::size_t spare_vertices = 64;
+
 void check(const SubmeshOptions& options) {
-    const auto refuse = [](const char* what, const std::string& value, const char* allowed) {
-        throw InputError("value out of range", what, value, allowed);
-    };
-    if (options.threads < 1 || options.threads > 1024) {
-        refuse("threads", std::to_string(options.threads), "1 to 1024");
-    }
-    if (options.vertices_per_thread < 1) {
-        refuse("vertices_per_thread", std::to_string(options.vertices_per_thread), "1 or more");
-    }
+    require(options.threads >= 1 && options.threads <= 1024, "threads", options.threads,
+            "1 to 1024");
+    require(options.vertices_per_thread >= 1, "vertices_per_thread", options.vertices_per_thread,
+            "1 or more");
 }
 
 } // namespace

@@ -3,32 +3,9 @@
 #pragma once
 
 #include "dsc/parallel/submesh_executor.h"
-
-#include <chrono>
-#include <utility>
+#include "dsc/parallel/timer.h"
 
 namespace dsc {
-
-// Adds the time since the last call to an account; reads no clock where there is none to keep.
-class Timer {
-public:
-    explicit Timer(bool on) : on_(on) {
-        if (on_) {
-            last_ = std::chrono::steady_clock::now();
-        }
-    }
-    double lap() {
-        if (!on_) {
-            return 0;
-        }
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-    }
-
-private:
-    bool on_;
-    std::chrono::steady_clock::time_point last_;
-};
 
 /// One submesh: its work, its ids, and where what it put off goes.
 template <class Real>

@@ -121,15 +121,18 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     if (is_first || !work.movers.empty() || !work.active.empty()) {
         part.moved.passes = run_motion(work, part.motion, epoch);
     }
-    // Who is blocked here may find room when others have moved, unless it is in contact.
-    for (const auto& mover : work.movers) {
-        if (is_in_contact(complex_.vertices[mover.vertex])) {
-            ++part.moved.unreached;
-        } else {
-            work.put_off_movers.push_back(mover);
-        }
+    // Who is blocked here may find room when others have moved, unless it is in contact, or this
+    // submesh had all the room that there is.
+    if (!work.submesh.region.is_whole()) {
+        std::erase_if(work.movers, [&](const auto& mover) {
+            const bool may_find_room = !is_in_contact(complex_.vertices[mover.vertex]);
+            if (may_find_room) {
+                work.put_off_movers.push_back(mover);
+            }
+            return may_find_room;
+        });
     }
-    work.movers.clear();
+    part.moved.unreached = give_up_movers(work);
     route(part);
     part.move_s = timer.lap();
 }
@@ -151,9 +154,11 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>& velocity, Real 
     const double set_up = timer.lap();
     // A pass may move what the next one looks at across a boundary: one section for each.
     const std::size_t sections = std::max<std::size_t>(algorithm_.upkeep.size(), 1);
-    for (std::size_t pass = 0; pass < sections; ++pass) {
+    std::size_t pass = 0;
+    const auto task = [&](std::size_t i) { aim_part(*parts_[i], pass, velocity, time, dt); };
+    for (; pass < sections; ++pass) {
         aiming_.run(threads_, submeshes_.assignment,
-                    [&](std::size_t i) { aim_part(*parts_[i], pass, velocity, time, dt); });
+                    std::cref(task)); // by reference: no allocation
     }
     const double wall = timer.lap();
     AimReport<Real> report;
@@ -320,11 +325,7 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
     if (!whole_.movers.empty() || !whole_.active.empty()) {
         report.passes = std::max(report.passes, run_motion(whole_, algorithm_.motion, epoch));
     }
-    report.unreached += whole_.movers.size();
-    for (const auto& mover : whole_.movers) {
-        note_miss(complex_.vertices[mover.vertex]);
-    }
-    whole_.movers.clear();
+    report.unreached += give_up_movers(whole_);
     whole_.put_off_active.clear();
     for (std::size_t i = 0; i < first_colour_; ++i) {
         auto& newcomers = parts_[i]->newcomers;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Accounts of time.
+#pragma once
+
+#include <chrono>
+#include <utility>
+
+namespace dsc {
+
+/// Seconds from call to call. Switched off it reads no clock and says 0.
+class Timer {
+public:
+    explicit Timer(bool on = true) : on_(on) {
+        if (on_) {
+            last_ = std::chrono::steady_clock::now();
+        }
+    }
+    double lap() {
+        if (!on_) {
+            return 0;
+        }
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+private:
+    bool on_;
+    std::chrono::steady_clock::time_point last_;
+};
+
+} // namespace dsc
