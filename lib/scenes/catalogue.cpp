@@ -14,7 +14,9 @@ constexpr double pi = std::numbers::pi;
 const Point<double> middle(0.5, 0.5);
 
 using Keys = std::vector<std::string>;
-const Keys common_keys{"h", "dt", "steps", "integrator", "insertion", "real", "seed"};
+const Keys common_keys{"h",          "dt",      "steps",   "integrator", "tolerance", "insertion",
+                       "coarsening", "reading", "longest", "shortest",   "deviation", "turn",
+                       "gap",        "finest",  "real",    "seed"};
 
 Keys with(Keys keys, const std::string& more) {
     keys.push_back(more);

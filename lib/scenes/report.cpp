@@ -30,7 +30,16 @@ std::string to_json(const RunResult& r) {
                     {"steps", r.parameters.steps},
                     {"period", r.parameters.period},
                     {"integrator", std::string(to_string(r.parameters.integrator))},
+                    {"tolerance", r.parameters.tolerance},
                     {"insertion", std::string(to_string(r.parameters.insertion))},
+                    {"coarsening", std::string(to_string(r.parameters.interface.coarsening))},
+                    {"reading", std::string(to_string(r.parameters.interface.reading))},
+                    {"longest", r.parameters.interface.longest},
+                    {"shortest", r.parameters.interface.shortest},
+                    {"deviation", r.parameters.interface.deviation},
+                    {"turn", r.parameters.interface.turn_degrees},
+                    {"gap", r.parameters.interface.gap},
+                    {"finest", r.parameters.interface.finest},
                     {"real", r.parameters.real == RealType::double_precision ? "double" : "float"},
                     {"seed", r.parameters.seed}};
     Json json{

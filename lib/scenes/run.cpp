@@ -76,6 +76,10 @@ public:
     }
 
     void step(const Velocity& velocity, double time, double dt, RunResult& result) {
+        if (&velocity != leg_) {
+            simulation_->forget();
+            leg_ = &velocity;
+        }
         const StepReport report = simulation_->step(velocity_in<Real>(velocity),
                                                     static_cast<Real>(time), static_cast<Real>(dt));
         result.unreached += report.unreached;
@@ -83,7 +87,9 @@ public:
         result.sub_steps += report.sub_steps;
         if (report.gave_up == GiveUp::too_many_sub_steps) {
             result.gave_up = "a step at time " + std::to_string(time) + " asks for more than " +
-                             std::to_string(options_.max_sub_steps) + " sub-steps";
+                             std::to_string(options_.max_sub_steps) + " sub-steps: vertex " +
+                             std::to_string(report.where.id) + " moves at " +
+                             std::to_string(report.speed);
         }
         vertex_steps_ += report.interface_vertices;
         add_operations(result, report.operations);
@@ -104,6 +110,7 @@ private:
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
     const SubmeshExecutor<Real>* submeshes_ = nullptr;
+    const Velocity* leg_ = nullptr; ///< the velocity of the step before
     std::uint64_t vertex_steps_ = 0;
 };
 
@@ -150,6 +157,11 @@ public:
 private:
     const auto& complex() { return method_.complex(); }
 
+    /// As the scene reads its interface.
+    std::vector<Outline> outlines() {
+        return interface_outlines(complex(), result_.parameters.interface.reading);
+    }
+
     void observe(int step) {
         if constexpr (std::is_same_v<Method, DscMethod<double>>) {
             if (options_.observer) {
@@ -167,7 +179,7 @@ private:
     void first() {
         result_.triangles_first = complex().triangle_count();
         result_.interface_vertices_first = method_.interface_vertices();
-        result_.area_first = signed_area(interface_outlines(complex()));
+        result_.area_first = signed_area(outlines());
         const ExactShape exact = setup_.exact(0.0);
         result_.area_exact_first = exact.area;
         const MeshQuality quality = measure_worst(complex());
@@ -186,8 +198,7 @@ private:
         if (setup_.half_step == step) {
             const ExactShape exact = setup_.exact(time_);
             result_.sd_rel_half =
-                symmetric_difference(interface_outlines(complex()), exact.outlines) /
-                result_.area_exact_first;
+                symmetric_difference(outlines(), exact.outlines) / result_.area_exact_first;
         }
         observe(step);
     }
@@ -196,7 +207,7 @@ private:
         result_.peak_memory_mb = peak_memory_mb();
         result_.triangles_last = complex().triangle_count();
         result_.interface_vertices_last = method_.interface_vertices();
-        const auto outlines = interface_outlines(complex());
+        const auto outlines = this->outlines();
         const ExactShape exact = setup_.exact(time_);
         result_.area_last = signed_area(outlines);
         result_.area_exact_last = exact.area;
@@ -261,7 +272,9 @@ Options<Real> scene_options(const Parameters& parameters) {
     Options<Real> options;
     options.edge_length = static_cast<Real>(parameters.h);
     options.integrator = parameters.integrator;
+    options.tolerance = parameters.tolerance;
     options.insertion = parameters.insertion;
+    options.interface = parameters.interface;
     options.shuffle_seed = parameters.seed;
     return options;
 }

@@ -36,6 +36,14 @@ void check_options(const Options<Real>& options) {
     require(i.deviation >= 0, "interface.deviation", i.deviation, "0 or more, in edge lengths");
     require(i.corner_degrees > 0 && i.corner_degrees <= 180, "interface.corner_degrees",
             i.corner_degrees, "more than 0, up to 180 degrees");
+    require(i.turn_degrees == 0 || (i.turn_degrees >= 1 && i.turn_degrees <= 180),
+            "interface.turn_degrees", i.turn_degrees, "0, or 1 to 180 degrees");
+    require(i.gap == 0 || (i.gap >= 0.1 && std::isfinite(i.gap)), "interface.gap", i.gap,
+            "0, or 0.1 and more");
+    require(i.finest > 0 && 2 * i.finest <= i.longest, "interface.finest", i.finest,
+            "more than 0, up to half of interface.longest");
+    require(options.tolerance > 0 && std::isfinite(options.tolerance), "tolerance",
+            options.tolerance, "more than 0, in edge lengths");
     require(options.sub_step > 0 && options.sub_step <= 2, "sub_step", options.sub_step,
             "more than 0, up to 2 edge lengths");
     require(options.max_sub_steps > 0, "max_sub_steps", options.max_sub_steps, "1 or more");

@@ -18,14 +18,42 @@ struct PhaseThresholds {
     double shortest = 0.4; ///< spokes shorter than this times the edge length are collapsed
 };
 
+/// Which interface vertices at short edges may go. Corners never do.
+enum class Coarsening : std::uint8_t {
+    deviation, ///< those without which the curve stays where it is
+    length,    ///< all: the thesis's
+    area,      ///< all, and a neighbour moves so that the area of the phases stays
+    never,     ///< none: the curve keeps all it ever knew, at the price of short edges
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Coarsening coarsening) {
+    switch (coarsening) {
+    case Coarsening::deviation: return "deviation";
+    case Coarsening::length: return "length";
+    case Coarsening::area: return "area";
+    case Coarsening::never: return "never";
+    }
+    return "unknown";
+}
+
 /// Thresholds of the interface.
 struct InterfaceThresholds {
     double longest = 1.4; ///< edges longer than this times the edge length are split
     double shortest =
         0.45; ///< vertices at an edge shorter than this times the edge length may go...
-    double deviation = 0.02; ///< ...if the curve moves by less than this times the edge length
-    double corner_degrees =
-        40; ///< turns sharper than this are corners: kept, and not interpolated over
+    double deviation = 0.02;    ///< ...if the curve moves by less than this times the edge length
+    double corner_degrees = 40; ///< turns sharper than this at the start are corners: kept, and
+                                ///< not interpolated over
+
+    Coarsening coarsening = Coarsening::deviation;
+    Reading reading = Reading::chords; ///< what `deviation` is measured from
+
+    // Sizes that follow the shape; 0: they do not, and cost nothing.
+    double turn_degrees = 0; ///< edges along which the curve turns by more are split
+    double gap = 0;          ///< edges longer than this times the distance to the next sheet of the
+                             ///< interface are split
+    double finest = 0.2;     ///< edges shorter than twice this times the edge length are split for
+                             ///< neither
 };
 
 template <class Real>
@@ -37,6 +65,7 @@ struct Options {
     InterfaceThresholds interface;
 
     Integrator integrator = Integrator::rk4;
+    double tolerance = 1e-4; ///< of `adaptive`: error of a sub-step, in edge lengths
     Insertion insertion = Insertion::cubic;
     InsertionFunction<Real> insertion_function; ///< replaces `insertion` where set
 
