@@ -16,7 +16,7 @@ const Point<double> middle(0.5, 0.5);
 using Keys = std::vector<std::string>;
 const Keys common_keys{"h",          "dt",      "steps",   "integrator", "tolerance", "insertion",
                        "coarsening", "reading", "longest", "shortest",   "deviation", "turn",
-                       "gap",        "finest",  "real",    "seed"};
+                       "gap",        "grading", "finest",  "real",       "seed"};
 
 Keys with(Keys keys, const std::string& more) {
     keys.push_back(more);
@@ -46,10 +46,21 @@ Schedule schedule(const Parameters& p, double duration, double default_dt) {
     return s;
 }
 
+// Where speed is the question: interface edges as long as those inside the phases. A shape wants
+// shorter ones.
+InterfaceThresholds coarse_interface() {
+    InterfaceThresholds thresholds;
+    thresholds.longest = 1.4;
+    thresholds.shortest = 0.45;
+    thresholds.deviation = 0.02;
+    return thresholds;
+}
+
 Scene scaling(std::string name, std::string description, std::string section, double h) {
     Parameters defaults;
     defaults.h = h;
     defaults.dt = 0;
+    defaults.interface = coarse_interface();
     return {std::move(name),
             std::move(description),
             std::move(section),
@@ -187,6 +198,7 @@ Scene four_circles_scene() {
     Parameters defaults;
     defaults.h = 0.01;
     defaults.dt = 0;
+    defaults.interface = coarse_interface();
     return {"speedup-four-circles",
             "four circles side by side go up, each within its own slab",
             "9.7",

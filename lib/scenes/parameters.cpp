@@ -110,6 +110,8 @@ void set_parameter(Parameters& parameters, const std::vector<std::string>& keys,
         parameters.interface.turn_degrees = number(key, value, 0, 180, "0 (off), 1 to 180 degrees");
     } else if (key == "gap") {
         parameters.interface.gap = number(key, value, 0, 100, "0 (off), 0.1 to 100");
+    } else if (key == "grading") {
+        parameters.interface.grading = number(key, value, 0, 100, "0 (off), 2 to 100");
     } else if (key == "finest") {
         parameters.interface.finest = number(key, value, 1e-3, 1, "0.001 to 1, in edge lengths");
     } else if (key == "real") {

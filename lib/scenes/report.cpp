@@ -39,6 +39,7 @@ std::string to_json(const RunResult& r) {
                     {"deviation", r.parameters.interface.deviation},
                     {"turn", r.parameters.interface.turn_degrees},
                     {"gap", r.parameters.interface.gap},
+                    {"grading", r.parameters.interface.grading},
                     {"finest", r.parameters.interface.finest},
                     {"real", r.parameters.real == RealType::double_precision ? "double" : "float"},
                     {"seed", r.parameters.seed}};

@@ -22,6 +22,7 @@ public:
           longest_squared_(square(thresholds_.longest)),
           shortest_squared_(square(thresholds_.shortest)),
           deviation_squared_(square(thresholds_.deviation)),
+          degenerate_squared_(square(thresholds_.degenerate)),
           finest_squared_(square(2 * thresholds_.finest)),
           turn_squared_(
               static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
@@ -81,11 +82,16 @@ private:
         const Point<Real> p(ring.x0, ring.y0);
         const Point<Real> a = link_point(ring, spokes.first);
         const Point<Real> b = link_point(ring, spokes.second);
-        if (std::min((a - p).squaredNorm(), (b - p).squaredNorm()) >= shortest_squared_) {
+        const Real nearest = std::min((a - p).squaredNorm(), (b - p).squaredNorm());
+        if (nearest >= shortest_squared_ ||
+            (b - a).squaredNorm() >= longest_squared(ring, spokes)) {
             return false;
         }
-        return (b - a).squaredNorm() < longest_squared(ring, spokes) &&
-               turns_less<Real>(a, p, b, Real(0)) &&
+        if (nearest < degenerate_squared_ &&
+            !turns_less<Real>(a, p, b, std::numbers::sqrt2_v<Real> / 2)) {
+            return true;
+        }
+        return turns_less<Real>(a, p, b, Real(0)) &&
                (thresholds_.coarsening != Coarsening::deviation ||
                 squared_deviation(ring, spokes) < deviation_squared_);
     }
@@ -311,6 +317,7 @@ private:
     Real longest_squared_;
     Real shortest_squared_;
     Real deviation_squared_;
+    Real degenerate_squared_;
     Real finest_squared_;
     Real turn_squared_;
     Real gap_squared_;

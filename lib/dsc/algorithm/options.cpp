@@ -15,6 +15,8 @@ void check_thresholds(const PhaseThresholds& t) {
     require(t.smooth_quality >= 0 && t.smooth_quality <= 1, "phases.smooth_quality",
             t.smooth_quality, "0 to 1");
     require(t.shortest >= 0, "phases.shortest", t.shortest, "0 or more, in edge lengths");
+    require(t.crowded >= 0 && t.crowded <= t.longest, "phases.crowded", t.crowded,
+            "0 to phases.longest, in edge lengths");
     require(t.longest > 2 * t.shortest, "phases.longest", t.longest,
             "more than twice phases.shortest, or splits and collapses undo each other");
 }
@@ -34,8 +36,12 @@ void check_options(const Options<Real>& options) {
     require(i.longest > 2 * i.shortest, "interface.longest", i.longest,
             "more than twice interface.shortest, or splits and collapses undo each other");
     require(i.deviation >= 0, "interface.deviation", i.deviation, "0 or more, in edge lengths");
+    require(i.degenerate >= 0 && i.degenerate <= i.shortest, "interface.degenerate", i.degenerate,
+            "0 to interface.shortest, in edge lengths");
     require(i.corner_degrees > 0 && i.corner_degrees <= 180, "interface.corner_degrees",
             i.corner_degrees, "more than 0, up to 180 degrees");
+    require(i.grading == 0 || (i.grading >= 2 && std::isfinite(i.grading)), "interface.grading",
+            i.grading, "0, or 2 and more");
     require(i.turn_degrees == 0 || (i.turn_degrees >= 1 && i.turn_degrees <= 180),
             "interface.turn_degrees", i.turn_degrees, "0, or 1 to 180 degrees");
     require(i.gap == 0 || (i.gap >= 0.1 && std::isfinite(i.gap)), "interface.gap", i.gap,

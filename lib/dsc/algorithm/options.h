@@ -16,6 +16,8 @@ struct PhaseThresholds {
     double smooth_quality = 0.65;   ///< below: smooth, if that raises the worst quality
     double longest = 1.6;           ///< spokes longer than this times the edge length are split
     double shortest = 0.4; ///< spokes shorter than this times the edge length are collapsed
+    double crowded = 0.9;  ///< vertices all of whose spokes are shorter than this times the edge
+                           ///< length may be collapsed too: they are left over from finer places
 };
 
 /// Which interface vertices at short edges may go. Corners never do.
@@ -38,15 +40,20 @@ enum class Coarsening : std::uint8_t {
 
 /// Thresholds of the interface.
 struct InterfaceThresholds {
-    double longest = 1.4; ///< edges longer than this times the edge length are split
+    double longest = 1; ///< edges longer than this times the edge length are split
     double shortest =
-        0.45; ///< vertices at an edge shorter than this times the edge length may go...
-    double deviation = 0.02;    ///< ...if the curve moves by less than this times the edge length
+        0.3; ///< vertices at an edge shorter than this times the edge length may go...
+    double deviation = 0.01; ///< ...if the curve moves by less than this times the edge length
+    double degenerate = 0.1; ///< ...or at an edge shorter than this, where the curve turns by more
+                             ///< than 45 degrees: that is no shape any more, but its remains
     double corner_degrees = 40; ///< turns sharper than this at the start are corners: kept, and
                                 ///< not interpolated over
 
     Coarsening coarsening = Coarsening::deviation;
     Reading reading = Reading::chords; ///< what `deviation` is measured from
+
+    double grading = 3; ///< beside an interface edge others are split that are longer than this
+                        ///< times it; 0: none
 
     // Sizes that follow the shape; 0: they do not, and cost nothing.
     double turn_degrees = 0; ///< edges along which the curve turns by more are split
