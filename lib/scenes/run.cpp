@@ -6,12 +6,10 @@
 #include "dsc/complex/hash.h"
 #include "scenes/clock.h"
 #include "scenes/frames.h"
-#include "scenes/hausdorff.h"
 #include "scenes/measure.h"
 #include "scenes/progress.h"
 #include "scenes/reference_run.h"
 #include "scenes/submesh_map.h"
-#include "scenes/symmetric_difference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,6 +162,11 @@ private:
         }
     }
 
+    ShapeErrors shape_errors() {
+        const auto polygons = interface_outlines(complex());
+        return measure_shape(polygons, polygons, setup_.exact(time_));
+    }
+
     void first() {
         result_.triangles_first = complex().triangle_count();
         result_.interface_vertices_first = method_.interface_vertices();
@@ -184,10 +187,8 @@ private:
             result_.inverted += quality.inverted;
         }
         if (setup_.half_step == step) {
-            const ExactShape exact = setup_.exact(time_);
-            result_.sd_rel_half =
-                symmetric_difference(interface_outlines(complex()), exact.outlines) /
-                result_.area_exact_first;
+            result_.half = shape_errors();
+            result_.sd_rel_half = result_.half->symmetric_difference / result_.area_exact_first;
         }
         observe(step);
     }
@@ -196,16 +197,9 @@ private:
         result_.peak_memory_mb = peak_memory_mb();
         result_.triangles_last = complex().triangle_count();
         result_.interface_vertices_last = method_.interface_vertices();
-        const auto outlines = interface_outlines(complex());
-        const ExactShape exact = setup_.exact(time_);
-        result_.area_last = signed_area(outlines);
-        result_.area_exact_last = exact.area;
-        result_.area_ratio = result_.area_last / result_.area_first;
-        result_.sd_rel_last =
-            symmetric_difference(outlines, exact.outlines) / result_.area_exact_first;
-        result_.hausdorff_last = hausdorff(outlines, exact.outlines).distance();
-        result_.exact_shape = exact.description;
-        result_.exact_error_rel = exact.own_error / result_.area_exact_first;
+        result_.last = shape_errors();
+        result_.area_ratio = result_.last.area / result_.area_first;
+        result_.sd_rel_last = result_.last.symmetric_difference / result_.area_exact_first;
         const MeshQuality quality = measure_quality(complex());
         result_.min_quality_last = quality.min_quality;
         result_.min_quality_ever = std::min(result_.min_quality_ever, quality.min_quality);
