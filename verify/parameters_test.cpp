@@ -139,9 +139,9 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
         EXPECT_TRUE(std::isfinite(setup.dt) && setup.dt > 0);
         EXPECT_GT(setup.exact(0).area, 0);
     }
-    for (const char* name :
-         {"translation", "scaling", "rotation-rectangle", "rotation-crescent", "vortex-square",
-          "zalesak", "swirl", "single-vortex", "speedup-scaling", "speedup-four-circles"}) {
+    for (const char* name : {"translation", "scaling", "rotation-rectangle", "rotation-crescent",
+                             "vortex-square", "zalesak", "swirl", "swirl-zalesak", "single-vortex",
+                             "speedup-scaling", "speedup-four-circles"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
 }
