@@ -42,10 +42,10 @@ double area_inside(const Complex<double>& complex) {
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
         if (complex.is_alive(Triangle{t}) && complex.triangles[t].phase == 1) {
             const auto& v = complex.triangles[t].v;
-            area += doubled_area<double>(complex.position(Vertex{v[0]}),
-                                         complex.position(Vertex{v[1]}),
-                                         complex.position(Vertex{v[2]})) /
-                    2;
+            area +=
+                doubled_area<double>(complex.position(Vertex{v[0]}), complex.position(Vertex{v[1]}),
+                                     complex.position(Vertex{v[2]})) /
+                2;
         }
     }
     return area;
@@ -182,8 +182,7 @@ TEST(Sizes, FollowTheCurvature) {
     for (const std::uint32_t v : fine.interface) {
         const Point<double> p = fine.complex.position(Vertex{v});
         for (const std::uint32_t w : fine.interface) {
-            EXPECT_TRUE(v == w ||
-                        (fine.complex.position(Vertex{w}) - p).norm() > 0.9 * 0.02 * h);
+            EXPECT_TRUE(v == w || (fine.complex.position(Vertex{w}) - p).norm() > 0.9 * 0.02 * h);
         }
     }
 }
@@ -208,8 +207,8 @@ TEST(Sizes, FollowTheGapToTheNextSheet) {
     for (const std::uint32_t v : fine.interface) {
         ASSERT_TRUE(gather(fine.complex, Region{}, v, ring));
         const Spokes s = interface_spokes(ring);
-        longest = std::max(longest, (link_point(ring, s.first) - Point<double>(ring.x0, ring.y0))
-                                        .norm());
+        longest =
+            std::max(longest, (link_point(ring, s.first) - Point<double>(ring.x0, ring.y0)).norm());
     }
     EXPECT_LE(longest, 2 * 0.25 * h * 1.0001);
 }

@@ -164,6 +164,31 @@ Scene there_and_back_scene(std::string name, std::string description, std::strin
             }};
 }
 
+// The disc's legs are drawn out until they are thinner than an edge: at the default end, time 4,
+// the mean width of the shape, 2 A / P, is 0.0067.
+Scene swirl_zalesak() {
+    Parameters defaults;
+    defaults.h = 0.01;
+    defaults.dt = 0.01;
+    defaults.steps = 400;
+    return {"swirl-zalesak",
+            "Zalesak's slotted disc is swirled, one way",
+            "9.6",
+            common_keys,
+            defaults,
+            [](const Parameters& p) {
+                Setup setup;
+                setup.outlines = {slotted_disc({}, p.h)};
+                setup.flow = steady(Swirl{});
+                setup.dt = p.dt;
+                setup.steps = p.steps;
+                setup.exact = [flow = setup.flow](double t) {
+                    return advected_shape(slotted_disc_curve({}), flow, t);
+                };
+                return setup;
+            }};
+}
+
 Scene single_vortex() {
     Parameters defaults;
     defaults.h = 0.01;
@@ -244,6 +269,7 @@ std::vector<Scene> make_catalogue() {
         there_and_back_scene("swirl", "a circle is swirled for `steps` steps, and back", "9.6",
                              0.01, 0.01, 260, Swirl{}, circle_curve(high, 0.15),
                              [high](double h) { return circle(high, 0.15, h); }),
+        swirl_zalesak(),
         single_vortex(),
         scaling("speedup-scaling", "a circle grows in a mesh of about 28,000 triangles", "9.7",
                 0.00887),
