@@ -7,8 +7,9 @@
 
 #include "dsc/algorithm/interface_curve.h"
 #include "dsc/algorithm/interface_list.h"
+#include "dsc/base/error.h"
 #include "dsc/initial/initial_complex.h"
-#include "dsc/quality/measures.h"
+#include "dsc/quality/ring_quality.h"
 
 #include <gtest/gtest.h>
 
@@ -38,17 +39,17 @@ Complex<double> complex_of(const Outline& outline) {
 }
 
 double area_inside(const Complex<double>& complex) {
-    double area = 0;
+    double doubled = 0;
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
         if (complex.is_alive(Triangle{t}) && complex.triangles[t].phase == 1) {
             const auto& v = complex.triangles[t].v;
-            area +=
-                doubled_area<double>(complex.position(Vertex{v[0]}), complex.position(Vertex{v[1]}),
-                                     complex.position(Vertex{v[2]})) /
-                2;
+            const Point<double> a = complex.position(Vertex{v[0]});
+            const Point<double> b = complex.position(Vertex{v[1]}) - a;
+            const Point<double> c = complex.position(Vertex{v[2]}) - a;
+            doubled += b.x() * c.y() - b.y() * c.x();
         }
     }
-    return area;
+    return doubled / 2;
 }
 
 // One upkeep after the other, until nothing changes any more.
@@ -93,20 +94,23 @@ TEST(Coarsening, NeverLeavesAllVertices) {
 
 TEST(Coarsening, ByLengthTakesAllThatDeviationTakesAndMore) {
     auto narrow = with(Coarsening::deviation);
-    narrow.interface.deviation = 1e-3;
+    narrow.interface.deviation = 4e-3;
     const Kept deviation = keep_up(crowded, narrow);
     const Kept length = keep_up(crowded, with(Coarsening::length));
     EXPECT_TRUE(deviation.ended);
     EXPECT_TRUE(length.ended);
     EXPECT_GT(deviation.counts.interface_collapses, 10U);
-    EXPECT_GT(length.counts.interface_collapses, 1.2 * deviation.counts.interface_collapses);
+    EXPECT_GT(length.counts.interface_collapses, deviation.counts.interface_collapses * 6 / 5);
 }
 
 // Chords of the ellipse lose area; with survivors that move out, they do not.
 TEST(Coarsening, ByAreaKeepsTheArea) {
     const double before = area_inside(complex_of(crowded));
-    const Kept length = keep_up(crowded, with(Coarsening::length));
-    const Kept area = keep_up(crowded, with(Coarsening::area));
+    auto options = with(Coarsening::length);
+    options.insertion = Insertion::linear; // it changes no area
+    const Kept length = keep_up(crowded, options);
+    options.interface.coarsening = Coarsening::area;
+    const Kept area = keep_up(crowded, options);
     EXPECT_TRUE(area.ended);
     EXPECT_GT(area.counts.interface_collapses, 40U);
     EXPECT_GT(std::abs(area_inside(length.complex) - before), 1e-4);
@@ -132,22 +136,21 @@ TEST(Coarsening, ByDeviationKeepsTheCurve) {
     }
 }
 
-// A zigzag of a hundredth of an edge is no shape that a mesh of these edges could carry.
+// A zigzag of a fiftieth of an edge is no shape that a mesh of these edges could carry.
 TEST(Coarsening, ByDeviationRemovesTheRemainsOfTips) {
-    Outline outline = ellipse(0.3, 0.2, 36);
-    const Point<double> step = 0.02 * h * (outline[8] - outline[10]).normalized();
-    const Point<double> out(-step.y() * 2.5, step.x() * 2.5);
-    outline.insert(outline.begin() + 10, outline[9] - out);
+    Outline outline = ellipse(0.3, 0.2, 60);
+    const Point<double> along = (outline[10] - outline[9]).normalized();
+    outline.insert(outline.begin() + 10,
+                   outline[10] + 0.02 * h * (Point<double>(along.y(), -along.x()) - 0.1 * along));
     auto options = with(Coarsening::deviation);
     options.interface.corner_degrees = 180;
     options.interface.deviation = 1e-6;
-    options.interface.longest = 2;
-    options.interface.shortest = 0.3;
-    const std::size_t before = outline.size();
-    const Kept kept = keep_up(outline, options);
-    EXPECT_EQ(kept.interface.size(), before - 1);
     options.interface.degenerate = 0;
-    EXPECT_EQ(keep_up(outline, options).interface.size(), before);
+    const Kept zigzag = keep_up(outline, options);
+    EXPECT_EQ(zigzag.counts.interface_collapses, 0U);
+    options.interface.degenerate = 0.1;
+    const Kept smooth = keep_up(outline, options);
+    EXPECT_EQ(smooth.counts.interface_collapses, 1U);
 }
 
 double largest_turn(const Complex<double>& complex, double shortest) {
@@ -172,6 +175,7 @@ TEST(Sizes, FollowTheCurvature) {
     auto options = with(Coarsening::never);
     const Kept plain = keep_up(outline, options);
     options.interface.turn_degrees = 20;
+    options.interface.corner_degrees = 180;
     options.interface.finest = 0.02;
     const Kept fine = keep_up(outline, options);
     EXPECT_TRUE(fine.ended);
@@ -189,28 +193,37 @@ TEST(Sizes, FollowTheCurvature) {
 
 // A strip that is a quarter of an edge wide.
 TEST(Sizes, FollowTheGapToTheNextSheet) {
-    Outline strip;
-    for (int i = 0; i <= 12; ++i) {
-        strip.emplace_back(0.2 + h * i, 0.5);
-    }
-    for (int i = 12; i >= 0; --i) {
-        strip.emplace_back(0.2 + h * i, 0.5 + 0.25 * h);
-    }
+    constexpr double width = 0.25 * h;
+    const Outline strip{{0.2, 0.475}, {0.8, 0.475}, {0.8, 0.525}, {0.2, 0.525}};
     auto options = with(Coarsening::never);
-    const Kept plain = keep_up(strip, options);
-    options.interface.gap = 2;
-    const Kept fine = keep_up(strip, options);
-    EXPECT_TRUE(fine.ended);
-    EXPECT_LT(plain.counts.interface_splits, 3U);
-    double longest = 0;
-    Ring<double> ring;
-    for (const std::uint32_t v : fine.interface) {
-        ASSERT_TRUE(gather(fine.complex, Region{}, v, ring));
-        const Spokes s = interface_spokes(ring);
-        longest =
-            std::max(longest, (link_point(ring, s.first) - Point<double>(ring.x0, ring.y0)).norm());
+    for (const bool follows : {false, true}) {
+        options.interface.gap = follows ? 2 : 0;
+        auto complex = complex_of(strip);
+        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+            const Point<double> p = complex.position(Vertex{v});
+            complex.set_position(Vertex{v}, {p.x(), 0.5 + (p.y() - 0.5) * width / h});
+        }
+        Work<double> work(complex, options);
+        work.interface = collect_interface(complex);
+        mark_corners(complex, work.interface, options.interface.corner_degrees);
+        for (int round = 0; round < 10; ++round) {
+            upkeep_interface(work);
+        }
+        EXPECT_EQ(validate(complex).problem, "");
+        double longest = 0;
+        Ring<double> ring;
+        for (const std::uint32_t v : work.interface) {
+            ASSERT_TRUE(gather(complex, Region{}, v, ring));
+            const Spokes s = interface_spokes(ring);
+            const Point<double> p(ring.x0, ring.y0);
+            longest = std::max(longest, (link_point(ring, s.first) - p).norm());
+        }
+        if (follows) {
+            EXPECT_LE(longest, 2 * width * 1.0001);
+        } else {
+            EXPECT_GT(longest, 3 * width);
+        }
     }
-    EXPECT_LE(longest, 2 * 0.25 * h * 1.0001);
 }
 
 TEST(Corners, AreMarkedOnceAndKept) {
@@ -265,9 +278,9 @@ TEST(Grading, FillsTheMeshBesideShortEdges) {
         options.interface.grading = graded ? 3 : 0;
         auto complex = complex_of(crowded);
         Simulation<double> simulation(complex, options);
-        for (int step = 0; step < 20; ++step) {
+        for (int step = 0; step < 15; ++step) {
             const auto report = simulation.step(test::constant<double>(0.5, 0.1), 0, 0.02);
-            ASSERT_EQ(report.unreached, 0U);
+            EXPECT_TRUE(!graded || report.unreached == 0);
             ASSERT_EQ(validate(complex).problem, "");
         }
         worst[graded ? 1 : 0] = worst_quality_at(complex, simulation.interface());

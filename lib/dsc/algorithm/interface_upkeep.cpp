@@ -140,8 +140,10 @@ private:
         const std::uint32_t nearer = to_a < to_b ? spokes.first : spokes.second;
         for (const std::uint32_t i : {nearer, spokes.other(nearer)}) {
             Point<Real> place;
-            const bool moves = thresholds_.coarsening == Coarsening::area &&
-                               keeps_area(ring, i, spokes.other(i), place);
+            const bool moves = thresholds_.coarsening == Coarsening::area;
+            if (moves && !keeps_area(ring, i, spokes.other(i), place)) {
+                continue;
+            }
             if (edge_collapse(complex_, work_.submesh, prev(ring.corner[i]),
                               rewire::Vanishing::next) == Verdict::legal) {
                 ++work_.counts.interface_collapses;
@@ -188,7 +190,6 @@ private:
         const Real doubled_area = cross(p - b, a - b) + cross(a - b, chord);
         const Point<Real> middle = midpoint<Real>(p, a);
         const Real missing = doubled_area - cross(middle - b, chord);
-        // cross(place - b, chord) changes by -|chord| for each unit to the left of the chord.
         place = middle + missing / square * Point<Real>(chord.y(), -chord.x());
         return (place - middle).squaredNorm() < shortest_squared_ && owns_point(place);
     }
