@@ -16,7 +16,7 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
 template <class Real>
 Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& options,
                              std::unique_ptr<Executor<Real>> executor)
-    : options_(options), executor_(std::move(executor)) {
+    : complex_(complex), options_(options), executor_(std::move(executor)) {
     check_options(options);
     if (!executor_) {
         executor_ =
@@ -63,6 +63,32 @@ Real Simulation<Real>::pieces_of(Real remaining, Real fastest) const {
     return std::ceil(remaining * fastest / farthest);
 }
 
+// Looked for only when a step gives up, so that finding the speed costs no more for it.
+template <class Real>
+GiveUpPlace Simulation<Real>::fastest_vertex(const Velocity<Real>& velocity, Real time) const {
+    const std::vector<std::uint32_t> list = interface();
+    std::vector<Point<Real>> positions;
+    for (const std::uint32_t v : list) {
+        positions.push_back(complex_.position(Vertex{v}));
+    }
+    std::vector<Point<Real>> velocities(list.size());
+    velocity(positions, time, velocities);
+    GiveUpPlace place;
+    place.time = static_cast<double>(time);
+    Real fastest = -1;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Real squared = velocities[i].squaredNorm();
+        if (std::isfinite(squared) && squared > fastest) {
+            fastest = squared;
+            place.vertex = list[i];
+            place.x = static_cast<double>(positions[i].x());
+            place.y = static_cast<double>(positions[i].y());
+        }
+    }
+    place.speed = std::sqrt(static_cast<double>(std::max(fastest, Real(0))));
+    return place;
+}
+
 template <class Real>
 bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real& remaining,
                                 StepReport& report) {
@@ -78,6 +104,8 @@ bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real
     if (!(pieces + static_cast<Real>(report.sub_steps) <=
           static_cast<Real>(options_.max_sub_steps))) {
         report.gave_up = GiveUp::too_many_sub_steps;
+        report.gave_up_at = fastest_vertex(velocity, time);
+        report.gave_up_at.sub_steps = static_cast<double>(pieces);
         report.unreached += aim.vertices;
         return false;
     }
