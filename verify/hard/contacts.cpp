@@ -24,45 +24,108 @@ using scenes::Outline;
 
 const char* const shape_words = "symmetric difference to the exact shape, relative";
 
-// Two discs, each driven at the other at a speed that vanishes nowhere.
-HardResult pressed_case(double edges_a_step, const std::string& how) {
+constexpr double disc_h = 0.05;
+
+// Two discs of phases 1 and 2, side by side with a gap of 1.2 edges between them.
+Scene<double> two_discs() {
+    const std::vector<Shape> shapes{{scenes::circle({0.28, 0.5}, 0.19, disc_h), 1},
+                                    {scenes::circle({0.72, 0.5}, 0.19, disc_h), 2}};
+    Scene<double> scene{
+        unit_square, initial_complex<double>(unit_square, shapes, {.edge_length = disc_h}), {}};
+    scene.options.edge_length = disc_h;
+    return scene;
+}
+
+// The vertices of both discs, as they are: who asks for a velocity is told apart by the nearest.
+struct DiscVertices {
+    std::vector<Point<double>> positions;
+    std::vector<Phase> phases;
+
+    void update(const Complex<double>& complex) {
+        positions.clear();
+        phases.clear();
+        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+            if (!complex.is_alive(Triangle{t}) || complex.triangles[t].phase == exterior_phase) {
+                continue;
+            }
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                const Corner c = corner_of(t, i);
+                if (complex.phase_at(complex.twin(c)) == exterior_phase) {
+                    positions.push_back(complex.position(Vertex{complex.vertex(next(c))}));
+                    phases.push_back(complex.triangles[t].phase);
+                }
+            }
+        }
+    }
+    [[nodiscard]] Phase phase_near(const Point<double>& p) const {
+        Phase phase = exterior_phase;
+        double nearest = std::numeric_limits<double>::max();
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const double squared = (positions[i] - p).squaredNorm();
+            if (squared < nearest) {
+                nearest = squared;
+                phase = phases[i];
+            }
+        }
+        return phase;
+    }
+};
+
+// Each disc is driven at the other at a speed that vanishes nowhere.
+HardResult pressed_case(double edges_a_step, int steps, const std::string& how) {
     HardResult result;
-    result.asked = "two discs pressed together for 10,000 steps, topology kept, " + how;
-    constexpr double h = 0.05;
-    constexpr int steps = 10000;
-    const std::vector<Outline> outlines{scenes::circle({0.28, 0.5}, 0.19, h),
-                                        scenes::circle({0.72, 0.5}, 0.19, h)};
-    auto scene = scene_of<double>(unit_square, outlines, h);
+    result.asked =
+        "two discs pressed together for " + std::to_string(steps) + " steps, topology kept, " + how;
+    auto scene = two_discs();
+    const double area_first = scenes::signed_area(scenes::interface_outlines(scene.complex));
     Watch<double> watch(scene.complex, scene.options,
                         {.domain = unit_square, .thorough_every = 100}, result);
-    const double speed = edges_a_step * h;
-    const Velocity<double> press = [speed](std::span<const Point<double>> positions, double,
-                                           std::span<Point<double>> velocities) {
+    const double speed = edges_a_step * disc_h;
+    DiscVertices vertices;
+    const Velocity<double> press = [&](std::span<const Point<double>> positions, double,
+                                       std::span<Point<double>> velocities) {
         for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = {positions[i].x() < 0.5 ? speed : -speed, 0};
+            velocities[i] = {vertices.phase_near(positions[i]) == 1 ? speed : -speed, 0};
         }
     };
-    const bool going = watch.run(press, 0, 1, steps);
+    bool going = true;
+    std::uint64_t first_miss = 0;
+    std::uint64_t passes_late = 0; // in the second half of the run
+    for (int i = 0; i < steps && going; ++i) {
+        vertices.update(scene.complex);
+        going = watch.step(press, i, 1);
+        if (first_miss == 0 && watch.last().unreached > 0) {
+            first_miss = result.steps;
+        }
+        if (2 * i > steps) {
+            passes_late += watch.last().passes;
+        }
+    }
     std::uint64_t in_contact = 0;
     for (std::uint32_t v = 0; v < scene.complex.vertex_bound(); ++v) {
         in_contact +=
             scene.complex.is_alive(Vertex{v}) && is_in_contact(scene.complex.vertices[v]) ? 1U : 0U;
     }
-    const auto pieces = scenes::interface_outlines(scene.complex);
+    const double mean_passes = 2 * static_cast<double>(passes_late) / steps;
     result.values = {
         {"vertices in contact at the end", static_cast<double>(in_contact)},
-        {"passes of the last step", static_cast<double>(watch.last().passes)},
+        {"first step in which a vertex did not arrive", static_cast<double>(first_miss)},
+        {"passes a step, mean of the second half", mean_passes},
         {"triangles at the end", static_cast<double>(scene.complex.triangle_count())},
-        {"area left, relative", scenes::signed_area(pieces) / scenes::signed_area(outlines)}};
-    result.happened = std::to_string(in_contact) + " vertices end in contact; " +
-                      std::to_string(result.unreached) +
-                      " targets, summed over all steps, were not reached, each of them counted";
+        {"area left, relative",
+         scenes::signed_area(scenes::interface_outlines(scene.complex)) / area_first}};
+    result.happened = std::to_string(in_contact) + " vertices end in contact, at " +
+                      text(mean_passes) + " passes a step; " + std::to_string(result.unreached) +
+                      " misses over all steps, each of them counted";
     expect(result, going, "the run ended early");
-    expect(result, result.steps == steps, "not all steps were done");
     expect(result, result.unreached > 0, "nothing was in the way");
     expect(result, in_contact > 0, "nobody is in contact");
     expect(result, result.held == 0, "vertices were held though all velocities are finite");
-    expect(result, pieces.size() == 2, "the topology was not kept");
+    expect(result, mean_passes <= 4, "what is in contact is tried again and again");
+    for (Phase phase = 1; phase <= 2; ++phase) {
+        expect(result, outlines_of(scene.complex, phase).size() == 1,
+               "the topology of phase " + std::to_string(phase) + " was not kept");
+    }
     expect(result, scene.complex.triangle_count() < 20000, "the mesh grows without a bound");
     expect_sound(result, Targets::may_be_missed);
     return result;
@@ -176,7 +239,7 @@ HardResult junction_case(const scenes::Velocity& velocity, const std::string& mo
     result.error_is = std::string(shape_words) + ", of the worse phase";
     result.happened = "the junctions move with the flow, and each phase keeps its shape";
     expect(result, going, "the run ended early");
-    expect(result, worst < 1e-7, "error " + text(worst) + ", allowed 1e-7");
+    expect(result, worst < 1e-6, "error " + text(worst) + ", allowed 1e-6");
     expect_sound(result, Targets::reachable);
     return result;
 }
@@ -195,10 +258,12 @@ HardResult junction_rotation() {
 } // namespace
 
 void append_contacts(std::vector<HardCase>& cases) {
-    cases.push_back({"pressed-slowly", false,
-                     [] { return pressed_case(4e-4, "by four edge lengths in all, each"); }});
-    cases.push_back({"pressed-flat", false,
-                     [] { return pressed_case(0.3, "by 0.3 edge lengths a step, for ever"); }});
+    cases.push_back({"pressed-slowly", false, [] {
+                         return pressed_case(4e-4, 10000, "by four edge lengths in all, each");
+                     }});
+    cases.push_back({"pressed-flat", false, [] {
+                         return pressed_case(0.3, 10000, "by 0.3 edge lengths a step, for ever");
+                     }});
     cases.push_back({"wall-translation", false, [] { return wall_case(0, 0.3); }});
     cases.push_back({"wall-shear", false, [] { return wall_case(0.7, 0); }});
     cases.push_back({"junction-translation", false, junction_translation});

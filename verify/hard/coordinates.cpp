@@ -88,8 +88,8 @@ std::vector<Outline> run_at(const Place& place, Motion motion, bool with_map, Ha
     });
 }
 
-double error_of(const std::vector<Outline>& outlines, Motion motion) {
-    const auto exact = exact_of(motion, Place{});
+double error_of(const std::vector<Outline>& outlines, Motion motion, double h = 0.02) {
+    const auto exact = exact_of(motion, {.h = h});
     return scenes::symmetric_difference(outlines, exact) / scenes::signed_area(exact);
 }
 
@@ -142,9 +142,10 @@ HardResult size_case(double size) {
     double worst = 0;
     for (const Motion motion : {Motion::translation, Motion::rotation}) {
         HardResult plain;
-        const double at_one = error_of(run_at<double>({.h = 0.05}, motion, false, plain), motion);
+        const double at_one =
+            error_of(run_at<double>({.h = 0.05}, motion, false, plain), motion, 0.05);
         const double here =
-            error_of(run_at<double>({.size = size, .h = 0.05}, motion, true, result), motion);
+            error_of(run_at<double>({.size = size, .h = 0.05}, motion, true, result), motion, 0.05);
         worst = std::max(worst, here);
         expect(result, here <= at_one + 1e-12,
                "error " + text(here) + ", at unit size " + text(at_one));
@@ -170,7 +171,7 @@ HardResult power_case(int exponent, bool with_map) {
         const Place place{.size = std::ldexp(1.0, exponent), .h = 0.05};
         const auto here = run_at<double>(place, motion, with_map, result, &scaled);
         same = same && here == at_one && (!with_map || scaled == one);
-        result.error = error_of(here, motion);
+        result.error = error_of(here, motion, 0.05);
     }
     result.error_is = "symmetric difference to the exact shape, relative";
     expect(result, same, "not the bits of the run at unit size");

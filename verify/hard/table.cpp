@@ -3,8 +3,6 @@
 
 #include "scene.h"
 
-#include "scenes/machine.h"
-
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -95,11 +93,11 @@ std::string to_json(const std::vector<Row>& rows) {
         for (const Value& value : r.values) {
             values[value.name] = finite(value.value);
         }
-        cases.push_back({{"case", row.one->name},
+        cases.push_back({{"name", row.one->name},
                          {"asked", r.asked},
                          {"holds", r.holds()},
                          {"failures", r.failures},
-                         {"happened", r.happened},
+                         {"what_happened", r.happened},
                          {"steps", r.steps},
                          {"sub_steps", r.sub_steps},
                          {"most_sub_steps", r.most_sub_steps},
@@ -117,8 +115,7 @@ std::string to_json(const std::vector<Row>& rows) {
                          {"values", values},
                          {"seconds", row.seconds}});
     }
-    const Json json{{"machine", scenes::machine()}, {"commit", scenes::commit()}, {"cases", cases}};
-    return json.dump(1) + "\n";
+    return cases.dump(1) + "\n";
 }
 
 } // namespace dsc::hard

@@ -21,7 +21,7 @@ struct Row {
 void print_heading(std::ostream& out);
 void print_row(std::ostream& out, const Row& row);
 [[nodiscard]] std::string to_markdown(const std::vector<Row>& rows);
-/// With a trailing newline; machine and commit beside the rows.
+/// A list of objects, one for each row; with a trailing newline.
 [[nodiscard]] std::string to_json(const std::vector<Row>& rows);
 
 } // namespace dsc::hard

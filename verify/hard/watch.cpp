@@ -26,11 +26,15 @@ watching(Complex<Real>& complex, const Options<Real>& options, const Rectangle& 
     return std::make_unique<WatchingExecutor<Real>>(complex, domain, std::move(inner), sighting);
 }
 
-std::string words(const GiveUpPlace& place) {
+template <class Real>
+std::string words(const Complex<Real>& complex, const StepReport& report, double dt) {
     std::ostringstream text;
-    text << "too many sub-steps: " << place.sub_steps << " at time " << place.time
-         << " for a speed of " << place.speed << " at vertex " << place.vertex << " (" << place.x
-         << ", " << place.y << ")";
+    text << "more sub-steps asked for than allowed, in a step of " << dt << ", by a speed of "
+         << report.speed << " at vertex " << report.where.id;
+    if (complex.is_alive(report.where)) {
+        text << " (" << complex.position(report.where).x() << ", "
+             << complex.position(report.where).y() << ")";
+    }
     return text.str();
 }
 
@@ -52,7 +56,8 @@ AimReport<Real> WatchingExecutor<Real>::aim(const Velocity<Real>& velocity, Real
 }
 
 template <class Real>
-Real WatchingExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
+auto WatchingExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt)
+    -> Again {
     dt_ = dt;
     return inner_->aim_again(velocity, time, dt);
 }
@@ -108,7 +113,8 @@ MoveReport WatchingExecutor<Real>::move() {
         // Rounding of the coordinates, and of the way in the scalar of the complex.
         const double tolerance =
             8 * epsilon * (now.cwiseAbs().maxCoeff() + (targets_[i] - from).norm());
-        const bool is_there = (now - targets_[i]).cwiseAbs().maxCoeff() <= tolerance;
+        const bool is_there =
+            targets_[i].allFinite() && (now - targets_[i]).cwiseAbs().maxCoeff() <= tolerance;
         missed += is_there ? 0U : 1U;
     }
     const std::uint64_t counted = held_ + report.unreached;
@@ -145,7 +151,8 @@ bool Watch<Real>::step(const Velocity<Real>& velocity, double time, double dt) {
     result_.uncounted += sighting_.uncounted - before.uncounted;
     result_.overcounted += sighting_.overcounted - before.overcounted;
     if (last_.gave_up != GiveUp::none && result_.gave_up.empty()) {
-        result_.gave_up = "step " + std::to_string(result_.steps) + ": " + words(last_.gave_up_at);
+        result_.gave_up =
+            "step " + std::to_string(result_.steps) + ": " + words(complex_, last_, dt);
     }
     const auto bound = static_cast<std::uint32_t>(options_.max_sub_steps);
     expect(result_, last_.sub_steps <= bound, "a step has more sub-steps than allowed");

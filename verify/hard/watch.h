@@ -10,6 +10,7 @@
 #include "dsc/initial/initial_complex.h"
 
 #include <memory>
+#include <utility>
 
 namespace dsc::hard {
 
@@ -25,6 +26,10 @@ struct Sighting {
 template <class Real>
 class WatchingExecutor final : public Executor<Real> {
 public:
+    /// Whatever an executor says of targets that are found anew: it is handed on.
+    using Again = decltype(std::declval<Executor<Real>&>().aim_again(
+        std::declval<const Velocity<Real>&>(), Real(0), Real(0)));
+
     /// `domain`: vertices on its sides are expected to slide, corners to stay. `sighting` takes the
     /// sums.
     WatchingExecutor(const Complex<Real>& complex, const Rectangle& domain,
@@ -32,7 +37,7 @@ public:
 
     void begin_step() override { inner_->begin_step(); }
     AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
-    Real aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    Again aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
     MoveReport move() override;
     void end_step() override { inner_->end_step(); }
     [[nodiscard]] std::size_t interface_size() const override { return inner_->interface_size(); }

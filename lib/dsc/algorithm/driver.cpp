@@ -63,9 +63,10 @@ Real Simulation<Real>::pieces_of(Real remaining, Real fastest) const {
     return std::ceil(remaining * fastest / farthest);
 }
 
-// Looked for only when a step gives up, so that finding the speed costs no more for it.
+// Who asks for too many sub-steps. O(interface vertices), once.
 template <class Real>
-GiveUpPlace Simulation<Real>::fastest_vertex(const Velocity<Real>& velocity, Real time) const {
+void Simulation<Real>::find_fastest(const Velocity<Real>& velocity, Real time,
+                                    StepReport& report) const {
     const std::vector<std::uint32_t> list = interface();
     std::vector<Point<Real>> positions;
     for (const std::uint32_t v : list) {
@@ -73,20 +74,13 @@ GiveUpPlace Simulation<Real>::fastest_vertex(const Velocity<Real>& velocity, Rea
     }
     std::vector<Point<Real>> velocities(list.size());
     velocity(positions, time, velocities);
-    GiveUpPlace place;
-    place.time = static_cast<double>(time);
-    Real fastest = -1;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const Real squared = velocities[i].squaredNorm();
-        if (std::isfinite(squared) && squared > fastest) {
-            fastest = squared;
-            place.vertex = list[i];
-            place.x = static_cast<double>(positions[i].x());
-            place.y = static_cast<double>(positions[i].y());
+        const double speed = velocities[i].template cast<double>().norm();
+        if (std::isfinite(speed) && speed > report.speed) {
+            report.speed = speed;
+            report.where = Vertex{list[i]};
         }
     }
-    place.speed = std::sqrt(static_cast<double>(std::max(fastest, Real(0))));
-    return place;
 }
 
 template <class Real>
@@ -104,8 +98,7 @@ bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real
     if (!(pieces + static_cast<Real>(report.sub_steps) <=
           static_cast<Real>(options_.max_sub_steps))) {
         report.gave_up = GiveUp::too_many_sub_steps;
-        report.gave_up_at = fastest_vertex(velocity, time);
-        report.gave_up_at.sub_steps = static_cast<double>(pieces);
+        find_fastest(velocity, time, report);
         report.unreached += aim.vertices;
         return false;
     }

@@ -15,16 +15,6 @@ enum class GiveUp : std::uint8_t {
     too_many_sub_steps, ///< the velocity asks for more than `max_sub_steps`
 };
 
-/// Where a step gave up: the fastest vertex, which asked for too many sub-steps.
-struct GiveUpPlace {
-    std::uint32_t vertex = no_id; ///< no_id: the step did not give up
-    double x = 0;
-    double y = 0;
-    double speed = 0;     ///< of this vertex
-    double time = 0;      ///< to which the step has come
-    double sub_steps = 0; ///< that the rest of the step would take; may be beyond any integer
-};
-
 /// What one step did.
 struct StepReport {
     OperationCounts operations;
@@ -34,7 +24,8 @@ struct StepReport {
         0;                  ///< vertices that did not arrive, summed over sub-steps; with `held`
     std::uint64_t held = 0; ///< of these: held for a velocity that was not finite
     GiveUp gave_up = GiveUp::none;
-    GiveUpPlace gave_up_at;
+    Vertex where;                         ///< of the give-up: the fastest vertex...
+    double speed = 0;                     ///< ...and its speed
     std::uint32_t interface_vertices = 0; ///< at the end of the step
 };
 
@@ -59,7 +50,7 @@ public:
 private:
     bool sub_step(const Velocity<Real>& velocity, Real& time, Real& remaining, StepReport& report);
     [[nodiscard]] Real pieces_of(Real remaining, Real fastest) const;
-    [[nodiscard]] GiveUpPlace fastest_vertex(const Velocity<Real>& velocity, Real time) const;
+    void find_fastest(const Velocity<Real>& velocity, Real time, StepReport& report) const;
 
     const Complex<Real>& complex_;
     const Options<Real>& options_;

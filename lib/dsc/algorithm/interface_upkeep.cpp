@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/interface_upkeep.h"
 
+#include "dsc/algorithm/wall.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/quality/ring_quality.h"
@@ -65,7 +66,9 @@ public:
           shortest_squared_(square(work.options.interface.shortest)),
           deviation_squared_(square(work.options.interface.deviation)),
           corner_cosine_(static_cast<Real>(
-              std::cos(work.options.interface.corner_degrees * std::numbers::pi / 180))) {}
+              std::cos(work.options.interface.corner_degrees * std::numbers::pi / 180))),
+          // A poor triangle for the time being is better than none that can move.
+          wall_{longest_squared_, shortest_squared_, Real(0.05)} {}
 
     void run() {
         auto& kept = work_.interface_next;
@@ -92,7 +95,8 @@ private:
             // The triangles of this star are of two submeshes, so that nobody rewrites them, and
             // nothing moves during upkeep: whether there is anything to do can be seen from here.
             const Spokes spokes = interface_spokes(ring);
-            if (should_collapse(ring, spokes) || long_spoke(ring) != no_id) {
+            if (should_collapse(ring, spokes) || long_spoke(ring) != no_id ||
+                wants_wall_upkeep(ring)) {
                 work_.put_off_interface.push_back(v);
             }
             work_.interface_next.push_back(v);
@@ -109,7 +113,40 @@ private:
         if (should_collapse(ring, spokes) && try_collapse(ring, spokes)) {
             return;
         }
+        if (wants_wall_upkeep(ring) && keep_wall(v, ring)) {
+            return;
+        }
         refine(v, ring, spokes);
+    }
+
+    // --- the interface along the domain boundary ----------------------------------------------
+    bool wants_wall_upkeep(const Ring<Real>& ring) const {
+        return !ring.closed &&
+               (should_collapse_on_wall(ring, wall_) ||
+                (ring.phase[0] != exterior_phase && should_split_wall(ring, wall_)));
+    }
+
+    // True if the ring is stale, and what is to be kept in the list was put there.
+    bool keep_wall(std::uint32_t v, const Ring<Real>& ring) {
+        if (should_collapse_on_wall(ring, wall_) && collapse_on_wall(work_, ring, wall_)) {
+            ++work_.counts.interface_collapses;
+            return true;
+        }
+        if (ring.phase[0] == exterior_phase || !should_split_wall(ring, wall_)) {
+            return false;
+        }
+        const SplitResult result = split_wall(work_, ring);
+        if (result.verdict == Verdict::out_of_ids ||
+            result.verdict == Verdict::on_submesh_boundary) {
+            work_.put_off_interface.push_back(v);
+        }
+        if (result.verdict != Verdict::legal) {
+            return false;
+        }
+        ++work_.counts.interface_splits;
+        work_.interface_next.push_back(v);
+        work_.interface_next.push_back(result.vertex.id);
+        return true;
     }
 
     bool should_collapse(const Ring<Real>& ring, const Spokes& spokes) const {
@@ -182,7 +219,7 @@ private:
         CurveNeighbours<Real> curve;
         curve.p1 = {ring.x0, ring.y0};
         curve.p2 = link_point(ring, i);
-        if (spokes.count == 2) {
+        if (spokes.count == 2 && ring.closed) {
             curve.p0 = link_point(ring, spokes.first == i ? spokes.second : spokes.first);
             curve.has_first = is_smooth<Real>(curve.p0, curve.p1, curve.p2, corner_cosine_);
         }
@@ -193,7 +230,7 @@ private:
         }
         if (gathered) {
             const Spokes next_spokes = interface_spokes(beyond);
-            if (next_spokes.count == 2) {
+            if (next_spokes.count == 2 && beyond.closed) {
                 const bool first_is_v = beyond.link[next_spokes.first] == v;
                 curve.p3 = link_point(beyond, first_is_v ? next_spokes.second : next_spokes.first);
                 curve.has_last = is_smooth<Real>(curve.p1, curve.p2, curve.p3, corner_cosine_);
@@ -241,6 +278,7 @@ private:
     Real shortest_squared_;
     Real deviation_squared_;
     Real corner_cosine_;
+    WallLimits<Real> wall_;
     std::uint32_t newest_ = no_id;
 };
 
