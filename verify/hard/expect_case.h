@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <ostream>
+#include <string>
 #include <vector>
 
 namespace dsc::hard {
@@ -22,21 +24,27 @@ inline std::vector<HardCase> cases_that_are(bool long_ones) {
     return cases;
 }
 
-/// GoogleTest takes letters, digits and underscores only; a minus before a digit is "minus".
+/// GoogleTest takes letters, digits and underscores only; the minus of an exponent is a word.
 inline std::string test_name(const testing::TestParamInfo<HardCase>& info) {
+    const std::string& given = info.param.name;
     std::string name;
-    for (const char c : info.param.name) {
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-            name += c;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const auto is_digit = [&](std::size_t at) {
+            return at < given.size() && std::isdigit(static_cast<unsigned char>(given[at])) != 0;
+        };
+        const bool is_exponent =
+            i > 1 && (given[i - 1] == 'e' || given[i - 1] == '^') && is_digit(i - 2);
+        if (std::isalnum(static_cast<unsigned char>(given[i])) != 0) {
+            name += given[i];
         } else {
-            const bool is_sign = c == '-' && !name.empty() &&
-                                 (name.back() == 'e' || name.back() == '_') &&
-                                 info.param.name.find("size") == 0;
-            name += is_sign ? "minus" : "_";
+            name += given[i] == '-' && is_exponent ? "minus" : "_";
         }
     }
     return name;
 }
+
+/// What CTest calls a case.
+inline void PrintTo(const HardCase& one, std::ostream* out) { *out << one.name; }
 
 inline void expect_case(const HardCase& one) {
     const HardResult result = one.run();
