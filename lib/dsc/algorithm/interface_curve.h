@@ -67,14 +67,15 @@ bool is_smooth(const Complex<Real>& complex, std::uint32_t vertex, const Point<R
            turns_less<Real>(from, at, to, Real(0));
 }
 
-/// Sets p0, p1, p2 and has_first, for the interface edge that leaves the centre along `spoke`.
+/// Sets p0, p1, p2 and has_first, for the interface edge that leaves the centre along `spoke`. On
+/// the domain boundary the curve ends.
 template <class Real>
 void see_from_centre(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes,
                      std::uint32_t spoke, CurveNeighbours<Real>& curve) {
     curve.p1 = {ring.x0, ring.y0};
     curve.p2 = link_point(ring, spoke);
     curve.has_first = false;
-    if (spokes.count == 2) {
+    if (spokes.count == 2 && ring.closed) {
         curve.p0 = link_point(ring, spokes.other(spoke));
         curve.has_first = is_smooth<Real>(complex, ring.vertex, curve.p0, curve.p1, curve.p2);
     }
@@ -86,7 +87,7 @@ void see_from_beyond(const Complex<Real>& complex, const Ring<Real>& beyond, std
                      CurveNeighbours<Real>& curve) {
     const Spokes spokes = interface_spokes(beyond);
     curve.has_last = false;
-    if (spokes.count == 2) {
+    if (spokes.count == 2 && beyond.closed) {
         const bool first_is_from = beyond.link[spokes.first] == from;
         curve.p3 = link_point(beyond, first_is_from ? spokes.second : spokes.first);
         curve.has_last = is_smooth<Real>(complex, beyond.vertex, curve.p1, curve.p2, curve.p3);

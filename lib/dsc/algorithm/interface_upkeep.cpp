@@ -2,6 +2,7 @@
 #include "dsc/algorithm/interface_upkeep.h"
 
 #include "dsc/algorithm/interface_curve.h"
+#include "dsc/algorithm/wall.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
@@ -27,7 +28,9 @@ public:
           turn_squared_(
               static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
-          follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0) {}
+          follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
+          // A poor triangle for the time being is better than none that can move.
+          wall_{longest_squared_, shortest_squared_, Real(0.05)} {}
 
     void run() {
         auto& kept = work_.interface_next;
@@ -58,7 +61,8 @@ private:
         if (!ring.owned) {
             // The triangles of this star are of two submeshes, so that nobody rewrites them, and
             // nothing moves during upkeep: whether there is anything to do can be seen from here.
-            if (should_collapse(ring, spokes) || long_spoke(ring, spokes) != no_id) {
+            if (should_collapse(ring, spokes) || long_spoke(ring, spokes) != no_id ||
+                wants_wall_upkeep(ring)) {
                 work_.put_off_interface.push_back(v);
             }
             work_.interface_next.push_back(v);
@@ -70,7 +74,40 @@ private:
         if (should_collapse(ring, spokes) && try_collapse(ring, spokes)) {
             return;
         }
+        if (wants_wall_upkeep(ring) && keep_wall(v, ring)) {
+            return;
+        }
         refine(v, ring, spokes);
+    }
+
+    // --- the interface along the domain boundary ----------------------------------------------
+    bool wants_wall_upkeep(const Ring<Real>& ring) const {
+        return !ring.closed &&
+               (should_collapse_on_wall(ring, wall_) ||
+                (ring.phase[0] != exterior_phase && should_split_wall(ring, wall_)));
+    }
+
+    // True if the ring is stale, and what is to be kept in the list was put there.
+    bool keep_wall(std::uint32_t v, const Ring<Real>& ring) {
+        if (should_collapse_on_wall(ring, wall_) && collapse_on_wall(work_, ring, wall_)) {
+            ++work_.counts.interface_collapses;
+            return true;
+        }
+        if (ring.phase[0] == exterior_phase || !should_split_wall(ring, wall_)) {
+            return false;
+        }
+        const SplitResult result = split_wall(work_, ring);
+        if (result.verdict == Verdict::out_of_ids ||
+            result.verdict == Verdict::on_submesh_boundary) {
+            work_.put_off_interface.push_back(v);
+        }
+        if (result.verdict != Verdict::legal) {
+            return false;
+        }
+        ++work_.counts.interface_splits;
+        work_.interface_next.push_back(v);
+        work_.interface_next.push_back(result.vertex.id);
+        return true;
     }
 
     // --- coarsening ---------------------------------------------------------------------------
@@ -323,6 +360,7 @@ private:
     Real turn_squared_;
     Real gap_squared_;
     bool follows_shape_;
+    WallLimits<Real> wall_;
     std::uint32_t newest_ = no_id;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/mesh_update.h"
 
+#include "dsc/algorithm/wall.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
@@ -104,6 +105,15 @@ private:
                 if (star.quality < limit.smooth && smooth(v, star.quality)) {
                     continue_edges();
                     return;
+                }
+            }
+            if (!ring_.closed && ring_.phase[0] == exterior_phase) {
+                const WallUpkeep done = keep_wall(v, star, limit);
+                if (done == WallUpkeep::gone) {
+                    return;
+                }
+                if (done == WallUpkeep::split) {
+                    continue;
                 }
             }
             // About an interface vertex phases differ, and so may their limits.
@@ -271,6 +281,29 @@ private:
             drain();
         }
         return true;
+    }
+
+    // --- walls of the exterior phase ----------------------------------------------------------
+    enum class WallUpkeep : std::uint8_t { none, gone, split };
+
+    WallUpkeep keep_wall(std::uint32_t v, const StarReport<Real>& star, const Limits& limit) {
+        const bool is_poor = star.quality < limit.collapse;
+        const WallLimits<Real> wall{limit.longest, limit.shortest,
+                                    std::sqrt(std::clamp(star.quality, Real(0), limit.collapse))};
+        if (should_collapse_on_wall(ring_, wall, is_poor) && collapse_on_wall(work_, ring_, wall)) {
+            ++work_.counts.collapses;
+            return WallUpkeep::gone;
+        }
+        if (!should_split_wall(ring_, wall)) {
+            return WallUpkeep::none;
+        }
+        const SplitResult result = split_wall(work_, ring_);
+        if (result.verdict == Verdict::out_of_ids ||
+            result.verdict == Verdict::on_submesh_boundary) {
+            work_.put_off_active.push_back(v);
+        }
+        work_.counts.splits += result.verdict == Verdict::legal ? 1U : 0U;
+        return result.verdict == Verdict::legal ? WallUpkeep::split : WallUpkeep::none;
     }
 
     // --- smoothing ----------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 #include "dsc/algorithm/options.h"
 
 #include "dsc/base/require.h"
+#include "dsc/base/tolerances.h"
 
 #include <cmath>
 
@@ -27,6 +28,11 @@ template <class Real>
 void check_options(const Options<Real>& options) {
     require(std::isfinite(options.edge_length) && options.edge_length > 0, "edge_length",
             static_cast<double>(options.edge_length), "a positive finite length");
+    require(static_cast<double>(options.edge_length) >= least_edge_length<Real> &&
+                static_cast<double>(options.edge_length) <= most_edge_length<Real>,
+            "edge_length", static_cast<double>(options.edge_length),
+            sizeof(Real) == sizeof(double) ? "1e-50 to 1e50; a UnitMap brings any scene there"
+                                           : "1e-5 to 1e5; a UnitMap brings any scene there");
     check_thresholds(options.phases);
     for (const auto& thresholds : options.per_phase) {
         check_thresholds(thresholds);
