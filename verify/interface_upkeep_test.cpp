@@ -144,11 +144,11 @@ TEST(Coarsening, ByDeviationRemovesTheRemainsOfTips) {
                    outline[10] + 0.02 * h * (Point<double>(along.y(), -along.x()) - 0.1 * along));
     auto options = with(Coarsening::deviation);
     options.interface.corner_degrees = 180;
-    options.interface.deviation = 1e-6;
+    options.interface.deviation = 1e-3;
     options.interface.degenerate = 0;
     const Kept zigzag = keep_up(outline, options);
     EXPECT_EQ(zigzag.counts.interface_collapses, 0U);
-    options.interface.degenerate = 0.1;
+    options.interface.degenerate = 50;
     const Kept smooth = keep_up(outline, options);
     EXPECT_EQ(smooth.counts.interface_collapses, 1U);
 }

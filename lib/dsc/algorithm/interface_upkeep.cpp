@@ -23,7 +23,7 @@ public:
           longest_squared_(square(thresholds_.longest)),
           shortest_squared_(square(thresholds_.shortest)),
           deviation_squared_(square(thresholds_.deviation)),
-          degenerate_squared_(square(thresholds_.degenerate)),
+          degenerate_squared_(square(thresholds_.degenerate * thresholds_.deviation)),
           finest_squared_(square(2 * thresholds_.finest)),
           turn_squared_(
               static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),

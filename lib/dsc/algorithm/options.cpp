@@ -42,8 +42,8 @@ void check_options(const Options<Real>& options) {
     require(i.longest > 2 * i.shortest, "interface.longest", i.longest,
             "more than twice interface.shortest, or splits and collapses undo each other");
     require(i.deviation >= 0, "interface.deviation", i.deviation, "0 or more, in edge lengths");
-    require(i.degenerate >= 0 && i.degenerate <= 1, "interface.degenerate", i.degenerate,
-            "0 to 1, in edge lengths");
+    require(i.degenerate >= 0 && std::isfinite(i.degenerate), "interface.degenerate", i.degenerate,
+            "0 or more, in deviations");
     require(i.corner_degrees > 0 && i.corner_degrees <= 180, "interface.corner_degrees",
             i.corner_degrees, "more than 0, up to 180 degrees");
     require(i.grading == 0 || (i.grading >= 2 && std::isfinite(i.grading)), "interface.grading",

@@ -44,8 +44,9 @@ struct InterfaceThresholds {
     double shortest =
         0.3; ///< vertices at an edge shorter than this times the edge length may go...
     double deviation = 0.02; ///< ...if the curve moves by less than this times the edge length
-    double degenerate = 0.1; ///< ...or at an edge shorter than this, where the curve turns by more
-                             ///< than 45 degrees: that is no shape any more, but its remains
+    double degenerate = 5;   ///< ...or at an edge shorter than this times the deviation, where the
+                           ///< curve turns by more than 45 degrees: that is no shape any more, but
+                           ///< what a tip has left
     double corner_degrees = 40; ///< turns sharper than this at the start are corners: kept, and
                                 ///< not interpolated over
 
