@@ -127,7 +127,7 @@ HardResult vortex_case() {
     result.happened = "stretched to " + text(width / h) + " edges and back, in one piece";
     expect(result, going, "the run ended early");
     expect(result, scenes::interface_outlines(scene.complex).size() == 1, "it is in pieces");
-    expect(result, *result.error <= 0.2, "error " + text(*result.error) + ", allowed 0.2");
+    expect(result, *result.error <= 0.02, "error " + text(*result.error) + ", allowed 0.02");
     expect_sound(result, Targets::reachable);
     return result;
 }
@@ -153,7 +153,7 @@ HardResult slotted_disc_case() {
     result.happened = "drawn out to " + text(width / h) + " edges, in one piece";
     expect(result, going, "the run ended early");
     expect(result, scenes::interface_outlines(scene.complex).size() == 1, "it is in pieces");
-    expect(result, *result.error <= 0.2, "error " + text(*result.error) + ", allowed 0.2");
+    expect(result, *result.error <= 0.1, "error " + text(*result.error) + ", allowed 0.1");
     expect_sound(result, Targets::reachable);
     return result;
 }
