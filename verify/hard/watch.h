@@ -67,7 +67,6 @@ private:
 struct WatchOptions {
     Rectangle domain;
     int thorough_every = 1; ///< steps between two calls of `validate`; signs are asked every step
-    std::uint64_t most_passes = 16; ///< the bound of `Options::max_passes`
 };
 
 /// A simulation that is watched; all that is seen goes into the result.

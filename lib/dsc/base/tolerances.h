@@ -25,7 +25,7 @@ inline constexpr Real area_bound = Real(3.3306690738754716e-16);
 template <>
 inline constexpr float area_bound<float> = 1.7881411e-7F;
 
-/// Target edge lengths from here...
+/// Target edge lengths of a simulation from here...
 ///
 /// The squared quality divides products of six lengths. They keep full precision for triangles of
 /// a quality above 1e-4 while h^6 is at least 1e8 times the smallest normal number, and edges of up

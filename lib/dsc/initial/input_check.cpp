@@ -3,7 +3,6 @@
 
 #include "dsc/base/error.h"
 #include "dsc/base/predicates.h"
-#include "dsc/base/tolerances.h"
 #include "dsc/initial/outline_sweep.h"
 #include "dsc/initial/rounding.h"
 
@@ -79,9 +78,10 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
                          text(domain.low) + " to " + text(domain.high),
                          "low below high in x and y, and an area that is finite");
     }
-    if (h < least_edge_length<Real> || h > most_edge_length<Real>) {
+    if (h < least_initial_edge_length || h > 1 / least_initial_edge_length) {
         throw InputError("edge length is out of range", "options", text(h),
-                         text(least_edge_length<Real>) + " to " + text(most_edge_length<Real>) +
+                         text(least_initial_edge_length) + " to " +
+                             text(1 / least_initial_edge_length) +
                              "; a UnitMap brings any scene there");
     }
     if (h > std::min(width, height)) {
