@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "checks.h"
 
+#include "accuracy.h"
+
 #include "dsc/base/error.h"
 #include "dsc/quality/histogram.h"
 
@@ -147,7 +149,7 @@ double quality_distance(const RunResult& a, const RunResult& b) {
 }
 
 std::vector<Check> make_checks() {
-    return {
+    std::vector<Check> checks{
         of_sequential("area_ratio", "area against the exact shape's, both relative to their first",
                       "1", false, compared, area_drift),
         of_sequential("symmetric_difference", "area between the shape and the exact one at the end",
@@ -199,6 +201,10 @@ std::vector<Check> make_checks() {
         {"mesh_hash", "different results of 1, 2, 3 and 5 threads, by each strategy", "results",
          false, compared, distinct_hashes},
     };
+    for (Check& check : accuracy_checks()) {
+        checks.push_back(std::move(check));
+    }
+    return checks;
 }
 
 } // namespace

@@ -28,8 +28,14 @@ const scenes::RunResult& Runs::get(const Configuration& configuration) {
     scenes::RunOptions options;
     options.strategy = configuration.strategy;
     options.submeshing.threads = configuration.threads;
-    return runs_[configuration] = scenes::run_scene(
-               scene, configuration.size == Size::full ? scene.defaults : coarse(scene), options);
+    scenes::Parameters parameters =
+        configuration.size == Size::full ? scene.defaults : coarse(scene);
+    for (const std::string& setting : configuration.settings) {
+        const auto equals = setting.find('=');
+        scenes::set_parameter(parameters, scene.keys, setting.substr(0, equals),
+                              setting.substr(equals + 1));
+    }
+    return runs_[configuration] = scenes::run_scene(scene, parameters, options);
 }
 
 } // namespace dsc::gate

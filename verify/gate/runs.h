@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace dsc::gate {
 
@@ -21,8 +22,9 @@ struct Configuration {
     Size size = Size::full;
     scenes::Strategy strategy = scenes::Strategy::sequential;
     std::uint32_t threads = 1;
+    std::vector<std::string> settings = {}; ///< key=value, as on the command line
 
-    [[nodiscard]] auto key() const { return std::tie(scene, size, strategy, threads); }
+    [[nodiscard]] auto key() const { return std::tie(scene, size, strategy, threads, settings); }
     friend bool operator<(const Configuration& a, const Configuration& b) {
         return a.key() < b.key();
     }
