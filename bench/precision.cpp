@@ -184,6 +184,13 @@ int main(int argc, char** argv) {
     run_command->add_flag("--resume", arguments.resume,
                           "keep the results of the same commit and parameters that are there");
     run_command->add_option("--out", arguments.out, "folder for the results")->required();
+    // CLI11 would only say that a command is missing.
+    const std::string command = argc > 1 ? argv[1] : "";
+    if (!command.starts_with('-') && command != "list" && command != "run") {
+        std::cerr << "dsc_precision: unknown command: got '" << command
+                  << "'; allowed: list, run (see dsc_precision --help)\n";
+        return 2;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
