@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The command lines of dsc_scene and dsc_verify: good calls, and every kind of bad one. A bad call
+"""The command lines of dsc_scene, dsc_verify and dsc_hard: good calls, and every kind of bad one. A bad call
 ends with code 2 (1 where the run had begun) and one sentence on stderr that says what is wrong, the
 value and what is allowed; and it leaves no half-written file.
 
-The programs are named by the environment: DSC_SCENE and DSC_VERIFY.
+The programs are named by the environment: DSC_SCENE, DSC_VERIFY and DSC_HARD.
 """
 import json
 import os
@@ -17,6 +17,7 @@ import xml.etree.ElementTree as xml
 
 SCENE = os.environ["DSC_SCENE"]
 VERIFY = os.environ["DSC_VERIFY"]
+HARD = os.environ["DSC_HARD"]
 LIMITS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "limits.json")
 SHORT = ["--set", "h=0.05", "--set", "steps=4"]
 PROMPTLY = 120  # seconds; a bad call takes none
@@ -372,6 +373,62 @@ class Gate(CommandLine):
                             prepare=limited_to(0))
         self.expect_refusal("run", self.cheap, "--out", self.path("out"), words=["verify.json"],
                             code=(1,), prepare=limited_to(100))
+
+
+class HardCases(CommandLine):
+    """Only the cheapest cases run here; all of them are tests of their own."""
+    program = HARD
+    cheap = ("nan-some", "size-1e-150")
+
+    def test_list(self):
+        done = self.call("list")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        names = [line.split()[0] for line in done.stdout.splitlines()]
+        self.assertEqual(len(names), len(set(names)))
+        for name in (*self.cheap, "offset-1e12", "pressed-slowly", "slow-1000000"):
+            self.assertIn(name, names)
+        self.assertIn("zalesak-100  (long)", done.stdout)
+
+    def test_run_writes_its_results(self):
+        done = self.call("run", *self.cheap, "--json", self.path("hard.json"),
+                         "--markdown", self.path("hard.md"))
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        self.assertIn("2 cases, 0 do not hold", done.stdout)
+        self.assertEqual(self.files(), ["hard.json", "hard.md"])
+        with open(self.path("hard.json"), encoding="utf-8") as stream:
+            cases = json.load(stream)
+        self.assertEqual([case["name"] for case in cases], list(self.cheap))
+        held, refused = cases
+        self.assertTrue(held["holds"] and held["asked"] and held["what_happened"])
+        self.assertEqual((held["inverted"], held["uncounted"], held["gave_up"]), (0, 0, ""))
+        self.assertEqual(held["missed"], held["unreached"])
+        self.assertGreater(held["held"], 0)
+        self.assertIsNone(held["error"])
+        self.assertIn("UnitMap", refused["error_message"])
+        with open(self.path("hard.md"), encoding="utf-8") as stream:
+            rows = stream.read().splitlines()
+        self.assertEqual(len(rows), 4)
+        self.assertEqual({row.replace(r"\|", "").count("|") for row in rows}, {12})
+
+    def test_no_or_wrong_command(self):
+        self.expect_refusal()
+        self.expect_refusal("walk", words=["walk"])
+        self.expect_refusal("run", "--colour", words=["--colour"])
+        self.expect_refusal("run", "--json")
+
+    def test_unknown_case(self):
+        for name in ("nan", "", "NAN-SOME"):
+            self.expect_refusal("run", name, words=[f"'{name}'", "dsc_hard list"])
+
+    def test_result_file_that_cannot_be_written(self):
+        for option in ("--json", "--markdown"):
+            self.expect_refusal("run", self.cheap[0], option, self.path("no/such/folder"),
+                                words=[option, "no/such/folder"])
+
+    def test_a_full_disk(self):
+        # The table on standard output is written all the same: it goes to a pipe.
+        self.expect_refusal("run", self.cheap[0], "--json", self.path("hard.json"),
+                            words=["hard.json"], code=(1, 2), prepare=limited_to(100))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@
 #include "scenes/run.h"
 
 #include "dsc/algorithm/driver.h"
-#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/algorithm/interface_list.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
 #include "dsc/parallel/submesh_executor.h"

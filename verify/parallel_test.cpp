@@ -7,7 +7,7 @@
 #include "random_submeshes.h"
 
 #include "dsc/algorithm/driver.h"
-#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/algorithm/interface_list.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
 #include "dsc/quality/measures.h"

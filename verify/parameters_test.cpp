@@ -15,8 +15,10 @@
 namespace dsc::scenes {
 namespace {
 
-const std::vector<std::string> all_keys{"h",          "dt",        "steps", "period",
-                                        "integrator", "insertion", "real",  "seed"};
+const std::vector<std::string> all_keys{
+    "h",         "dt",         "steps",   "period",  "integrator", "tolerance",
+    "insertion", "coarsening", "reading", "longest", "shortest",   "deviation",
+    "turn",      "gap",        "grading", "finest",  "real",       "seed"};
 
 Parameters with(const std::string& key, const std::string& value) {
     Parameters parameters;
@@ -36,6 +38,21 @@ TEST(Parameters, TakeGoodValues) {
     EXPECT_EQ(with("integrator", "rk4").integrator, Integrator::rk4);
     EXPECT_EQ(with("insertion", "linear").insertion, Insertion::linear);
     EXPECT_EQ(with("insertion", "cubic").insertion, Insertion::cubic);
+    EXPECT_EQ(with("insertion", "arc").insertion, Insertion::arc);
+    EXPECT_EQ(with("integrator", "centred").integrator, Integrator::centred);
+    EXPECT_EQ(with("integrator", "adaptive").integrator, Integrator::adaptive);
+    EXPECT_EQ(with("tolerance", "1e-6").tolerance, 1e-6);
+    EXPECT_EQ(with("coarsening", "length").interface.coarsening, Coarsening::length);
+    EXPECT_EQ(with("coarsening", "area").interface.coarsening, Coarsening::area);
+    EXPECT_EQ(with("coarsening", "never").interface.coarsening, Coarsening::never);
+    EXPECT_EQ(with("reading", "cubic").interface.reading, Reading::cubic);
+    EXPECT_EQ(with("longest", "1.25").interface.longest, 1.25);
+    EXPECT_EQ(with("shortest", "0.125").interface.shortest, 0.125);
+    EXPECT_EQ(with("deviation", "0.001").interface.deviation, 0.001);
+    EXPECT_EQ(with("turn", "15").interface.turn_degrees, 15);
+    EXPECT_EQ(with("gap", "2").interface.gap, 2);
+    EXPECT_EQ(with("grading", "2.5").interface.grading, 2.5);
+    EXPECT_EQ(with("finest", "0.05").interface.finest, 0.05);
     EXPECT_EQ(with("real", "float").real, RealType::single_precision);
     EXPECT_EQ(with("real", "double").real, RealType::double_precision);
 }
@@ -85,10 +102,16 @@ std::vector<Bad> bad_values() {
                               "99999999999999999999", "0x10", "+5", "5 "}) {
         list.push_back({"steps", value});
     }
+    for (const char* key :
+         {"tolerance", "longest", "shortest", "deviation", "turn", "gap", "grading", "finest"}) {
+        for (const char* value : {"", "abc", "-1", "nan", "inf", "1e9", "0.1x"}) {
+            list.push_back({key, value});
+        }
+    }
     for (const char* value : {"", "-1", "1.5", "x", "18446744073709551616", "nan"}) {
         list.push_back({"seed", value});
     }
-    for (const char* key : {"integrator", "insertion", "real"}) {
+    for (const char* key : {"integrator", "insertion", "coarsening", "reading", "real"}) {
         for (const char* value : {"", "RK4", "rk5", "quad", "0", "cubic ", "long double"}) {
             list.push_back({key, value});
         }
@@ -139,9 +162,9 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
         EXPECT_TRUE(std::isfinite(setup.dt) && setup.dt > 0);
         EXPECT_GT(setup.exact(0).area, 0);
     }
-    for (const char* name :
-         {"translation", "scaling", "rotation-rectangle", "rotation-crescent", "vortex-square",
-          "zalesak", "swirl", "single-vortex", "speedup-scaling", "speedup-four-circles"}) {
+    for (const char* name : {"translation", "scaling", "rotation-rectangle", "rotation-crescent",
+                             "vortex-square", "zalesak", "swirl", "swirl-zalesak", "single-vortex",
+                             "speedup-scaling", "speedup-four-circles"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
 }

@@ -6,7 +6,7 @@
 #include "random_scene.h"
 #include "random_submeshes.h"
 
-#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/algorithm/interface_list.h"
 #include "dsc/base/error.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "random_scene.h"
 
 #include "dsc/algorithm/algorithm.h"
-#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/algorithm/interface_list.h"
 #include "dsc/parallel/blocks.h"
 #include "dsc/parallel/cells.h"
 #include "dsc/parallel/places.h"

@@ -6,23 +6,32 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
+#include "scenes/hausdorff.h"
 #include "scenes/measure.h"
+#include "scenes/symmetric_difference.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
+#include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace dsc::scenes {
 namespace {
 
+constexpr double pi = std::numbers::pi;
+
 // The coarsest edge length at which the scene is still itself.
 double coarse_edge(const std::string& scene) {
     if (scene == "zalesak") {
         return 0.025; // half the slot
+    }
+    if (scene == "swirl-zalesak") {
+        return 0.02; // three times the width of the legs at the end
     }
     if (scene == "single-vortex") {
         return 0.025; // the filament gets as thin as this
@@ -76,7 +85,7 @@ TEST_P(EveryScene, IsValidAfterEveryStep) {
     EXPECT_EQ(result.steps, scene.prepare(parameters).steps);
     EXPECT_EQ(result.mesh_hash, hash);
     EXPECT_EQ(result.triangles_last, triangles);
-    EXPECT_EQ(result.area_last, area);
+    EXPECT_EQ(result.last.area, area);
     EXPECT_EQ(result.inverted, 0U);
     EXPECT_EQ(result.unreached, 0U);
     EXPECT_EQ(result.held, 0U);
@@ -87,10 +96,10 @@ TEST_P(EveryScene, IsValidAfterEveryStep) {
     EXPECT_LE(result.min_quality_ever, result.min_quality_last);
     EXPECT_EQ(result.area_histogram.total(), triangles);
     EXPECT_EQ(result.quality_histogram.total(), triangles);
-    EXPECT_EQ(result.area_ratio, result.area_last / result.area_first);
+    EXPECT_EQ(result.area_ratio, result.last.area / result.area_first);
     // Coarse, but the shape that it should be.
     EXPECT_LT(result.sd_rel_last, 0.1);
-    EXPECT_NEAR(result.area_last / result.area_exact_last, 1, 0.05);
+    EXPECT_NEAR(result.last.area / result.last.area_exact, 1, 0.05);
 }
 
 std::string name_of(const testing::TestParamInfo<Case>& info) {
@@ -196,13 +205,79 @@ TEST(RunScene, WritesTheContractsKeys) {
                             "machine"}) {
         EXPECT_TRUE(json.contains(key)) << key;
     }
+    for (const std::string moment : {"last", "half"}) {
+        for (const char* key : {"area_", "area_exact_", "area_drift_exact_", "area_drift_first_",
+                                "sd_", "sd_rel_", "hausdorff_", "perimeter_", "exact_error_"}) {
+            EXPECT_TRUE(json[key + moment].is_number()) << key << moment;
+        }
+        EXPECT_TRUE(json["exact_shape_" + moment].is_string());
+        const auto& jaggedness = json["jaggedness_" + moment];
+        for (const char* key : {"vertices", "beyond", "largest_turn_deg", "exact_turn_deg",
+                                "largest_excess_deg", "rms_deg"}) {
+            EXPECT_TRUE(jaggedness[key].is_number()) << key;
+        }
+    }
     EXPECT_EQ(json["scene"], "swirl");
     EXPECT_EQ(json["steps"], 20);
     EXPECT_EQ(json["parameters"]["steps"], 10);
     EXPECT_TRUE(json["sd_rel_half"].is_number());
     const Scene& one_way = find_scene("scaling");
     const auto other = nlohmann::json::parse(to_json(run_scene(one_way, short_run(one_way), {})));
-    EXPECT_TRUE(other["sd_rel_half"].is_null());
+    for (const char* key : {"area_half", "area_exact_half", "area_drift_exact_half",
+                            "area_drift_first_half", "sd_half", "sd_rel_half", "hausdorff_half",
+                            "perimeter_half", "exact_shape_half", "jaggedness_half"}) {
+        EXPECT_TRUE(other.contains(key) && other[key].is_null()) << key;
+    }
+}
+
+TEST(RunScene, MeasuresBothMoments) {
+    const Scene& scene = find_scene("swirl");
+    const Parameters parameters = short_run(scene);
+    const scenes::Setup setup = scene.prepare(parameters);
+    std::vector<Outline> half;
+    std::vector<Outline> last;
+    RunOptions options;
+    options.observer = [&](int step, const Complex<double>& complex) {
+        (step == *setup.half_step ? half : last) = interface_outlines(complex);
+    };
+    const RunResult result = run_scene(scene, parameters, options);
+    const double time = *setup.half_step * setup.dt;
+    for (const auto& [outlines, exact, errors] :
+         {std::tuple(half, setup.exact(time), result.half.value()),
+          std::tuple(last, setup.exact(2 * time), result.last)}) {
+        EXPECT_EQ(errors.area, signed_area(outlines));
+        EXPECT_EQ(errors.area_exact, exact.area);
+        EXPECT_EQ(errors.symmetric_difference, symmetric_difference(outlines, exact.outlines));
+        EXPECT_EQ(errors.hausdorff, hausdorff(outlines, exact.outlines).distance());
+        EXPECT_EQ(errors.perimeter, perimeter(outlines));
+        EXPECT_EQ(errors.jaggedness.vertices, outlines.front().size());
+        EXPECT_EQ(errors.exact_error, exact.own_error);
+        EXPECT_GT(errors.symmetric_difference, 100 * errors.exact_error);
+    }
+    const auto json = nlohmann::json::parse(to_json(result));
+    EXPECT_EQ(json["sd_half"], result.half->symmetric_difference);
+    EXPECT_EQ(json["sd_last"], result.last.symmetric_difference);
+    EXPECT_EQ(json["sd_rel_half"], result.sd_rel_half.value());
+    EXPECT_EQ(json["sd_rel_last"], result.sd_rel_last);
+    EXPECT_NEAR(json["area_drift_exact_half"].get<double>(),
+                result.half->area / (0.15 * 0.15 * pi) - 1, 1e-15);
+    EXPECT_NEAR(json["area_drift_first_last"].get<double>(), result.area_ratio - 1, 1e-15);
+}
+
+// What linear insertion does to a curve shows in its turns, not in its area.
+TEST(RunScene, LinearInsertionIsJagged) {
+    const Scene& scene = find_scene("swirl");
+    Parameters parameters = scene.defaults;
+    parameters.h = 0.02;
+    parameters.steps = 160;
+    const RunResult cubic = run_scene(scene, parameters, {});
+    parameters.insertion = Insertion::linear;
+    const RunResult linear = run_scene(scene, parameters, {});
+    EXPECT_EQ(cubic.last.jaggedness.beyond, 0U);
+    EXPECT_LE(cubic.last.jaggedness.largest_excess_deg, 0.0);
+    EXPECT_GT(linear.last.jaggedness.beyond, 0U);
+    EXPECT_GT(linear.last.jaggedness.largest_excess_deg, 0.0);
+    EXPECT_GT(linear.last.jaggedness.rms_deg, 2 * cubic.last.jaggedness.rms_deg);
 }
 
 } // namespace

@@ -170,6 +170,91 @@ TEST(Exact, SingleVortexHasTheKnownPerimeterAndKeepsItsArea) {
     EXPECT_LT(symmetric_difference(back.outlines, start.outlines), 1e-6);
 }
 
+/// Every limit on a symmetric difference rests on these shapes, so they are found a second time, by
+/// code that shares nothing with them: the formula of the velocity written out, and far more steps.
+Point<double> carried(Point<double> p, double time, double period) {
+    constexpr int steps = 2000;
+    const double dt = time / steps;
+    const auto velocity = [&](const Point<double>& at, double t) {
+        const double factor = period > 0.0 ? std::cos(pi * t / period) : 1.0;
+        return Point<double>{
+            factor * std::pow(std::sin(pi * at.x()), 2) * std::sin(2 * pi * at.y()),
+            -factor * std::pow(std::sin(pi * at.y()), 2) * std::sin(2 * pi * at.x())};
+    };
+    for (int i = 0; i < steps; ++i) { // Kutta's rule of three eighths
+        const double t = i * dt;
+        const Point<double> k1 = velocity(p, t);
+        const Point<double> k2 = velocity(p + dt / 3 * k1, t + dt / 3);
+        const Point<double> k3 = velocity(p + dt * (k2 - k1 / 3), t + 2 * dt / 3);
+        const Point<double> k4 = velocity(p + dt * (k1 - k2 + k3), t + dt);
+        p += dt / 8 * (k1 + 3 * k2 + 3 * k3 + k4);
+    }
+    return p;
+}
+
+double distance(const Point<double>& p, const Outline& outline) {
+    double nearest = INFINITY;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Point<double> d = outline[(i + 1) % outline.size()] - outline[i];
+        const double t = std::clamp((p - outline[i]).dot(d) / d.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (p - outline[i] - t * d).squaredNorm());
+    }
+    return std::sqrt(nearest);
+}
+
+struct Swirled {
+    double period; ///< 0: steady
+    double time;
+    double most_error; ///< of own_error
+};
+
+class FarthestOut : public testing::TestWithParam<Swirled> {};
+
+TEST_P(FarthestOut, IsKnownToItsOwnError) {
+    const auto [period, time, most_error] = GetParam();
+    const Curve curve = circle_curve({0.5, 0.75}, 0.15);
+    const Flow flow = steady(Swirl{1.0, period});
+    const ExactShape shape = advected_shape(curve, flow, time);
+    EXPECT_LT(shape.own_error, most_error);
+    EXPECT_NEAR(signed_area(shape.outlines), shape.area, 1e-9);
+    const MarkerOptions options;
+    const ExactShape finer =
+        advected_shape(curve, flow, time, 2 * advection_steps(time),
+                       {.spacing = options.spacing / 1.5, .deviation = options.deviation / 2.25});
+    EXPECT_LT(symmetric_difference(shape.outlines, finer.outlines), shape.own_error);
+    double farthest = 0.0;
+    for (int i = 0; i < 40; ++i) {
+        const Point<double> p = carried(curve.point((i + 0.37) / 40), time, period);
+        farthest = std::max(farthest, distance(p, shape.outlines.front()));
+    }
+    EXPECT_LT(farthest, 2e-8);
+    EXPECT_GT(farthest, 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Swirls, FarthestOut,
+                         testing::Values(Swirled{2, 1, 1e-8}, Swirled{8, 4, 3e-8},
+                                         Swirled{16, 8, 1e-7}, Swirled{0, 2.6, 3e-8},
+                                         Swirled{0, 4.2, 1e-7}));
+
+TEST(Exact, ACurveThatComesBackIsKnownBest) {
+    const ExactShape shape = unmoved_shape(circle_curve({0.5, 0.75}, 0.15));
+    const ExactShape closed = exact_circle({0.5, 0.75}, 0.15, 1 << 18);
+    EXPECT_LT(shape.own_error, 1e-9);
+    EXPECT_LT(symmetric_difference(shape.outlines, closed.outlines), shape.own_error);
+    EXPECT_NEAR(signed_area(shape.outlines), shape.area, 1e-15);
+}
+
+TEST(Exact, SwirledSlottedDisc) {
+    const ExactShape shape = advected_shape(slotted_disc_curve({}), steady(Swirl{}), 4.0);
+    EXPECT_LT(shape.own_error, 1e-7);
+    EXPECT_TRUE(is_simple(shape.outlines));
+    EXPECT_NEAR(signed_area(shape.outlines), shape.area, 1e-9);
+    EXPECT_LT(2.0 * shape.area / perimeter(shape.outlines), 0.01) << "thinner than an edge";
+    for (const Point<double>& corner : slot_corners({})) {
+        EXPECT_LT(distance(carried(corner, 4.0, 0.0), shape.outlines.front()), 2e-8);
+    }
+}
+
 TEST(Exact, TwistedSquareAgreesWithItsClosedForm) {
     const Vortex field{{0, 0}, 1.0};
     const Curve curve = polygon_curve(square(-50, -50, 100));

@@ -5,7 +5,7 @@
 
 #include "simulation_testing.h"
 
-#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/algorithm/interface_list.h"
 #include "dsc/algorithm/mesh_update.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"

@@ -5,7 +5,7 @@
 #include "random_scene.h"
 
 #include "dsc/algorithm/algorithm.h"
-#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/algorithm/interface_list.h"
 #include "dsc/complex/validate.h"
 #include "dsc/parallel/places.h"
 

@@ -5,6 +5,7 @@
 #include "dsc/base/error.h"
 #include "dsc/base/predicates.h"
 #include "dsc/base/types.h"
+#include "dsc/base/unit_map.h"
 #include "dsc/base/verdict.h"
 
 #include "dsc/complex/algebra.h"
@@ -27,9 +28,11 @@
 #include "dsc/quality/selection.h"
 
 #include "dsc/initial/initial_complex.h"
+#include "dsc/initial/unit_box.h"
 
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interpolation.h"
+#include "dsc/motion/unit_velocity.h"
 
 #include "dsc/algorithm/algorithm.h"
 #include "dsc/algorithm/driver.h"

@@ -219,10 +219,14 @@ ExactShape mapped_shape(const Curve& curve, const FlowMap& map, const FlowMap& r
     shape.area = curve.area;
     shape.description =
         description + ", " + std::to_string(shape.outlines.front().size()) + " markers";
-    // Chords err with the square of their length and the steps with a higher power: the difference
-    // is at least three times the error of the finer one.
-    shape.own_error =
-        symmetric_difference(shape.outlines.front(), check) / 3.0 + rounding_error(shape.outlines);
+    // Chords err with the square of their length and the steps with a higher power: where markers
+    // are twice as far apart, the difference is at least three times the error of the finer one.
+    // Intervals are divided into whole parts, so that they may be less than that.
+    const double ratio =
+        static_cast<double>(shape.outlines.front().size()) / static_cast<double>(check.size());
+    shape.own_error = symmetric_difference(shape.outlines.front(), check) /
+                          std::clamp(ratio * ratio - 1.0, 1.0, 3.0) +
+                      rounding_error(shape.outlines);
     return shape;
 }
 
@@ -231,6 +235,19 @@ ExactShape advected_shape(const Curve& curve, const Flow& flow, double time, int
     return mapped_shape(curve, runge_kutta_map(flow, 0.0, time, steps),
                         runge_kutta_map(flow, 0.0, time, std::max(1, steps / 2)),
                         "curve advected by RK4 in " + std::to_string(steps) + " steps", options);
+}
+
+int advection_steps(double time) {
+    // What a step gets wrong grows with the gradients that it meets, so that long times need more
+    // steps in all; short ones have the least.
+    constexpr int least = 768;
+    constexpr double per_time = 160.0;
+    constexpr double most = 1e6;
+    return std::max(least, static_cast<int>(std::min(most, std::ceil(per_time * time))));
+}
+
+ExactShape advected_shape(const Curve& curve, const Flow& flow, double time) {
+    return advected_shape(curve, flow, time, advection_steps(time), MarkerOptions{});
 }
 
 ExactShape unmoved_shape(const Curve& curve, const MarkerOptions& options) {

@@ -28,12 +28,12 @@ struct ExactShape {
 /// A circle as a polygon of exactly its area.
 /// Throws InputError for a radius that is not positive, or fewer than 8 vertices.
 [[nodiscard]] ExactShape exact_circle(const Point<double>& centre, double radius,
-                                      int vertices = 1 << 14);
+                                      int vertices = 1 << 15);
 
 /// How closely markers follow a curve, in units of the square root of its area.
 struct MarkerOptions {
     double spacing = 7.5e-4;    ///< largest distance of neighbours
-    double deviation = 1e-7;    ///< largest distance of the curve from a chord
+    double deviation = 5e-8;    ///< largest distance of the curve from a chord
     int most_markers = 1 << 20; ///< more are not added
 };
 
@@ -47,11 +47,20 @@ struct MarkerOptions {
                                       const std::string& description,
                                       const MarkerOptions& options = {});
 
+/// Steps of RK4 for a time in a flow of speeds about 1 in the unit square: they keep the area that
+/// they get wrong near 1e-8 for a curve that is drawn out to a length of some 10.
+[[nodiscard]] int advection_steps(double time);
+
 /// What a divergence-free flow has made of a curve at a time, by `steps` steps of RK4 from time 0.
 [[nodiscard]] ExactShape advected_shape(const Curve& curve, const Flow& flow, double time,
-                                        int steps = 512, const MarkerOptions& options = {});
+                                        int steps, const MarkerOptions& options = {});
+/// In `advection_steps(time)` steps: own_error is below 1e-7 for the swirl of a circle of radius
+/// 0.15 until time 4.2, and for the single vortex at the half of a period of up to 8.
+[[nodiscard]] ExactShape advected_shape(const Curve& curve, const Flow& flow, double time);
 
-/// The curve itself: where a flow and its reversal lead.
-[[nodiscard]] ExactShape unmoved_shape(const Curve& curve, const MarkerOptions& options = {});
+/// The curve itself: where a flow and its reversal lead. Markers that need no flow cost little, so
+/// there are many: own_error is below 1e-9 for a circle of radius 0.15.
+[[nodiscard]] ExactShape unmoved_shape(const Curve& curve,
+                                       const MarkerOptions& options = {.deviation = 2e-9});
 
 } // namespace dsc::scenes

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/motion/interpolation.h"
 #include "scenes/outline.h"
 
 namespace dsc::scenes {
@@ -11,6 +12,12 @@ namespace dsc::scenes {
 /// domain edges of other phases belong to them. O(n).
 template <class Real>
 [[nodiscard]] std::vector<Outline> interface_outlines(const Complex<Real>& complex);
+
+/// The same curves read between their vertices: with `Reading::cubic` each edge becomes `samples`
+/// chords of its cubic, which differ from it by 1 / samples^2 of what the edge itself does. O(n).
+template <class Real>
+[[nodiscard]] std::vector<Outline> interface_outlines(const Complex<Real>& complex, Reading reading,
+                                                      int samples = 32);
 
 struct MeshQuality {
     double min_quality = 1; ///< equation 4

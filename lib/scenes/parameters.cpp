@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -48,6 +49,19 @@ Integer whole_number(const std::string& key, const std::string& value, Integer l
     return result;
 }
 
+// One of some enumerators, by the name that to_string gives it.
+template <class Enum, std::size_t n>
+Enum choice(const std::string& key, const std::string& value, const std::array<Enum, n>& all) {
+    std::vector<std::string> names;
+    for (const Enum one : all) {
+        if (value == to_string(one)) {
+            return one;
+        }
+        names.emplace_back(to_string(one));
+    }
+    refuse(key, value, join(names));
+}
+
 } // namespace
 
 void set_parameter(Parameters& parameters, const std::vector<std::string>& keys,
@@ -69,23 +83,37 @@ void set_parameter(Parameters& parameters, const std::vector<std::string>& keys,
         parameters.seed = whole_number<std::uint64_t>(key, value, 0, UINT64_MAX,
                                                       "a whole number from 0 to 2^64 - 1");
     } else if (key == "integrator") {
-        if (value == "euler") {
-            parameters.integrator = Integrator::euler;
-        } else if (value == "midpoint") {
-            parameters.integrator = Integrator::midpoint;
-        } else if (value == "rk4") {
-            parameters.integrator = Integrator::rk4;
-        } else {
-            refuse(key, value, "euler, midpoint, rk4");
-        }
+        parameters.integrator =
+            choice(key, value,
+                   std::array{Integrator::euler, Integrator::centred, Integrator::midpoint,
+                              Integrator::rk4, Integrator::adaptive});
+    } else if (key == "tolerance") {
+        parameters.tolerance = number(key, value, 1e-12, 1, "1e-12 to 1, an error in edge lengths");
     } else if (key == "insertion") {
-        if (value == "linear") {
-            parameters.insertion = Insertion::linear;
-        } else if (value == "cubic") {
-            parameters.insertion = Insertion::cubic;
-        } else {
-            refuse(key, value, "linear, cubic");
-        }
+        parameters.insertion =
+            choice(key, value, std::array{Insertion::linear, Insertion::cubic, Insertion::arc});
+    } else if (key == "coarsening") {
+        parameters.interface.coarsening =
+            choice(key, value,
+                   std::array{Coarsening::deviation, Coarsening::length, Coarsening::area,
+                              Coarsening::never});
+    } else if (key == "reading") {
+        parameters.interface.reading =
+            choice(key, value, std::array{Reading::chords, Reading::cubic});
+    } else if (key == "longest") {
+        parameters.interface.longest = number(key, value, 0.1, 10, "0.1 to 10, in edge lengths");
+    } else if (key == "shortest") {
+        parameters.interface.shortest = number(key, value, 0, 5, "0 to 5, in edge lengths");
+    } else if (key == "deviation") {
+        parameters.interface.deviation = number(key, value, 0, 1, "0 to 1, in edge lengths");
+    } else if (key == "turn") {
+        parameters.interface.turn_degrees = number(key, value, 0, 180, "0 (off), 1 to 180 degrees");
+    } else if (key == "gap") {
+        parameters.interface.gap = number(key, value, 0, 100, "0 (off), 0.1 to 100");
+    } else if (key == "grading") {
+        parameters.interface.grading = number(key, value, 0, 100, "0 (off), 2 to 100");
+    } else if (key == "finest") {
+        parameters.interface.finest = number(key, value, 1e-3, 1, "0.001 to 1, in edge lengths");
     } else if (key == "real") {
         if (value == "double") {
             parameters.real = RealType::double_precision;

@@ -3,8 +3,7 @@
 // sense for it; anything else is refused.
 #pragma once
 
-#include "dsc/motion/integrator.h"
-#include "dsc/motion/interpolation.h"
+#include "dsc/algorithm/options.h"
 
 #include <cstdint>
 #include <string>
@@ -20,7 +19,9 @@ struct Parameters {
     int steps = 0;     ///< time steps; of the swirl: each way
     double period = 0; ///< time from start to return of a reversing flow; 0: none
     Integrator integrator = Integrator::rk4;
+    double tolerance = Options<double>{}.tolerance; ///< of `adaptive`, in edge lengths
     Insertion insertion = Insertion::cubic;
+    InterfaceThresholds interface;
     RealType real = RealType::double_precision;
     std::uint64_t seed = 0; ///< shuffles the order in which the interface is worked through; 0: not
 };

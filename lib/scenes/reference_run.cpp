@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/reference_run.h"
 
+#include "dsc/base/error.h"
 #include "scenes/measure.h"
 
 #include <map>
@@ -45,6 +46,15 @@ Complex<double> from_reference(const reference::Complex& complex) {
     return make_complex<double>(points, triangles, phases);
 }
 
+namespace {
+
+InputError not_in_reference(const char* key, std::string_view value) {
+    return {"the reference does not know this", key, std::string(value),
+            "what the thesis has; see reference/"};
+}
+
+} // namespace
+
 reference::Options reference_options(const Parameters& parameters) {
     reference::Options options;
     options.passes.edge_length = parameters.h;
@@ -55,6 +65,15 @@ reference::Options reference_options(const Parameters& parameters) {
     case Integrator::euler: options.integrator = reference::Integrator::euler; break;
     case Integrator::midpoint: options.integrator = reference::Integrator::midpoint; break;
     case Integrator::rk4: options.integrator = reference::Integrator::rk4; break;
+    case Integrator::centred:
+    case Integrator::adaptive:
+        throw not_in_reference("--set integrator", to_string(parameters.integrator));
+    }
+    if (parameters.insertion == Insertion::arc) {
+        throw not_in_reference("--set insertion", to_string(parameters.insertion));
+    }
+    if (parameters.interface.reading != Reading::chords) {
+        throw not_in_reference("--set reading", to_string(parameters.interface.reading));
     }
     return options;
 }

@@ -20,6 +20,38 @@ Json histogram_json(const Histogram& histogram) {
 // JSON has no NaN: what could not be measured is null.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json jaggedness_json(const Jaggedness& j) {
+    return {{"vertices", j.vertices},
+            {"beyond", j.beyond},
+            {"largest_turn_deg", finite(j.largest_turn_deg)},
+            {"exact_turn_deg", finite(j.exact_turn_deg)},
+            {"largest_excess_deg", finite(j.largest_excess_deg)},
+            {"worst", {finite(j.worst.x()), finite(j.worst.y())}},
+            {"rms_deg", finite(j.rms_deg)}};
+}
+
+// The measures of one moment, `when`: last or half. Null where there was no such moment.
+void add_shape(const std::string& when, const std::optional<ShapeErrors>& errors,
+               const RunResult& r, Json& json) {
+    const auto add = [&](const char* name, auto value) {
+        json[name + when] = errors ? Json(value(*errors)) : Json(nullptr);
+    };
+    add("area_", [](const ShapeErrors& e) { return finite(e.area); });
+    add("area_exact_", [](const ShapeErrors& e) { return finite(e.area_exact); });
+    add("area_drift_exact_",
+        [](const ShapeErrors& e) { return finite(area_drift(e.area, e.area_exact)); });
+    add("area_drift_first_",
+        [&](const ShapeErrors& e) { return finite(area_drift(e.area, r.area_first)); });
+    add("sd_", [](const ShapeErrors& e) { return finite(e.symmetric_difference); });
+    add("sd_rel_",
+        [&](const ShapeErrors& e) { return finite(e.symmetric_difference / r.area_exact_first); });
+    add("hausdorff_", [](const ShapeErrors& e) { return finite(e.hausdorff); });
+    add("perimeter_", [](const ShapeErrors& e) { return finite(e.perimeter); });
+    add("jaggedness_", [](const ShapeErrors& e) { return jaggedness_json(e.jaggedness); });
+    add("exact_shape_", [](const ShapeErrors& e) { return Json(e.exact_shape); });
+    add("exact_error_", [](const ShapeErrors& e) { return finite(e.exact_error); });
+}
+
 } // namespace
 
 std::string to_json(const RunResult& r) {
@@ -30,7 +62,17 @@ std::string to_json(const RunResult& r) {
                     {"steps", r.parameters.steps},
                     {"period", r.parameters.period},
                     {"integrator", std::string(to_string(r.parameters.integrator))},
+                    {"tolerance", r.parameters.tolerance},
                     {"insertion", std::string(to_string(r.parameters.insertion))},
+                    {"coarsening", std::string(to_string(r.parameters.interface.coarsening))},
+                    {"reading", std::string(to_string(r.parameters.interface.reading))},
+                    {"longest", r.parameters.interface.longest},
+                    {"shortest", r.parameters.interface.shortest},
+                    {"deviation", r.parameters.interface.deviation},
+                    {"turn", r.parameters.interface.turn_degrees},
+                    {"gap", r.parameters.interface.gap},
+                    {"grading", r.parameters.interface.grading},
+                    {"finest", r.parameters.interface.finest},
                     {"real", r.parameters.real == RealType::double_precision ? "double" : "float"},
                     {"seed", r.parameters.seed}};
     Json json{
@@ -44,15 +86,12 @@ std::string to_json(const RunResult& r) {
         {"interface_vertices_first", r.interface_vertices_first},
         {"interface_vertices_last", r.interface_vertices_last},
         {"area_first", finite(r.area_first)},
-        {"area_last", finite(r.area_last)},
         {"area_exact_first", finite(r.area_exact_first)},
-        {"area_exact_last", finite(r.area_exact_last)},
         {"area_ratio", finite(r.area_ratio)},
-        {"sd_rel_last", finite(r.sd_rel_last)},
-        {"sd_rel_half", r.sd_rel_half ? finite(*r.sd_rel_half) : Json(nullptr)},
-        {"hausdorff_last", finite(r.hausdorff_last)},
-        {"exact_shape", r.exact_shape},
-        {"exact_error_rel", finite(r.exact_error_rel)},
+    };
+    add_shape("last", r.last, r, json);
+    add_shape("half", r.half, r, json);
+    json.update({
         {"min_quality_last", finite(r.min_quality_last)},
         {"min_angle_deg_last", finite(r.min_angle_deg_last)},
         {"median_angle_deg_last", finite(r.median_angle_deg_last)},
@@ -78,7 +117,7 @@ std::string to_json(const RunResult& r) {
          {{"area", histogram_json(r.area_histogram)},
           {"quality", histogram_json(r.quality_histogram)},
           {"angle", histogram_json(r.angle_histogram)}}},
-    };
+    });
     return json.dump(2) + "\n";
 }
 

@@ -6,12 +6,10 @@
 #include "dsc/complex/hash.h"
 #include "scenes/clock.h"
 #include "scenes/frames.h"
-#include "scenes/hausdorff.h"
 #include "scenes/measure.h"
 #include "scenes/progress.h"
 #include "scenes/reference_run.h"
 #include "scenes/submesh_map.h"
-#include "scenes/symmetric_difference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +74,10 @@ public:
     }
 
     void step(const Velocity& velocity, double time, double dt, RunResult& result) {
+        if (&velocity != leg_) {
+            simulation_->forget();
+            leg_ = &velocity;
+        }
         const StepReport report = simulation_->step(velocity_in<Real>(velocity),
                                                     static_cast<Real>(time), static_cast<Real>(dt));
         result.unreached += report.unreached;
@@ -83,7 +85,9 @@ public:
         result.sub_steps += report.sub_steps;
         if (report.gave_up == GiveUp::too_many_sub_steps) {
             result.gave_up = "a step at time " + std::to_string(time) + " asks for more than " +
-                             std::to_string(options_.max_sub_steps) + " sub-steps";
+                             std::to_string(options_.max_sub_steps) + " sub-steps: vertex " +
+                             std::to_string(report.where.id) + " moves at " +
+                             std::to_string(report.speed);
         }
         vertex_steps_ += report.interface_vertices;
         add_operations(result, report.operations);
@@ -104,6 +108,7 @@ private:
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
     const SubmeshExecutor<Real>* submeshes_ = nullptr;
+    const Velocity* leg_ = nullptr; ///< the velocity of the step before
     std::uint64_t vertex_steps_ = 0;
 };
 
@@ -164,10 +169,20 @@ private:
         }
     }
 
+    ShapeErrors shape_errors() {
+        // Shape is measured as the scene reads its interface, jaggedness at the vertices.
+        const Reading reading = result_.parameters.interface.reading;
+        const auto polygons = interface_outlines(complex());
+        return measure_shape(reading == Reading::chords ? polygons
+                                                        : interface_outlines(complex(), reading),
+                             polygons, setup_.exact(time_));
+    }
+
     void first() {
         result_.triangles_first = complex().triangle_count();
         result_.interface_vertices_first = method_.interface_vertices();
-        result_.area_first = signed_area(interface_outlines(complex()));
+        result_.area_first =
+            signed_area(interface_outlines(complex(), result_.parameters.interface.reading));
         const ExactShape exact = setup_.exact(0.0);
         result_.area_exact_first = exact.area;
         const MeshQuality quality = measure_worst(complex());
@@ -184,10 +199,8 @@ private:
             result_.inverted += quality.inverted;
         }
         if (setup_.half_step == step) {
-            const ExactShape exact = setup_.exact(time_);
-            result_.sd_rel_half =
-                symmetric_difference(interface_outlines(complex()), exact.outlines) /
-                result_.area_exact_first;
+            result_.half = shape_errors();
+            result_.sd_rel_half = result_.half->symmetric_difference / result_.area_exact_first;
         }
         observe(step);
     }
@@ -196,16 +209,9 @@ private:
         result_.peak_memory_mb = peak_memory_mb();
         result_.triangles_last = complex().triangle_count();
         result_.interface_vertices_last = method_.interface_vertices();
-        const auto outlines = interface_outlines(complex());
-        const ExactShape exact = setup_.exact(time_);
-        result_.area_last = signed_area(outlines);
-        result_.area_exact_last = exact.area;
-        result_.area_ratio = result_.area_last / result_.area_first;
-        result_.sd_rel_last =
-            symmetric_difference(outlines, exact.outlines) / result_.area_exact_first;
-        result_.hausdorff_last = hausdorff(outlines, exact.outlines).distance();
-        result_.exact_shape = exact.description;
-        result_.exact_error_rel = exact.own_error / result_.area_exact_first;
+        result_.last = shape_errors();
+        result_.area_ratio = result_.last.area / result_.area_first;
+        result_.sd_rel_last = result_.last.symmetric_difference / result_.area_exact_first;
         const MeshQuality quality = measure_quality(complex());
         result_.min_quality_last = quality.min_quality;
         result_.min_quality_ever = std::min(result_.min_quality_ever, quality.min_quality);
@@ -261,7 +267,9 @@ Options<Real> scene_options(const Parameters& parameters) {
     Options<Real> options;
     options.edge_length = static_cast<Real>(parameters.h);
     options.integrator = parameters.integrator;
+    options.tolerance = parameters.tolerance;
     options.insertion = parameters.insertion;
+    options.interface = parameters.interface;
     options.shuffle_seed = parameters.seed;
     return options;
 }

@@ -6,6 +6,7 @@
 #include "dsc/complex/complex.h"
 #include "dsc/quality/histogram.h"
 #include "scenes/scene.h"
+#include "scenes/shape_errors.h"
 #include "scenes/strategy.h"
 
 #include <atomic>
@@ -48,16 +49,13 @@ struct RunResult {
     std::uint64_t triangles_last = 0;
     std::uint64_t interface_vertices_first = 0;
     std::uint64_t interface_vertices_last = 0;
-    double area_first = 0;
-    double area_last = 0;
+    double area_first = 0; ///< of the first polygon
     double area_exact_first = 0;
-    double area_exact_last = 0;
-    double area_ratio = 0;  ///< A(t_n) / A(t_0), as the thesis
+    ShapeErrors last;
+    std::optional<ShapeErrors> half; ///< where a reversing flow is farthest out
+    double area_ratio = 0;           ///< A(t_n) / A(t_0), as the thesis
     double sd_rel_last = 0; ///< symmetric difference to the exact shape, over its first area
-    std::optional<double> sd_rel_half; ///< at the half of a reversing flow
-    double hausdorff_last = 0;
-    std::string exact_shape;    ///< what it was compared with
-    double exact_error_rel = 0; ///< the exact shape's own error, over its first area
+    std::optional<double> sd_rel_half;
     double min_quality_last = 0;
     double min_angle_deg_last = 0;
     double median_angle_deg_last = 0;

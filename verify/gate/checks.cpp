@@ -43,7 +43,7 @@ std::vector<Configuration> parallel(const std::string& scene) {
 // How far the area has drifted from what the exact shape's has done; for flows without divergence
 // |A(t) / A(0) - 1|.
 double area_drift(const RunResult& r) {
-    return std::abs(r.area_ratio / (r.area_exact_last / r.area_exact_first) - 1);
+    return std::abs(r.area_ratio / (r.last.area_exact / r.area_exact_first) - 1);
 }
 
 // Runs that do not hold what they promise say nothing about anything else.

@@ -9,7 +9,7 @@ namespace dsc {
 template <class Real>
 AimReport<Real>& AimReport<Real>::operator+=(const AimReport& other) {
     fastest = std::max(fastest, other.fastest);
-    farthest = std::max(farthest, other.farthest);
+    reach += other.reach;
     held += other.held;
     vertices += other.vertices;
     return *this;
@@ -48,19 +48,42 @@ AimReport<Real> find_velocities(Work<Real>& work, const Velocity<Real>& velocity
 }
 
 template <class Real>
-Real find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt) {
+Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt) {
     Aim<Real>& aim = work.aim;
     if (work.interface.empty()) {
-        return 0;
+        return {};
     }
-    integrate<Real>(work.options.integrator, velocity, aim.positions, time, dt, aim.targets,
-                    aim.scratch);
+    aim.dt = dt;
+    if (work.past != nullptr) {
+        aim.scratch.past.resize(work.interface.size());
+        for (std::size_t i = 0; i < work.interface.size(); ++i) {
+            aim.scratch.past[i] = (*work.past)[Vertex{work.interface[i]}];
+        }
+    }
+    Reach<Real> reach;
+    reach.error = integrate<Real>(work.options.integrator, velocity, aim.positions, time, dt,
+                                  aim.targets, aim.scratch);
     Real farthest = 0;
     for (std::size_t i = 0; i < aim.targets.size(); ++i) {
         const Real squared = (aim.targets[i] - aim.positions[i]).squaredNorm();
         farthest = std::isfinite(squared) ? std::max(farthest, squared) : farthest;
     }
-    return std::sqrt(farthest);
+    reach.farthest = std::sqrt(farthest);
+    return reach;
+}
+
+template <class Real>
+Attribute<Past<Real>>& past_of(Complex<Real>& complex) {
+    static const std::string name = "dsc.past";
+    for (const auto& attribute : complex.attributes.list()) {
+        if (attribute->name() == name) {
+            return complex.attributes.template get<Past<Real>>(name);
+        }
+    }
+    // A vertex that is new has no past.
+    return complex.attributes.template add<Past<Real>>(
+        name, SimplexKind::vertex, Past<Real>{},
+        [](const Past<Real>&, const Past<Real>&, double) { return Past<Real>{}; });
 }
 
 template <class Real>
@@ -70,6 +93,11 @@ std::uint64_t collect_movers(Work<Real>& work) {
     for (std::size_t i = 0; i < work.interface.size(); ++i) {
         const std::uint32_t v = work.interface[i];
         const Point<Real>& target = aim.targets[i];
+        if (work.past != nullptr) {
+            const Point<Real> way = target - aim.positions[i];
+            const bool is_known = aim.held[i] == 0 && way.allFinite();
+            (*work.past)[Vertex{v}] = is_known ? Past<Real>{way, aim.dt} : Past<Real>{};
+        }
         if (aim.held[i] != 0 || work.complex.is_locked(Vertex{v})) {
             continue;
         }
@@ -85,7 +113,8 @@ std::uint64_t collect_movers(Work<Real>& work) {
 #define DSC_INSTANTIATE(Real)                                                                      \
     template struct AimReport<Real>;                                                               \
     template AimReport<Real> find_velocities(Work<Real>&, const Velocity<Real>&, Real);            \
-    template Real find_targets(Work<Real>&, const Velocity<Real>&, Real, Real);                    \
+    template Reach<Real> find_targets(Work<Real>&, const Velocity<Real>&, Real, Real);             \
+    template Attribute<Past<Real>>& past_of(Complex<Real>&);                                       \
     template std::uint64_t collect_movers(Work<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -6,6 +6,7 @@
 #include "dsc/algorithm/executor.h"
 #include "dsc/motion/integrator.h"
 
+#include <limits>
 #include <memory>
 
 namespace dsc {
@@ -23,7 +24,10 @@ struct StepReport {
     std::uint64_t unreached =
         0;                  ///< vertices that did not arrive, summed over sub-steps; with `held`
     std::uint64_t held = 0; ///< of these: held for a velocity that was not finite
+    double error = 0;       ///< the largest estimate of `adaptive` that was accepted, a length
     GiveUp gave_up = GiveUp::none;
+    Vertex where;                         ///< of the give-up: the fastest vertex...
+    double speed = 0;                     ///< ...and its speed
     std::uint32_t interface_vertices = 0; ///< at the end of the step
 };
 
@@ -41,6 +45,10 @@ public:
     /// them), never O(mesh). Throws InputError where dt is negative or not finite.
     StepReport step(const Velocity<Real>& velocity, Real time, Real dt);
 
+    /// The flow has changed from one moment to the next: integrators with a memory start anew.
+    /// O(interface vertices) for those, O(1) for all others.
+    void forget();
+
     /// The vertices of the interface, about in the order of the curve. O(their number).
     [[nodiscard]] std::vector<std::uint32_t> interface() const;
     [[nodiscard]] std::size_t interface_size() const { return executor_->interface_size(); }
@@ -48,10 +56,14 @@ public:
 private:
     bool sub_step(const Velocity<Real>& velocity, Real& time, Real& remaining, StepReport& report);
     [[nodiscard]] Real pieces_of(Real remaining, Real fastest) const;
+    Real shorten(const Velocity<Real>& velocity, Real time, Real dt, Reach<Real>& reach);
+    void find_fastest(const Velocity<Real>& velocity, Real time, StepReport& report) const;
 
+    Complex<Real>& complex_;
     const Options<Real>& options_;
     std::unique_ptr<Executor<Real>> executor_;
     Real fastest_ = 0; ///< speed of the last sub-step: what the next is expected to be like
+    Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
 };
 
 } // namespace dsc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/executor.h"
 
-#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/algorithm/interface_list.h"
 
 #include <algorithm>
 #include <utility>
@@ -61,7 +61,7 @@ AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkee
     // Alone on the complex, nothing is put off.
     work.put_off_interface.clear();
     AimReport<Real> report = find_velocities(work, velocity, time);
-    report.farthest = find_targets(work, velocity, time, dt);
+    report.reach = find_targets(work, velocity, time, dt);
     return report;
 }
 
@@ -83,7 +83,8 @@ AimReport<Real> SequentialExecutor<Real>::aim(const Velocity<Real>& velocity, Re
 }
 
 template <class Real>
-Real SequentialExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
+Reach<Real> SequentialExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time,
+                                                Real dt) {
     return find_targets(work_, velocity, time, dt);
 }
 

@@ -33,8 +33,8 @@ public:
     /// Interface upkeep; then velocities at `time` and targets at time + dt. `dt` is what the
     /// driver expects to do; the velocities may make it change its mind.
     virtual AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) = 0;
-    /// New targets for another dt, from the same positions; returns the longest way.
-    virtual Real aim_again(const Velocity<Real>& velocity, Real time, Real dt) = 0;
+    /// New targets for another dt, from the same positions.
+    virtual Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) = 0;
     /// Movement and mesh update, until all vertices are at their targets or do not get any further.
     virtual MoveReport move() = 0;
     virtual void end_step() {}
@@ -80,7 +80,7 @@ public:
                        Algorithm<Real> algorithm);
 
     AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
-    Real aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
     MoveReport move() override;
     void end_step() override;
     [[nodiscard]] std::size_t interface_size() const override { return work_.interface.size(); }

@@ -15,14 +15,4 @@ namespace dsc {
 template <class Real>
 void upkeep_interface(Work<Real>& work);
 
-/// All interface vertices of a complex, curve by curve; shuffled where `seed` is not 0, to see how
-/// far results depend on the order of operations. O(n), once at the start.
-template <class Real>
-std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::uint64_t seed = 0);
-
-/// Puts a list of interface vertices into the order of the curve again, from its first vertex on.
-/// O(list). Uses the stamps, of which `epoch` and epoch + 1 must not be in use.
-template <class Real>
-void order_interface(Complex<Real>& complex, std::vector<std::uint32_t>& list, std::uint32_t epoch);
-
 } // namespace dsc

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/mesh_update.h"
 
+#include "dsc/algorithm/wall.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/quality/delaunay.h"
+#include "dsc/quality/measures.h"
 #include "dsc/quality/ring_quality.h"
+
+#include <numbers>
 
 namespace dsc {
 
@@ -35,7 +39,11 @@ constexpr int max_turns = 6;
 template <class Real>
 class MeshUpdate {
 public:
-    explicit MeshUpdate(Work<Real>& work) : work_(work), complex_(work.complex), ring_(work.ring) {}
+    explicit MeshUpdate(Work<Real>& work)
+        : work_(work), complex_(work.complex), ring_(work.ring),
+          grading_squared_(
+              static_cast<Real>(work.options.interface.grading * work.options.interface.grading)),
+          needle_(squared_needle_quality(grading_squared_)) {}
 
     void run() {
         // Vertices made on the way are appended and looked at as well: splits halve lengths, so
@@ -53,6 +61,7 @@ private:
         Real smooth;   // squared quality
         Real longest;  // squared length
         Real shortest; // squared length
+        Real crowded;  // squared length
     };
 
     Limits limits(Phase phase) const {
@@ -61,8 +70,8 @@ private:
         const Real h = work_.options.edge_length;
         return {square(static_cast<Real>(t.collapse_quality)),
                 square(static_cast<Real>(t.smooth_quality)),
-                square(static_cast<Real>(t.longest) * h),
-                square(static_cast<Real>(t.shortest) * h)};
+                square(static_cast<Real>(t.longest) * h), square(static_cast<Real>(t.shortest) * h),
+                square(static_cast<Real>(t.crowded) * h)};
     }
 
     bool gather_star(std::uint32_t v) {
@@ -89,7 +98,8 @@ private:
             const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
             if (may_move) {
                 const bool poor = star.quality < limit.collapse;
-                if ((poor || star.shortest < limit.shortest) && collapse(star, limit)) {
+                if ((poor || star.shortest < limit.shortest || star.longest < limit.crowded) &&
+                    collapse(star, limit)) {
                     return;
                 }
                 if (star.quality < limit.smooth && smooth(v, star.quality)) {
@@ -97,9 +107,21 @@ private:
                     return;
                 }
             }
+            if (!ring_.closed && ring_.phase[0] == exterior_phase) {
+                const WallUpkeep done = keep_wall(v, star, limit);
+                if (done == WallUpkeep::gone) {
+                    return;
+                }
+                if (done == WallUpkeep::split) {
+                    continue;
+                }
+            }
             // About an interface vertex phases differ, and so may their limits.
             const bool mixed = !ring_.one_phase && !work_.options.per_phase.empty();
             if ((mixed || star.longest > limit.longest) && split_longest(limit, mixed)) {
+                continue;
+            }
+            if (!ring_.one_phase && star.quality < needle_ && split_beside_short()) {
                 continue;
             }
             return;
@@ -192,17 +214,39 @@ private:
             return ring_.size == 3 && finish_collapse(0);
         }
         // A short spoke may cost quality, down to where it would be collapsed for that again.
-        const bool is_short = star.shortest < limit.shortest;
+        const bool is_short = star.shortest < limit.shortest || star.longest < limit.crowded;
         Real best = is_short ? std::min(star.quality, limit.collapse) : star.quality;
         std::uint32_t best_spoke = no_id;
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             const Real after = worst_quality_squared_after_collapse(ring_, i);
-            if (after > best && longest_after(i) <= Real(1.44) * limit.longest) {
+            if (after > best && longest_after(i) <= Real(1.44) * limit.longest &&
+                (!is_short || keeps_grading(i))) {
                 best = after;
                 best_spoke = i;
             }
         }
         return best_spoke != no_id && finish_collapse(best_spoke);
+    }
+
+    /// Whether no needle beside an interface edge would be split again at once, with the star's
+    /// triangles at link vertex i.
+    bool keeps_grading(std::uint32_t i) const {
+        if (grading_squared_ == 0) {
+            return true;
+        }
+        const auto squared = [](Real dx, Real dy) { return dx * dx + dy * dy; };
+        for (std::uint32_t j = 0; j < ring_.size; ++j) {
+            if (complex_.phase_at(complex_.twin(ring_.corner[j])) != ring_.phase[j]) {
+                const Real allowed =
+                    Real(0.8) * grading_squared_ *
+                    squared(ring_.x_next[j] - ring_.x[j], ring_.y_next[j] - ring_.y[j]);
+                if (squared(ring_.x[i] - ring_.x[j], ring_.y[i] - ring_.y[j]) > allowed ||
+                    squared(ring_.x[i] - ring_.x_next[j], ring_.y[i] - ring_.y_next[j]) > allowed) {
+                    return false;
+                }
+            }
+        }
+        return true;
     }
 
     Real longest_after(std::uint32_t i) const {
@@ -239,9 +283,47 @@ private:
         return true;
     }
 
+    // --- walls of the exterior phase ----------------------------------------------------------
+    enum class WallUpkeep : std::uint8_t { none, gone, split };
+
+    WallUpkeep keep_wall(std::uint32_t v, const StarReport<Real>& star, const Limits& limit) {
+        const bool is_poor = star.quality < limit.collapse;
+        const WallLimits<Real> wall{limit.longest, limit.shortest,
+                                    std::sqrt(std::clamp(star.quality, Real(0), limit.collapse))};
+        if (should_collapse_on_wall(ring_, wall, is_poor) && collapse_on_wall(work_, ring_, wall)) {
+            ++work_.counts.collapses;
+            return WallUpkeep::gone;
+        }
+        if (!should_split_wall(ring_, wall)) {
+            return WallUpkeep::none;
+        }
+        const SplitResult result = split_wall(work_, ring_);
+        if (result.verdict == Verdict::out_of_ids ||
+            result.verdict == Verdict::on_submesh_boundary) {
+            work_.put_off_active.push_back(v);
+        }
+        work_.counts.splits += result.verdict == Verdict::legal ? 1U : 0U;
+        return result.verdict == Verdict::legal ? WallUpkeep::split : WallUpkeep::none;
+    }
+
     // --- smoothing ----------------------------------------------------------------------------
-    /// Laplacian smoothing [eq. 6], and half of it; the better one, if it raises the worst quality.
-    bool smooth(std::uint32_t v, Real quality) {
+    std::uint32_t worst_triangle() const {
+        Real worst = std::numeric_limits<Real>::max();
+        std::uint32_t index = 0;
+        const Point<Real> centre(ring_.x0, ring_.y0);
+        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+            const Real one =
+                quality<Real>(centre, {ring_.x[i], ring_.y[i]}, {ring_.x_next[i], ring_.y_next[i]});
+            if (one < worst) {
+                worst = one;
+                index = i;
+            }
+        }
+        return index;
+    }
+
+    /// Laplacian smoothing [eq. 6], and half of it; the best one, if it raises the worst quality.
+    bool smooth(std::uint32_t v, Real before) {
         Real sum_x = 0;
         Real sum_y = 0;
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
@@ -249,20 +331,35 @@ private:
             sum_y += ring_.y[i] - ring_.y0;
         }
         const Real share = Real(1) / static_cast<Real>(ring_.size);
-        Real best = quality;
+        Real best = before;
         Real best_x = 0;
         Real best_y = 0;
-        for (const Real step : {Real(1), Real(0.5)}) {
-            const Real px = ring_.x0 + step * share * sum_x;
-            const Real py = ring_.y0 + step * share * sum_y;
+        const auto look_at = [&](Real px, Real py) {
             const Real after = worst_quality_squared(ring_, px, py);
             if (after > best) {
                 best = after;
                 best_x = px;
                 best_y = py;
             }
+        };
+        for (const Real step : {Real(1), Real(0.5)}) {
+            look_at(ring_.x0 + step * share * sum_x, ring_.y0 + step * share * sum_y);
         }
-        if (!(best > quality) || !all_positive(ring_, best_x, best_y)) {
+        if (best < needle_) {
+            // Beside short edges the mean of the link is no good place: towards the apex of the
+            // equilateral triangle on the base of the worst one.
+            const std::uint32_t i = worst_triangle();
+            constexpr Real height = std::numbers::sqrt3_v<Real> / 2;
+            const Real base_x = ring_.x_next[i] - ring_.x[i];
+            const Real base_y = ring_.y_next[i] - ring_.y[i];
+            const Real apex_x = Real(0.5) * (ring_.x_next[i] + ring_.x[i]) - height * base_y;
+            const Real apex_y = Real(0.5) * (ring_.y_next[i] + ring_.y[i]) + height * base_x;
+            for (const Real step : {Real(0.5), Real(0.25), Real(0.125)}) {
+                look_at(ring_.x0 + step * (apex_x - ring_.x0),
+                        ring_.y0 + step * (apex_y - ring_.y0));
+            }
+        }
+        if (!(best > before) || !all_positive(ring_, best_x, best_y)) {
             return false;
         }
         if (!owns_place<Real>(work_.submesh.region, {best_x, best_y})) {
@@ -295,6 +392,41 @@ private:
         if (spoke == no_id) {
             return false;
         }
+        return split_spoke(spoke);
+    }
+
+    // A spoke beside a short edge of the interface, of a triangle that is a needle therefore.
+    bool split_beside_short() {
+        Real longest = 0;
+        std::uint32_t spoke = no_id;
+        const auto length = [this](std::uint32_t i) {
+            const Real dx = ring_.link_x(i) - ring_.x0;
+            const Real dy = ring_.link_y(i) - ring_.y0;
+            return dx * dx + dy * dy;
+        };
+        const auto look_at = [&](std::uint32_t i, Real allowed) {
+            const Real squared = length(i);
+            if (squared > allowed && squared > longest && !ring_.is_constrained(i)) {
+                longest = squared;
+                spoke = i;
+            }
+        };
+        const std::uint32_t n = ring_.link_size();
+        for (std::uint32_t i = 0; i < n; ++i) {
+            if (ring_.is_constrained(i)) {
+                const Real allowed = grading_squared_ * length(i);
+                if (i > 0 || ring_.closed) {
+                    look_at(i > 0 ? i - 1 : n - 1, allowed);
+                }
+                if (i + 1 < n || ring_.closed) {
+                    look_at(i + 1 < n ? i + 1 : 0, allowed);
+                }
+            }
+        }
+        return spoke != no_id && split_spoke(spoke);
+    }
+
+    bool split_spoke(std::uint32_t spoke) {
         const Point<Real> middle =
             midpoint<Real>({ring_.x0, ring_.y0}, {ring_.x[spoke], ring_.y[spoke]});
         if (!owns_place(work_.submesh.region, middle)) {
@@ -315,9 +447,17 @@ private:
         return true;
     }
 
+    /// Of a triangle with a base of 1 and legs of the grading; squared.
+    static Real squared_needle_quality(Real grading_squared) {
+        // Two sines of the angle at the apex over sqrt(3), as in quality/measures.h.
+        return grading_squared > 0 ? (4 - 1 / grading_squared) / (3 * grading_squared) : Real(0);
+    }
+
     Work<Real>& work_;
     Complex<Real>& complex_;
     Ring<Real>& ring_;
+    Real grading_squared_;
+    Real needle_; // squared quality of a needle that the grading just allows; 0: none is split
 };
 
 // A vertex on the domain boundary stays there: it slides along a straight side and does not leave a

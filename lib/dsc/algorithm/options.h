@@ -16,16 +16,51 @@ struct PhaseThresholds {
     double smooth_quality = 0.65;   ///< below: smooth, if that raises the worst quality
     double longest = 1.6;           ///< spokes longer than this times the edge length are split
     double shortest = 0.4; ///< spokes shorter than this times the edge length are collapsed
+    double crowded = 0.9;  ///< vertices all of whose spokes are shorter than this times the edge
+                           ///< length may be collapsed too: they are left over from finer places
 };
+
+/// Which interface vertices at short edges may go. Corners never do.
+enum class Coarsening : std::uint8_t {
+    deviation, ///< those without which the curve stays where it is
+    length,    ///< all: the thesis's
+    area,      ///< all, and a neighbour moves so that the area of the phases stays
+    never,     ///< none: the curve keeps all it ever knew, at the price of short edges
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Coarsening coarsening) {
+    switch (coarsening) {
+    case Coarsening::deviation: return "deviation";
+    case Coarsening::length: return "length";
+    case Coarsening::area: return "area";
+    case Coarsening::never: return "never";
+    }
+    return "unknown";
+}
 
 /// Thresholds of the interface.
 struct InterfaceThresholds {
-    double longest = 1.4; ///< edges longer than this times the edge length are split
+    double longest = 1; ///< edges longer than this times the edge length are split
     double shortest =
-        0.45; ///< vertices at an edge shorter than this times the edge length may go...
-    double deviation = 0.02; ///< ...if the curve moves by less than this times the edge length
-    double corner_degrees =
-        40; ///< turns sharper than this are corners: kept, and not interpolated over
+        0.3; ///< vertices at an edge shorter than this times the edge length may go...
+    double deviation = 0.01; ///< ...if the curve moves by less than this times the edge length
+    double degenerate = 0.1; ///< ...or at an edge shorter than this, where the curve turns by more
+                             ///< than 45 degrees: that is no shape any more, but its remains
+    double corner_degrees = 40; ///< turns sharper than this at the start are corners: kept, and
+                                ///< not interpolated over
+
+    Coarsening coarsening = Coarsening::deviation;
+    Reading reading = Reading::chords; ///< what `deviation` is measured from
+
+    double grading = 3; ///< beside an interface edge others are split that are longer than this
+                        ///< times it; 0: none
+
+    // Sizes that follow the shape; 0: they do not, and cost nothing.
+    double turn_degrees = 0; ///< edges along which the curve turns by more are split
+    double gap = 0;          ///< edges longer than this times the distance to the next sheet of the
+                             ///< interface are split
+    double finest = 0.2;     ///< edges shorter than twice this times the edge length are split for
+                             ///< neither
 };
 
 template <class Real>
@@ -37,6 +72,7 @@ struct Options {
     InterfaceThresholds interface;
 
     Integrator integrator = Integrator::rk4;
+    double tolerance = 1e-4; ///< of `adaptive`: error of a sub-step, in edge lengths
     Insertion insertion = Insertion::cubic;
     InsertionFunction<Real> insertion_function; ///< replaces `insertion` where set
 

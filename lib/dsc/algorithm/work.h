@@ -42,16 +42,24 @@ struct Aim {
     std::vector<Point<Real>> targets;
     std::vector<std::uint8_t> held;  ///< not 0: the velocity is not finite, the vertex stays
     IntegratorScratch<Real> scratch; ///< `first`: the velocities
+    Real dt = 0;                     ///< in which the targets are to be reached
 };
+
+/// The attribute in which `Integrator::centred` keeps the last step of each vertex; made where
+/// there is none yet.
+template <class Real>
+Attribute<Past<Real>>& past_of(Complex<Real>& complex);
 
 template <class Real>
 struct Work {
     Work(Complex<Real>& complex_in, const Options<Real>& options_in)
-        : complex(complex_in), options(options_in), submesh{Region{}, &complex_in.ids} {}
+        : complex(complex_in), options(options_in), submesh{Region{}, &complex_in.ids},
+          past(options_in.integrator == Integrator::centred ? &past_of(complex_in) : nullptr) {}
 
     Complex<Real>& complex;
     const Options<Real>& options;
     Submesh submesh;
+    Attribute<Past<Real>>* past; ///< of `Integrator::centred`; no other has one
 
     std::vector<std::uint32_t> interface; ///< interface vertices, about in the order of the curve
     Aim<Real> aim;                        ///< of the interface vertices

@@ -25,4 +25,20 @@ inline constexpr Real area_bound = Real(3.3306690738754716e-16);
 template <>
 inline constexpr float area_bound<float> = 1.7881411e-7F;
 
+/// Target edge lengths from here...
+///
+/// The squared quality divides products of six lengths. They keep full precision for triangles of
+/// a quality above 1e-4 while h^6 is at least 1e8 times the smallest normal number, and edges of up
+/// to 16 h do not overflow while h^6 is at most 1e-8 times the largest. A scene of another size is
+/// run in the unit coordinates of a `UnitMap`.
+template <class Real>
+inline constexpr double least_edge_length = 1e-50;
+template <>
+inline constexpr double least_edge_length<float> = 1e-5;
+/// ... to here.
+template <class Real>
+inline constexpr double most_edge_length = 1e50;
+template <>
+inline constexpr double most_edge_length<float> = 1e5;
+
 } // namespace dsc

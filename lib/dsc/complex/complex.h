@@ -24,6 +24,7 @@ enum VertexFlag : std::uint32_t {
     /// vertex is in contact: it is asked once a step, not again and again, until it arrives.
     vertex_missed = 4U,
     vertex_contact = 12U,
+    vertex_corner = 16U, ///< of the interface: it is kept, and the curve has no tangent there
 };
 
 struct TriangleRecord {

@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/base/predicates.h"
+#include "dsc/base/tolerances.h"
 #include "dsc/initial/outline_sweep.h"
 #include "dsc/initial/rounding.h"
 
@@ -61,10 +62,6 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     if (!std::isfinite(h) || h <= 0) {
         throw InputError("edge length", "options", text(h), "a finite number above 0");
     }
-    if (h < least_edge_length || h > 1 / least_edge_length) {
-        throw InputError("edge length is out of range", "options", text(h),
-                         text(least_edge_length) + " to " + text(1 / least_edge_length));
-    }
     if (options.improve_rounds < 0) {
         throw InputError("rounds of improvement", "options", std::to_string(options.improve_rounds),
                          "0 or more");
@@ -82,6 +79,11 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
                          text(domain.low) + " to " + text(domain.high),
                          "low below high in x and y, and an area that is finite");
     }
+    if (h < least_edge_length<Real> || h > most_edge_length<Real>) {
+        throw InputError("edge length is out of range", "options", text(h),
+                         text(least_edge_length<Real>) + " to " + text(most_edge_length<Real>) +
+                             "; a UnitMap brings any scene there");
+    }
     if (h > std::min(width, height)) {
         throw InputError("edge length is larger than the domain", "options", text(h),
                          "at most " + text(std::min(width, height)));
@@ -90,7 +92,9 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
                               static_cast<double>(std::numeric_limits<Real>::epsilon());
     if (h < least_steps * resolution) {
         throw InputError("edge length is below what coordinates of this size resolve", "options",
-                         text(h), "at least " + text(least_steps * resolution));
+                         text(h),
+                         "at least " + text(least_steps * resolution) +
+                             "; a UnitMap brings a scene near the origin");
     }
     // An equilateral triangle has the area sqrt(3)/4 h^2.
     const double triangles = width / h * (height / h) / 0.43301270189221933;

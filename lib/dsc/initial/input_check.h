@@ -24,9 +24,6 @@ struct CheckedInput {
 inline constexpr double least_margin = 1e-3;
 /// More triangles than this are taken for a mistake; ids would end at 2^30.
 inline constexpr double most_triangles = 5e8;
-/// Squares of lengths, and products of two of these, must not leave the range of doubles by so much
-/// that comparisons of qualities lose their meaning; nor may one over this.
-inline constexpr double least_edge_length = 1e-100;
 /// An edge length must span so many steps of the scalar at the largest coordinate.
 inline constexpr double least_steps = 64;
 

@@ -20,18 +20,29 @@ using Velocity = std::function<void(std::span<const Point<Real>> positions, Real
 
 enum class Integrator : std::uint8_t {
     euler,    ///< first order, one evaluation a step
+    centred,  ///< the thesis's centred difference [9.4]: second order, one evaluation, a memory
     midpoint, ///< second order, two evaluations
     rk4,      ///< fourth order, four evaluations
+    adaptive, ///< rk4 with an estimate of its error, from which the step is chosen; five
 };
 
 [[nodiscard]] constexpr std::string_view to_string(Integrator integrator) {
     switch (integrator) {
     case Integrator::euler: return "euler";
+    case Integrator::centred: return "centred";
     case Integrator::midpoint: return "midpoint";
     case Integrator::rk4: return "rk4";
+    case Integrator::adaptive: return "adaptive";
     }
     return "unknown";
 }
+
+/// What `centred` remembers of a vertex: its step before.
+template <class Real>
+struct Past {
+    Point<Real> way = Point<Real>::Zero(); ///< that it went
+    Real dt = 0;                           ///< in this time; 0: it has no past yet
+};
 
 /// Arrays that an integrator needs; kept from step to step so that nothing is allocated.
 template <class Real>
@@ -40,12 +51,16 @@ struct IntegratorScratch {
     std::vector<Point<Real>> stage;
     std::vector<Point<Real>> slope;
     std::vector<Point<Real>> sum;
+    std::vector<Past<Real>> past; ///< of `centred`
 };
 
 /// targets[i] = where positions[i] is at time + dt. `scratch.first` must hold the velocities at
-/// (positions, time): the driver has them already, from choosing its sub-step. O(n).
+/// (positions, time): the driver has them already, from choosing its sub-step; `scratch.past` the
+/// steps before, for `centred`: those without a past take a midpoint step.
+/// Returns the largest estimate of the error of this step that is finite, a length: of `adaptive`,
+/// 0 of all others. O(n).
 template <class Real>
-void integrate(Integrator integrator, const Velocity<Real>& velocity,
+Real integrate(Integrator integrator, const Velocity<Real>& velocity,
                std::span<const Point<Real>> positions, Real time, Real dt,
                std::span<Point<Real>> targets, IntegratorScratch<Real>& scratch);
 

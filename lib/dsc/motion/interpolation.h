@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Interpolators [8.9]: where a new interface vertex goes. Linear insertion is the thesis's, and the
-// source of its jagged edges; the cubic through four neighbours by chord length keeps the curve.
+// Interpolators [8.9]: the curve between interface vertices, and where a new one goes. Linear
+// insertion is the thesis's, and the source of its jagged edges; the cubic through four neighbours
+// by chord length keeps the curve.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -13,14 +14,30 @@ namespace dsc {
 enum class Insertion : std::uint8_t {
     linear, ///< the midpoint of the edge
     cubic,  ///< 4-point Lagrange by chord length; one-sided or linear at corners
+    arc,    ///< on the circle of the mean curvature at the two ends: circles stay circles
 };
 
 [[nodiscard]] constexpr std::string_view to_string(Insertion insertion) {
-    return insertion == Insertion::linear ? "linear" : "cubic";
+    switch (insertion) {
+    case Insertion::linear: return "linear";
+    case Insertion::cubic: return "cubic";
+    case Insertion::arc: return "arc";
+    }
+    return "unknown";
 }
 
-/// Four consecutive points of the interface; the new vertex goes between p1 and p2. `has_first` and
-/// `has_last` are false where the curve ends, branches or has a corner.
+/// What the interface is between its vertices.
+enum class Reading : std::uint8_t {
+    chords, ///< the edges themselves: second order in their length
+    cubic,  ///< the 4-point Lagrange cubic by chord length: fourth order
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Reading reading) {
+    return reading == Reading::chords ? "chords" : "cubic";
+}
+
+/// Four consecutive points of the interface; what is asked for lies between p1 and p2. `has_first`
+/// and `has_last` are false where the curve ends, branches or has a corner.
 template <class Real>
 struct CurveNeighbours {
     Point<Real> p0, p1, p2, p3;
@@ -32,9 +49,19 @@ struct CurveNeighbours {
 template <class Real>
 using InsertionFunction = std::function<Point<Real>(const CurveNeighbours<Real>&)>;
 
-/// The point in the middle (by chord length) of p1 and p2 on the Lagrange polynomial through the
-/// neighbours that there are. O(1).
+/// The point at `share` (0 to 1) of the chord from p1 to p2, on the Lagrange polynomial by chord
+/// length through the neighbours that there are: the piecewise cubic as which the interface is
+/// read. Off by O(length^4) from a smooth curve. O(1).
+template <class Real>
+Point<Real> curve_point(const CurveNeighbours<Real>& neighbours, Real share);
+
+/// Where a new vertex in the middle of p1 and p2 goes. O(1).
 template <class Real>
 Point<Real> insertion_point(Insertion insertion, const CurveNeighbours<Real>& neighbours);
+
+/// Curvature of the circle through three points, positive where it turns left; 0 where two of them
+/// coincide. In 1 / length. O(1).
+template <class Real>
+Real curvature(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c);
 
 } // namespace dsc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/copy_executor.h"
 
-#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/algorithm/interface_list.h"
 #include "dsc/base/require.h"
 #include "dsc/parallel/timer.h"
 
@@ -52,7 +52,7 @@ AimReport<Real> CopyExecutor<Real>::aim(const Velocity<Real>& velocity, Real tim
 }
 
 template <class Real>
-Real CopyExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
+Reach<Real> CopyExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
     return find_targets(whole_, velocity, time, dt);
 }
 

@@ -48,7 +48,7 @@ public:
 
     void begin_step() override { ++costs_.steps; }
     AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
-    Real aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
     /// O(mesh) for each colour, however little moves.
     MoveReport move() override;
     void end_step() override;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/submesh_part.h"
 
-#include "dsc/algorithm/interface_upkeep.h"
+#include "dsc/algorithm/interface_list.h"
 #include "dsc/base/require.h"
 
 #include <algorithm>

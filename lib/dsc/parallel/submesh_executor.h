@@ -38,7 +38,7 @@ public:
 
     void begin_step() override;
     AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
-    Real aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
     MoveReport move() override;
     void end_step() override;
     [[nodiscard]] std::size_t interface_size() const override;

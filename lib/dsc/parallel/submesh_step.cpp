@@ -73,7 +73,7 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Velocit
     part.upkeep_s += timer.lap();
     if (pass + 1 >= algorithm_.upkeep.size()) {
         part.aimed = find_velocities(work, velocity, time);
-        part.aimed.farthest = find_targets(work, velocity, time, dt);
+        part.aimed.reach = find_targets(work, velocity, time, dt);
         part.velocities_s = timer.lap();
         part.aim_s = part.upkeep_s + part.velocities_s;
     }
@@ -224,7 +224,7 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Velocity<Real>& velocity,
     std::erase_if(whole_.interface,
                   [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
     AimReport<Real> report = find_velocities(whole_, velocity, time);
-    report.farthest = find_targets(whole_, velocity, time, dt);
+    report.reach = find_targets(whole_, velocity, time, dt);
     return report;
 }
 
@@ -248,16 +248,16 @@ void SubmeshExecutor<Real>::unlist(std::uint32_t vertex) {
 }
 
 template <class Real>
-Real SubmeshExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
+Reach<Real> SubmeshExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
     aiming_.run(threads_, submeshes_.assignment, [&](std::size_t i) {
         Part& part = *parts_[i];
-        part.aimed.farthest = find_targets(part.work, velocity, time, dt);
+        part.aimed.reach = find_targets(part.work, velocity, time, dt);
     });
-    Real farthest = find_targets(whole_, velocity, time, dt);
+    Reach<Real> reach = find_targets(whole_, velocity, time, dt);
     for (std::size_t i = 0; i < first_colour_; ++i) {
-        farthest = std::max(farthest, parts_[i]->aimed.farthest);
+        reach += parts_[i]->aimed.reach;
     }
-    return farthest;
+    return reach;
 }
 
 template <class Real>
@@ -337,7 +337,7 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>&, Real, Real);        \
-    template Real SubmeshExecutor<Real>::aim_again(const Velocity<Real>&, Real, Real);             \
+    template Reach<Real> SubmeshExecutor<Real>::aim_again(const Velocity<Real>&, Real, Real);      \
     template MoveReport SubmeshExecutor<Real>::move();
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

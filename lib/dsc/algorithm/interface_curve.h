@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// The interface as a curve, seen from the star of one of its vertices: which spokes belong to it,
+// where it goes on smoothly, how it bends, and how near its next sheet is.
+#pragma once
+
+#include "dsc/complex/ring.h"
+#include "dsc/motion/interpolation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc {
+
+/// The interface spokes of a ring; more than two make a junction.
+struct Spokes {
+    std::uint32_t count = 0;
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+
+    [[nodiscard]] std::uint32_t other(std::uint32_t spoke) const {
+        return first == spoke ? second : first;
+    }
+};
+
+inline bool is_interface_pair(Phase before, Phase after) {
+    if (before == after) {
+        return false;
+    }
+    if (before == border_phase) {
+        return after != exterior_phase;
+    }
+    return after != border_phase || before != exterior_phase;
+}
+
+template <class Real>
+Spokes interface_spokes(const Ring<Real>& ring) {
+    Spokes spokes;
+    for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+        if (is_interface_pair(ring.phase_before(i), ring.phase_after(i))) {
+            (spokes.count == 0 ? spokes.first : spokes.second) = i;
+            ++spokes.count;
+        }
+    }
+    return spokes;
+}
+
+template <class Real>
+Point<Real> link_point(const Ring<Real>& ring, std::uint32_t i) {
+    return {ring.link_x(i), ring.link_y(i)};
+}
+
+/// Whether the polyline turns by less than the angle of this cosine at `at`.
+template <class Real>
+bool turns_less(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
+                Real cosine) {
+    const Point<Real> in = at - from;
+    const Point<Real> out = to - at;
+    return in.dot(out) > cosine * std::sqrt(in.squaredNorm() * out.squaredNorm());
+}
+
+/// Whether a cubic may go through `at`: no corner, and no turn by a right angle or more, which no
+/// polynomial by chord length follows.
+template <class Real>
+bool is_smooth(const Complex<Real>& complex, std::uint32_t vertex, const Point<Real>& from,
+               const Point<Real>& at, const Point<Real>& to) {
+    return (complex.vertices[vertex].flags & vertex_corner) == 0 &&
+           turns_less<Real>(from, at, to, Real(0));
+}
+
+/// Sets p0, p1, p2 and has_first, for the interface edge that leaves the centre along `spoke`. On
+/// the domain boundary the curve ends.
+template <class Real>
+void see_from_centre(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes,
+                     std::uint32_t spoke, CurveNeighbours<Real>& curve) {
+    curve.p1 = {ring.x0, ring.y0};
+    curve.p2 = link_point(ring, spoke);
+    curve.has_first = false;
+    if (spokes.count == 2 && ring.closed) {
+        curve.p0 = link_point(ring, spokes.other(spoke));
+        curve.has_first = is_smooth<Real>(complex, ring.vertex, curve.p0, curve.p1, curve.p2);
+    }
+}
+
+/// Sets p3 and has_last, from the ring of the vertex at p2; `from` is the vertex at p1.
+template <class Real>
+void see_from_beyond(const Complex<Real>& complex, const Ring<Real>& beyond, std::uint32_t from,
+                     CurveNeighbours<Real>& curve) {
+    const Spokes spokes = interface_spokes(beyond);
+    curve.has_last = false;
+    if (spokes.count == 2 && beyond.closed) {
+        const bool first_is_from = beyond.link[spokes.first] == from;
+        curve.p3 = link_point(beyond, first_is_from ? spokes.second : spokes.first);
+        curve.has_last = is_smooth<Real>(complex, beyond.vertex, curve.p1, curve.p2, curve.p3);
+    }
+}
+
+/// Squared distance from p to the segment from a to b.
+template <class Real>
+Real squared_distance(const Point<Real>& p, const Point<Real>& a, const Point<Real>& b) {
+    const Point<Real> along = b - a;
+    const Real square = along.squaredNorm();
+    const Real share =
+        square > 0 ? std::clamp((p - a).dot(along) / square, Real(0), Real(1)) : Real(0);
+    return (p - a - share * along).squaredNorm();
+}
+
+/// Squared distance from the centre to interface edges of its link: the next sheet of the
+/// interface, where one is no farther than a triangle. Edges that go on from the centre's own are
+/// not another sheet. Infinity where there is none. O(degree).
+template <class Real>
+Real squared_gap(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes) {
+    Real gap = std::numeric_limits<Real>::infinity();
+    const auto is_own = [&](std::uint32_t i) {
+        return spokes.count > 0 && (i == spokes.first || (spokes.count > 1 && i == spokes.second));
+    };
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+        const std::uint32_t next_link = ring.closed && i + 1 == ring.size ? 0 : i + 1;
+        if (is_own(i) || is_own(next_link)) {
+            continue;
+        }
+        const Phase across = complex.phase_at(complex.twin(ring.corner[i]));
+        if (across != ring.phase[i] && across != border_phase) {
+            gap = std::min(gap, squared_distance<Real>({ring.x0, ring.y0}, link_point(ring, i),
+                                                       link_point(ring, next_link)));
+        }
+    }
+    return gap;
+}
+
+} // namespace dsc

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: MIT
+// What an interface may run into: another one, the side of the domain, a junction.
+#include "cases.h"
+#include "scene.h"
+#include "watch.h"
+
+#include "dsc/complex/mesh_functions.h"
+#include "scenes/exact.h"
+#include "scenes/measure.h"
+#include "scenes/shapes.h"
+#include "scenes/velocity.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace dsc::hard {
+
+namespace {
+
+using scenes::Outline;
+
+const char* const shape_words = "symmetric difference to the exact shape, relative";
+
+constexpr double disc_h = 0.05;
+
+// Two discs of phases 1 and 2, side by side with a gap of 1.2 edges between them.
+Scene<double> two_discs() {
+    const std::vector<Shape> shapes{{scenes::circle({0.28, 0.5}, 0.19, disc_h), 1},
+                                    {scenes::circle({0.72, 0.5}, 0.19, disc_h), 2}};
+    Scene<double> scene{
+        unit_square, initial_complex<double>(unit_square, shapes, {.edge_length = disc_h}), {}};
+    scene.options.edge_length = disc_h;
+    return scene;
+}
+
+// The vertices of both discs, as they are: who asks for a velocity is told apart by the nearest.
+struct DiscVertices {
+    std::vector<Point<double>> positions;
+    std::vector<Phase> phases;
+
+    void update(const Complex<double>& complex) {
+        positions.clear();
+        phases.clear();
+        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+            if (!complex.is_alive(Triangle{t}) || complex.triangles[t].phase == exterior_phase) {
+                continue;
+            }
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                const Corner c = corner_of(t, i);
+                if (complex.phase_at(complex.twin(c)) == exterior_phase) {
+                    positions.push_back(complex.position(Vertex{complex.vertex(next(c))}));
+                    phases.push_back(complex.triangles[t].phase);
+                }
+            }
+        }
+    }
+    [[nodiscard]] Phase phase_near(const Point<double>& p) const {
+        Phase phase = exterior_phase;
+        double nearest = std::numeric_limits<double>::max();
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const double squared = (positions[i] - p).squaredNorm();
+            if (squared < nearest) {
+                nearest = squared;
+                phase = phases[i];
+            }
+        }
+        return phase;
+    }
+};
+
+// Each disc is driven at the other at a speed that vanishes nowhere.
+HardResult pressed_case(double edges_a_step, int steps, const std::string& how) {
+    HardResult result;
+    result.asked =
+        "two discs pressed together for " + std::to_string(steps) + " steps, topology kept, " + how;
+    auto scene = two_discs();
+    const double area_first = scenes::signed_area(scenes::interface_outlines(scene.complex));
+    Watch<double> watch(scene.complex, scene.options,
+                        {.domain = unit_square, .thorough_every = 100}, result);
+    const double speed = edges_a_step * disc_h;
+    DiscVertices vertices;
+    // Which disc asks is found at the beginning of a step only: in the stages of Runge and Kutta
+    // the other one may be nearer, and there must be no way to keep away from it.
+    double begin = 0;
+    std::vector<Phase> asking;
+    const Velocity<double> press = [&](std::span<const Point<double>> positions, double time,
+                                       std::span<Point<double>> velocities) {
+        asking.resize(positions.size());
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            if (time == begin) {
+                asking[i] = vertices.phase_near(positions[i]);
+            }
+            velocities[i] = {asking[i] == 1 ? speed : -speed, 0};
+        }
+    };
+    bool going = true;
+    std::uint64_t first_miss = 0;
+    std::uint64_t passes_late = 0; // in the second half of the run
+    for (int i = 0; i < steps && going; ++i) {
+        vertices.update(scene.complex);
+        begin = i;
+        going = watch.step(press, i, 1);
+        if (first_miss == 0 && watch.last().unreached > 0) {
+            first_miss = result.steps;
+        }
+        if (2 * i > steps) {
+            passes_late += watch.last().passes;
+        }
+    }
+    std::uint64_t in_contact = 0;
+    for (std::uint32_t v = 0; v < scene.complex.vertex_bound(); ++v) {
+        in_contact +=
+            scene.complex.is_alive(Vertex{v}) && is_in_contact(scene.complex.vertices[v]) ? 1U : 0U;
+    }
+    const double mean_passes = static_cast<double>(passes_late) / (steps - steps / 2 - 1);
+    result.values = {
+        {"vertices in contact at the end", static_cast<double>(in_contact)},
+        {"first step in which a vertex did not arrive", static_cast<double>(first_miss)},
+        {"passes a step, mean of the second half", mean_passes},
+        {"triangles at the end", static_cast<double>(scene.complex.triangle_count())},
+        {"area left, relative",
+         scenes::signed_area(scenes::interface_outlines(scene.complex)) / area_first}};
+    result.happened = std::to_string(in_contact) + " vertices end in contact, at " +
+                      text(mean_passes) + " passes a step; " + std::to_string(result.unreached) +
+                      " misses over all steps, each of them counted";
+    expect(result, going, "the run ended early");
+    expect(result, result.unreached > 0, "nothing was in the way");
+    expect(result, in_contact > 0, "nobody is in contact");
+    expect(result, result.held == 0, "vertices were held though all velocities are finite");
+    expect(result, mean_passes <= 4, "what is in contact is tried again and again");
+    for (Phase phase = 1; phase <= 2; ++phase) {
+        expect(result, outlines_of(scene.complex, phase).size() == 1,
+               "the topology of phase " + std::to_string(phase) + " was not kept");
+    }
+    expect(result, scene.complex.triangle_count() < 20000, "the mesh grows without a bound");
+    expect_sound(result, Targets::may_be_missed);
+    return result;
+}
+
+struct WallEdges {
+    double shortest = std::numeric_limits<double>::max();
+    double longest = 0;
+    double off_wall = 0; ///< largest distance of a boundary vertex from the sides of the domain
+};
+
+WallEdges wall_edges(const Scene<double>& scene) {
+    WallEdges wall;
+    const auto& complex = scene.complex;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t})) {
+            continue;
+        }
+        for (const Edge e : complex.edges_of(Triangle{t})) {
+            if (!is_boundary(complex, e)) {
+                continue;
+            }
+            const auto v = complex.vertices_of(e);
+            const Point<double> p = complex.position(v[0]);
+            const Point<double> q = complex.position(v[1]);
+            wall.shortest = std::min(wall.shortest, (q - p).norm());
+            wall.longest = std::max(wall.longest, (q - p).norm());
+            for (const Point<double>& a : {p, q}) {
+                const double off = std::min((a - scene.domain.low).cwiseAbs().minCoeff(),
+                                            (a - scene.domain.high).cwiseAbs().minCoeff());
+                wall.off_wall = std::max(wall.off_wall, off);
+            }
+        }
+    }
+    return wall;
+}
+
+// What is done to a strip from wall to wall, in a unit of time: x goes to
+// middle + stretch (x - middle) + shear (y - 1/2) + shift.
+struct WallMotion {
+    double shear = 0;
+    double shift = 0;
+    double stretch = 1;
+};
+
+constexpr double wall_middle = 1.0;
+
+// A phase that fills a strip from side to side; the outline lies on the sides of the domain.
+HardResult wall_case(const std::string& asked, double width, const WallMotion& motion) {
+    HardResult result;
+    result.asked = asked;
+    const Rectangle domain{{0, 0}, {2, 1}};
+    constexpr int columns = 40;
+    constexpr double h = 2.0 / columns;
+    const double left = wall_middle - width / 2;
+    const double right = wall_middle + width / 2;
+    auto scene = grid_scene(domain, columns, columns / 2, [&](const Point<double>& p) {
+        return p.x() > left && p.x() < right ? Phase{1} : exterior_phase;
+    });
+    Watch<double> watch(scene.complex, scene.options, {.domain = domain}, result);
+    const double rate = std::log(motion.stretch);
+    const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double,
+                                          std::span<Point<double>> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {motion.shift + motion.shear * (positions[i].y() - 0.5) +
+                                 rate * (positions[i].x() - wall_middle),
+                             0};
+        }
+    };
+    const std::vector<Outline> outlines{{{left, 0}, {right, 0}, {right, 1}, {left, 1}}};
+    constexpr int steps = 50;
+    const bool going = watch.run(velocity, 0, 1.0 / steps, steps);
+    result.error = shape_error<double>(
+        scene.complex, mapped(outlines, [&](const Point<double>& p) {
+            return Point<double>(wall_middle + motion.stretch * (p.x() - wall_middle) +
+                                     motion.shift + motion.shear * (p.y() - 0.5),
+                                 p.y());
+        }));
+    result.error_is = shape_words;
+    const double area_error = std::abs(domain_area(scene.complex) - 2.0) / 2;
+    const WallEdges wall = wall_edges(scene);
+    result.values = {{"domain area, relative error", area_error},
+                     {"boundary vertices off the wall, at most", wall.off_wall},
+                     {"shortest edge of the wall, in h", wall.shortest / h},
+                     {"longest edge of the wall, in h", wall.longest / h}};
+    result.happened = "its ends slide; edges of the wall end between " + text(wall.shortest / h) +
+                      " and " + text(wall.longest / h) + " edge lengths";
+    // RK4's own error of exp(0.02) to the power of 50, at most.
+    const double allowed = rate == 0 ? 1e-12 : 1e-8;
+    expect(result, going, "the run ended early");
+    expect(result, wall.off_wall == 0, "a boundary vertex left the wall");
+    expect(result, area_error < 1e-13, "the domain's area changed");
+    expect(result, *result.error < allowed,
+           "error " + text(*result.error) + ", allowed " + text(allowed));
+    expect(result, wall.longest < 1.7 * h, "the wall was not refined");
+    expect(result, wall.shortest > 0.35 * h, "the wall was not coarsened");
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+// A disc and a strip that are driven against a side of the domain, where there is no way on.
+HardResult pressed_wall_case() {
+    HardResult result;
+    result.asked = "a disc and a strip from wall to wall are driven against a side of the domain "
+                   "for 2,000 steps";
+    constexpr int columns = 20;
+    constexpr double h = 1.0 / columns;
+    auto scene = grid_scene(unit_square, columns, columns, [](const Point<double>& p) {
+        const bool in_disc = (p - Point<double>(0.75, 0.5)).norm() < 0.15;
+        return in_disc ? Phase{2} : (p.x() > 0.3 && p.x() < 0.5 ? Phase{1} : exterior_phase);
+    });
+    Watch<double> watch(scene.complex, scene.options, {.domain = unit_square, .thorough_every = 20},
+                        result);
+    const bool going = watch.run(scenes::Translation{{1, 0}}, 0, 0.1 * h, 2000);
+    const double area_error = std::abs(domain_area(scene.complex) - 1);
+    const WallEdges wall = wall_edges(scene);
+    result.values = {{"domain area, relative error", area_error},
+                     {"boundary vertices off the wall, at most", wall.off_wall},
+                     {"passes of the last step", static_cast<double>(watch.last().passes)}};
+    result.happened = "both are stopped, " + std::to_string(watch.last().unreached) +
+                      " vertices counted in the last step; the domain keeps its shape";
+    expect(result, going, "the run ended early");
+    expect(result, wall.off_wall == 0, "a boundary vertex left the wall");
+    expect(result, area_error < 1e-13, "the domain's area changed");
+    expect(result, watch.last().unreached > 0, "nothing was in the way");
+    for (Phase phase = 1; phase <= 2; ++phase) {
+        expect(result, !outlines_of(scene.complex, phase).empty(),
+               "phase " + std::to_string(phase) + " has vanished");
+    }
+    expect_sound(result, Targets::may_be_missed);
+    return result;
+}
+
+// A square of two halves in two phases, with phase 0 about them: two junctions of three phases.
+HardResult junction_case(const scenes::Velocity& velocity, const std::string& motion,
+                         const std::function<Point<double>(const Point<double>&)>& exact) {
+    HardResult result;
+    result.asked = "a square whose halves are of two phases, with two junctions, is " + motion;
+    constexpr int columns = 40;
+    auto scene = grid_scene(unit_square, columns, columns, [](const Point<double>& p) {
+        if (p.x() < 0.3 || p.x() > 0.6 || p.y() < 0.3 || p.y() > 0.6) {
+            return exterior_phase;
+        }
+        return p.x() < 0.45 ? Phase{1} : Phase{2};
+    });
+    const std::vector<Outline> halves{{{0.3, 0.3}, {0.45, 0.3}, {0.45, 0.6}, {0.3, 0.6}},
+                                      {{0.45, 0.3}, {0.6, 0.3}, {0.6, 0.6}, {0.45, 0.6}}};
+    Watch<double> watch(scene.complex, scene.options, {.domain = unit_square, .thorough_every = 5},
+                        result);
+    constexpr int steps = 200;
+    const bool going = watch.run(velocity, 0, 1.0 / steps, steps);
+    const auto moved = mapped(halves, exact);
+    double worst = 0;
+    for (Phase phase = 1; phase <= 2; ++phase) {
+        const double error = shape_error(scene.complex, phase, moved[phase - 1]);
+        result.values.push_back({"error of phase " + std::to_string(phase), error});
+        worst = std::max(worst, error);
+    }
+    result.error = worst;
+    result.error_is = std::string(shape_words) + ", of the worse phase";
+    result.happened = "the junctions move with the flow, and each phase keeps its shape";
+    expect(result, going, "the run ended early");
+    expect(result, worst < 1e-6, "error " + text(worst) + ", allowed 1e-6");
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+HardResult junction_translation() {
+    return junction_case(scenes::Translation{{0.3, 0.2}}, "translated",
+                         [](const auto& p) { return Point<double>(p + Point<double>(0.3, 0.2)); });
+}
+
+HardResult junction_rotation() {
+    return junction_case(scenes::Rotation{{0.5, 0.5}, 2 * std::numbers::pi},
+                         "turned once about the middle of the domain",
+                         [](const auto& p) { return p; });
+}
+
+} // namespace
+
+void append_contacts(std::vector<HardCase>& cases) {
+    cases.push_back({"pressed-slowly", false, [] {
+                         return pressed_case(4e-4, 10000, "by four edge lengths in all, each");
+                     }});
+    cases.push_back({"pressed-flat", false, [] {
+                         return pressed_case(0.3, 10000, "by 0.3 edge lengths a step, for ever");
+                     }});
+    const auto add_wall = [&](const std::string& name, const std::string& asked, double width,
+                              const WallMotion& motion) {
+        cases.push_back({name, false, [=] { return wall_case(asked, width, motion); }});
+    };
+    add_wall("wall-translation", "a strip from wall to wall goes six edge lengths along the walls",
+             0.3, {.shift = 0.3});
+    add_wall("wall-shear",
+             "a strip from wall to wall is sheared: its ends slide along the walls by seven edge "
+             "lengths either way",
+             0.3, {.shear = 0.7});
+    add_wall("wall-stretch", "a strip from wall to wall becomes three times as wide", 0.3,
+             {.stretch = 3});
+    add_wall("wall-squeeze", "a strip from wall to wall becomes a third as wide", 0.9,
+             {.stretch = 1.0 / 3});
+    cases.push_back({"wall-pressed", false, pressed_wall_case});
+    cases.push_back({"junction-translation", false, junction_translation});
+    cases.push_back({"junction-rotation", false, junction_rotation});
+}
+
+} // namespace dsc::hard

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+// Coordinates far from the origin, scenes of any size, and where the scalar ends.
+#include "cases.h"
+#include "scene.h"
+#include "watch.h"
+
+#include "dsc/complex/hash.h"
+#include "dsc/initial/unit_box.h"
+#include "dsc/motion/unit_velocity.h"
+#include "scenes/exact.h"
+#include "scenes/measure.h"
+#include "scenes/shapes.h"
+#include "scenes/symmetric_difference.h"
+#include "scenes/velocity.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace dsc::hard {
+
+namespace {
+
+using scenes::Outline;
+
+constexpr int offset_steps = 150;
+
+// A circle that goes right, and one that is turned, in the unit square times `size` plus `offset`.
+struct Place {
+    double size = 1;
+    double offset = 0;
+    double h = 0.02; ///< in units of `size`
+
+    [[nodiscard]] Point<double> at(double x, double y) const {
+        return {offset + size * x, offset + size * y};
+    }
+    [[nodiscard]] Rectangle domain() const { return {at(0, 0), at(1, 1)}; }
+    [[nodiscard]] std::vector<Outline> outlines() const {
+        // Made at unit size and placed, so that all places have the same circle but for rounding.
+        return mapped(std::vector<Outline>{scenes::circle({0.35, 0.5}, 0.2, h)},
+                      [this](const Point<double>& p) { return at(p.x(), p.y()); });
+    }
+};
+
+enum class Motion { translation, rotation };
+
+scenes::Velocity velocity_of(Motion motion, const Place& place) {
+    // 0.3 of the domain, or a quarter turn, in a unit of time.
+    if (motion == Motion::translation) {
+        return scenes::Translation{{0.3 * place.size, 0}};
+    }
+    return scenes::Rotation{place.at(0.5, 0.5), std::numbers::pi / 2};
+}
+
+std::vector<Outline> exact_of(Motion motion, const Place& place) {
+    const auto outlines = place.outlines();
+    if (motion == Motion::translation) {
+        return scenes::translated_shape(outlines, {0.3 * place.size, 0}).outlines;
+    }
+    return scenes::rotated_shape(outlines, place.at(0.5, 0.5), std::numbers::pi / 2).outlines;
+}
+
+// The interface at the end, in the coordinates of the unit square: without a map, or with one.
+template <class Real>
+std::vector<Outline> run_at(const Place& place, Motion motion, bool with_map, HardResult& result,
+                            std::uint64_t* hash = nullptr) {
+    const auto velocity = velocity_of(motion, place);
+    constexpr double dt = 1.0 / offset_steps;
+    const UnitMap map =
+        with_map ? fit_unit_map(place.domain().low, place.domain().high) : UnitMap{};
+    auto scene = scene_of<Real>(map, place.domain(), place.outlines(), place.h * place.size);
+    Watch<Real> watch(scene.complex, scene.options, {.domain = scene.domain, .thorough_every = 10},
+                      result);
+    watch.run(velocity_to_unit<Real>(map, velocity), 0, dt, offset_steps);
+    if (hash != nullptr) {
+        *hash = mesh_hash(scene.complex);
+    }
+    // The difference is exact where coordinates are far from the origin, and the scale but for one
+    // rounding.
+    return mapped(scenes::interface_outlines(scene.complex), [&](const Point<double>& unit) {
+        if (with_map) {
+            const Point<double> shift = map.origin - place.at(0, 0);
+            return Point<double>((unit * std::ldexp(1.0, map.exponent) + shift) / place.size);
+        }
+        return Point<double>((unit - place.at(0, 0)) / place.size);
+    });
+}
+
+double error_of(const std::vector<Outline>& outlines, Motion motion, double h = 0.02) {
+    const auto exact = exact_of(motion, {.h = h});
+    return scenes::symmetric_difference(outlines, exact) / scenes::signed_area(exact);
+}
+
+// What rounding the coordinates once costs in shape: a displacement of the whole outline by half a
+// step of the scalar in x and in y.
+double rounding_cost(const std::vector<Outline>& outlines, double offset, double epsilon) {
+    return scenes::perimeter(outlines) * 0.5 * epsilon * std::abs(offset) * std::numbers::sqrt2 /
+           scenes::signed_area(outlines);
+}
+
+HardResult offset_case(double offset, bool with_map) {
+    HardResult result;
+    result.asked = "a circle translated and turned, " + text(offset) +
+                   " from the origin at h = 0.02" +
+                   (with_map ? ", in the coordinates of a UnitMap" : "");
+    const Place there{.offset = offset};
+    double worst = 0;
+    double worst_share = 0;
+    double unshifted = 0;
+    const double once =
+        rounding_cost(Place{}.outlines(), offset, std::numeric_limits<double>::epsilon());
+    for (const Motion motion : {Motion::translation, Motion::rotation}) {
+        HardResult plain;
+        const double at_origin = error_of(run_at<double>({}, motion, false, plain), motion);
+        const double far = error_of(run_at<double>(there, motion, with_map, result), motion);
+        // Without a map each step rounds anew, and may do so the same way each time.
+        const double allowed = at_origin + 1e-13 + (with_map ? 3 : 2 * (offset_steps + 1)) * once;
+        expect(result, far <= allowed,
+               std::string(motion == Motion::translation ? "translation" : "rotation") +
+                   ": error " + text(far) + ", allowed " + text(allowed));
+        worst = std::max(worst, far);
+        worst_share = std::max(worst_share, (far - at_origin) / once);
+        unshifted = std::max(unshifted, at_origin);
+    }
+    result.error = worst;
+    result.error_is = "symmetric difference to the exact shape, relative";
+    result.values = {{"error without the offset", unshifted},
+                     {"cost of rounding the coordinates once", once},
+                     {"error added, in such roundings", worst_share}};
+    result.happened = "the offset adds " + text(worst_share) +
+                      " times what rounding the coordinates once costs (" + text(once) + ")";
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+HardResult size_case(double size) {
+    HardResult result;
+    result.asked =
+        "the same scene at a size of " + text(size) + ", in the coordinates of a UnitMap";
+    double worst = 0;
+    for (const Motion motion : {Motion::translation, Motion::rotation}) {
+        HardResult plain;
+        const double at_one =
+            error_of(run_at<double>({.h = 0.05}, motion, false, plain), motion, 0.05);
+        const double here =
+            error_of(run_at<double>({.size = size, .h = 0.05}, motion, true, result), motion, 0.05);
+        worst = std::max(worst, here);
+        expect(result, here <= at_one + 1e-12,
+               "error " + text(here) + ", at unit size " + text(at_one));
+    }
+    result.error = worst;
+    result.error_is = "symmetric difference to the exact shape, relative";
+    result.happened = "as at unit size";
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+// By a power of two nothing may change at all.
+HardResult power_case(int exponent, bool with_map) {
+    HardResult result;
+    result.asked = "the same scene times 2^" + std::to_string(exponent) +
+                   (with_map ? ", in the coordinates of a UnitMap" : ", as it is");
+    bool same = true;
+    for (const Motion motion : {Motion::translation, Motion::rotation}) {
+        HardResult plain;
+        std::uint64_t one = 0;
+        std::uint64_t scaled = 0;
+        const auto at_one = run_at<double>({.h = 0.05}, motion, false, plain, &one);
+        const Place place{.size = std::ldexp(1.0, exponent), .h = 0.05};
+        const auto here = run_at<double>(place, motion, with_map, result, &scaled);
+        same = same && here == at_one && (!with_map || scaled == one);
+        result.error = error_of(here, motion, 0.05);
+    }
+    result.error_is = "symmetric difference to the exact shape, relative";
+    expect(result, same, "not the bits of the run at unit size");
+    result.happened = same ? "the same bits as at unit size" : "other bits than at unit size";
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+HardResult bare_size_case(double size) {
+    HardResult result;
+    result.asked = "a scene of size " + text(size) + " without a map";
+    const Place place{.size = size, .h = 0.05};
+    expect_input_error(
+        result, [&] { (void)scene_of<double>(place.domain(), place.outlines(), 0.05 * size); },
+        "UnitMap");
+    auto scene = scene_of<double>(unit_square, Place{}.outlines(), 0.05);
+    scene.options.edge_length = 0.05 * size;
+    expect_input_error(
+        result, [&] { const Simulation<double> simulation(scene.complex, scene.options); },
+        "UnitMap");
+    result.happened = "refused by a typed error that names the map";
+    return result;
+}
+
+HardResult float_offset_case() {
+    HardResult result;
+    result.asked = "float at an offset of 1e5, h = 0.005: coordinates collide";
+    const Place place{.offset = 1e5, .h = 0.005};
+    expect_input_error(
+        result, [&] { (void)scene_of<float>(place.domain(), place.outlines(), place.h); },
+        "below what coordinates of this size resolve");
+    result.happened = "refused by a typed error";
+    return result;
+}
+
+HardResult double_offset_case() {
+    HardResult result;
+    result.asked = "double at an offset of 1e15, h = 0.02: coordinates collide";
+    const Place place{.offset = 1e15};
+    expect_input_error(
+        result, [&] { (void)scene_of<double>(place.domain(), place.outlines(), place.h); },
+        "below what coordinates of this size resolve");
+    result.happened = "refused by a typed error";
+    return result;
+}
+
+HardResult float_outline_case() {
+    HardResult result;
+    result.asked = "two vertices of an outline that are one in float, and a triangle that has no "
+                   "area in float";
+    const std::vector<Outline> outline{
+        {{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}, {0.75 - 1e-9, 0.75}}};
+    expect_input_error(
+        result, [&] { (void)scene_of<float>(unit_square, outline, 0.05); },
+        "vertices collide when rounded");
+    const auto in_float = [](double x, double y) {
+        return Point<float>(static_cast<float>(1e5 + x), static_cast<float>(y));
+    };
+    const std::vector<Point<float>> points{in_float(0, 0), in_float(0.001, 0), in_float(0, 1)};
+    const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}};
+    const std::vector<Phase> phases{0};
+    expect_input_error(
+        result, [&] { (void)make_complex<float>(points, triangles, phases); }, "degenerate");
+    result.happened = "both refused by a typed error";
+    return result;
+}
+
+// The way out that these errors name.
+HardResult float_mapped_case() {
+    HardResult result;
+    result.asked = "float at an offset of 1e5, h = 0.02, in the coordinates of a UnitMap";
+    const Place there{.offset = 1e5};
+    constexpr auto epsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
+    // In unit coordinates of up to 1 the steps' roundings add up to this at most.
+    const double allowed = 2 * (offset_steps + 1) * rounding_cost(Place{}.outlines(), 1.0, epsilon);
+    double worst = 0;
+    for (const Motion motion : {Motion::translation, Motion::rotation}) {
+        worst = std::max(worst, error_of(run_at<float>(there, motion, true, result), motion));
+    }
+    result.error = worst;
+    result.error_is = "symmetric difference to the exact shape, relative";
+    expect(result, worst <= allowed, "error " + text(worst) + ", allowed " + text(allowed));
+    result.happened = "as at the origin: the steps' roundings in float are what is left";
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+} // namespace
+
+void append_coordinates(std::vector<HardCase>& cases) {
+    for (const int power : {3, 6, 9, 12}) {
+        const double offset = std::pow(10.0, power);
+        const std::string name = "offset-1e" + std::to_string(power);
+        cases.push_back({name, false, [offset] { return offset_case(offset, false); }});
+        cases.push_back({name + "-mapped", false, [offset] { return offset_case(offset, true); }});
+    }
+    for (const int power : {-150, -75, -30, 30, 75, 150}) {
+        cases.push_back({"size-1e" + std::to_string(power) + "-mapped", false,
+                         [power] { return size_case(std::pow(10.0, power)); }});
+    }
+    for (const int power : {-498, 498}) {
+        cases.push_back({"size-2^" + std::to_string(power) + "-mapped", false,
+                         [power] { return power_case(power, true); }});
+    }
+    for (const int power : {-150, 150}) {
+        cases.push_back({"size-2^" + std::to_string(power), false,
+                         [power] { return power_case(power, false); }});
+    }
+    for (const int power : {-150, 150}) {
+        cases.push_back({"size-1e" + std::to_string(power), false,
+                         [power] { return bare_size_case(std::pow(10.0, power)); }});
+    }
+    cases.push_back({"float-offset-1e5", false, float_offset_case});
+    cases.push_back({"float-offset-1e5-mapped", false, float_mapped_case});
+    cases.push_back({"float-colliding-vertices", false, float_outline_case});
+    cases.push_back({"double-offset-1e15", false, double_offset_case});
+}
+
+} // namespace dsc::hard

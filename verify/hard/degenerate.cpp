@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Outlines with hardly any angle, and grids in which every test is a near tie.
+#include "cases.h"
+#include "scene.h"
+#include "watch.h"
+
+#include "random_scene.h"
+
+#include "scenes/exact.h"
+#include "scenes/measure.h"
+#include "scenes/shapes.h"
+#include "scenes/velocity.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace dsc::hard {
+
+namespace {
+
+using scenes::Outline;
+
+const char* const shape_words = "symmetric difference to the exact shape, relative";
+
+// One revolution about the middle.
+HardResult turned(const Outline& outline, double h, const std::string& asked, double allowed) {
+    HardResult result;
+    result.asked = asked;
+    const std::vector<Outline> outlines{outline};
+    auto scene = scene_of<double>(unit_square, outlines, h);
+    Watch<double> watch(scene.complex, scene.options, {.domain = unit_square, .thorough_every = 5},
+                        result);
+    constexpr int steps = 200;
+    const bool going =
+        watch.run(scenes::Rotation{{0.5, 0.5}, 2 * std::numbers::pi}, 0, 1.0 / steps, steps);
+    result.error = shape_error<double>(scene.complex, outlines);
+    result.error_is = shape_words;
+    const scenes::MeshQuality quality = scenes::measure_quality(scene.complex);
+    result.values = {{"smallest angle at the end, degrees", quality.min_angle_deg},
+                     {"triangles", static_cast<double>(scene.complex.triangle_count())}};
+    result.happened = "turns once and stays what it is";
+    expect(result, going, "the run ended early");
+    expect(result, *result.error <= allowed,
+           "error " + text(*result.error) + ", allowed " + text(allowed));
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+const double tenth_of_a_degree = 0.1 * std::numbers::pi / 180;
+
+Point<double> tilted(double along, double across) {
+    // At 30 degrees, so that the box around a thin shape is not thin.
+    const double c = std::numbers::sqrt3 / 2;
+    const double s = 0.5;
+    return {0.5 + c * along - s * across, 0.5 + s * along + c * across};
+}
+
+HardResult needle_case() {
+    const double width = 0.6 * std::tan(tenth_of_a_degree);
+    return turned({tilted(-0.3, 0), tilted(0.3, -width / 2), tilted(0.3, width / 2)}, 0.05,
+                  "a needle as input: a triangle with an angle of 0.1 degrees, a fiftieth of an "
+                  "edge wide, turned once",
+                  1e-3);
+}
+
+HardResult cap_case() {
+    const double height = 0.3 * std::tan(tenth_of_a_degree);
+    return turned({tilted(-0.3, 0), tilted(0.3, 0), tilted(0, height)}, 0.05,
+                  "a cap as input: a triangle with two angles of 0.1 degrees, turned once", 1e-3);
+}
+
+HardResult flat_vertices_case() {
+    // A square with vertices that turn by next to nothing, to either side.
+    Outline outline;
+    const std::vector<Point<double>> corners{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Point<double>& a = corners[k];
+        const Point<double>& b = corners[(k + 1) % 4];
+        const Point<double> normal = Point<double>(b.y() - a.y(), a.x() - b.x()).normalized();
+        for (int i = 0; i < 8; ++i) {
+            const double bump = i == 0 ? 0 : (i % 2 == 0 ? 1e-13 : -1e-13);
+            outline.push_back(a + (b - a) * (i / 8.0) + bump * normal);
+        }
+    }
+    return turned(outline, 0.05, "a square whose sides have vertices 1e-13 off them, turned once",
+                  1e-6);
+}
+
+HardResult thin_box_case() {
+    HardResult result;
+    result.asked = "a needle along an axis, whose box is thinner than an edge";
+    const double width = 0.6 * std::tan(tenth_of_a_degree);
+    const std::vector<Outline> needle{{{0.2, 0.5}, {0.8, 0.5}, {0.8, 0.5 + width}}};
+    expect_input_error(
+        result, [&] { (void)scene_of<double>(unit_square, needle, 0.05); },
+        "edge length is larger than the shape");
+    result.happened = "refused by a typed error; the same needle at an angle is taken";
+    return result;
+}
+
+// By ulps of the coordinate, or by a distance.
+struct Perturbation {
+    int ulps = 0;
+    double distance = 0;
+};
+
+double nudged(double value, const Perturbation& by, test::Dice& dice) {
+    const int ulps = dice.in(-by.ulps, by.ulps);
+    for (int i = 0; i < std::abs(ulps); ++i) {
+        value = std::nextafter(value, ulps > 0 ? 2.0 : -2.0);
+    }
+    return value + by.distance * dice.in(-1.0, 1.0);
+}
+
+// Four corners of a grid's square are cocircular, and its lines collinear, but for the
+// perturbation; the sides of the domain stay straight. A square of the grid, as a phase, is moved
+// by whole sides, so that vertices come to lie among the grid's again.
+HardResult grid_case(const Perturbation& by, const std::string& how) {
+    HardResult result;
+    result.asked = "a grid cocircular and collinear but for " + how + ", with a square moved in it";
+    constexpr int columns = 20;
+    constexpr double h = 1.0 / columns;
+    test::Dice dice(7);
+    auto scene = grid_scene(
+        unit_square, columns, columns,
+        [](const Point<double>& p) {
+            const bool inside = (p - Point<double>(0.35, 0.5)).cwiseAbs().maxCoeff() < 0.15;
+            return inside ? Phase{1} : exterior_phase;
+        },
+        [&](const Point<double>& p) {
+            const bool on_side = p.minCoeff() == 0 || p.maxCoeff() == 1;
+            return on_side ? p : Point<double>(nudged(p.x(), by, dice), nudged(p.y(), by, dice));
+        });
+    // The outlines as they are: perturbed.
+    const auto first = scenes::interface_outlines(scene.complex);
+    Watch<double> watch(scene.complex, scene.options, {.domain = unit_square}, result);
+    // Right, up, back: 4 edges each in 8 steps.
+    std::uint64_t flips = 0;
+    bool going = true;
+    const std::vector<Point<double>> legs{{1, 0}, {0, 1}, {-1, -1}};
+    double time = 0;
+    for (const auto& leg : legs) {
+        for (int i = 0; i < 8 && going; ++i, time += h / 2) {
+            going = watch.step(scenes::Translation{leg}, time, h / 2);
+            flips += watch.last().operations.flips;
+        }
+    }
+    result.error = shape_error<double>(scene.complex, first);
+    result.error_is = shape_words;
+    result.values = {{"flips, all steps", static_cast<double>(flips)}};
+    result.happened =
+        text(static_cast<double>(flips)) + " flips in 24 steps: ties do not flip back and forth";
+    expect(result, going, "the run ended early");
+    expect(result, *result.error <= 1e-11, "error " + text(*result.error) + ", allowed 1e-11");
+    // Each of the 24 vertices passes four grid squares, with some flips in each.
+    expect(result, flips < 6000, text(static_cast<double>(flips)) + " flips");
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+// An outline whose vertices lie on a circle but for a perturbation, in a mesh that is built on it.
+HardResult circle_case(const Perturbation& by, const std::string& how) {
+    test::Dice dice(11);
+    Outline outline = scenes::circle({0.5, 0.5}, 0.25, 0.05);
+    for (auto& p : outline) {
+        p = {nudged(p.x(), by, dice), nudged(p.y(), by, dice)};
+    }
+    return turned(outline, 0.05, "a circle's vertices but for " + how + ", turned once", 1e-6);
+}
+
+} // namespace
+
+void append_degenerate(std::vector<HardCase>& cases) {
+    cases.push_back({"needle", false, needle_case});
+    cases.push_back({"cap", false, cap_case});
+    cases.push_back({"needle-thin-box", false, thin_box_case});
+    cases.push_back({"flat-vertices", false, flat_vertices_case});
+    const auto add = [&](const std::string& suffix, const Perturbation& by,
+                         const std::string& how) {
+        cases.push_back({"grid-" + suffix, false, [=] { return grid_case(by, how); }});
+        cases.push_back({"cocircular-" + suffix, false, [=] { return circle_case(by, how); }});
+    };
+    add("exact", {}, "nothing at all");
+    for (const int ulps : {1, 2, 10}) {
+        add(std::to_string(ulps) + "ulp", {.ulps = ulps}, "up to " + std::to_string(ulps) + " ulp");
+    }
+    for (const double distance : {1e-15, 1e-14, 1e-13, 1e-12}) {
+        add(text(distance), {.distance = distance}, "up to " + text(distance));
+    }
+}
+
+} // namespace dsc::hard

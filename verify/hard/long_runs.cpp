@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Errors that only many steps show.
+#include "cases.h"
+#include "scene.h"
+#include "watch.h"
+
+#include "scenes/exact.h"
+#include "scenes/shapes.h"
+#include "scenes/velocity.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace dsc::hard {
+
+namespace {
+
+using scenes::Outline;
+
+const char* const shape_words = "symmetric difference to the exact shape, relative";
+
+HardResult zalesak_case(int revolutions) {
+    HardResult result;
+    result.asked =
+        "Zalesak's disc at h = 0.02, " + std::to_string(revolutions) + " revolutions of 628 steps";
+    constexpr double h = 0.02;
+    constexpr int steps = 628;
+    const std::vector<Outline> outlines{scenes::slotted_disc({}, h)};
+    auto scene = scene_of<double>(unit_square, outlines, h);
+    Watch<double> watch(scene.complex, scene.options,
+                        {.domain = unit_square, .thorough_every = 157}, result);
+    const scenes::Rotation rotation{{0.5, 0.5}, 2 * std::numbers::pi};
+    bool going = true;
+    for (int turn = 1; turn <= revolutions && going; ++turn) {
+        going = watch.run(rotation, turn - 1, 1.0 / steps, steps);
+        if (turn == 1 || turn == 10 || turn == 100) {
+            result.error = shape_error<double>(scene.complex, outlines);
+            result.values.push_back(
+                {"error after " + std::to_string(turn) + " revolutions", *result.error});
+        }
+    }
+    result.error_is = shape_words;
+    // RK4's own: the angle lags by (2 pi / 628)^4 / 120 of what was turned.
+    const double lag =
+        std::pow(2 * std::numbers::pi / steps, 4) / 120 * 2 * std::numbers::pi * revolutions;
+    const double cost = lag * 0.4 * scenes::perimeter(outlines) / scenes::signed_area(outlines);
+    result.values.push_back({"what RK4's own lag costs", cost});
+    result.happened = "the error grows in proportion to time, as RK4's own lag does";
+    expect(result, going, "the run ended early");
+    expect(result, *result.error <= 2 * cost + 1e-9,
+           "error " + text(*result.error) + ", allowed " + text(2 * cost + 1e-9));
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+HardResult slow_case(std::uint64_t steps) {
+    HardResult result;
+    result.asked =
+        "a circle translated by three edge lengths in " + std::to_string(steps) + " steps";
+    constexpr double h = 0.1;
+    constexpr double way = 0.3;
+    const std::vector<Outline> outlines{scenes::circle({0.35, 0.5}, 0.2, h)};
+    auto scene = scene_of<double>(unit_square, outlines, h);
+    Watch<double> watch(scene.complex, scene.options,
+                        {.domain = unit_square, .thorough_every = static_cast<int>(steps / 100)},
+                        result);
+    const bool going =
+        watch.run(scenes::Translation{{1, 0}}, 0, way / static_cast<double>(steps), steps);
+    const auto exact = scenes::translated_shape(outlines, {way, 0}).outlines;
+    result.error = shape_error<double>(scene.complex, exact);
+    result.error_is = shape_words;
+    // Each step rounds a coordinate below 1 by half a step of doubles at most, perhaps always the
+    // same way.
+    const double drift = static_cast<double>(steps) * 0.5 * std::numeric_limits<double>::epsilon();
+    const double allowed = drift * scenes::perimeter(exact) / scenes::signed_area(exact) + 1e-13;
+    result.values = {{"allowed: a rounding of half an epsilon in each step", allowed}};
+    result.happened = "the shape drifts by rounding alone: " + text(*result.error / allowed) +
+                      " of what one rounding a step adds up to at most";
+    expect(result, going, "the run ended early");
+    expect(result, *result.error <= allowed,
+           "error " + text(*result.error) + ", allowed " + text(allowed));
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+} // namespace
+
+void append_long_runs(std::vector<HardCase>& cases) {
+    cases.push_back({"zalesak-10", false, [] { return zalesak_case(10); }});
+    cases.push_back({"zalesak-100", true, [] { return zalesak_case(100); }});
+    cases.push_back({"slow-20000", false, [] { return slow_case(20000); }});
+    cases.push_back({"slow-1000000", true, [] { return slow_case(1000000); }});
+}
+
+const std::vector<HardCase>& all_cases() {
+    static const std::vector<HardCase> cases = [] {
+        std::vector<HardCase> list;
+        append_coordinates(list);
+        append_long_steps(list);
+        append_contacts(list);
+        append_degenerate(list);
+        append_numbers(list);
+        append_long_runs(list);
+        return list;
+    }();
+    return cases;
+}
+
+} // namespace dsc::hard

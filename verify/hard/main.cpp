@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// dsc_hard list
+// dsc_hard run [CASE]... [--long] [--json FILE] [--markdown FILE]
+// Exit: 0 all cases hold; 1 one does not, or a file could not be written; 2 bad usage.
+#include "table.h"
+
+#include "dsc/base/error.h"
+#include "scenes/clock.h"
+#include "scenes/write_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+
+namespace {
+
+using namespace dsc::hard;
+
+struct Arguments {
+    std::vector<std::string> cases;
+    bool with_long = false;
+    std::string json;
+    std::string markdown;
+};
+
+// Those that are named; none named: all, the long ones only where asked for.
+std::vector<const HardCase*> select(const Arguments& arguments) {
+    std::vector<const HardCase*> selected;
+    for (const std::string& name : arguments.cases) {
+        const auto at = std::ranges::find(all_cases(), name, &HardCase::name);
+        if (at == all_cases().end()) {
+            throw dsc::InputError("unknown case", "run", "'" + name + "'",
+                                  "the names that dsc_hard list prints");
+        }
+        selected.push_back(&*at);
+    }
+    if (arguments.cases.empty()) {
+        for (const HardCase& one : all_cases()) {
+            if (arguments.with_long || !one.is_long) {
+                selected.push_back(&one);
+            }
+        }
+    }
+    return selected;
+}
+
+Row run_case(const HardCase& one) {
+    Row row{&one, {}, 0};
+    const dsc::scenes::Stopwatch watch;
+    try {
+        row.result = one.run();
+    } catch (const std::exception& error) {
+        row.result.failures.push_back(std::string("an exception: ") + error.what());
+    }
+    row.seconds = watch.wall();
+    return row;
+}
+
+int run(const Arguments& arguments) {
+    const auto selected = select(arguments);
+    for (const auto& [path, option] :
+         {std::pair{arguments.json, "--json"}, std::pair{arguments.markdown, "--markdown"}}) {
+        if (!path.empty()) {
+            dsc::scenes::check_writable(path, option);
+        }
+    }
+    std::vector<Row> rows;
+    print_heading(std::cout);
+    for (const HardCase* one : selected) {
+        rows.push_back(run_case(*one));
+        print_row(std::cout, rows.back());
+    }
+    const auto failed =
+        std::ranges::count_if(rows, [](const Row& row) { return !row.result.holds(); });
+    std::cout << rows.size() << " cases, " << failed << " do not hold\n";
+    try {
+        if (!arguments.json.empty()) {
+            dsc::scenes::write_file(arguments.json, to_json(rows));
+        }
+        if (!arguments.markdown.empty()) {
+            dsc::scenes::write_file(arguments.markdown, to_markdown(rows));
+        }
+    } catch (const dsc::FileError& error) {
+        std::cerr << "dsc_hard: " << error.what() << '\n';
+        return 1; // not 2: everything was run
+    }
+    return failed == 0 ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Runs the hard cases and prints what happens in each."};
+    app.require_subcommand(1);
+    auto* list = app.add_subcommand("list", "all cases");
+    auto* run_command =
+        app.add_subcommand("run", "run all cases but the long ones, or those that are named");
+    Arguments arguments;
+    run_command->add_option("cases", arguments.cases, "names from the list");
+    run_command->add_flag("--long", arguments.with_long, "the long ones too (some minutes)");
+    run_command->add_option("--json", arguments.json, "file for all that was measured");
+    run_command->add_option("--markdown", arguments.markdown, "file for the table");
+    // CLI11 would only say that a command is missing.
+    const std::string command = argc > 1 ? argv[1] : "";
+    if (!command.starts_with('-') && command != "list" && command != "run") {
+        std::cerr << "dsc_hard: unknown command: got '" << command
+                  << "'; allowed: list, run (see dsc_hard --help)\n";
+        return 2;
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            return app.exit(error); // --help
+        }
+        std::cerr << "dsc_hard: " << error.what() << " (see dsc_hard --help)\n";
+        return 2;
+    }
+    try {
+        if (*list) {
+            for (const HardCase& one : all_cases()) {
+                std::cout << one.name << (one.is_long ? "  (long)" : "") << '\n';
+            }
+            return 0;
+        }
+        return run(arguments);
+    } catch (const dsc::InputError& error) {
+        std::cerr << "dsc_hard: " << error.what() << '\n';
+        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << "dsc_hard: " << error.what() << '\n';
+        return 1;
+    }
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "scene.h"
+
+#include "dsc/base/error.h"
+#include "dsc/initial/unit_box.h"
+#include "scenes/measure.h"
+#include "scenes/symmetric_difference.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace dsc::hard {
+
+namespace {
+
+std::vector<Shape> shapes_of(std::span<const scenes::Outline> outlines) {
+    std::vector<Shape> shapes;
+    for (const auto& outline : outlines) {
+        shapes.push_back({outline, 1});
+    }
+    return shapes;
+}
+
+} // namespace
+
+template <class Real>
+Scene<Real> scene_of(const Rectangle& domain, std::span<const scenes::Outline> outlines, double h) {
+    Scene<Real> scene{
+        domain, initial_complex<Real>(domain, shapes_of(outlines), {.edge_length = h}), {}};
+    scene.options.edge_length = static_cast<Real>(h);
+    return scene;
+}
+
+template <class Real>
+Scene<Real> scene_of(const UnitMap& map, const Rectangle& domain,
+                     std::span<const scenes::Outline> outlines, double h) {
+    Scene<Real> scene{to_unit(map, domain),
+                      initial_complex<Real>(map, domain, shapes_of(outlines), {.edge_length = h}),
+                      {}};
+    scene.options.edge_length = static_cast<Real>(length_to_unit(map, h));
+    return scene;
+}
+
+Scene<double> grid_scene(const Rectangle& domain, int columns, int rows,
+                         const std::function<Phase(const Point<double>&)>& phase_at,
+                         const std::function<Point<double>(const Point<double>&)>& place) {
+    const Point<double> sides = domain.high - domain.low;
+    const Point<double> step(sides.x() / columns, sides.y() / rows);
+    std::vector<Point<double>> points;
+    for (int j = 0; j <= rows; ++j) {
+        for (int i = 0; i <= columns; ++i) {
+            const Point<double> p(i == columns ? domain.high.x() : domain.low.x() + i * step.x(),
+                                  j == rows ? domain.high.y() : domain.low.y() + j * step.y());
+            points.push_back(place ? place(p) : p);
+        }
+    }
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<Phase> phases;
+    const auto id = [&](int i, int j) { return static_cast<std::uint32_t>(j * (columns + 1) + i); };
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const std::uint32_t a = id(i, j);
+            const std::uint32_t b = id(i + 1, j);
+            const std::uint32_t c = id(i + 1, j + 1);
+            const std::uint32_t d = id(i, j + 1);
+            if ((i + j) % 2 == 0) {
+                triangles.insert(triangles.end(), {{a, b, c}, {a, c, d}});
+            } else {
+                triangles.insert(triangles.end(), {{a, b, d}, {b, c, d}});
+            }
+        }
+    }
+    for (const auto& t : triangles) {
+        phases.push_back(phase_at((points[t[0]] + points[t[1]] + points[t[2]]) / 3));
+    }
+    Scene<double> scene{domain, make_complex<double>(points, triangles, phases), {}};
+    scene.options.edge_length = step.maxCoeff();
+    return scene;
+}
+
+template <class Real>
+std::vector<scenes::Outline> outlines_of(const Complex<Real>& complex, Phase phase) {
+    Complex<Real> alone = complex;
+    for (std::uint32_t t = 1; t < alone.triangle_bound(); ++t) {
+        if (alone.is_alive(Triangle{t}) && alone.triangles[t].phase != phase) {
+            alone.triangles[t].phase = exterior_phase;
+        }
+    }
+    return scenes::interface_outlines(alone);
+}
+
+template <class Real>
+double shape_error(const Complex<Real>& complex, std::span<const scenes::Outline> exact) {
+    return scenes::symmetric_difference(scenes::interface_outlines(complex), exact) /
+           scenes::signed_area(exact);
+}
+
+double shape_error(const Complex<double>& complex, Phase phase, const scenes::Outline& exact) {
+    const std::vector<scenes::Outline> outlines{exact};
+    return scenes::symmetric_difference(outlines_of(complex, phase), outlines) /
+           scenes::signed_area(outlines);
+}
+
+std::vector<scenes::Outline> mapped(std::span<const scenes::Outline> outlines,
+                                    const std::function<Point<double>(const Point<double>&)>& map) {
+    std::vector<scenes::Outline> result(outlines.begin(), outlines.end());
+    for (auto& outline : result) {
+        for (auto& point : outline) {
+            point = map(point);
+        }
+    }
+    return result;
+}
+
+double domain_area(const Complex<double>& complex) {
+    double sum = 0;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (complex.is_alive(Triangle{t})) {
+            const auto v = complex.vertices_of(Triangle{t});
+            const Point<double> a = complex.position(v[1]) - complex.position(v[0]);
+            const Point<double> b = complex.position(v[2]) - complex.position(v[0]);
+            sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
+        }
+    }
+    return sum;
+}
+
+std::string text(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.3g", value);
+    return buffer;
+}
+
+void expect_input_error(HardResult& result, const std::function<void()>& build,
+                        const std::string& words) {
+    try {
+        build();
+        result.failures.push_back("no InputError; expected one that says '" + words + "'");
+    } catch (const InputError& error) {
+        result.error_message = error.what();
+        expect(result, result.error_message.find(words) != std::string::npos,
+               "the error does not say '" + words + "': " + result.error_message);
+        expect(result, !error.where().empty() && !error.value().empty() && !error.allowed().empty(),
+               "the error does not say where, the value, or what is allowed");
+    }
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template Scene<Real> scene_of(const Rectangle&, std::span<const scenes::Outline>, double);     \
+    template Scene<Real> scene_of(const UnitMap&, const Rectangle&,                                \
+                                  std::span<const scenes::Outline>, double);                       \
+    template std::vector<scenes::Outline> outlines_of(const Complex<Real>&, Phase);                \
+    template double shape_error(const Complex<Real>&, std::span<const scenes::Outline>);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc::hard

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What the hard cases start from, and what they measure at the end.
+#pragma once
+
+#include "result.h"
+
+#include "dsc/algorithm/options.h"
+#include "dsc/base/unit_map.h"
+#include "dsc/initial/initial_complex.h"
+#include "scenes/outline.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dsc::hard {
+
+inline const Rectangle unit_square{{0, 0}, {1, 1}};
+
+template <class Real>
+struct Scene {
+    Rectangle domain;
+    Complex<Real> complex;
+    Options<Real> options;
+};
+
+/// Outlines of phase 1 in a rectangle, at edge length h.
+template <class Real>
+Scene<Real> scene_of(const Rectangle& domain, std::span<const scenes::Outline> outlines, double h);
+
+/// The same, in the unit coordinates of a map; the scene's domain is in unit coordinates too.
+template <class Real>
+Scene<Real> scene_of(const UnitMap& map, const Rectangle& domain,
+                     std::span<const scenes::Outline> outlines, double h);
+
+/// A grid of squares, columns by rows, each cut in two with diagonals that alternate; a triangle's
+/// phase is that of its middle. `place` may move the grid's points; h is the side of a square.
+Scene<double> grid_scene(const Rectangle& domain, int columns, int rows,
+                         const std::function<Phase(const Point<double>&)>& phase_at,
+                         const std::function<Point<double>(const Point<double>&)>& place = nullptr);
+
+/// Outlines of one phase alone.
+template <class Real>
+std::vector<scenes::Outline> outlines_of(const Complex<Real>& complex, Phase phase);
+
+/// Symmetric difference of the interface with the exact outlines, over the area of these.
+template <class Real>
+double shape_error(const Complex<Real>& complex, std::span<const scenes::Outline> exact);
+/// Of one phase.
+double shape_error(const Complex<double>& complex, Phase phase, const scenes::Outline& exact);
+
+/// Each point of the outlines through a function.
+std::vector<scenes::Outline> mapped(std::span<const scenes::Outline> outlines,
+                                    const std::function<Point<double>(const Point<double>&)>& map);
+
+/// The area of the whole domain, summed over triangles.
+double domain_area(const Complex<double>& complex);
+
+/// A number as in a sentence: "1.2e-05".
+std::string text(double value);
+
+/// Runs `build` and expects an InputError that names the place, the value and what is allowed, and
+/// says `words`. Notes its sentence.
+void expect_input_error(HardResult& result, const std::function<void()>& build,
+                        const std::string& words);
+
+} // namespace dsc::hard
