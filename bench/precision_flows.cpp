@@ -6,6 +6,8 @@ namespace dsc::bench {
 const std::vector<Flow>& precision_flows() {
     const std::vector<double> powers{1.0 / 32, 1.0 / 64, 1.0 / 128, 1.0 / 256};
     const std::vector<double> tenths{0.04, 0.02, 0.01, 0.005};
+    // Four for every method, and a fifth for few.
+    const std::vector<double> powers_and_last{1.0 / 32, 1.0 / 64, 1.0 / 96, 1.0 / 128, 1.0 / 256};
     static const std::vector<Flow> flows{
         // The greatest speed is 1: a step is one edge length, as for the markers of
         // reference/published/marker_floor.json.
@@ -21,21 +23,24 @@ const std::vector<Flow>& precision_flows() {
          .scene = "single-vortex",
          .duration = 8,
          .period = 8,
-         .lengths = powers,
-         .quick_lengths = 3},
+         .lengths = powers_and_last,
+         .quick_lengths = 2,
+         .last_by_few = true},
         // 2 x 260 and 2 x 420 steps at h = 0.01.
         {.name = "swirl-260",
          .title = "swirl, 2 x 260",
          .scene = "swirl",
          .duration = 5.2,
          .there_and_back = true,
-         .lengths = tenths},
+         .lengths = {0.04, 0.02, 0.014, 0.01, 0.005},
+         .last_by_few = true},
         {.name = "swirl-420",
          .title = "swirl, 2 x 420",
          .scene = "swirl",
          .duration = 8.4,
          .there_and_back = true,
-         .lengths = tenths},
+         .lengths = {0.04, 0.02, 0.014, 0.01},
+         .quick_lengths = 0},
         // The greatest speed is about 3; 628 steps at h = 0.01, as in the literature.
         {.name = "zalesak",
          .title = "Zalesak's disc, one revolution",
@@ -54,7 +59,7 @@ const std::vector<Flow>& precision_flows() {
          .there_and_back = true,
          .step_over_length = 0.5,
          .lengths = tenths,
-         .quick_lengths = 3,
+         .quick_lengths = 2,
          .smooth = false},
     };
     return flows;

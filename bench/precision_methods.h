@@ -15,7 +15,7 @@ namespace dsc::bench {
 /// A key of dsc_scene's --set.
 struct Setting {
     std::string key;
-    std::string word; ///< its value; where empty, factor * h^power
+    std::string word{}; ///< its value; where empty, factor * h^power
     double factor = 0;
     double power = 0;
 };
@@ -42,7 +42,12 @@ struct Method {
     /// How the time step shrinks with the edge length. First order in time needs steps that shrink
     /// with its square if time is not to hide everything else.
     enum class Step : unsigned char { with_length, with_square } step = Step::with_length;
+    /// Times as long as the flow's own: for a method that chooses its steps below this bound.
+    double step_factor = 1;
     std::size_t most_lengths = 99; ///< so many of a flow's, from the coarsest: bounds the slow ones
+    bool to_the_last = false;      ///< also the lengths that a flow keeps for few
+    bool in_quick = true;          ///< also run by --quick
+    bool reads_curves = false;     ///< the interface is not its polygon
     scenes::Strategy strategy = scenes::Strategy::sequential;
     std::optional<BareMarkers> markers{};
 };

@@ -31,7 +31,7 @@ std::string text_of(double value) {
 // In all, or each way.
 int steps_of(const Case& item) {
     const Flow& flow = *item.flow;
-    double dt = flow.step_over_length * item.h;
+    double dt = flow.step_over_length * item.method->step_factor * item.h;
     if (item.method->step == Method::Step::with_square) {
         dt *= item.h / flow.lengths.front();
     }
@@ -97,7 +97,8 @@ std::optional<CaseResult> run_dsc(const Case& item, ExactShapes& shapes,
     }
     Json json = Json::parse(scenes::to_json(result));
     json["repetitions"] = repetitions;
-    return CaseResult{std::move(json), result.holds()};
+    return CaseResult{std::move(json), result.inverted == 0 && result.gave_up.empty(),
+                      result.unreached};
 }
 
 std::optional<CaseResult> run_bare(const Case& item, ExactShapes& shapes,
@@ -124,7 +125,7 @@ std::optional<CaseResult> run_bare(const Case& item, ExactShapes& shapes,
     json["repetitions"] = repetitions;
     json["commit"] = scenes::commit();
     json["machine"] = scenes::machine();
-    return CaseResult{std::move(json), true};
+    return CaseResult{std::move(json)};
 }
 
 } // namespace
@@ -134,11 +135,15 @@ std::vector<Case> cases_of(const std::vector<const Flow*>& flows,
     std::vector<Case> cases;
     for (const Flow* flow : flows) {
         for (const Method* method : methods) {
-            if (method->markers && !flow->smooth) {
+            // Curves would be blamed for not being the polygon that the exact shape is.
+            if ((quick && !method->in_quick) || (method->markers && !flow->smooth) ||
+                (method->reads_curves && flow->polygon_is_exact)) {
                 continue;
             }
-            const std::size_t count = std::min({flow->lengths.size(), method->most_lengths,
-                                                quick ? flow->quick_lengths : std::size_t{99}});
+            const bool all = !flow->last_by_few || method->to_the_last;
+            const std::size_t count =
+                std::min({flow->lengths.size() - (all ? 0 : 1), method->most_lengths,
+                          quick ? flow->quick_lengths : std::size_t{99}});
             for (std::size_t i = 0; i < count; ++i) {
                 cases.push_back({flow, method, flow->lengths[i]});
             }

@@ -56,7 +56,8 @@ private:
 
 struct CaseResult {
     nlohmann::ordered_json json; ///< of dsc_scene, with flow, method and request beside
-    bool holds = true;           ///< nothing inverted, unreached, given up
+    bool holds = true;           ///< nothing inverted, not given up
+    std::uint64_t unreached = 0; ///< vertices that did not arrive, summed over steps
 };
 
 /// Runs until the CPU time has been taken three times or for 0.3 s in all, and keeps the least.

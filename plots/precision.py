@@ -183,9 +183,12 @@ def _one(flow, lines, peers, marks):
 
 def notes(lines, peers, marks):
     """What a stranger needs to read the picture."""
-    text = ("Left and down is better. The default is RK4, cubic insertion, coarsening by deviation, "
-            "double precision; each other method varies what its name says, and lies under the "
-            "default where it does not show. One thread, the least CPU time of up to three runs.")
+    text = ("Left and down is better. The default is RK4, cubic insertion, coarsening by "
+            "deviation, double precision; each other method varies what its name says, and lies "
+            "under the default where it does not show. One thread, the least CPU time of up to "
+            "three runs.")
+    if any(not r.holds for line in lines.values() for r in line):
+        text += " Crossed out: vertices did not arrive."
     if any(line[0].group == "markers" for line in lines.values()):
         text += " Bare markers: the interface alone, without a mesh."
     cells = [p.tool for p in peers if p.tool in ("Basilisk", "isoAdvector", "Gerris")]

@@ -90,7 +90,7 @@ def points(line, moment="last"):
 
 def time_at(line, error, moment="last"):
     """CPU seconds at which a line passes an error, straight between its points in logarithms, the
-    least of several passes; None where it does not reach from one side of the error to the other."""
+    least of several passes; None where it has no points on both sides of the error."""
     found = []
     placed = points(line, moment)
     for (e, t, _), (f, u, _) in zip(placed, placed[1:]):

@@ -101,7 +101,7 @@ def sentence(lines, peers):
                 f"{_seconds(seconds)}")
     text = text[0].upper() + text[1:] + "."
     if broken:
+        methods = sorted({r.method for r in broken}, key=list(lines).index)
         text += (f" In {style.counted(len(broken), 'run')} a triangle was inverted or a vertex did "
-                 "not arrive: " + style.listing(f"{r.method} at h = {data.length(r.h)}"
-                                                for r in broken) + ".")
+                 f"not arrive: {style.listing(methods)}.")
     return text
