@@ -86,7 +86,7 @@ def _panel(axes, lines, moment):
     axes.yaxis.set_minor_formatter(NullFormatter())
     axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: f"{v:.0e}".replace("e-0", "e-")))
     _guides(axes, lines, moment, sizes)
-    axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(-0.02, -0.16), fontsize=7.8,
+    axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(-0.02, -0.19), fontsize=7.8,
                 borderaxespad=0, handlelength=2.4, labelspacing=0.3)
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Work against precision, a picture for each flow: the error on x, the CPU time on y, a line for
 each method and a point for each edge length, with other programs beside ours."""
+import math
+
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 import precision_data as data
@@ -73,10 +75,17 @@ def _lines(axes, lines, moment):
 
 
 def _lengths(axes, line, moment):
-    """The edge length beside each point of the default, where other meshes seldom are."""
+    """The edge length beside the points of the default, where other meshes seldom are, and where
+    it does not run into the one before."""
+    low, high = (math.log(v) for v in axes.get_ylim())
+    last = None
     for e, t, run in data.points(line, moment):
-        axes.annotate(f"h = {data.length(run.h)}", (e, t), (-7, -3), textcoords="offset points",
-                      ha="right", va="top", fontsize=7.4, color=style.BLUE, zorder=7)
+        height = (math.log(t) - low) / (high - low)
+        if last is None or abs(height - last) > 0.06:
+            last = height
+            axes.annotate(f"h = {data.length(run.h)}", (e, t), (-7, -3),
+                          textcoords="offset points", ha="right", va="top", fontsize=7.4,
+                          color=style.BLUE, zorder=7)
 
 
 def _peers(axes, peers):
@@ -154,17 +163,18 @@ def _one(flow, lines, peers, marks):
             axes = grid[row][column]
             logarithmic(axes)
             _lines(axes, some, moment)
-            if data.DEFAULT in some:
-                _lengths(axes, some[data.DEFAULT], moment)
+            if moment == "last":
+                _peers(axes, beside[0])
             axes.yaxis.set_major_formatter(FuncFormatter(seconds))
             axes.margins(0.07)
-            low, high = axes.get_xlim()
-            axes.set_xlim(low / (high / low) ** 0.09, high)  # room for the edge lengths
             if row == 0:
                 axes.set_title(MOMENTS[moment][0].upper() + MOMENTS[moment][1:])
         grid[row][0].set_ylabel("CPU time")
-        _peers(grid[row][0], beside[0])
         _marks(grid[row][0], beside[1])
+        low, high = grid[row][0].get_xlim()
+        grid[row][0].set_xlim(low / (high / low) ** 0.13, high)  # room for the edge lengths
+        for axes, moment in zip(grid[row], moments):
+            _lengths(axes, some.get(data.DEFAULT, []), moment)
         legend = grid[row][-1].legend(
             handles=_keys(some, *beside), loc="upper left", bbox_to_anchor=(1.03, 1.02),
             borderaxespad=0, fontsize=8, handlelength=2.4, labelspacing=0.35,

@@ -77,10 +77,11 @@ def flows(runs):
 
 
 def length(h):
-    """0.0078125 -> '1/128'; 0.01 -> '0.01'."""
+    """0.0078125 -> '1/128'; 0.01 -> '0.01': whichever is short and exact."""
     inverse = round(1 / h)
-    power_of_two = inverse > 0 and inverse & (inverse - 1) == 0 and abs(inverse * h - 1) < 1e-9
-    return f"1/{inverse}" if power_of_two else f"{h:g}"
+    if float(f"{h:.2g}") != h and abs(inverse * h - 1) < 1e-9:
+        return f"1/{inverse}"
+    return f"{h:g}"
 
 
 def points(line, moment="last"):

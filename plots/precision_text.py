@@ -41,11 +41,11 @@ def against_peers(line, peers):
 
 
 def common_error(lines):
-    """Of the errors of the default the one that most methods come to, of several the smallest."""
-    rivals = [line for line in lines.values() if line[0].group != "markers"]
-    placed = data.points(lines[data.DEFAULT])
-    return max((e for e, _, _ in placed), default=None, key=lambda e: (
-        sum(data.time_to(line, e) is not None for line in rivals), -e))
+    """The smallest error of the default that another mesh comes to."""
+    rivals = [line for m, line in lines.items()
+              if m != data.DEFAULT and line[0].group != "markers"]
+    return min((e for e, _, _ in data.points(lines[data.DEFAULT])
+                if any(data.time_to(line, e) is not None for line in rivals)), default=None)
 
 
 def among_ours(lines):
@@ -60,7 +60,7 @@ def among_ours(lines):
     if base is None or not reached:
         return ""
     best = min(reached, key=reached.get)
-    text = f"of the {len(reached) + 1} methods that come to {style.digits(error)}, "
+    text = f"of the {len(reached) + 1} methods that come to {style.digits(error)} at the end, "
     # Less than a tenth is nothing that a busy machine could tell.
     if reached[best] > base / 1.1:
         worst = max(reached, key=reached.get)
