@@ -299,9 +299,9 @@ TEST(InterfaceOptions, AreRefusedWhereTheyMakeNoSense) {
     refuses([](auto& o) { o.interface.turn_degrees = 0.1; });
     refuses([](auto& o) { o.interface.gap = 0.01; });
     refuses([](auto& o) { o.interface.finest = 0; });
-    refuses([](auto& o) { o.interface.finest = 0.8; });
+    refuses([](auto& o) { o.interface.finest = 1.8; });
     refuses([](auto& o) { o.interface.grading = 1; });
-    refuses([](auto& o) { o.interface.degenerate = 0.5; });
+    refuses([](auto& o) { o.interface.degenerate = -0.5; });
     refuses([](auto& o) { o.phases.crowded = 3; });
     refuses([](auto& o) { o.tolerance = 0; });
     refuses([](auto& o) { o.tolerance = std::numeric_limits<double>::quiet_NaN(); });

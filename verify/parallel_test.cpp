@@ -319,8 +319,11 @@ TEST_P(EveryDivision, DoesWhatTheSequentialMethodDoes) {
         expect_near(p.interface_splits, s.interface_splits, 0.1, "interface splits");
         expect_near(p.interface_collapses, s.interface_collapses, 0.1, "interface collapses");
         expect_near(p.flips, s.flips, 0.2, "flips");
-        expect_near(p.splits, s.splits, 0.15, "splits");
-        expect_near(p.collapses, s.collapses, 0.15, "collapses");
+        // A vertex beside a short edge may be made and taken again by each submesh that looks; what
+        // remains is about the same.
+        expect_near(p.splits, s.splits, 0.5, "splits");
+        expect_near(p.collapses, s.collapses, 0.35, "collapses");
+        expect_near(p.splits + s.collapses, s.splits + p.collapses, 0.05, "what remains");
         expect_near(p.smoothed, s.smoothed, 0.15, "smoothed");
     }
     EXPECT_GE(tame, 3U) << "choose tamer scenes";

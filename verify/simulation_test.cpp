@@ -7,6 +7,7 @@
 
 #include "dsc/algorithm/interface_list.h"
 #include "dsc/algorithm/mesh_update.h"
+#include "dsc/algorithm/move_vertices.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
 
@@ -45,7 +46,8 @@ std::map<std::uint32_t, Point<Real>> interface_positions(const Complex<Real>& co
 TYPED_TEST(Driver, CountsWhatItDoes) {
     using Real = TypeParam;
     auto complex = disc_complex<Real>(coarse);
-    const auto options = options_for<Real>(coarse);
+    auto options = options_for<Real>(coarse);
+    options.interface.shortest = 0.45;
     Simulation<Real> simulation(complex, options);
     // It grows from a radius of 0.25 to 0.41, and shrinks to 0.11.
     const auto flow = pointwise<Real>([](const Point<double>& p, double time) {

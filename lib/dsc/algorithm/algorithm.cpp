@@ -3,6 +3,7 @@
 
 #include "dsc/algorithm/interface_upkeep.h"
 #include "dsc/algorithm/mesh_update.h"
+#include "dsc/algorithm/move_vertices.h"
 
 namespace dsc {
 

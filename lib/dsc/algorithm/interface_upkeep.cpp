@@ -29,8 +29,9 @@ public:
               static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
-          // A poor triangle for the time being is better than none that can move.
-          wall_{longest_squared_, shortest_squared_, Real(0.05)} {}
+          // An edge ahead that is shorter than a sub-step is in the way. A poor triangle for the
+          // time being is better than none that can move.
+          wall_{square(work.options.phases.longest), square(work.options.sub_step), Real(0.05)} {}
 
     void run() {
         auto& kept = work_.interface_next;

@@ -220,7 +220,7 @@ private:
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             const Real after = worst_quality_squared_after_collapse(ring_, i);
             if (after > best && longest_after(i) <= Real(1.44) * limit.longest &&
-                (!is_short || keeps_grading(i))) {
+                keeps_grading(i)) {
                 best = after;
                 best_spoke = i;
             }
@@ -234,16 +234,24 @@ private:
         if (grading_squared_ == 0) {
             return true;
         }
+        const std::uint32_t n = ring_.size;
         const auto squared = [](Real dx, Real dy) { return dx * dx + dy * dy; };
-        for (std::uint32_t j = 0; j < ring_.size; ++j) {
-            if (complex_.phase_at(complex_.twin(ring_.corner[j])) != ring_.phase[j]) {
-                const Real allowed =
-                    Real(0.8) * grading_squared_ *
-                    squared(ring_.x_next[j] - ring_.x[j], ring_.y_next[j] - ring_.y[j]);
-                if (squared(ring_.x[i] - ring_.x[j], ring_.y[i] - ring_.y[j]) > allowed ||
-                    squared(ring_.x[i] - ring_.x_next[j], ring_.y[i] - ring_.y_next[j]) > allowed) {
-                    return false;
-                }
+        for (std::uint32_t j = 0; j < n; ++j) {
+            const Phase across = complex_.phase_at(complex_.twin(ring_.corner[j]));
+            if (across == ring_.phase[j] || across == border_phase) {
+                continue;
+            }
+            // The apex over this edge: i, or beyond it where i is one of its ends.
+            const std::uint32_t end = j + 1 == n ? 0 : j + 1;
+            const std::uint32_t apex = i == j     ? (end + 1 == n ? 0 : end + 1)
+                                       : i == end ? (j == 0 ? n - 1 : j - 1)
+                                                  : i;
+            const Real allowed =
+                Real(0.8) * grading_squared_ *
+                squared(ring_.x_next[j] - ring_.x[j], ring_.y_next[j] - ring_.y[j]);
+            if (squared(ring_.x[apex] - ring_.x[j], ring_.y[apex] - ring_.y[j]) > allowed ||
+                squared(ring_.x[apex] - ring_.x[end], ring_.y[apex] - ring_.y[end]) > allowed) {
+                return false;
             }
         }
         return true;
@@ -413,7 +421,8 @@ private:
         };
         const std::uint32_t n = ring_.link_size();
         for (std::uint32_t i = 0; i < n; ++i) {
-            if (ring_.is_constrained(i)) {
+            if (ring_.is_constrained(i) && ring_.phase_before(i) != border_phase &&
+                ring_.phase_after(i) != border_phase) {
                 const Real allowed = grading_squared_ * length(i);
                 if (i > 0 || ring_.closed) {
                     look_at(i > 0 ? i - 1 : n - 1, allowed);
@@ -423,7 +432,12 @@ private:
                 }
             }
         }
-        return spoke != no_id && split_spoke(spoke);
+        // A needle from sheet to sheet is what a thin film is made of: a vertex inside would have
+        // no room, and go again.
+        Ring<Real>& beyond = work_.other_ring;
+        return spoke != no_id &&
+               gather(complex_, work_.submesh.region, ring_.link[spoke], beyond) &&
+               beyond.one_phase && split_spoke(spoke);
     }
 
     bool split_spoke(std::uint32_t spoke) {
@@ -460,28 +474,6 @@ private:
     Real needle_; // squared quality of a needle that the grading just allows; 0: none is split
 };
 
-// A vertex on the domain boundary stays there: it slides along a straight side and does not leave a
-// corner [6.4].
-template <class Real>
-void stay_on_boundary(const Ring<Real>& ring, Real& x, Real& y) {
-    const Real ax = ring.link_x(0);
-    const Real ay = ring.link_y(0);
-    const Real bx = ring.link_x(ring.size);
-    const Real by = ring.link_y(ring.size);
-    if (orientation(static_cast<double>(ax), static_cast<double>(ay), static_cast<double>(ring.x0),
-                    static_cast<double>(ring.y0), static_cast<double>(bx),
-                    static_cast<double>(by)) != 0) {
-        x = ring.x0;
-        y = ring.y0;
-        return;
-    }
-    const Real tx = bx - ax;
-    const Real ty = by - ay;
-    const Real along = ((x - ring.x0) * tx + (y - ring.y0) * ty) / (tx * tx + ty * ty);
-    x = ring.x0 + along * tx;
-    y = ring.y0 + along * ty;
-}
-
 } // namespace
 
 template <class Real>
@@ -489,55 +481,7 @@ void update_mesh(Work<Real>& work) {
     MeshUpdate<Real>(work).run();
 }
 
-template <class Real>
-void move_vertices(Work<Real>& work) {
-    work.progressed = 0;
-    std::size_t kept = 0;
-    for (const Mover<Real>& mover : work.movers) {
-        Ring<Real>& ring = work.ring;
-        const bool gathered = gather(work.complex, work.submesh.region, mover.vertex, ring);
-        if (!ring.owned) {
-            work.put_off_movers.push_back(mover);
-            continue;
-        }
-        if (!gathered) {
-            work.movers[kept++] = mover;
-            continue;
-        }
-        Real x = mover.x;
-        Real y = mover.y;
-        if (!ring.closed) {
-            stay_on_boundary(ring, x, y);
-        }
-        if (!owns_place<Real>(work.submesh.region, {x, y})) {
-            // It would leave the submesh: the next colour looks for what is put off in there.
-            work.put_off_movers.push_back(mover);
-            continue;
-        }
-        const MoveOutcome outcome = move_vertex(work.complex, ring, x, y);
-        if (outcome != MoveOutcome::blocked) {
-            ++work.progressed;
-            ++work.counts.moves;
-        }
-        work.activate(mover.vertex);
-        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-            work.activate(ring.link[i]);
-        }
-        if (outcome != MoveOutcome::reached) {
-            work.movers[kept++] = mover;
-        } else {
-            auto& record = work.complex.vertices[mover.vertex];
-            if ((record.flags & vertex_contact) != 0) {
-                record.flags &= ~static_cast<std::uint32_t>(vertex_contact);
-            }
-        }
-    }
-    work.movers.resize(kept);
-}
-
 template void update_mesh(Work<double>&);
 template void update_mesh(Work<float>&);
-template void move_vertices(Work<double>&);
-template void move_vertices(Work<float>&);
 
 } // namespace dsc

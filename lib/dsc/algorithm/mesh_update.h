@@ -13,9 +13,4 @@ namespace dsc {
 template <class Real>
 void update_mesh(Work<Real>& work);
 
-/// Movement (algorithm 5.1, line 5): every mover as far as possible, once. Those that arrive leave
-/// `work.movers`; all that moved activate their star. O(movers).
-template <class Real>
-void move_vertices(Work<Real>& work);
-
 } // namespace dsc

@@ -16,8 +16,8 @@ void check_thresholds(const PhaseThresholds& t) {
     require(t.smooth_quality >= 0 && t.smooth_quality <= 1, "phases.smooth_quality",
             t.smooth_quality, "0 to 1");
     require(t.shortest >= 0, "phases.shortest", t.shortest, "0 or more, in edge lengths");
-    require(t.crowded >= 0 && t.crowded <= t.longest, "phases.crowded", t.crowded,
-            "0 to phases.longest, in edge lengths");
+    require(t.crowded >= 0 && t.crowded <= 2, "phases.crowded", t.crowded,
+            "0 to 2, in edge lengths");
     require(t.longest > 2 * t.shortest, "phases.longest", t.longest,
             "more than twice phases.shortest, or splits and collapses undo each other");
 }
@@ -42,8 +42,8 @@ void check_options(const Options<Real>& options) {
     require(i.longest > 2 * i.shortest, "interface.longest", i.longest,
             "more than twice interface.shortest, or splits and collapses undo each other");
     require(i.deviation >= 0, "interface.deviation", i.deviation, "0 or more, in edge lengths");
-    require(i.degenerate >= 0 && i.degenerate <= i.shortest, "interface.degenerate", i.degenerate,
-            "0 to interface.shortest, in edge lengths");
+    require(i.degenerate >= 0 && i.degenerate <= 1, "interface.degenerate", i.degenerate,
+            "0 to 1, in edge lengths");
     require(i.corner_degrees > 0 && i.corner_degrees <= 180, "interface.corner_degrees",
             i.corner_degrees, "more than 0, up to 180 degrees");
     require(i.grading == 0 || (i.grading >= 2 && std::isfinite(i.grading)), "interface.grading",
@@ -52,8 +52,8 @@ void check_options(const Options<Real>& options) {
             "interface.turn_degrees", i.turn_degrees, "0, or 1 to 180 degrees");
     require(i.gap == 0 || (i.gap >= 0.1 && std::isfinite(i.gap)), "interface.gap", i.gap,
             "0, or 0.1 and more");
-    require(i.finest > 0 && 2 * i.finest <= i.longest, "interface.finest", i.finest,
-            "more than 0, up to half of interface.longest");
+    require(i.finest > 0 && i.finest <= 1, "interface.finest", i.finest,
+            "more than 0, up to 1, in edge lengths");
     require(options.tolerance > 0 && std::isfinite(options.tolerance), "tolerance",
             options.tolerance, "more than 0, in edge lengths");
     require(options.sub_step > 0 && options.sub_step <= 2, "sub_step", options.sub_step,

@@ -43,7 +43,7 @@ struct InterfaceThresholds {
     double longest = 1; ///< edges longer than this times the edge length are split
     double shortest =
         0.3; ///< vertices at an edge shorter than this times the edge length may go...
-    double deviation = 0.01; ///< ...if the curve moves by less than this times the edge length
+    double deviation = 0.02; ///< ...if the curve moves by less than this times the edge length
     double degenerate = 0.1; ///< ...or at an edge shorter than this, where the curve turns by more
                              ///< than 45 degrees: that is no shape any more, but its remains
     double corner_degrees = 40; ///< turns sharper than this at the start are corners: kept, and
