@@ -16,15 +16,13 @@ const std::vector<Flow>& precision_flows() {
          .scene = "single-vortex",
          .duration = 2,
          .period = 2,
-         .lengths = powers,
-         .quick_lengths = 3},
+         .lengths = powers},
         {.name = "single-vortex-8",
          .title = "single vortex, T = 8",
          .scene = "single-vortex",
          .duration = 8,
          .period = 8,
          .lengths = powers_and_last,
-         .quick_lengths = 2,
          .last_by_few = true},
         // 2 x 260 and 2 x 420 steps at h = 0.01.
         {.name = "swirl-260",
@@ -48,7 +46,6 @@ const std::vector<Flow>& precision_flows() {
          .duration = 1,
          .step_over_length = 1 / 6.28,
          .lengths = tenths,
-         .quick_lengths = 3,
          .polygon_is_exact = true,
          .smooth = false},
         // The speed is 1.
@@ -59,7 +56,6 @@ const std::vector<Flow>& precision_flows() {
          .there_and_back = true,
          .step_over_length = 0.5,
          .lengths = tenths,
-         .quick_lengths = 2,
          .smooth = false},
     };
     return flows;
