@@ -7,6 +7,7 @@ import page
 import style
 
 FIXED = ("name", "asked", "what_happened", "holds")
+ALWAYS = ("inverted", "unreached")
 
 
 def read(path):
@@ -40,12 +41,21 @@ def _show(value):
 
 
 def _measured(case):
-    """'unreached 0, sub-steps 12': whatever else a case states, in its own order."""
-    values = case.get("values")
-    values = dict(values) if isinstance(values, dict) else {}
-    values.update({k: v for k, v in case.items()
-                   if k not in FIXED + ("values",) and not isinstance(v, (dict, list))})
+    """'inverted 0, unreached 0, sub-steps 12': whatever else a case states, in its own order.
+    Counts of zero are left out, but for those that must be zero."""
+    values = {k: v for k, v in case.items() if k not in FIXED + ("values", "error_is", "seconds")
+              and not isinstance(v, (dict, list))
+              and (k in ALWAYS or (v not in (None, "") and v != 0))}
+    if case.get("error_is") and "error" in values:
+        values[str(case["error_is"])] = values.pop("error")
+    more = case.get("values")
+    values.update(more if isinstance(more, dict) else {})
     return ", ".join(f"{k.replace('_', ' ')} {_show(v)}" for k, v in values.items())
+
+
+def _happened(case):
+    failures = case.get("failures")
+    return "; ".join([case["what_happened"]] + [f"fails: {f}" for f in failures or []])
 
 
 def table(cases):
@@ -56,7 +66,7 @@ def table(cases):
     text = (f"{len(failed)} of {style.counted(len(cases), 'hard case')} "
             f"{'does' if len(failed) == 1 else 'do'} not hold: {style.listing(failed)}."
             if failed else f"All {style.counted(len(cases), 'hard case')} hold.")
-    rows = [[c["name"], c["asked"], _measured(c), c["what_happened"],
+    rows = [[c["name"], c["asked"], _measured(c), _happened(c),
              "✓ holds" if c["holds"] else "✗ fails"] for c in cases]
     marks = {(r, 4): "good" if c["holds"] else "bad" for r, c in enumerate(cases)}
     return page.paragraph(text) + page.table(

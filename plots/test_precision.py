@@ -245,14 +245,17 @@ class Precision(Case):
         page = self.run_report("--hard", self.write("hard.json", cases()))[2]
         self.assertIn("All 2 hard cases hold.", page)
         self.assertIn("refused: coordinates collide", page)
-        self.assertIn("largest 0.00250, unreached 0", page)
+        self.assertIn("unreached 0, largest 0.00250", page)
 
     def test_a_hard_case_that_fails_is_named(self):
         failing = cases()
-        failing[1]["holds"] = False
+        failing[1].update(holds=False, failures=["1 inverted"], held=0, gave_up="", inverted=1,
+                          error=0.5, error_is="area lost")
         text = hard_cases.table(hard_cases.read(self.write("hard.json", failing)))
         self.assertIn("1 of 2 hard cases does not hold: needle.", text)
         self.assertIn("✗ fails", text)
+        self.assertIn("kept; fails: 1 inverted", text)
+        self.assertIn(">inverted 1, area lost 0.500<", text)
 
     def test_bad_hard_cases_are_refused(self):
         self.assert_refused(["--hard", self.write("h.json", {})], "h.json", "list of cases")
