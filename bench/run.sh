@@ -55,6 +55,7 @@ export OMP_PROC_BIND=${OMP_PROC_BIND:-true}
 
 report=build/release/report
 bench=build/release/bench/dsc_bench
+precision=build/release/bench/dsc_precision
 scene=build/release/lib/scenes/dsc_scene
 cores=$(env -u OMP_NUM_THREADS nproc)
 failed=()
@@ -96,27 +97,15 @@ run_scene() { # run_scene NAME SCENE [OPTION...]: NAME is that of the result
 # Frames are named after scene and strategy: of several such runs only one keeps them.
 run_scenes() {
     local keep_frames=(--frames "$report/frames")
-    local lengths=(0.02 0.01 0.005)
-    local coarse=() frames h insertion
+    local coarse=()
     rm -rf "$report/scenes" "$report/frames"
     mkdir -p "$report/scenes" "$report/frames"
     if $quick; then
-        lengths=(0.02 0.01)
         coarse=(--set h=0.02)
     fi
 
-    # Error against time: the same flow at several edge lengths, by both ways of inserting vertices.
-    for h in "${lengths[@]}"; do
-        for insertion in linear cubic; do
-            frames=()
-            if [[ $h-$insertion == 0.01-cubic ]]; then
-                frames=("${keep_frames[@]}")
-            fi
-            run_scene "swirl-$insertion-$h" swirl --set "h=$h" --set "insertion=$insertion" \
-                "${frames[@]}"
-        done
-        run_scene "single-vortex-$h" single-vortex --set "h=$h"
-    done
+    run_scene swirl swirl "${keep_frames[@]}"
+    run_scene single-vortex single-vortex
 
     # The histograms of three strategies; the literal method takes longest.
     run_scene scaling-sequential speedup-scaling "${coarse[@]}" "${keep_frames[@]}"
@@ -143,19 +132,36 @@ run_scenes() {
     fi
 }
 
+# Error against time of all methods in all flows.
+run_precision() {
+    local options=()
+    if $quick; then
+        options=(--quick)
+    fi
+    say "error against time"
+    rm -rf "$report/precision"
+    "$precision" run "${options[@]}" --out "$report/precision" </dev/null ||
+        failed+=("error against time")
+}
+
 draw() {
     local scenes=("$report"/scenes/*.json) verify=(build/release/verify/out/*.json)
+    local errors=("$report"/precision/*.json) hard=()
+    if [[ -f $report/hard.json ]]; then
+        hard=(--hard "$report/hard.json")
+    fi
     say "plots"
     MPLBACKEND=Agg "$python" plots/report.py --bench "$report/bench.json" \
-        --scenes "${scenes[@]}" --verify "${verify[@]}" --frames "$report/frames" \
-        --published reference/published --out "$report"
+        --scenes "${scenes[@]}" --precision "${errors[@]}" "${hard[@]}" \
+        --verify "${verify[@]}" --frames "$report/frames" --published reference/published \
+        --out "$report"
 }
 
 # A folder without results gives no names, rather than its pattern.
 shopt -s nullglob
 
 set_up plain
-build_preset release --target dsc_bench dsc_scene || exit 1
+build_preset release --target dsc_bench dsc_precision dsc_scene || exit 1
 if $list_only; then
     exec "$bench" "${bench_options[@]}" "${user_options[@]}"
 fi
@@ -167,6 +173,7 @@ if [[ $code -ne 0 ]]; then
     # Without measurements there is nothing to draw; dsc_bench has said why.
     exit "$code"
 fi
+run_precision
 run_scenes
 draw || failed+=("plots")
 

@@ -1,143 +1,211 @@
 # SPDX-License-Identifier: MIT
-"""Work against precision: the error of a reversed or periodic scene on x, the CPU time on y, a
-line for each method and a point for each edge length, with other programs beside ours."""
+"""Work against precision, a picture for each flow: the error on x, the CPU time on y, a line for
+each method and a point for each edge length, with other programs beside ours."""
 import math
 
-from matplotlib.ticker import FuncFormatter, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-import load
-import series
+import precision_data as data
+import precision_text
 import style
 
+# method -> (colour, marker); those of one panel differ in both.
+LOOKS = {
+    "default": (style.BLUE, "o"),
+    "euler": (style.ORANGE, "^"),
+    "centred": (style.GREEN, "s"),
+    "midpoint": (style.PURPLE, "v"),
+    "adaptive": (style.VERMILLION, "D"),
+    "linear insertion": (style.ORANGE, "^"),
+    "arc insertion": (style.SKY, "P"),
+    "coarsening by length": (style.GREEN, "s"),
+    "coarsening by area": (style.PURPLE, "v"),
+    "never coarsened": (style.VERMILLION, "D"),
+    "fourth order": (style.PURPLE, "p"),
+    "float": (style.SKY, "X"),
+    "thesis's choice": (style.GREEN, "h"),
+    "literal reference": (style.BLACK, "s"),
+}
+FLOOR_MARKERS = {"markers, linear": "1", "markers, cubic": "2",
+                 "markers, cubic, all kept": "3",
+                 "markers, read as cubic, all kept": "4"}
 PEER_MARKERS = {"official 2D DSC": "*", "Basilisk": "p", "isoAdvector": "<", "Gerris": "d",
-                "bare markers, linear": "1", "bare markers, cubic": "2"}
+                "level set 512²": ">"}
+PANELS = {"other": "Against others", "time": "Steps in time",
+          "upkeep": "Insertion and coarsening\nof the interface"}
+MOMENTS = {"last": "at the end", "half": "half-way, where the shape is most stretched"}
+FLOOR_LINE = (0, (1, 1.5))
 
 
-def runs(scenes):
-    """{scene: {label: [Scene]}} of the runs that state both an error and a CPU time."""
-    result = {}
-    for scene in scenes:
-        error, time = scene.value("sd_rel_last"), scene.value("cpu_s")
-        if error is None or time is None or error <= 0 or time <= 0:
+def look(method):
+    return LOOKS.get(method, style.SPARE[sum(method.encode()) % len(style.SPARE)])
+
+
+def shown(lines, panel):
+    """The methods of a panel: the default is in each, bare markers where they are what limits."""
+    floors = {"other": set(FLOOR_MARKERS), "time": set(),
+              "upkeep": {"markers, linear", "markers, cubic", "markers, cubic, all kept"}}[panel]
+    return {m: line for m, line in lines.items()
+            if m == data.DEFAULT or line[0].group == panel or m in floors}
+
+
+def floor_style(method):
+    marker = FLOOR_MARKERS.get(method, "1")
+    return {"color": style.MUTED, "linewidth": 0.9, "linestyle": FLOOR_LINE, "marker": marker,
+            "markersize": 8, "markeredgewidth": 1.1, "markeredgecolor": style.MUTED}
+
+
+def _lines(axes, lines, moment):
+    for method, line in lines.items():
+        placed = data.points(line, moment)
+        if not placed:
             continue
-        words = [str(scene.parameter(k)) for k in ("integrator", "insertion")
-                 if scene.parameter(k) is not None]
-        label = scene.strategy + (f" ({', '.join(words)})" if words else "")
-        name = scene.name + group_of(scene)
-        result.setdefault(name, {}).setdefault(label, []).append(scene)
-    return {name: {label: sorted(line, key=lambda s: s.value("cpu_s"))
-                   for label, line in series.by_label(
-                       [(l, s) for l, ss in lines.items() for s in ss], lambda p: p[0]).items()
-                   for line in [[s for _, s in line]]}
-            for name, lines in sorted(result.items())}
+        x, y, _ = zip(*placed)
+        if line[0].group == "markers":
+            axes.plot(x, y, zorder=2, **floor_style(method))
+            continue
+        colour, marker = look(method)
+        main = method == data.DEFAULT
+        axes.plot(x, y, color=colour, marker=marker, zorder=5 if main else 3,
+                  **{**style.solid(colour), "linewidth": 3.0 if main else 1.4,
+                     "markersize": 7.5 if main else 6})
+        for e, t, run in placed:
+            if not run.holds:
+                axes.plot([e], [t], marker="x", color=style.INK, markersize=11, zorder=6)
 
 
-def group_of(scene):
-    """Runs of different lengths are not compared: the steps each way or the period."""
-    if scene.name == "swirl" and isinstance(scene.parameter("steps"), float):
-        return f", 2 x {scene.parameter('steps'):g}"
-    if scene.name == "single-vortex" and isinstance(scene.parameter("period"), float):
-        return f", T = {scene.parameter('period'):g}"
-    return ""
+def _lengths(axes, line, moment):
+    """The edge length beside the points of the default, where other meshes seldom are, and where
+    it does not run into the one before."""
+    low, high = (math.log(v) for v in axes.get_ylim())
+    last = None
+    for e, t, run in data.points(line, moment):
+        height = (math.log(t) - low) / (high - low)
+        if last is None or abs(height - last) > 0.06:
+            last = height
+            axes.annotate(f"h = {data.length(run.h)}", (e, t), (-7, -3),
+                          textcoords="offset points", ha="right", va="top", fontsize=7.4,
+                          color=style.BLUE, zorder=7)
 
 
-def peers(name, published):
-    """[(tool, [(relative error, seconds)])] for a group of runs."""
-    scene, _, length = name.partition(", ")
-    length = length.split(" ")[-1]
-    result = {}
-    official = load.entry(published, "peers", "official_dsc_scenes")
-    for v in (official or {"values": []})["values"]:
-        mine = str(v.get("steps_each_way", f"{v['period']:g}" if "period" in v else ""))
-        if v["scene"] == scene and mine == length and v.get("sd_rel"):
-            result.setdefault("official 2D DSC", []).append((v["sd_rel"], v["seconds"]))
-    if scene != "single-vortex":
-        return sorted(result.items())
-    area = published.get("single_vortex", {}).get("area_exact")
-    for tool, identifier in (("Basilisk", "basilisk"), ("isoAdvector", "iso_advector"),
-                             ("Gerris", "gerris")):
-        found = load.entry(published, "single_vortex", identifier)
-        for v in (found or {"values": []})["values"]:
-            if area and f"{v['period']:g}" == length:
-                result.setdefault(tool, []).append((v["e1"] / area, v["seconds"]))
-    for kind in ("linear", "cubic"):
-        found = load.entry(published, "marker_floor", f"{kind}_insertion")
-        if found and area and length == "8":
-            result[f"bare markers, {kind}"] = [(v["sd"] / area, v["seconds"])
-                                               for v in found["values"]]
-    return list(result.items())
+def _peers(axes, peers):
+    for peer in peers:
+        axes.plot(*zip(*peer.points), color=style.MUTED, linewidth=0.9, zorder=2,
+                  **style.other(PEER_MARKERS.get(peer.tool, "p")))
 
 
-def sentence(name, lines, theirs):
-    ours = [(label, s) for label, line in lines.items() for s in line]
-    label, best = min(ours, key=lambda pair: pair[1].value("sd_rel_last"))
-    error, time = best.value("sd_rel_last"), best.value("cpu_s")
-    h = best.parameter("h")
-    text = (f"In {name} the smallest error is {style.digits(error)} ({label}"
-            + (f", h = {h:g}" if isinstance(h, float) else "")
-            + f") after {style.digits(time)} CPU s")
-    meshes = [(e, t, tool) for tool, line in theirs for e, t in line
-              if not tool.startswith("bare")]
-    if meshes:
-        e, t, tool = min(meshes)
-        text += (f"; the most precise of the other programs, {tool}, has {style.digits(e)} after "
-                 f"{style.digits(t)} CPU s")
-        beaten = sum(any(s.value("sd_rel_last") < e and s.value("cpu_s") < t for _, s in ours)
-                     for e, t, _ in meshes)
-        text += (f"; {beaten} of their {len(meshes)} points are beaten in error and in time by "
-                 "one of ours")
-    return text + "."
+def _marks(axes, marks):
+    """Errors without a time, as letters on the axis; the legend says what they are."""
+    if not marks:
+        return
+    low, high = axes.get_ylim()
+    axes.set_ylim(low / (high / low) ** 0.14, high)
+    place = axes.get_xaxis_transform()
+    for letter, mark in zip("abcdef", marks):
+        for error in mark.errors:
+            axes.plot([error, error], [0, 0.06], color=style.INK, linewidth=1.4, transform=place,
+                      zorder=4, solid_capstyle="butt")
+        middle = (min(mark.errors) * max(mark.errors)) ** 0.5
+        axes.text(middle, 0.07, letter, ha="center", va="bottom", fontsize=8.5, color=style.INK,
+                  fontweight="bold", transform=place, zorder=4)
 
 
-def draw(scenes, published):
-    """One Picture with a panel for each group of runs."""
-    found = runs(scenes)
-    pictures = []
-    for name, lines in found.items():
-        theirs = peers(name, published)
-        if sum(len(line) for line in lines.values()) + len(theirs) > 1:
-            pictures.append(_one(name, lines, theirs))
-    return pictures
+def seconds(value, _=None):
+    return style.tick(value * 1e6) if value > 0 else ""
 
 
-def _one(name, lines, theirs):
-    fig, grid = style.figure(7.2, 5.0)
-    axes = grid[0][0]
-    looks = series.looks(lines)
-    named = []  # where a point already has its edge length written beside it
-    for tool, line in theirs:
-        axes.plot(*zip(*sorted(line)), color=style.MUTED, linewidth=0.9, linestyle=(0, (1, 1.5)),
-                  zorder=2, **style.other(PEER_MARKERS.get(tool, "p")))
-    for label, line in lines.items():
-        colour, marker = looks[label]
-        errors = [s.value("sd_rel_last") for s in line]
-        times = [s.value("cpu_s") for s in line]
-        axes.plot(errors, times, color=colour, marker=marker, zorder=3, **style.solid(colour))
-        for scene, x, y in zip(line, errors, times):
-            h = scene.parameter("h")
-            place = (math.log10(x), math.log10(y))
-            if isinstance(h, float) and all(math.dist(place, p) > 0.15 for p in named):
-                named.append(place)
-                axes.annotate(f"h = {h:g}", (x, y), (7, 4), textcoords="offset points",
-                              fontsize=7.2, color=style.MUTED)
+def logarithmic(axes):
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.margins(0.09)
-    axes.xaxis.set_minor_formatter(NullFormatter())
-    axes.yaxis.set_minor_formatter(NullFormatter())
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g} s"))
-    axes.set_xlabel("error: symmetric difference over the first area  (left is better)")
-    axes.set_ylabel("CPU time  (down is better)")
-    handles = [style.key(label, *look) for label, look in looks.items()]
-    for tool, _ in theirs:
-        handles.append(style.key(tool, style.MUTED, line=(0, (1, 1.5)), width=0.9,
-                                 marks=style.other(PEER_MARKERS.get(tool, "p"))))
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(LogLocator(numticks=8))
+        axis.set_minor_formatter(NullFormatter())
+
+
+def _keys(lines, peers, marks):
+    handles = []
+    for method, line in lines.items():
+        if line[0].group == "markers":
+            fashion = floor_style(method)
+            marking = {k: v for k, v in fashion.items() if k.startswith("marker")}
+            handles.append(style.key(method, style.MUTED, line=FLOOR_LINE, width=0.9,
+                                     marks=marking))
+        else:
+            handles.append(style.key(method, *look(method),
+                                     width=3.0 if method == data.DEFAULT else 1.4))
+    for peer in peers:
+        handles.append(style.key(peer.tool, style.MUTED, width=0.9,
+                                 marks=style.other(PEER_MARKERS.get(peer.tool, "p"))))
+    for letter, mark in zip("abcdef", marks):
+        marking = {"marker": "|", "markersize": 8, "markeredgecolor": style.INK,
+                   "markeredgewidth": 1.4}
+        handles.append(style.key(f"{letter}: {mark.label}", style.INK, line="none", marks=marking))
+    return handles
+
+
+def draw(runs, published):
+    """One Picture for each flow."""
+    return [_one(flow, lines, data.peers(flow, published), data.marks(flow, published))
+            for flow, lines in data.flows(runs).items()]
+
+
+def _one(flow, lines, peers, marks):
+    moments = [m for m in MOMENTS
+               if any(data.points(line, m) for line in lines.values())]
+    panels = [key for key in PANELS
+              if key == "other" or any(line[0].group == key for line in lines.values())]
+    fig, grid = style.figure(3.0 + 3.7 * len(moments), 1.6 + 2.9 * len(panels), len(panels),
+                             len(moments), sharex="row", sharey="row")
+    for row, panel in enumerate(panels):
+        some = shown(lines, panel)
+        beside = (peers, marks) if panel == "other" else ([], [])
+        for column, moment in enumerate(moments):
+            axes = grid[row][column]
+            logarithmic(axes)
+            _lines(axes, some, moment)
+            if moment == "last":
+                _peers(axes, beside[0])
+            axes.yaxis.set_major_formatter(FuncFormatter(seconds))
+            axes.margins(0.07)
+            if row == 0:
+                axes.set_title(MOMENTS[moment][0].upper() + MOMENTS[moment][1:])
+        grid[row][0].set_ylabel("CPU time")
+        _marks(grid[row][0], beside[1])
+        low, high = grid[row][0].get_xlim()
+        grid[row][0].set_xlim(low / (high / low) ** 0.13, high)  # room for the edge lengths
+        for axes, moment in zip(grid[row], moments):
+            _lengths(axes, some.get(data.DEFAULT, []), moment)
+        legend = grid[row][-1].legend(
+            handles=_keys(some, *beside), loc="upper left", bbox_to_anchor=(1.03, 1.02),
+            borderaxespad=0, fontsize=8, handlelength=2.4, labelspacing=0.35,
+            title=PANELS[panel], title_fontproperties={"size": 9, "weight": "bold"})
+        legend.set_alignment("left")
+    for axes in grid[-1]:
+        axes.set_xlabel("error: symmetric difference over first area")
+    title = f"Error against time: {next(iter(lines.values()))[0].title}"
     first = next(iter(lines.values()))[0]
-    notes = "Grey: measured on other programs" + (
-        "; E1 over the area for Basilisk, isoAdvector and Gerris, which is at most the "
-        "symmetric difference." if any(t in ("Basilisk", "Gerris", "isoAdvector")
-                                       for t, _ in theirs) else ".")
-    title = f"Error against time: {name}"
-    style.finish(fig, title, style.caption_text(first.context, notes if theirs else ""), handles)
-    stem = "".join(c if c.isalnum() or c == "-" else "_" for c in name)
-    return style.Picture(f"precision_{stem}", title, sentence(name, lines, theirs), fig)
+    style.finish(fig, title, style.caption_text(first.context, notes(lines, peers, marks)))
+    return style.Picture(f"precision_{flow}", title, precision_text.sentence(lines, peers), fig,
+                         ["method", "h", "error at T", "error at T/2", "CPU s"],
+                         [[m, data.length(r.h), style.digits(r.error), style.digits(r.half),
+                           style.digits(r.seconds)] for m, line in lines.items() for r in line])
+
+
+def notes(lines, peers, marks):
+    """What a stranger needs to read the picture."""
+    text = ("Left and down is better. The default is RK4, cubic insertion, coarsening by "
+            "deviation, double precision; each other method varies what its name says, and lies "
+            "under the default where it does not show. One thread, the least CPU time of up to "
+            "three runs.")
+    if any(not r.holds for line in lines.values() for r in line):
+        text += " Crossed out: vertices did not arrive."
+    if any(line[0].group == "markers" for line in lines.values()):
+        text += " Bare markers: the interface alone, without a mesh."
+    cells = [p.tool for p in peers if p.tool in ("Basilisk", "isoAdvector", "Gerris")]
+    if peers:
+        text += (" Grey: other programs, whose times come from another run, on a busy machine"
+                 + (f"; the error of {style.listing(cells)} is E1 or L1, sums over cells that are "
+                    "at most the symmetric difference" if cells else "") + ".")
+    if marks:
+        text += " Letters on the axis: errors stated without a time."
+    return text

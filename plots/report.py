@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Draws every picture and writes index.html from result files.
 
-report.py --bench FILE... --scenes FILE... --verify FILE... --frames DIR --published DIR
-          --out DIR [--formats png,svg,pdf]
+report.py --bench FILE... --scenes FILE... --precision FILE... --hard FILE --verify FILE...
+          --frames DIR --published DIR --out DIR [--formats png,svg,pdf]
 
 What was not run is said plainly in the page and is no error. Exit 0 done; 2 bad usage or a file
 that cannot be used, with one sentence on the error stream.
@@ -20,14 +20,17 @@ except ImportError:
     sys.exit(2)
 
 import breakdown
+import convergence
 import copies
 import frames
 import granularity
+import hard_cases
 import histograms
 import load
 import page
 import per_operation
 import precision
+import precision_data
 import speedup
 import step_cost
 import style
@@ -48,9 +51,10 @@ class Parser(argparse.ArgumentParser):
 def arguments(argv):
     parser = Parser(prog="report.py", description=__doc__.split("\n\n")[0])
     for name, what in (("bench", "Google Benchmark JSON of dsc_bench"),
-                       ("scenes", "JSON of dsc_scene"), ("verify", "JSON of dsc_verify")):
+                       ("scenes", "JSON of dsc_scene"), ("precision", "JSON of dsc_precision"), ("verify", "JSON of dsc_verify")):
         parser.add_argument(f"--{name}", nargs="*", action="extend", default=[], metavar="FILE",
                             help=what)
+    parser.add_argument("--hard", metavar="FILE", help="JSON of dsc_hard")
     parser.add_argument("--frames", metavar="DIR", help="frames that dsc_scene wrote")
     parser.add_argument("--published", metavar="DIR", help="the figures to compare with")
     parser.add_argument("--out", required=True, metavar="DIR", help="where the report goes")
@@ -203,6 +207,8 @@ def build(options):
     """Reads everything first, so that a bad file leaves no half report behind."""
     bench = load.read_bench(options.bench) if options.bench else None
     scenes = [load.read_scene(path) for path in options.scenes]
+    errors = [precision_data.read(path) for path in options.precision]
+    hard = hard_cases.read(options.hard) if options.hard else None
     verify = load.read_verify(options.verify) if options.verify else None
     published = load.read_published(options.published) if options.published else {}
     runs = frames.read(options.frames) if options.frames else []
@@ -227,9 +233,12 @@ def build(options):
     off_bench = missing(bench)
     report.add("operations", "Cost per operation",
                per_operation.draw(bench, published) if bench else [], off_bench)
-    report.add("precision", "Error against time", precision.draw(scenes, published),
-               "No scene with an exact solution was run." if scenes else
-               "The scenes were not run.")
+    report.add("precision", "Error against time",
+               precision.draw(errors, published) + convergence.draw(errors),
+               "Errors against times (dsc_precision) were not measured.")
+    report.add("hard", "Hard cases", [], "The hard cases (dsc_hard) were not run." if hard is None
+               else "The list of hard cases is empty, which proves nothing.",
+               before=hard_cases.table(hard) if hard else "")
     report.add("scenes", "Scenes", [], "The scenes were not run.",
                before=scene_table(scenes, published) if scenes else "")
     report.add("histograms", "Areas and qualities of the triangles",

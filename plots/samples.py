@@ -60,6 +60,31 @@ def scene(h, error, seconds, **more):
             "unreached": 0, "machine": "a machine", "commit": "c0ffee", **more}
 
 
+def precision_run(flow, method, h, error, seconds, group="default", half=None, **more):
+    return {"flow": flow, "flow_title": flow.replace("-", " "), "method": method, "group": group,
+            "parameters": {"h": h}, "sd_rel_last": error, "sd_rel_half": half, "cpu_s": seconds,
+            "inverted": 0, "unreached": 0, "gave_up": None, "machine": "a machine",
+            "commit": "c0ffee", **more}
+
+
+def precision_runs():
+    """Second order by the default, fourth by another method, first by Euler, which costs half."""
+    sizes = [0.04, 0.02, 0.01, 0.005]
+    runs = []
+    for method, group, order, cost in (("default", "default", 2, 1), ("euler", "time", 1, 0.5),
+                                       ("fourth order", "other", 4, 3),
+                                       ("markers, cubic", "markers", 2, 0.01)):
+        runs += [precision_run("swirl-260", method, h, 10 * h ** order, cost * (0.01 / h) ** 2,
+                               group, 20 * h ** order) for h in sizes]
+    return runs
+
+
+def hard_cases():
+    return [{"name": "offset", "asked": "1e12", "unreached": 0, "values": {"largest": 2.5e-3},
+             "what_happened": "refused: coordinates collide", "holds": True},
+            {"name": "needle", "asked": "1e-9 wide", "what_happened": "kept", "holds": True}]
+
+
 def verify(verdict="pass"):
     def shape(strategy, counts):
         return {"scene": "speedup-scaling", "strategy": strategy, "quantity": "area",
@@ -116,5 +141,8 @@ class Case(unittest.TestCase):
         return ["--bench", self.write("bench.json", bench()),
                 "--scenes", self.write("one.json", scene(0.01, 1e-3, 0.5)),
                 self.write("two.json", scene(0.005, 2e-4, 2.0)),
+                "--precision", *(self.write(f"precision/{k}.json", run)
+                                 for k, run in enumerate(precision_runs())),
+                "--hard", self.write("hard.json", hard_cases()),
                 "--verify", self.write("verify.json", verify()),
                 "--frames", os.path.join(self.folder, "frames"), "--published", PUBLISHED]

@@ -14,13 +14,13 @@ import frames  # noqa: E402
 import histograms  # noqa: E402
 import load  # noqa: E402
 import per_operation  # noqa: E402
-import precision  # noqa: E402
 import series  # noqa: E402
 import speedup  # noqa: E402
 import step_cost  # noqa: E402
 import style  # noqa: E402
 from samples import PUBLISHED, VTU, Case, bench, row, scene, verify  # noqa: E402
 from test_parallel import Parallel  # noqa: E402, F401  (its tests run with these)
+from test_precision import Precision  # noqa: E402, F401
 
 
 class Plots(Case):
@@ -35,8 +35,8 @@ class Plots(Case):
         status, errors, page = self.run_report(*self.inputs())
         self.assertEqual((status, errors), (0, ""))
         names = ["speedup_scaling_of_a_circle", "granularity", "step_cost", "step_cost_per_vertex",
-                 "per_operation", "precision_swirl__2_x_260", "histogram_speedup-scaling_area",
-                 "frames_swirl_sequential"]
+                 "per_operation", "precision_swirl-260", "precision_convergence",
+                 "histogram_speedup-scaling_area", "frames_swirl_sequential"]
         magic = {"png": b"\x89PNG", "svg": b"<?xml", "pdf": b"%PDF"}
         for name in names:
             for form, start in magic.items():
@@ -204,13 +204,6 @@ class Plots(Case):
         data["benchmarks"] = row("operation/edge_flip", [100.0], items_per_second=2.5e7)
         found = load.read_bench([self.write("b.json", data)])
         self.assertEqual(per_operation.costs(found), [("edge flip", [40.0])])
-
-    def test_precision_names_the_best_and_compares(self):
-        runs = [load.read_scene(self.write(f"{k}.json", scene(h, e, t)))
-                for k, (h, e, t) in enumerate(((0.01, 1e-3, 0.5), (0.005, 2e-4, 2.0)))]
-        text = precision.draw(runs, load.read_published(PUBLISHED))[0].sentence
-        for part in ("2.00e-4", "h = 0.005", "0.0136 after 67.8", "2 of their 2 points"):
-            self.assertIn(part, text)
 
     def test_histogram_median_and_distance(self):
         found = histograms.groups([], load.read_verify([self.write("v.json", verify())]))

@@ -24,4 +24,12 @@ Point<double> linear_point(const Point<double>& p0, const Point<double>& p1,
 Point<double> cubic_point(const Point<double>& p0, const Point<double>& p1, const Point<double>& p2,
                           const Point<double>& p3);
 
+/// The same without a look at corners: the midpoint only where two points coincide.
+Point<double> lagrange_point(const Point<double>& p0, const Point<double>& p1,
+                             const Point<double>& p2, const Point<double>& p3);
+
+/// A point of the same cubic: `fraction` of the chord's length after p1, 0 to 1.
+Point<double> lagrange_point_at(const Point<double>& p0, const Point<double>& p1,
+                                const Point<double>& p2, const Point<double>& p3, double fraction);
+
 } // namespace dsc::reference
