@@ -46,16 +46,6 @@ Schedule schedule(const Parameters& p, double duration, double default_dt) {
     return s;
 }
 
-// Where speed is the question: interface edges as long as those inside the phases. A shape wants
-// shorter ones.
-InterfaceThresholds coarse_interface() {
-    InterfaceThresholds thresholds;
-    thresholds.longest = 1.4;
-    thresholds.shortest = 0.45;
-    thresholds.deviation = 0.02;
-    return thresholds;
-}
-
 Scene scaling(std::string name, std::string description, std::string section, double h) {
     Parameters defaults;
     defaults.h = h;
@@ -278,6 +268,14 @@ std::vector<Scene> make_catalogue() {
 }
 
 } // namespace
+
+InterfaceThresholds coarse_interface() {
+    InterfaceThresholds thresholds;
+    thresholds.longest = 1.4;
+    thresholds.shortest = 0.45;
+    thresholds.deviation = 0.02;
+    return thresholds;
+}
 
 const std::vector<Scene>& catalogue() {
     static const std::vector<Scene> scenes = make_catalogue();

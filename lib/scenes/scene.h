@@ -36,6 +36,10 @@ struct Scene {
     std::function<Setup(const Parameters&)> prepare;
 };
 
+/// Thresholds of the scenes in which speed is the question: interface edges as long as those inside
+/// the phases. A shape wants shorter ones.
+[[nodiscard]] InterfaceThresholds coarse_interface();
+
 /// All scenes, in the order of the thesis.
 [[nodiscard]] const std::vector<Scene>& catalogue();
 

@@ -10,6 +10,7 @@ namespace {
 scenes::Parameters coarse(const scenes::Scene& scene) {
     scenes::Parameters parameters = scene.defaults;
     parameters.h = 0.05;
+    parameters.interface = scenes::coarse_interface(); // as long as the reference's
     if (scene.name == "single-vortex") {
         // The filament of a longer period is thinner than the mesh.
         parameters.period = 2;

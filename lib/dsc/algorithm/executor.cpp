@@ -78,6 +78,14 @@ SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Optio
 }
 
 template <class Real>
+void SequentialExecutor<Real>::begin_step() {
+    if (work_.options.shuffle_seed != 0) {
+        shuffle_interface(work_.interface, work_.options.shuffle_seed + steps_);
+    }
+    ++steps_;
+}
+
+template <class Real>
 AimReport<Real> SequentialExecutor<Real>::aim(const Velocity<Real>& velocity, Real time, Real dt) {
     return aim_whole(work_, algorithm_.upkeep, velocity, time, dt);
 }

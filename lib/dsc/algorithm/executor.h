@@ -79,6 +79,7 @@ public:
     SequentialExecutor(Complex<Real>& complex, const Options<Real>& options,
                        Algorithm<Real> algorithm);
 
+    void begin_step() override;
     AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
     Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
     MoveReport move() override;
@@ -91,6 +92,7 @@ private:
     Algorithm<Real> algorithm_;
     Work<Real> work_;
     std::uint32_t epoch_ = 0;
+    std::uint64_t steps_ = 0; ///< begun
 };
 
 } // namespace dsc

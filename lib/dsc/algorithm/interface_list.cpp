@@ -9,6 +9,17 @@
 
 namespace dsc {
 
+void shuffle_interface(std::vector<std::uint32_t>& list, std::uint64_t seed) {
+    if (seed == 0) {
+        return;
+    }
+    // Fisher and Yates, spelt out: std::shuffle differs between standard libraries.
+    std::mt19937_64 random(seed);
+    for (std::size_t i = list.size(); i > 1; --i) {
+        std::swap(list[i - 1], list[random() % i]);
+    }
+}
+
 template <class Real>
 std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::uint64_t seed) {
     // next[v]: where the interface half-edge with the larger phase on its left leads from v.
@@ -58,13 +69,7 @@ std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::
             }
         }
     }
-    if (seed != 0) {
-        // Fisher and Yates, spelt out: std::shuffle differs between standard libraries.
-        std::mt19937_64 random(seed);
-        for (std::size_t i = list.size(); i > 1; --i) {
-            std::swap(list[i - 1], list[random() % i]);
-        }
-    }
+    shuffle_interface(list, seed);
     return list;
 }
 

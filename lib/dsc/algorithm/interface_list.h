@@ -8,6 +8,9 @@
 
 namespace dsc {
 
+/// Another order where `seed` is not 0, the same for the same seed. O(list).
+void shuffle_interface(std::vector<std::uint32_t>& list, std::uint64_t seed);
+
 /// All interface vertices of a complex, curve by curve; shuffled where `seed` is not 0, to see how
 /// far results depend on the order of operations. O(n), once at the start.
 template <class Real>

@@ -7,10 +7,7 @@
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/quality/delaunay.h"
-#include "dsc/quality/measures.h"
 #include "dsc/quality/ring_quality.h"
-
-#include <numbers>
 
 namespace dsc {
 
@@ -315,22 +312,7 @@ private:
     }
 
     // --- smoothing ----------------------------------------------------------------------------
-    std::uint32_t worst_triangle() const {
-        Real worst = std::numeric_limits<Real>::max();
-        std::uint32_t index = 0;
-        const Point<Real> centre(ring_.x0, ring_.y0);
-        for (std::uint32_t i = 0; i < ring_.size; ++i) {
-            const Real one =
-                quality<Real>(centre, {ring_.x[i], ring_.y[i]}, {ring_.x_next[i], ring_.y_next[i]});
-            if (one < worst) {
-                worst = one;
-                index = i;
-            }
-        }
-        return index;
-    }
-
-    /// Laplacian smoothing [eq. 6], and half of it; the best one, if it raises the worst quality.
+    /// Laplacian smoothing [eq. 6], and half of it; the better one, if it raises the worst quality.
     bool smooth(std::uint32_t v, Real before) {
         Real sum_x = 0;
         Real sum_y = 0;
@@ -352,20 +334,6 @@ private:
         };
         for (const Real step : {Real(1), Real(0.5)}) {
             look_at(ring_.x0 + step * share * sum_x, ring_.y0 + step * share * sum_y);
-        }
-        if (best < needle_) {
-            // Beside short edges the mean of the link is no good place: towards the apex of the
-            // equilateral triangle on the base of the worst one.
-            const std::uint32_t i = worst_triangle();
-            constexpr Real height = std::numbers::sqrt3_v<Real> / 2;
-            const Real base_x = ring_.x_next[i] - ring_.x[i];
-            const Real base_y = ring_.y_next[i] - ring_.y[i];
-            const Real apex_x = Real(0.5) * (ring_.x_next[i] + ring_.x[i]) - height * base_y;
-            const Real apex_y = Real(0.5) * (ring_.y_next[i] + ring_.y[i]) + height * base_x;
-            for (const Real step : {Real(0.5), Real(0.25), Real(0.125)}) {
-                look_at(ring_.x0 + step * (apex_x - ring_.x0),
-                        ring_.y0 + step * (apex_y - ring_.y0));
-            }
         }
         if (!(best > before) || !all_positive(ring_, best_x, best_y)) {
             return false;

@@ -77,12 +77,13 @@ struct Options {
     Insertion insertion = Insertion::cubic;
     InsertionFunction<Real> insertion_function; ///< replaces `insertion` where set
 
-    std::uint64_t shuffle_seed = 0; ///< not 0: work through the interface in a shuffled order
+    std::uint64_t shuffle_seed =
+        0; ///< not 0: work through the interface in another order in each step
 
     double sub_step = 0.6;     ///< no vertex is asked to travel farther at a time, in edge lengths
     int max_sub_steps = 10000; ///< of one step; then the step gives up and says so
-    int max_passes = 16;       ///< movement and mesh update, of one sub-step
-    int max_idle_passes = 3;   ///< passes without any progress before the sub-step ends
+    int max_passes = 32;       ///< movement and mesh update, of one sub-step
+    int max_idle_passes = 6;   ///< passes without any progress before the sub-step ends
 
     [[nodiscard]] const PhaseThresholds& thresholds(Phase phase) const {
         return phase < per_phase.size() ? per_phase[phase] : phases;
