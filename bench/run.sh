@@ -56,6 +56,7 @@ export OMP_PROC_BIND=${OMP_PROC_BIND:-true}
 report=build/release/report
 bench=build/release/bench/dsc_bench
 precision=build/release/bench/dsc_precision
+hard=build/release/verify/dsc_hard
 scene=build/release/lib/scenes/dsc_scene
 cores=$(env -u OMP_NUM_THREADS nproc)
 failed=()
@@ -144,15 +145,23 @@ run_precision() {
         failed+=("error against time")
 }
 
+# What happens in the hard cases, for the table.
+run_hard_cases() {
+    say "hard cases"
+    "$hard" run --json "$report/hard.json" </dev/null >"$report/hard.txt" ||
+        failed+=("hard cases")
+    tail -n 1 "$report/hard.txt"
+}
+
 draw() {
     local scenes=("$report"/scenes/*.json) verify=(build/release/verify/out/*.json)
-    local errors=("$report"/precision/*.json) hard=()
+    local errors=("$report"/precision/*.json) cases=()
     if [[ -f $report/hard.json ]]; then
-        hard=(--hard "$report/hard.json")
+        cases=(--hard "$report/hard.json")
     fi
     say "plots"
     MPLBACKEND=Agg "$python" plots/report.py --bench "$report/bench.json" \
-        --scenes "${scenes[@]}" --precision "${errors[@]}" "${hard[@]}" \
+        --scenes "${scenes[@]}" --precision "${errors[@]}" "${cases[@]}" \
         --verify "${verify[@]}" --frames "$report/frames" --published reference/published \
         --out "$report"
 }
@@ -161,7 +170,7 @@ draw() {
 shopt -s nullglob
 
 set_up plain
-build_preset release --target dsc_bench dsc_precision dsc_scene || exit 1
+build_preset release --target dsc_bench dsc_precision dsc_hard dsc_scene || exit 1
 if $list_only; then
     exec "$bench" "${bench_options[@]}" "${user_options[@]}"
 fi
@@ -174,6 +183,7 @@ if [[ $code -ne 0 ]]; then
     exit "$code"
 fi
 run_precision
+run_hard_cases
 run_scenes
 draw || failed+=("plots")
 

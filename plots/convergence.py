@@ -10,7 +10,7 @@ import style
 
 FLOWS = ["single-vortex-8", "swirl-260"]
 METHODS = ["default", "linear insertion", "never coarsened", "fourth order",
-           "markers, cubic", "markers, read as cubic, all kept"]
+           "fourth order, coarsened", "markers, cubic", "markers, read as cubic, all kept"]
 
 
 def chosen(runs):

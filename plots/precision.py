@@ -22,6 +22,7 @@ LOOKS = {
     "coarsening by area": (style.PURPLE, "v"),
     "never coarsened": (style.VERMILLION, "D"),
     "fourth order": (style.PURPLE, "p"),
+    "fourth order, coarsened": (style.VERMILLION, "D"),
     "float": (style.SKY, "X"),
     "thesis's choice": (style.GREEN, "h"),
     "literal reference": (style.BLACK, "s"),
@@ -174,7 +175,8 @@ def _one(flow, lines, peers, marks):
         low, high = grid[row][0].get_xlim()
         grid[row][0].set_xlim(low / (high / low) ** 0.13, high)  # room for the edge lengths
         for axes, moment in zip(grid[row], moments):
-            _lengths(axes, some.get(data.DEFAULT, []), moment)
+            if panel != "other":  # too full for words; the panels below have the same line
+                _lengths(axes, some.get(data.DEFAULT, []), moment)
         legend = grid[row][-1].legend(
             handles=_keys(some, *beside), loc="upper left", bbox_to_anchor=(1.03, 1.02),
             borderaxespad=0, fontsize=8, handlelength=2.4, labelspacing=0.35,
