@@ -4,10 +4,9 @@
 // Exit: 0 done; 1 a run broke an invariant, was interrupted or could not be written; 2 bad usage.
 #include "dsc/base/error.h"
 #include "precision_run.h"
+#include "scenes/command_line.h"
 #include "scenes/machine.h"
 #include "scenes/write_file.h"
-
-#include <CLI/CLI.hpp>
 
 #include <unistd.h>
 
@@ -177,7 +176,7 @@ int run(const Arguments& arguments) {
 int main(int argc, char** argv) {
     CLI::App app{"Measures the error and the CPU time of methods in flows with an exact solution."};
     app.require_subcommand(1);
-    auto* list = app.add_subcommand("list", "all flows and methods");
+    app.add_subcommand("list", "all flows and methods");
     auto* run_command = app.add_subcommand("run", "run them, or some of them");
     Arguments arguments;
     run_command->add_option("--flow", arguments.flows, "only this one; may be repeated")
@@ -188,33 +187,6 @@ int main(int argc, char** argv) {
     run_command->add_flag("--resume", arguments.resume,
                           "keep the results of the same commit and parameters that are there");
     run_command->add_option("--out", arguments.out, "folder for the results")->required();
-    // CLI11 would only say that a command is missing.
-    const std::string command = argc > 1 ? argv[1] : "";
-    if (!command.starts_with('-') && command != "list" && command != "run") {
-        std::cerr << "dsc_precision: unknown command: got '" << command
-                  << "'; allowed: list, run (see dsc_precision --help)\n";
-        return 2;
-    }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) {
-            return app.exit(error); // --help
-        }
-        std::cerr << "dsc_precision: " << error.what() << " (see dsc_precision --help)\n";
-        return 2;
-    }
-    try {
-        if (*list) {
-            list_all();
-            return 0;
-        }
-        return run(arguments);
-    } catch (const dsc::InputError& error) {
-        std::cerr << "dsc_precision: " << error.what() << '\n';
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << "dsc_precision: " << error.what() << '\n';
-        return 1;
-    }
+    return dsc::scenes::list_or_run(app, "dsc_precision", argc, argv, list_all,
+                                    [&] { return run(arguments); });
 }

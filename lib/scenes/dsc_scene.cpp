@@ -4,10 +4,9 @@
 //                     [--frames DIR] [--json FILE]
 // Exit: 0 done; 1 the run broke an invariant or could not write its results; 2 bad usage.
 #include "dsc/base/error.h"
+#include "scenes/command_line.h"
 #include "scenes/run.h"
 #include "scenes/write_file.h"
-
-#include <CLI/CLI.hpp>
 
 #include <unistd.h>
 
@@ -122,7 +121,7 @@ int run(const Arguments& arguments) {
 int main(int argc, char** argv) {
     CLI::App app{"Runs the scenes of a deformable simplicial complex and measures them."};
     app.require_subcommand(1);
-    auto* list = app.add_subcommand("list", "all scenes and the keys they take");
+    app.add_subcommand("list", "all scenes and the keys they take");
     auto* run_command = app.add_subcommand("run", "run one scene");
     Arguments arguments;
     run_command->add_option("scene", arguments.scene, "a name from the list")->required();
@@ -143,33 +142,5 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1024));
     run_command->add_option("--frames", arguments.run.frames, "folder for .vtu and .pvd files");
     run_command->add_option("--json", arguments.json, "file for the result");
-    // CLI11 would only say that a command is missing.
-    const std::string command = argc > 1 ? argv[1] : "";
-    if (!command.starts_with('-') && command != "list" && command != "run") {
-        std::cerr << "dsc_scene: unknown command: got '" << command
-                  << "'; allowed: list, run (see dsc_scene --help)\n";
-        return 2;
-    }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) {
-            return app.exit(error); // --help
-        }
-        std::cerr << "dsc_scene: " << error.what() << " (see dsc_scene --help)\n";
-        return 2;
-    }
-    try {
-        if (*list) {
-            list_scenes();
-            return 0;
-        }
-        return run(arguments);
-    } catch (const dsc::InputError& error) {
-        std::cerr << "dsc_scene: " << error.what() << '\n';
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << "dsc_scene: " << error.what() << '\n';
-        return 1;
-    }
+    return list_or_run(app, "dsc_scene", argc, argv, list_scenes, [&] { return run(arguments); });
 }

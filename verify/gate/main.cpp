@@ -5,9 +5,8 @@
 #include "report.h"
 
 #include "dsc/base/error.h"
+#include "scenes/command_line.h"
 #include "scenes/write_file.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -88,43 +87,19 @@ int run(const Arguments& arguments) {
 int main(int argc, char** argv) {
     CLI::App app{"Runs scenes and compares what they measure with limits."};
     app.require_subcommand(1);
-    auto* list = app.add_subcommand("list", "all checks and their scenes");
+    app.add_subcommand("list", "all checks and their scenes");
     auto* run_command = app.add_subcommand("run", "run all checks, or those that are named");
     Arguments arguments;
     run_command->add_option("checks", arguments.checks, "names from the list");
     run_command->add_option("--limits", arguments.limits, "the limits file");
     run_command->add_option("--out", arguments.out,
                             "folder for verify.json and verify.xml (default dsc_verify_out)");
-    // CLI11 would only say that a command is missing.
-    const std::string command = argc > 1 ? argv[1] : "";
-    if (!command.starts_with('-') && command != "list" && command != "run") {
-        std::cerr << "dsc_verify: unknown command: got '" << command
-                  << "'; allowed: list, run (see dsc_verify --help)\n";
-        return 2;
-    }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) {
-            return app.exit(error); // --help
+    return dsc::scenes::list_or_run(app, "dsc_verify", argc, argv, list_checks, [&] {
+        try {
+            return run(arguments);
+        } catch (const dsc::FileError& error) { // of the limits
+            std::cerr << "dsc_verify: " << error.what() << '\n';
+            return 2;
         }
-        std::cerr << "dsc_verify: " << error.what() << " (see dsc_verify --help)\n";
-        return 2;
-    }
-    try {
-        if (*list) {
-            list_checks();
-            return 0;
-        }
-        return run(arguments);
-    } catch (const dsc::InputError& error) {
-        std::cerr << "dsc_verify: " << error.what() << '\n';
-        return 2;
-    } catch (const dsc::FileError& error) {
-        std::cerr << "dsc_verify: " << error.what() << '\n';
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << "dsc_verify: " << error.what() << '\n';
-        return 1;
-    }
+    });
 }

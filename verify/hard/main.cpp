@@ -6,9 +6,8 @@
 
 #include "dsc/base/error.h"
 #include "scenes/clock.h"
+#include "scenes/command_line.h"
 #include "scenes/write_file.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -93,7 +92,7 @@ int run(const Arguments& arguments) {
 int main(int argc, char** argv) {
     CLI::App app{"Runs the hard cases and prints what happens in each."};
     app.require_subcommand(1);
-    auto* list = app.add_subcommand("list", "all cases");
+    app.add_subcommand("list", "all cases");
     auto* run_command =
         app.add_subcommand("run", "run all cases but the long ones, or those that are named");
     Arguments arguments;
@@ -101,35 +100,11 @@ int main(int argc, char** argv) {
     run_command->add_flag("--long", arguments.with_long, "the long ones too (some minutes)");
     run_command->add_option("--json", arguments.json, "file for all that was measured");
     run_command->add_option("--markdown", arguments.markdown, "file for the table");
-    // CLI11 would only say that a command is missing.
-    const std::string command = argc > 1 ? argv[1] : "";
-    if (!command.starts_with('-') && command != "list" && command != "run") {
-        std::cerr << "dsc_hard: unknown command: got '" << command
-                  << "'; allowed: list, run (see dsc_hard --help)\n";
-        return 2;
-    }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) {
-            return app.exit(error); // --help
+    const auto list_cases = [] {
+        for (const HardCase& one : all_cases()) {
+            std::cout << one.name << (one.is_long ? "  (long)" : "") << '\n';
         }
-        std::cerr << "dsc_hard: " << error.what() << " (see dsc_hard --help)\n";
-        return 2;
-    }
-    try {
-        if (*list) {
-            for (const HardCase& one : all_cases()) {
-                std::cout << one.name << (one.is_long ? "  (long)" : "") << '\n';
-            }
-            return 0;
-        }
-        return run(arguments);
-    } catch (const dsc::InputError& error) {
-        std::cerr << "dsc_hard: " << error.what() << '\n';
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << "dsc_hard: " << error.what() << '\n';
-        return 1;
-    }
+    };
+    return dsc::scenes::list_or_run(app, "dsc_hard", argc, argv, list_cases,
+                                    [&] { return run(arguments); });
 }
