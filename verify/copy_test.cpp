@@ -67,7 +67,8 @@ struct Outcome {
 constexpr int steps = 12;
 
 template <class Real>
-Outcome simulate(std::uint64_t seed, const CopyOptions* copy) {
+Outcome simulate(std::uint64_t seed, const CopyOptions* copy,
+                 Integrator integrator = Integrator::rk4) {
     constexpr double h = 0.025;
     Dice dice(seed);
     auto complex = seed % 3 == 0 ? test::random_patches<Real>(dice, h, 12)
@@ -76,6 +77,7 @@ Outcome simulate(std::uint64_t seed, const CopyOptions* copy) {
     const Velocity<Real> velocity = flow.velocity<Real>();
     Options<Real> options;
     options.edge_length = static_cast<Real>(h);
+    options.integrator = integrator;
     std::unique_ptr<CopyExecutor<Real>> executor;
     const CopyExecutor<Real>* seen = nullptr;
     if (copy != nullptr) {
@@ -127,6 +129,42 @@ TEST(CopyExecutor, GivesTheSameBitsInFloat) {
     const Outcome one = simulate<float>(1, &copy);
     copy.threads = 4;
     EXPECT_EQ(simulate<float>(1, &copy).hashes, one.hashes);
+}
+
+// What the centred difference remembers of a vertex goes with it into a submesh and back, under
+// whatever id.
+TEST(CopyExecutor, TakesTheMemoryOfVerticesAlong) {
+    const CopyOptions one_thread{.submeshes = 4};
+    const Outcome one = simulate<double>(2, &one_thread, Integrator::centred);
+    for (const std::uint32_t threads : {2U, 3U}) {
+        const CopyOptions copy{.submeshes = 4, .threads = threads};
+        EXPECT_EQ(simulate<double>(2, &copy, Integrator::centred).hashes, one.hashes);
+    }
+
+    auto complex = test::disc_complex<double>(0.05);
+    Options<double> options;
+    options.edge_length = 0.05;
+    options.integrator = Integrator::centred;
+    auto simulation = in_copies(complex, options, {.submeshes = 4, .threads = 2});
+    const Point<double> centre(0.5, 0.5);
+    const Velocity<double> turn = [&](std::span<const Point<double>> positions, double,
+                                      std::span<Point<double>> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const Point<double> arm = positions[i] - centre;
+            velocities[i] = {-arm.y(), arm.x()};
+        }
+    };
+    for (int step = 0; step < 8; ++step) {
+        EXPECT_EQ(simulation.step(turn, 0.05 * step, 0.05).unreached, 0U);
+        const auto& past = past_of(complex);
+        for (const std::uint32_t v : simulation.interface()) {
+            const Point<double> arm = complex.position(Vertex{v}) - centre;
+            const Point<double> before(std::cos(0.05) * arm.x() + std::sin(0.05) * arm.y(),
+                                       std::cos(0.05) * arm.y() - std::sin(0.05) * arm.x());
+            EXPECT_EQ(past[Vertex{v}].dt, 0.05);
+            EXPECT_LT((past[Vertex{v}].way - (arm - before)).norm(), 2e-5);
+        }
+    }
 }
 
 TEST(CopyExecutor, ReachesWhatTheSequentialMethodReaches) {

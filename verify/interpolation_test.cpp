@@ -36,7 +36,7 @@ Wide newton(const std::vector<Wide>& points, const std::vector<long double>& kno
 }
 
 template <class Real>
-Wide expected_point(const CurveNeighbours<Real>& n) {
+Wide expected_point(const CurveNeighbours<Real>& n, long double share = 0.5L) {
     const auto wide = [](const Point<Real>& p) { return Wide(p.x(), p.y()); };
     std::vector<Wide> points;
     if (n.has_first) {
@@ -52,7 +52,7 @@ Wide expected_point(const CurveNeighbours<Real>& n) {
         knots.push_back(knots.back() + (points[i] - points[i - 1]).norm());
     }
     const std::size_t one = n.has_first ? 1 : 0;
-    return newton(points, knots, (knots[one] + knots[one + 1]) / 2);
+    return newton(points, knots, knots[one] + share * (knots[one + 1] - knots[one]));
 }
 
 template <class Real>
@@ -81,6 +81,12 @@ TYPED_TEST(Interpolation, IsThePolynomialThroughTheNeighboursByChordLength) {
         const double rounding = 30.0 * static_cast<double>(std::numeric_limits<Real>::epsilon());
         EXPECT_NEAR(point.x(), static_cast<double>(expected.x()), rounding) << i;
         EXPECT_NEAR(point.y(), static_cast<double>(expected.y()), rounding) << i;
+        for (const double share : {0.0, 0.125, 0.75, 1.0}) {
+            const Wide there = expected_point(n, share);
+            const Point<Real> read = curve_point(n, static_cast<Real>(share));
+            EXPECT_NEAR(read.x(), static_cast<double>(there.x()), rounding) << i << " " << share;
+            EXPECT_NEAR(read.y(), static_cast<double>(there.y()), rounding) << i << " " << share;
+        }
     }
 }
 
@@ -120,26 +126,37 @@ TEST(CubicInsertion, ReproducesAParabolaInTheChordsParameter) {
     EXPECT_NEAR(point.y(), -a * 9 / 4, 1e-15); // at s = 0
 }
 
-// A curve, its points at unevenly spread parameters, and how far the new point is off it.
-double off_the_ellipse(double h, bool has_first, bool has_last, Insertion insertion) {
+// First order in the distance: the level set over its gradient.
+double from_ellipse(const Point<double>& p) {
+    const double level = p.x() * p.x() + p.y() * p.y() / 0.36 - 1;
+    const double gradient = 2 * std::hypot(p.x(), p.y() / 0.36);
+    return std::abs(level) / gradient;
+}
+
+// A curve, its points at parameters `before`, 1 and `after` apart, times h, and how far the point
+// that `make` finds is off it.
+template <class Make>
+double off_the_ellipse(double h, double before, double after, bool has_first, bool has_last,
+                       Make make) {
     const auto at = [](double t) { return Point<double>(std::cos(t), 0.6 * std::sin(t)); };
     double worst = 0;
     for (int i = 0; i < 60; ++i) {
         const double t = 0.1 * i;
         CurveNeighbours<double> n;
-        n.p0 = at(t - 0.8 * h);
+        n.p0 = at(t - before * h);
         n.p1 = at(t);
         n.p2 = at(t + h);
-        n.p3 = at(t + 2.3 * h);
+        n.p3 = at(t + h + after * h);
         n.has_first = has_first;
         n.has_last = has_last;
-        const Point<double> p = insertion_point(insertion, n);
-        // First order in the distance: the level set over its gradient.
-        const double level = p.x() * p.x() + p.y() * p.y() / 0.36 - 1;
-        const double gradient = 2 * std::hypot(p.x(), p.y() / 0.36);
-        worst = std::max(worst, std::abs(level) / gradient);
+        worst = std::max(worst, from_ellipse(make(n)));
     }
     return worst;
+}
+
+double off_the_ellipse(double h, bool has_first, bool has_last, Insertion insertion) {
+    return off_the_ellipse(h, 0.8, 1.3, has_first, has_last,
+                           [=](const auto& n) { return insertion_point(insertion, n); });
 }
 
 double order_of(bool has_first, bool has_last, Insertion insertion) {
@@ -156,6 +173,69 @@ TEST(CubicInsertion, HasThirdOrderNextToACornerAndSecondBetweenTwo) {
     EXPECT_NEAR(order_of(true, false, Insertion::cubic), 3, 0.2);
     EXPECT_NEAR(order_of(false, true, Insertion::cubic), 3, 0.2);
     EXPECT_NEAR(order_of(false, false, Insertion::cubic), 2, 0.1);
+}
+
+TEST(CurvePoint, HasFourthOrderWhereverItIsOnTheChord) {
+    for (const double share : {0.1, 0.3, 0.8}) {
+        const auto off = [&](double h) {
+            return off_the_ellipse(h, 0.8, 1.3, true, true,
+                                   [=](const auto& n) { return curve_point(n, share); });
+        };
+        EXPECT_NEAR(std::log2(off(0.05) / off(0.025)), 4, 0.2) << share;
+        EXPECT_LT(off(0.05), 5e-6) << share;
+    }
+}
+
+// Whichever way it is gone round, with whatever neighbours, and evenly spread or not.
+TYPED_TEST(Interpolation, KeepsACircleByArcs) {
+    using Real = TypeParam;
+    constexpr double radius = 0.3;
+    for (const double sense : {1.0, -1.0}) {
+        for (const double length : {1e-3, 0.1, 1.0, 2.5}) {
+            const auto at = [&](double angle) {
+                return Point<Real>(static_cast<Real>(2 + radius * std::cos(sense * angle)),
+                                   static_cast<Real>(1 + radius * std::sin(sense * angle)));
+            };
+            for (int known = 1; known < 4; ++known) {
+                const CurveNeighbours<Real> n{at(0.7 - 0.4 * length), at(0.7),
+                                              at(0.7 + length),       at(0.7 + 1.5 * length),
+                                              (known & 1) != 0,       (known & 2) != 0};
+                const Point<double> p = insertion_point(Insertion::arc, n).template cast<double>();
+                const Point<double> middle = at(0.7 + length / 2).template cast<double>();
+                // The curvature is that of rounded points; its height over the chord, as much.
+                const double rounding =
+                    40 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+                EXPECT_NEAR((p - middle).norm(), 0, rounding) << length << " " << known;
+            }
+        }
+    }
+}
+
+TEST(ArcInsertion, IsTheMidpointOfAStraightLineAndBetweenTwoCorners) {
+    CurveNeighbours<double> n{{0, 0}, {1, 1}, {2, 2}, {4, 4}, true, true};
+    EXPECT_EQ((insertion_point(Insertion::arc, n) - Point<double>(1.5, 1.5)).norm(), 0);
+    n.p0 = {1, -3};
+    n.p3 = {5, 0};
+    n.has_first = n.has_last = false;
+    EXPECT_EQ((insertion_point(Insertion::arc, n) - Point<double>(1.5, 1.5)).norm(), 0);
+}
+
+// The curvature of three points is that of the curve at their middle, which for even spacing is the
+// second one: then the mean of two is off by the second order, one alone, or uneven spacing, by the
+// first; the height is length^2 times that.
+TEST(ArcInsertion, HasFourthOrderForEvenEdgesAndThirdForOthers) {
+    const auto order = [](double before, double after, bool has_first, bool has_last) {
+        const auto off = [&](double h) {
+            return off_the_ellipse(h, before, after, has_first, has_last, [](const auto& n) {
+                return insertion_point(Insertion::arc, n);
+            });
+        };
+        return std::log2(off(0.05) / off(0.025));
+    };
+    EXPECT_NEAR(order(1, 1, true, true), 4, 0.2);
+    EXPECT_NEAR(order(0.8, 1.3, true, true), 3, 0.2);
+    EXPECT_NEAR(order(1, 1, true, false), 3, 0.2);
+    EXPECT_NEAR(order(1, 1, false, true), 3, 0.2);
 }
 
 TEST(LinearInsertion, HasSecondOrderWhateverTheNeighbours) {

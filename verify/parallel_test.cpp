@@ -162,7 +162,9 @@ struct Scene {
     Wildness wildness = Wildness::none;
     bool patches = false;
     bool data = false;
-    double dt = 0.4; ///< in edge lengths at a speed of one
+    double dt = 0.4;                                          ///< in edge lengths at a speed of one
+    std::function<void(InterfaceThresholds&)> interface = {}; ///< changes them
+    Integrator integrator = Integrator::rk4;
 };
 
 template <class Real>
@@ -179,6 +181,10 @@ Outcome simulate(const Scene& scene, const MakeExecutor<Real>& make) {
     const Velocity<Real> velocity = flow.velocity<Real>();
     Options<Real> options;
     options.edge_length = static_cast<Real>(scene.h);
+    options.integrator = scene.integrator;
+    if (scene.interface) {
+        scene.interface(options.interface);
+    }
     std::unique_ptr<Data<Real>> data;
     if (scene.data) {
         data = std::make_unique<Data<Real>>(complex);
@@ -272,6 +278,45 @@ TEST_P(EveryDivision, GivesTheSameBitsInFloat) {
         const Scene scene = scene_of(seed);
         const Outcome one = run_division<float>(scene, GetParam(), 1);
         expect_same(one, run_division<float>(scene, GetParam(), 4));
+    }
+}
+
+// What the interface may be asked for reaches farther: to the neighbours of neighbours, which it
+// may move, and across the link.
+TEST_P(EveryDivision, GivesTheSameBitsWhateverTheInterfaceIsAskedFor) {
+    const std::array<std::function<void(InterfaceThresholds&)>, 3> ways{
+        [](auto& i) { i.coarsening = Coarsening::area; },
+        [](auto& i) { i.reading = Reading::cubic; },
+        [](auto& i) {
+            i.turn_degrees = 15;
+            i.gap = 1;
+        }};
+    for (std::uint64_t seed = 41; seed <= 43; ++seed) {
+        for (const auto& way : ways) {
+            Scene scene = scene_of(seed);
+            scene.interface = [&](InterfaceThresholds& i) {
+                i.longest = 1.2;
+                i.shortest = 0.55; // there is enough to collapse
+                way(i);
+            };
+            const Outcome one = run_division<double>(scene, GetParam(), 1);
+            EXPECT_GT(one.counts.interface_collapses + one.counts.interface_splits, 20U);
+            expect_same(one, run_division<double>(scene, GetParam(), 2));
+            expect_same(one, run_division<double>(scene, GetParam(), 3));
+        }
+    }
+}
+
+// The memory of an integrator is the vertices', wherever they are.
+TEST_P(EveryDivision, GivesTheSameBitsWithIntegratorsThatRememberAndThatChooseTheStep) {
+    for (const Integrator integrator : {Integrator::centred, Integrator::adaptive}) {
+        for (std::uint64_t seed = 51; seed <= 52; ++seed) {
+            Scene scene = scene_of(seed);
+            scene.integrator = integrator;
+            const Outcome one = run_division<double>(scene, GetParam(), 1);
+            expect_same(one, run_division<double>(scene, GetParam(), 2));
+            expect_same(one, run_division<double>(scene, GetParam(), 3));
+        }
     }
 }
 

@@ -162,6 +162,7 @@ TEST_F(Turning, AFlowWithoutDerivativesEndsAllTheSame) {
     auto options = options_for<double>(0.05);
     options.integrator = Integrator::adaptive;
     options.tolerance = 1e-9;
+    options.max_sub_steps = 40;
     Simulation<double> simulation(complex, options);
     const auto jumps = pointwise<double>([](const Point<double>& p, double) {
         return Point<double>(std::fmod(std::floor(p.x() * 1e6), 2) < 1 ? 0.2 : -0.2, 0);
@@ -169,6 +170,34 @@ TEST_F(Turning, AFlowWithoutDerivativesEndsAllTheSame) {
     const StepReport report = simulation.step(jumps, 0, 0.01);
     EXPECT_LE(report.sub_steps, static_cast<std::uint32_t>(options.max_sub_steps));
     EXPECT_EQ(validate(complex).problem, "");
+}
+
+// A flow that is rough for a moment asks for sub-steps so short that the whole step would be
+// thousands of them; that is no reason to give it up.
+TEST_F(Turning, AMomentOfRoughnessDoesNotMakeTheRestOfTheStepShort) {
+    auto complex = disc(0.05);
+    auto options = options_for<double>(0.05);
+    options.integrator = Integrator::adaptive;
+    options.tolerance = 1e-6;
+    options.max_sub_steps = 300;
+    Simulation<double> simulation(complex, options);
+    const auto rough = pointwise<double>([](const Point<double>& p, double time) {
+        const bool is_rough = time > 0.1 && time < 0.102;
+        return Point<double>(0.1, is_rough ? 1e-3 * std::sin(1e7 * p.y()) : 0.0);
+    });
+    const StepReport smooth = simulation.step(rough, 0, 0.1);
+    const StepReport within = simulation.step(rough, 0.1, 0.0015);
+    const StepReport beyond = simulation.step(rough, 0.1015, 0.3985);
+    for (const StepReport& one : {smooth, within, beyond}) {
+        EXPECT_EQ(one.gave_up, GiveUp::none);
+        EXPECT_EQ(one.unreached, 0U);
+        EXPECT_LE(one.error, 1e-6 * 0.05);
+    }
+    EXPECT_GT(within.sub_steps, 5U);
+    EXPECT_EQ(validate(complex).problem, "");
+    for (const std::uint32_t v : simulation.interface()) {
+        EXPECT_NEAR((complex.position(Vertex{v}) - Point<double>(0.55, 0.5)).norm(), 0.2, 1e-4);
+    }
 }
 
 TEST_F(Turning, SaysWhoAskedForTooMuch) {

@@ -13,10 +13,6 @@ namespace {
 
 bool is_inside(Phase phase) { return phase != exterior_phase && phase != border_phase; }
 
-} // namespace
-
-namespace {
-
 /// The closed curves of interface_outlines as lists of vertices.
 template <class Real>
 std::vector<std::vector<Vertex>> interface_loops(const Complex<Real>& complex) {
@@ -50,11 +46,13 @@ std::vector<std::vector<Vertex>> interface_loops(const Complex<Real>& complex) {
     return loops;
 }
 
-/// Whether a cubic goes through this vertex of a loop, between its neighbours.
+/// Whether a cubic goes through this vertex of a loop, between its neighbours. On the domain
+/// boundary the curve ends.
 template <class Real>
 bool is_smooth_at(const Complex<Real>& complex, Vertex before, Vertex at, Vertex after,
                   Ring<Real>& ring) {
-    return gather(complex, Region{}, at.id, ring) && interface_spokes(ring).count == 2 &&
+    return gather(complex, Region{}, at.id, ring) && ring.closed &&
+           interface_spokes(ring).count == 2 &&
            is_smooth<Real>(complex, at.id, complex.position(before), complex.position(at),
                            complex.position(after));
 }

@@ -58,11 +58,17 @@ StepReport Simulation<Real>::step(const Velocity<Real>& velocity, Real time, Rea
     return report;
 }
 
-// The rest of a step in equal parts, by the speed and by what the tolerance allows.
+// The rest of a step in equal parts, by the speed...
+template <class Real>
+Real Simulation<Real>::pieces_of_speed(Real remaining, Real fastest) const {
+    const Real farthest = static_cast<Real>(options_.sub_step) * options_.edge_length;
+    return std::ceil(remaining * fastest / farthest);
+}
+
+// ...and by what the tolerance allows.
 template <class Real>
 Real Simulation<Real>::pieces_of(Real remaining, Real fastest) const {
-    const Real farthest = static_cast<Real>(options_.sub_step) * options_.edge_length;
-    return std::ceil(std::max(remaining * fastest / farthest, remaining / most_dt_));
+    return std::max(pieces_of_speed(remaining, fastest), std::ceil(remaining / most_dt_));
 }
 
 template <class Real>
@@ -77,7 +83,9 @@ bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real
     report.held += aim.held;
     report.unreached += aim.held;
     const Real pieces = pieces_of(remaining, aim.fastest);
-    if (!(pieces + static_cast<Real>(report.sub_steps) <=
+    // What the tolerance asks for at one moment is not what it asks for in the rest of the step.
+    const Real sure = std::max(pieces_of_speed(remaining, aim.fastest), Real(1));
+    if (!(sure + static_cast<Real>(report.sub_steps) <=
           static_cast<Real>(options_.max_sub_steps))) {
         report.gave_up = GiveUp::too_many_sub_steps;
         report.unreached += aim.vertices;

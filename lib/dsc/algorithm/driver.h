@@ -55,6 +55,7 @@ public:
 
 private:
     bool sub_step(const Velocity<Real>& velocity, Real& time, Real& remaining, StepReport& report);
+    [[nodiscard]] Real pieces_of_speed(Real remaining, Real fastest) const;
     [[nodiscard]] Real pieces_of(Real remaining, Real fastest) const;
     Real shorten(const Velocity<Real>& velocity, Real time, Real dt, Reach<Real>& reach);
     void find_fastest(const Velocity<Real>& velocity, Real time, StepReport& report) const;

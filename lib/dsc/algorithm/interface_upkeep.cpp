@@ -61,9 +61,10 @@ private:
         const Spokes spokes = interface_spokes(ring);
         if (!ring.owned) {
             // The triangles of this star are of two submeshes, so that nobody rewrites them, and
-            // nothing moves during upkeep: whether there is anything to do can be seen from here.
-            if (should_collapse(ring, spokes) || long_spoke(ring, spokes) != no_id ||
-                wants_wall_upkeep(ring)) {
+            // nobody moves their vertices: whether there is anything to do can be seen from here.
+            // What is beyond the link cannot, and that is what a gap is about.
+            if (gap_squared_ > 0 || should_collapse(ring, spokes) ||
+                long_spoke(ring, spokes) != no_id || wants_wall_upkeep(ring)) {
                 work_.put_off_interface.push_back(v);
             }
             work_.interface_next.push_back(v);
@@ -134,7 +135,8 @@ private:
                 squared_deviation(ring, spokes) < deviation_squared_);
     }
 
-    // Squared distance of the centre from what the curve is without it.
+    // Squared distance of the centre from what the curve is without it; 0 where that is another
+    // submesh's to see.
     Real squared_deviation(const Ring<Real>& ring, const Spokes& spokes) {
         const Point<Real> p(ring.x0, ring.y0);
         CurveNeighbours<Real> curve;
@@ -157,6 +159,8 @@ private:
             see_from_beyond(complex_, beyond, ring.vertex, back);
             curve.p0 = back.p3;
             curve.has_first = back.has_last;
+        } else if (!beyond.owned) {
+            return 0;
         }
         if (gather(complex_, work_.submesh.region, ring.link[spokes.second], beyond)) {
             CurveNeighbours<Real> on;
@@ -165,6 +169,8 @@ private:
             see_from_beyond(complex_, beyond, ring.vertex, on);
             curve.p3 = on.p3;
             curve.has_last = on.has_last;
+        } else if (!beyond.owned) {
+            return 0;
         }
         const Point<Real> off = p - curve_point(curve, share);
         const Real across = chord.x() * off.y() - chord.y() * off.x();
@@ -206,8 +212,12 @@ private:
         const Point<Real> a = link_point(ring, survivor);
         const Point<Real> b = link_point(ring, other);
         Ring<Real>& beyond = work_.other_ring;
-        if (!gather(complex_, work_.submesh.region, ring.link[survivor], beyond) || !beyond.owned ||
-            !beyond.closed || is_corner(beyond.vertex) ||
+        const bool gathered = gather(complex_, work_.submesh.region, ring.link[survivor], beyond);
+        if (!beyond.owned) {
+            work_.put_off_interface.push_back(ring.vertex);
+            return false;
+        }
+        if (!gathered || !beyond.closed || is_corner(beyond.vertex) ||
             complex_.is_locked(Vertex{beyond.vertex})) {
             return false;
         }
@@ -239,6 +249,9 @@ private:
             auto& record = complex_.vertices[v];
             write_shared(record.x, place.x());
             write_shared(record.y, place.y());
+            for (std::uint32_t i = 0; i < star.size; ++i) {
+                work_.activate(star.link[i]);
+            }
         }
     }
 
@@ -249,7 +262,8 @@ private:
             return longest_squared_;
         }
         Real longest = longest_squared_;
-        if (turn_squared_ > 0 && !is_corner(ring.vertex)) {
+        // The angle at which a curve meets the domain boundary is no bend of its own.
+        if (turn_squared_ > 0 && ring.closed && !is_corner(ring.vertex)) {
             const Real bend = curvature<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
                                               link_point(ring, spokes.second));
             longest = std::min(longest, turn_squared_ / (bend * bend));

@@ -23,7 +23,8 @@ enum class Integrator : std::uint8_t {
     centred,  ///< the thesis's centred difference [9.4]: second order, one evaluation, a memory
     midpoint, ///< second order, two evaluations
     rk4,      ///< fourth order, four evaluations
-    adaptive, ///< rk4 with an estimate of its error, from which the step is chosen; five
+    adaptive, ///< rk4 with an estimate of its error, from which the step is chosen; five. What is
+              ///< the same everywhere and changes in time only it does not see
 };
 
 [[nodiscard]] constexpr std::string_view to_string(Integrator integrator) {

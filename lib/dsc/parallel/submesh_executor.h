@@ -74,6 +74,7 @@ private:
     void route(Part& part);
     // Between and after them.
     AimReport<Real> hand_over(const Velocity<Real>& velocity, Real time, Real dt);
+    void take_displaced();
     void unlist(std::uint32_t vertex);
     void clean_up(MoveReport& report);
     void recover();

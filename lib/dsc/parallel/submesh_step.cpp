@@ -221,11 +221,33 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Velocity<Real>& velocity,
         }
     }
     listed_.resize(kept);
+    if (options_.interface.coarsening == Coarsening::area) {
+        take_displaced();
+    }
     std::erase_if(whole_.interface,
                   [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
     AimReport<Real> report = find_velocities(whole_, velocity, time);
     report.reach = find_targets(whole_, velocity, time, dt);
     return report;
+}
+
+// Neighbours of those that are gone have moved, and their aims are of where they were: they are
+// aimed anew. O(interface vertices).
+template <class Real>
+void SubmeshExecutor<Real>::take_displaced() {
+    std::vector<std::uint32_t> displaced;
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        const Work<Real>& work = parts_[i]->work;
+        for (std::size_t k = 0; k < work.interface.size(); ++k) {
+            if (complex_.position(Vertex{work.interface[k]}) != work.aim.positions[k]) {
+                displaced.push_back(work.interface[k]);
+            }
+        }
+    }
+    for (const std::uint32_t v : displaced) {
+        unlist(v);
+        whole_.interface.push_back(v);
+    }
 }
 
 // Takes a vertex that is gone off the list that has it, with its aim.
