@@ -226,6 +226,30 @@ TEST(Sizes, FollowTheGapToTheNextSheet) {
     }
 }
 
+// The second edge of a curve is in the link where a triangle cuts a corner; it is no other sheet.
+TEST(Sizes, KnowNoGapToTheSameSheet) {
+    const Outline square{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
+    const Outline small{{0.5, 0.5}, {0.55, 0.5}, {0.55, 0.55}, {0.5, 0.55}};
+    std::size_t cut = 0;
+    for (const Outline& outline : {square, small, ellipse(0.3, 0.15, 40)}) {
+        const auto complex = complex_of(outline);
+        Ring<double> ring;
+        for (const std::uint32_t v : collect_interface(complex)) {
+            ASSERT_TRUE(gather(complex, Region{}, v, ring));
+            const Spokes spokes = interface_spokes(ring);
+            EXPECT_TRUE(std::isinf(squared_gap(complex, ring, spokes)));
+            for (std::uint32_t i = 0; i < ring.size; ++i) {
+                const bool is_beside = i == spokes.first || i == spokes.second ||
+                                       (i + 1) % ring.size == spokes.first ||
+                                       (i + 1) % ring.size == spokes.second;
+                const Phase across = complex.phase_at(complex.twin(ring.corner[i]));
+                cut += is_beside && across != ring.phase[i] ? 1U : 0U;
+            }
+        }
+    }
+    EXPECT_GT(cut, 0U);
+}
+
 TEST(Corners, AreMarkedOnceAndKept) {
     const Outline square{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
     const auto options = options_for<double>(h);
