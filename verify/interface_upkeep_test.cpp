@@ -136,6 +136,21 @@ TEST(Coarsening, ByDeviationKeepsTheCurve) {
     }
 }
 
+// The cubic is looked at where the vertex was, which need not be in the middle.
+TEST(Coarsening, ByDeviationFromTheCubicTakesUnevenVerticesToo) {
+    Outline uneven;
+    for (int i = 0; i < 240; ++i) {
+        const double angle = 2 * std::numbers::pi * (i + (i % 2 == 0 ? 0.0 : -0.5)) / 240;
+        uneven.emplace_back(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
+    }
+    auto options = with(Coarsening::deviation);
+    options.interface.deviation = 1e-4;
+    options.interface.reading = Reading::cubic;
+    EXPECT_GT(keep_up(uneven, options).counts.interface_collapses, 80U);
+    options.interface.reading = Reading::chords;
+    EXPECT_EQ(keep_up(uneven, options).counts.interface_collapses, 0U);
+}
+
 // A zigzag of a fiftieth of an edge is no shape that a mesh of these edges could carry.
 TEST(Coarsening, ByDeviationRemovesTheRemainsOfTips) {
     Outline outline = ellipse(0.3, 0.2, 60);

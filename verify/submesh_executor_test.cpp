@@ -240,9 +240,13 @@ struct Fault : std::runtime_error {
 TEST(SubmeshExecutor, KeepsTheAreaWhereThatIsAskedFor) {
     constexpr double h = 0.02;
     std::vector<Point<double>> outline;
-    for (int i = 0; i < 300; ++i) {
-        const double angle = 2 * M_PI * i / 300;
-        outline.emplace_back(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
+    // Edges of 0.7, 0.2 and 0.85 edge lengths: of the ends of the second one, the first may go, and
+    // the other one, which is moved, may not.
+    for (int i = 0; i < 54; ++i) {
+        for (const double share : {0.0, 0.4, 0.4 + 0.2 / 1.75}) {
+            const double angle = 2 * M_PI * (i + share) / 54;
+            outline.emplace_back(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
+        }
     }
     const std::vector<Shape> shapes{{outline, 1}};
     const auto area_inside = [](const Complex<double>& complex) {
@@ -273,7 +277,7 @@ TEST(SubmeshExecutor, KeepsTheAreaWhereThatIsAskedFor) {
             EXPECT_EQ(report.unreached, 0U);
             collapses += report.operations.interface_collapses;
         }
-        EXPECT_GT(collapses, 60U);
+        EXPECT_GT(collapses, 40U);
         EXPECT_NEAR(area_inside(complex), before, 1e-13);
     }
 }
