@@ -136,6 +136,21 @@ TEST(Coarsening, ByDeviationKeepsTheCurve) {
     }
 }
 
+// The cubic is looked at where the vertex was, which need not be in the middle.
+TEST(Coarsening, ByDeviationFromTheCubicTakesUnevenVerticesToo) {
+    Outline uneven;
+    for (int i = 0; i < 240; ++i) {
+        const double angle = 2 * std::numbers::pi * (i + (i % 2 == 0 ? 0.0 : -0.5)) / 240;
+        uneven.emplace_back(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
+    }
+    auto options = with(Coarsening::deviation);
+    options.interface.deviation = 1e-4;
+    options.interface.reading = Reading::cubic;
+    EXPECT_GT(keep_up(uneven, options).counts.interface_collapses, 80U);
+    options.interface.reading = Reading::chords;
+    EXPECT_EQ(keep_up(uneven, options).counts.interface_collapses, 0U);
+}
+
 // A zigzag of a fiftieth of an edge is no shape that a mesh of these edges could carry.
 TEST(Coarsening, ByDeviationRemovesTheRemainsOfTips) {
     Outline outline = ellipse(0.3, 0.2, 60);
@@ -224,6 +239,30 @@ TEST(Sizes, FollowTheGapToTheNextSheet) {
             EXPECT_GT(longest, 3 * width);
         }
     }
+}
+
+// The second edge of a curve is in the link where a triangle cuts a corner; it is no other sheet.
+TEST(Sizes, KnowNoGapToTheSameSheet) {
+    const Outline square{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
+    const Outline small{{0.5, 0.5}, {0.55, 0.5}, {0.55, 0.55}, {0.5, 0.55}};
+    std::size_t cut = 0;
+    for (const Outline& outline : {square, small, ellipse(0.3, 0.15, 40)}) {
+        const auto complex = complex_of(outline);
+        Ring<double> ring;
+        for (const std::uint32_t v : collect_interface(complex)) {
+            ASSERT_TRUE(gather(complex, Region{}, v, ring));
+            const Spokes spokes = interface_spokes(ring);
+            EXPECT_TRUE(std::isinf(squared_gap(complex, ring, spokes)));
+            for (std::uint32_t i = 0; i < ring.size; ++i) {
+                const bool is_beside = i == spokes.first || i == spokes.second ||
+                                       (i + 1) % ring.size == spokes.first ||
+                                       (i + 1) % ring.size == spokes.second;
+                const Phase across = complex.phase_at(complex.twin(ring.corner[i]));
+                cut += is_beside && across != ring.phase[i] ? 1U : 0U;
+            }
+        }
+    }
+    EXPECT_GT(cut, 0U);
 }
 
 TEST(Corners, AreMarkedOnceAndKept) {

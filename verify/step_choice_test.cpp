@@ -157,6 +157,17 @@ TEST_F(Turning, TheToleranceChoosesTheStep) {
     EXPECT_GT(last_steps, 2 * first_steps); // which is what the length of a move asks for
 }
 
+TEST_F(Turning, TheStepGrowsAgainWhereTheFlowIsSlower) {
+    auto complex = disc(0.05);
+    auto options = options_for<double>(0.05);
+    options.integrator = Integrator::adaptive;
+    options.tolerance = 1e-6;
+    Simulation<double> simulation(complex, options);
+    EXPECT_GT(simulation.step(turn(20), 0, 0.1).sub_steps, 20U);
+    EXPECT_LT(simulation.step(turn(1), 0.1, 1).sub_steps, 30U);
+    EXPECT_LT(simulation.step(turn(1), 1.1, 1).sub_steps, 30U);
+}
+
 TEST_F(Turning, AFlowWithoutDerivativesEndsAllTheSame) {
     auto complex = disc(0.05);
     auto options = options_for<double>(0.05);
