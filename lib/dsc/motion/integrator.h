@@ -41,7 +41,7 @@ enum class Integrator : std::uint8_t {
 /// What `centred` remembers of a vertex: its step before.
 template <class Real>
 struct Past {
-    Point<Real> way = Point<Real>::Zero(); ///< that it went
+    Point<Real> way = Point<Real>::Zero(); ///< to its last target
     Real dt = 0;                           ///< in this time; 0: it has no past yet
 };
 
