@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 namespace dsc::scenes {
@@ -173,6 +174,12 @@ private:
         // Shape is measured as the scene reads its interface, jaggedness at the vertices.
         const Reading reading = result_.parameters.interface.reading;
         const auto polygons = interface_outlines(complex());
+        if (!options_.measure_shape) {
+            ShapeErrors errors;
+            errors.area = signed_area(polygons);
+            errors.symmetric_difference = std::numeric_limits<double>::quiet_NaN();
+            return errors;
+        }
         return measure_shape(reading == Reading::chords ? polygons
                                                         : interface_outlines(complex(), reading),
                              polygons, setup_.exact(time_));

@@ -29,6 +29,9 @@ struct RunOptions {
     std::string frames;    ///< folder for frames (.vtu, .pvd); empty: none
     int frame_count = 9;   ///< about so many, evenly spread, with the first and the last
     bool progress = false; ///< a line on stderr
+    /// false: of the shape only its area is measured; NaN stands for the symmetric difference. Where
+    /// the exact shape has no closed form, it takes longer than a run on a coarse mesh.
+    bool measure_shape = true;
     const std::atomic<bool>* interrupted = nullptr; ///< ends the run after the current step
     /// Called after each step (0: before the first) with the double complex; for tests. Not called
     /// by float runs nor by the reference.

@@ -65,7 +65,8 @@ double distinct_hashes(Runs& runs, const std::string& scene) {
         std::set<std::uint64_t> hashes;
         std::set<std::map<std::string, std::uint64_t>> counts;
         for (const std::uint32_t threads : {1U, 2U, 3U, 5U}) {
-            const RunResult& r = finished(runs.get({scene, Size::coarse, strategy, threads}));
+            const RunResult& r =
+                finished(runs.get({scene, Size::coarse, strategy, threads, {}, false}));
             hashes.insert(r.mesh_hash);
             counts.insert(r.operations);
         }

@@ -29,6 +29,7 @@ const scenes::RunResult& Runs::get(const Configuration& configuration) {
     scenes::RunOptions options;
     options.strategy = configuration.strategy;
     options.submeshing.threads = configuration.threads;
+    options.measure_shape = configuration.measure_shape;
     scenes::Parameters parameters =
         configuration.size == Size::full ? scene.defaults : coarse(scene);
     for (const std::string& setting : configuration.settings) {

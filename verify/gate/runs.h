@@ -23,8 +23,11 @@ struct Configuration {
     scenes::Strategy strategy = scenes::Strategy::sequential;
     std::uint32_t threads = 1;
     std::vector<std::string> settings = {}; ///< key=value, as on the command line
+    bool measure_shape = true;
 
-    [[nodiscard]] auto key() const { return std::tie(scene, size, strategy, threads, settings); }
+    [[nodiscard]] auto key() const {
+        return std::tie(scene, size, strategy, threads, settings, measure_shape);
+    }
     friend bool operator<(const Configuration& a, const Configuration& b) {
         return a.key() < b.key();
     }
