@@ -151,30 +151,29 @@ private:
         // The cubic over the gap, at the share of the way at which the centre was.
         const Real before = (p - curve.p1).norm();
         const Real share = before / (before + (curve.p2 - p).norm());
-        Ring<Real>& beyond = work_.other_ring;
-        if (gather(complex_, work_.submesh.region, ring.link[spokes.first], beyond)) {
-            CurveNeighbours<Real> back;
-            back.p1 = p;
-            back.p2 = curve.p1;
-            see_from_beyond(complex_, beyond, ring.vertex, back);
-            curve.p0 = back.p3;
-            curve.has_first = back.has_last;
-        } else if (!beyond.owned) {
-            return 0;
-        }
-        if (gather(complex_, work_.submesh.region, ring.link[spokes.second], beyond)) {
-            CurveNeighbours<Real> on;
-            on.p1 = p;
-            on.p2 = curve.p2;
-            see_from_beyond(complex_, beyond, ring.vertex, on);
-            curve.p3 = on.p3;
-            curve.has_last = on.has_last;
-        } else if (!beyond.owned) {
+        if (!see_past(ring, spokes.first, curve.p0, curve.has_first) ||
+            !see_past(ring, spokes.second, curve.p3, curve.has_last)) {
             return 0;
         }
         const Point<Real> off = p - curve_point(curve, share);
         const Real across = chord.x() * off.y() - chord.y() * off.x();
         return across * across / chord.squaredNorm();
+    }
+
+    // The vertex that follows the one at the end of a spoke, away from the centre. False where its
+    // star is another submesh's to see.
+    bool see_past(const Ring<Real>& ring, std::uint32_t spoke, Point<Real>& next, bool& has_next) {
+        Ring<Real>& beyond = work_.other_ring;
+        if (!gather(complex_, work_.submesh.region, ring.link[spoke], beyond)) {
+            return beyond.owned;
+        }
+        CurveNeighbours<Real> on;
+        on.p1 = {ring.x0, ring.y0};
+        on.p2 = link_point(ring, spoke);
+        see_from_beyond(complex_, beyond, ring.vertex, on);
+        next = on.p3;
+        has_next = on.has_last;
+        return true;
     }
 
     bool try_collapse(Ring<Real>& ring, const Spokes& spokes) {
