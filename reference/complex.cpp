@@ -2,7 +2,7 @@
 #include "reference/complex.h"
 
 #include "dsc/base/error.h"
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "reference/dsc.h"
 
 #include "dsc/base/error.h"
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "reference/quality.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference/ear_clipping.h"
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 
 #include <algorithm>
 #include <list>

@@ -3,7 +3,7 @@
 // would keep its orientation if one of its vertices stood elsewhere.
 #pragma once
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "reference/complex.h"
 
 namespace dsc::reference {

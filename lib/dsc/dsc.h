@@ -3,9 +3,9 @@
 #pragma once
 
 #include "dsc/base/error.h"
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/base/types.h"
-#include "dsc/base/unit_map.h"
+#include "dsc/geometry/unit_map.h"
 #include "dsc/base/verdict.h"
 
 #include "dsc/complex/algebra.h"
@@ -34,18 +34,18 @@
 #include "dsc/motion/interpolation.h"
 #include "dsc/motion/unit_velocity.h"
 
-#include "dsc/algorithm/algorithm.h"
-#include "dsc/algorithm/driver.h"
-#include "dsc/algorithm/options.h"
-#include "dsc/algorithm/thesis_algorithm.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/algorithm/simulation.h"
+#include "dsc/passes/options.h"
+#include "dsc/passes/thesis_algorithm.h"
 
-#include "dsc/parallel/blocks.h"
-#include "dsc/parallel/cells.h"
-#include "dsc/parallel/copied_submeshes.h"
-#include "dsc/parallel/copy_executor.h"
-#include "dsc/parallel/places.h"
-#include "dsc/parallel/slabs.h"
-#include "dsc/parallel/submesh_executor.h"
+#include "dsc/parallel/partition/blocks.h"
+#include "dsc/parallel/partition/cells.h"
+#include "dsc/parallel/copied/copied_submeshes.h"
+#include "dsc/parallel/copied/copy_executor.h"
+#include "dsc/parallel/partition/places.h"
+#include "dsc/parallel/partition/slabs.h"
+#include "dsc/parallel/in_place/submesh_executor.h"
 
 #include "dsc/io/svg.h"
 #include "dsc/io/vtu.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/base/error.h"
 #include "scenes/scene.h"
-#include "scenes/shapes.h"
+#include "shapes/shapes.h"
 
 #include <cmath>
 #include <numbers>

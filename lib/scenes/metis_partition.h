@@ -3,7 +3,7 @@
 // background grid. Built where METIS is installed.
 #pragma once
 
-#include "dsc/parallel/places.h"
+#include "dsc/parallel/partition/places.h"
 
 namespace dsc::scenes {
 

@@ -3,7 +3,7 @@
 // sense for it; anything else is refused.
 #pragma once
 
-#include "dsc/algorithm/options.h"
+#include "dsc/passes/options.h"
 
 #include <cstdint>
 #include <string>

@@ -2,7 +2,7 @@
 #include "scenes/reference_run.h"
 
 #include "dsc/base/error.h"
-#include "scenes/measure.h"
+#include "measures/measure.h"
 
 #include <map>
 

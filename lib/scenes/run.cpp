@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/run.h"
 
-#include "dsc/algorithm/driver.h"
+#include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
 #include "scenes/clock.h"
 #include "scenes/frames.h"
-#include "scenes/measure.h"
+#include "measures/measure.h"
 #include "scenes/progress.h"
 #include "scenes/reference_run.h"
 #include "scenes/submesh_map.h"

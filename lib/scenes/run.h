@@ -6,7 +6,7 @@
 #include "dsc/complex/complex.h"
 #include "dsc/quality/histogram.h"
 #include "scenes/scene.h"
-#include "scenes/shape_errors.h"
+#include "measures/shape_errors.h"
 #include "scenes/strategy.h"
 
 #include <atomic>

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
-#include "scenes/exact.h"
+#include "flows/exact.h"
 #include "scenes/parameters.h"
-#include "scenes/velocity.h"
+#include "flows/velocity.h"
 
 #include <functional>
 #include <optional>

@@ -2,11 +2,11 @@
 #include "scenes/strategy.h"
 
 #include "dsc/base/error.h"
-#include "dsc/parallel/blocks.h"
-#include "dsc/parallel/cells.h"
-#include "dsc/parallel/copy_executor.h"
-#include "dsc/parallel/slabs.h"
-#include "dsc/parallel/submesh_executor.h"
+#include "dsc/parallel/partition/blocks.h"
+#include "dsc/parallel/partition/cells.h"
+#include "dsc/parallel/copied/copy_executor.h"
+#include "dsc/parallel/partition/slabs.h"
+#include "dsc/parallel/in_place/submesh_executor.h"
 
 namespace dsc::scenes {
 

@@ -2,7 +2,7 @@
 // The strategies by the names that the command lines take, and the executors behind them.
 #pragma once
 
-#include "dsc/parallel/schedule.h"
+#include "dsc/parallel/in_place/schedule.h"
 
 #include <array>
 #include <cstdint>

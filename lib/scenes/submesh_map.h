@@ -2,7 +2,7 @@
 // The submeshes in force, as a file beside a frame: to be drawn on the mesh.
 #pragma once
 
-#include "dsc/parallel/submesh_executor.h"
+#include "dsc/parallel/in_place/submesh_executor.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #include "accuracy.h"
 
 #include "dsc/base/error.h"
-#include "scenes/convergence.h"
+#include "measures/convergence.h"
 
 #include <algorithm>
 #include <cmath>

@@ -91,7 +91,7 @@ Check of_sequential(std::string name, std::string description, std::string unit,
 }
 
 // The worst of all strategies. The limits are the spread of the sequential method over shuffled
-// orders (verify/bands.py): threads must not make a mesh that another order would not have made.
+// orders (verify/gate/bands.py): threads must not make a mesh that another order would not have made.
 Check against_parallel(std::string name, std::string description, Difference difference) {
     return {std::move(name),
             std::move(description),

@@ -5,10 +5,10 @@
 #include "watch.h"
 
 #include "dsc/complex/mesh_functions.h"
-#include "scenes/exact.h"
-#include "scenes/measure.h"
-#include "scenes/shapes.h"
-#include "scenes/velocity.h"
+#include "flows/exact.h"
+#include "measures/measure.h"
+#include "shapes/shapes.h"
+#include "flows/velocity.h"
 
 #include <cmath>
 #include <limits>

@@ -7,11 +7,11 @@
 #include "dsc/complex/hash.h"
 #include "dsc/initial/unit_box.h"
 #include "dsc/motion/unit_velocity.h"
-#include "scenes/exact.h"
-#include "scenes/measure.h"
-#include "scenes/shapes.h"
-#include "scenes/symmetric_difference.h"
-#include "scenes/velocity.h"
+#include "flows/exact.h"
+#include "measures/measure.h"
+#include "shapes/shapes.h"
+#include "measures/symmetric_difference.h"
+#include "flows/velocity.h"
 
 #include <cmath>
 #include <limits>

@@ -4,9 +4,9 @@
 #include "scene.h"
 #include "watch.h"
 
-#include "scenes/exact.h"
-#include "scenes/shapes.h"
-#include "scenes/velocity.h"
+#include "flows/exact.h"
+#include "shapes/shapes.h"
+#include "flows/velocity.h"
 
 #include <cmath>
 #include <limits>

@@ -4,10 +4,10 @@
 #include "scene.h"
 #include "watch.h"
 
-#include "scenes/exact.h"
-#include "scenes/measure.h"
-#include "scenes/shapes.h"
-#include "scenes/velocity.h"
+#include "flows/exact.h"
+#include "measures/measure.h"
+#include "shapes/shapes.h"
+#include "flows/velocity.h"
 
 #include <cmath>
 #include <numbers>

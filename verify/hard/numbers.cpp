@@ -4,11 +4,11 @@
 #include "scene.h"
 #include "watch.h"
 
-#include "dsc/algorithm/driver.h"
-#include "dsc/base/unit_map.h"
-#include "scenes/exact.h"
-#include "scenes/measure.h"
-#include "scenes/shapes.h"
+#include "dsc/algorithm/simulation.h"
+#include "dsc/geometry/unit_map.h"
+#include "flows/exact.h"
+#include "measures/measure.h"
+#include "shapes/shapes.h"
 
 #include <cmath>
 #include <limits>

@@ -3,8 +3,8 @@
 
 #include "dsc/base/error.h"
 #include "dsc/initial/unit_box.h"
-#include "scenes/measure.h"
-#include "scenes/symmetric_difference.h"
+#include "measures/measure.h"
+#include "measures/symmetric_difference.h"
 
 #include <array>
 #include <cmath>

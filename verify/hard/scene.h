@@ -4,10 +4,10 @@
 
 #include "result.h"
 
-#include "dsc/algorithm/options.h"
-#include "dsc/base/unit_map.h"
+#include "dsc/passes/options.h"
+#include "dsc/geometry/unit_map.h"
 #include "dsc/initial/initial_complex.h"
-#include "scenes/outline.h"
+#include "shapes/outline.h"
 
 #include <functional>
 #include <span>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "watch.h"
 
-#include "random_scene.h"
+#include "support/random_scene.h"
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/complex/validate.h"
 
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "result.h"
 
-#include "dsc/algorithm/driver.h"
+#include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
 
 #include <memory>

@@ -4,7 +4,7 @@
 // one for each submesh.
 #pragma once
 
-#include "dsc/algorithm/work.h"
+#include "dsc/passes/work.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/executor.h"
 
-#include "dsc/algorithm/interface_list.h"
+#include "dsc/passes/interface_list.h"
 
 #include <algorithm>
 #include <utility>

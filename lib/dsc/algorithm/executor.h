@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dsc/algorithm/aim.h"
-#include "dsc/algorithm/algorithm.h"
+#include "dsc/passes/algorithm.h"
 
 namespace dsc {
 

@@ -2,7 +2,7 @@
 #include "dsc/complex/mesh_functions.h"
 
 #include "dsc/base/error.h"
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/complex/algebra.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "dsc/complex/validate.h"
 
 #include "dsc/base/error.h"
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/complex/embedding.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // the flips come to an end without a slack.
 #pragma once
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/initial/star.h"
 #include "dsc/initial/zone.h"
 #include "dsc/operations/edge_flip.h"

@@ -2,7 +2,7 @@
 #include "dsc/initial/input_check.h"
 
 #include "dsc/base/error.h"
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/initial/outline_sweep.h"
 #include "dsc/initial/rounding.h"
 

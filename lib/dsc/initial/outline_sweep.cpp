@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/outline_sweep.h"
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 
 #include <algorithm>
 #include <iterator>

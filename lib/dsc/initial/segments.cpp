@@ -2,7 +2,7 @@
 #include "dsc/initial/segments.h"
 
 #include "dsc/base/error.h"
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/initial/star.h"
 #include "dsc/operations/edge_flip.h"
 

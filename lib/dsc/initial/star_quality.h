@@ -3,7 +3,7 @@
 // In doubles, since the improvement compares values that lie close together.
 #pragma once
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/complex/ring.h"
 #include "dsc/quality/measures.h"
 

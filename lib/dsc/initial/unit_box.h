@@ -3,7 +3,7 @@
 // copy of a complex in world coordinates, to be written or measured.
 #pragma once
 
-#include "dsc/base/unit_map.h"
+#include "dsc/geometry/unit_map.h"
 #include "dsc/initial/initial_complex.h"
 
 namespace dsc {

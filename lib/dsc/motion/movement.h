@@ -3,7 +3,7 @@
 // star triangle is linear in the fraction travelled, so the limit is a division per triangle.
 #pragma once
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/base/tolerances.h"
 #include "dsc/base/verdict.h"
 #include "dsc/complex/ring.h"

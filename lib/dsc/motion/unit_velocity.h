@@ -2,7 +2,7 @@
 // A velocity field of the world, for a complex in unit coordinates.
 #pragma once
 
-#include "dsc/base/unit_map.h"
+#include "dsc/geometry/unit_map.h"
 #include "dsc/motion/integrator.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/operations/ear_clipping.h"
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 
 namespace dsc {
 

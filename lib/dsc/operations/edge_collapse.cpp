@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/operations/edge_collapse.h"
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/operations/fan.h"
 
 namespace dsc {

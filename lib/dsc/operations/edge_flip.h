@@ -2,7 +2,7 @@
 // Edge flip [4.2, 7.1]: the other diagonal of the two triangles at an edge.
 #pragma once
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/base/verdict.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/submesh.h"

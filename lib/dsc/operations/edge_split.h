@@ -2,7 +2,7 @@
 // Edge split [4.2, 7.4]: a new vertex on an edge, and its one or two triangles cut in two.
 #pragma once
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/base/verdict.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/submesh.h"

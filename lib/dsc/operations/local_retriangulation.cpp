@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/operations/local_retriangulation.h"
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/operations/ear_clipping.h"
 #include "dsc/operations/fan.h"

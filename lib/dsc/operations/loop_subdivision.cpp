@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/operations/loop_subdivision.h"
 
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/operations/fan.h"

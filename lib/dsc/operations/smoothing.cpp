@@ -2,7 +2,7 @@
 #include "dsc/operations/smoothing.h"
 
 #include "dsc/base/error.h"
-#include "dsc/base/predicates.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/operations/fan.h"
 
 #include <algorithm>

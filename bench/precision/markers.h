@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A polygon of markers through a scene, measured as a mesh is.
+#pragma once
+
+#include "methods.h"
+#include "scenes/scene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <optional>
+
+namespace dsc::bench {
+
+struct MarkerResult {
+    std::size_t markers_first = 0;
+    std::size_t markers_last = 0;
+    std::size_t inserted = 0;
+    std::size_t removed = 0;
+    double area_ratio = 0;             ///< of the polygon's or the curve's last to its first area
+    double sd_rel_last = 0;            ///< over the exact first area, as in RunResult
+    std::optional<double> sd_rel_half; ///< of a reversing flow
+    double cpu_s = 0;                  ///< of all steps, without measuring
+    bool interrupted = false;          ///< then nothing else holds
+};
+
+/// From a scene's single first outline, by its steps; h is the longest edge.
+[[nodiscard]] MarkerResult run_markers(const scenes::Setup& setup, double h,
+                                       const BareMarkers& options,
+                                       const std::atomic<bool>& interrupted);
+
+/// By the names of dsc_scene's JSON, as far as they make sense.
+[[nodiscard]] nlohmann::ordered_json to_json(const MarkerResult& result);
+
+} // namespace dsc::bench

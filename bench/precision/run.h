@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// One run of a method in a flow at an edge length: error and time as a JSON object.
+#pragma once
+
+#include "flows.h"
+#include "methods.h"
+#include "scenes/scene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dsc::bench {
+
+/// A point of a plot: what is to be run.
+struct Case {
+    const Flow* flow = nullptr;
+    const Method* method = nullptr;
+    double h = 0;
+};
+
+/// The cases of some flows and methods, in their order; `quick` leaves out the fine edge lengths.
+/// A method that does not suit a flow has none there.
+[[nodiscard]] std::vector<Case> cases_of(const std::vector<const Flow*>& flows,
+                                         const std::vector<const Method*>& methods, bool quick);
+
+/// Everything that a result depends on besides the program: what --resume compares.
+[[nodiscard]] nlohmann::ordered_json request_of(const Case& item);
+
+/// "FLOW--METHOD--H.json", of letters, digits, hyphens and points.
+[[nodiscard]] std::string file_name(const Case& item);
+
+/// The scene's own parameters with what the case sets. Throws InputError for a setting that the
+/// scene does not know.
+[[nodiscard]] scenes::Parameters parameters_of(const Case& item);
+
+/// Exact shapes, which are the same for all methods of a flow and cost more than many a run.
+class ExactShapes {
+public:
+    /// The scene of a case with its exact shapes from here. This must outlive the scene.
+    [[nodiscard]] scenes::Scene scene_of(const Case& item);
+
+private:
+    struct Key {
+        const Flow* flow;
+        double h;       ///< 0 where all edge lengths share the shape
+        long long time; ///< in 1e-9 of the duration: the same moment by other time steps
+        auto operator<=>(const Key&) const = default;
+    };
+    std::map<Key, scenes::ExactShape> shapes_;
+};
+
+struct CaseResult {
+    nlohmann::ordered_json json; ///< of dsc_scene, with flow, method and request beside
+    bool holds = true;           ///< nothing inverted, not given up
+    std::uint64_t unreached = 0; ///< vertices that did not arrive, summed over steps
+};
+
+/// Runs until the CPU time has been taken three times or for 0.3 s in all, and keeps the least.
+/// Nothing where interrupted. Throws InputError before anything runs; InvariantError where two runs
+/// differ.
+[[nodiscard]] std::optional<CaseResult> run_case(const Case& item, ExactShapes& shapes,
+                                                 const std::atomic<bool>& interrupted);
+
+} // namespace dsc::bench

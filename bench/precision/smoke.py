@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""smoke.py DSC_PRECISION: the program itself is tested, its results by what they must
+have in common and never by their times. Standard library only."""
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = ""
+FLOW = "single-vortex-2"
+NEEDED = {"flow": str, "flow_title": str, "method": str, "group": str, "scene": str,
+          "parameters": dict, "strategy": str, "sd_rel_last": float, "sd_rel_half": float,
+          "area_ratio": float, "cpu_s": float, "repetitions": int, "request": dict, "commit": str,
+          "machine": str}
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=False)
+
+
+class Precision(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.out = os.path.join(folder.name, "results")
+
+    def results(self):
+        found = {}
+        for name in os.listdir(self.out):
+            self.assertTrue(name.endswith(".json"), name)  # nothing half-written stays
+            with open(os.path.join(self.out, name), encoding="utf-8") as stream:
+                found[name] = json.load(stream)
+        return found
+
+    def test_list_names_flows_and_methods(self):
+        done = run("list")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for word in ("single-vortex-2", "single-vortex-8", "swirl-260", "swirl-420", "zalesak",
+                     "vortex-square", "default", "euler", "linear insertion", "float"):
+            self.assertIn(f"  {word} ", done.stdout)
+
+    def test_results_have_their_schema_and_errors_fall(self):
+        methods = ("default", "markers, cubic", "linear insertion")
+        words = [word for m in methods for word in ("--method", m)]
+        done = run("run", "--quick", "--flow", FLOW, *words, "--out", self.out)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        found = self.results()
+        for name, data in found.items():
+            for key, kind in NEEDED.items():
+                self.assertIsInstance(data[key], kind, f"{name}: {key}")
+            self.assertGreater(data["cpu_s"], 0)
+            self.assertEqual(data["parameters"]["h"], float(data["request"]["settings"]["h"]))
+        for method in methods:
+            line = sorted((d["parameters"]["h"], d["sd_rel_last"], d["sd_rel_half"])
+                          for d in found.values() if d["method"] == method)
+            self.assertEqual(len(line), 2, method)
+            for fine, coarse in zip(line, line[1:]):
+                # Second order: a quarter for half the edge; less than a half in any case.
+                self.assertLess(fine[1], 0.5 * coarse[1], method)
+                self.assertLess(fine[2], 0.5 * coarse[2], method)
+        default = {d["parameters"]["h"]: d for d in found.values() if d["method"] == "default"}
+        for d in found.values():
+            if d["method"] == "linear insertion":
+                self.assertEqual(d["parameters"]["insertion"], "linear")
+                self.assertGreater(d["sd_rel_half"], default[d["parameters"]["h"]]["sd_rel_half"])
+
+    def test_exact_shapes_are_shared_rightly(self):
+        # With a polygon as the exact shape each size has its own: taken from another size, the
+        # error would be that of the polygon, 1e-3 and not 1e-6.
+        done = run("run", "--quick", "--flow", "zalesak", "--method", "default", "--out", self.out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = self.results()
+        self.assertEqual(len(found), 2)
+        for data in found.values():
+            self.assertLess(data["sd_rel_last"], 2e-6)
+            self.assertIsNone(data["sd_rel_half"])
+
+    def test_resume_keeps_what_matches_and_nothing_else(self):
+        words = ("run", "--quick", "--flow", FLOW, "--method", "markers, cubic", "--method",
+                 "markers, linear", "--out", self.out)
+        self.assertEqual(run(*words).returncode, 0)
+        paths = sorted(os.path.join(self.out, name) for name in os.listdir(self.out))
+        self.assertEqual(len(paths), 4)
+
+        def mark(path, change):
+            with open(path, encoding="utf-8") as stream:
+                data = json.load(stream)
+            data["marked"] = True
+            change(data)
+            with open(path, "w", encoding="utf-8") as stream:
+                json.dump(data, stream)
+
+        mark(paths[0], lambda data: None)
+        mark(paths[1], lambda data: data.update(commit="another"))
+        mark(paths[2], lambda data: data["request"]["settings"].update(dt="1"))
+        mark(paths[3], lambda data: None)
+        done = run(*words, "--resume")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("2 of 4 results", done.stdout)
+        kept = [data.get("marked", False) for _, data in sorted(self.results().items())]
+        self.assertEqual(kept, [True, False, False, True])
+        self.assertEqual(run(*words).returncode, 0)
+        self.assertFalse(any(d.get("marked") for d in self.results().values()))
+
+    def test_truncated_result_is_run_again(self):
+        words = ("run", "--quick", "--flow", FLOW, "--method", "markers, linear", "--out", self.out)
+        self.assertEqual(run(*words).returncode, 0)
+        name = os.path.join(self.out, sorted(os.listdir(self.out))[0])
+        with open(name, "w", encoding="utf-8") as stream:
+            stream.write("{")
+        done = run(*words, "--resume")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 of 2 results", done.stdout)
+        self.assertEqual(len(self.results()), 2)
+
+    def test_interrupted_keeps_what_is_done(self):
+        # The reference is slow enough to be met at work after the quick ones.
+        process = subprocess.Popen([PROGRAM, "run", "--flow", "single-vortex-8", "--out", self.out],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process.stdout.readline()  # one result is there
+        time.sleep(0.2)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("--resume", errors)
+        found = self.results()
+        self.assertGreaterEqual(len(found), 1)
+        for data in found.values():
+            self.assertIsInstance(data["sd_rel_last"], float)
+
+    def test_bad_usage(self):
+        def refused(words, *parts):
+            done = run(*words)
+            self.assertEqual(done.returncode, 2, words)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            for part in parts:
+                self.assertIn(part, done.stderr)
+
+        refused(("run", "--flow", "nonsense", "--out", self.out), "--flow", "nonsense", "swirl-260")
+        refused(("run", "--method", "magic", "--out", self.out), "--method", "magic", "euler")
+        refused(("run",), "--out")
+        refused(("jump",), "jump")
+        refused(("run", "--out", "/proc/nothing"), "--out", "/proc/nothing")
+        self.assertFalse(os.path.exists(self.out))
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()

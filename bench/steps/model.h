@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What more threads than the machine has would make of a step: a model, and labelled as one
+// wherever it appears. The tasks of a step are the same in every run, bit for bit, so that the
+// least of several measured times is the task's own; they are scheduled on n workers by the rules
+// of dsc/parallel/schedule.h; serial parts and a measured cost of starting and joining threads are
+// added. Shared caches and memory are not in it: n workers are taken to be as fast as one.
+#pragma once
+
+#include "dsc/parallel/in_place/submesh_executor.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dsc::bench {
+
+/// A parallel section: its tasks, who waits for whom, and how long each takes.
+struct Section {
+    TaskGraph tasks;
+    std::vector<double> seconds; ///< by task
+};
+
+/// The time from the first task's begin to the last one's end on so many workers, in seconds.
+/// O(tasks^2 * workers) at worst.
+[[nodiscard]] double makespan(const Section& section, std::uint32_t workers, Assignment assignment);
+
+/// One sub-step, as the least of what was measured.
+struct ModelSubStep {
+    double serial = 0; ///< seconds
+    Section aim;
+    Section move;
+};
+
+/// All timed steps of a run, with their account of times.
+struct ModelRun {
+    std::vector<std::vector<ModelSubStep>> steps;
+    std::vector<double> serial_outside; ///< by step, seconds
+    SubStepProfile total;               ///< sums over all sub-steps; no entries by task
+};
+
+/// Keeps the account of one step. `wall`: the whole step, in seconds.
+void add_step(ModelRun& run, const SubmeshExecutor<double>& executor, double wall);
+
+/// Takes the least of two runs of the same steps. Throws InvariantError where they differ.
+void take_least(ModelRun& run, const ModelRun& other);
+
+struct ModelTimes {
+    double seconds = 0;      ///< of all steps
+    double serial_share = 0; ///< serial parts over all work
+    double busy_share = 0;   ///< of the workers' time in parallel sections, with tasks
+};
+
+/// `fork_join_s`: of two threads; a tree of more costs that for each level.
+[[nodiscard]] ModelTimes model(const ModelRun& run, std::uint32_t workers, double fork_join_s);
+
+/// The cost of a parallel section without any work on so many threads: the median of many, in
+/// seconds.
+[[nodiscard]] double measure_fork_join(std::uint32_t threads);
+
+} // namespace dsc::bench

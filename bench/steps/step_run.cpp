@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "step_run.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/hash.h"
+#include "dsc/complex/validate.h"
+#include "scenes/clock.h"
+#include "measures/measure.h"
+#include "scenes/reference_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace dsc::bench {
+
+namespace {
+
+/// A stretched interface loses more than a circle.
+constexpr double swirl_area_limit = 0.01;
+
+// Cores that have been idle start slowly; a measurement is a few milliseconds long. So that all
+// rows are measured at the same clock, each of its threads is kept busy for a while before.
+void wake(std::uint32_t threads) {
+    constexpr double seconds = 0.03;
+    Schedule schedule;
+    schedule.tasks.add_colour(threads);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto since = [begin] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    while (since() < seconds) {
+        schedule.run(threads, Assignment::fixed, [](std::size_t) {
+            const auto start = std::chrono::steady_clock::now();
+            while (std::chrono::steady_clock::now() - start < std::chrono::microseconds(50)) {
+            }
+        });
+    }
+}
+
+void add(StepRun& run, const StepReport& report) {
+    run.unreached += report.unreached;
+    run.gave_up = run.gave_up || report.gave_up != GiveUp::none;
+}
+
+} // namespace
+
+StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& options) {
+    const Options<double> choices = scenes::scene_options<double>(start.parameters);
+    const auto simulation = scenes::make_simulation(complex, choices, options);
+    const auto& velocity = start.setup.flow.front().velocity;
+    const double dt = start.parameters.dt;
+    StepRun run;
+    run.steps = timed_steps;
+    int step = start.step;
+    wake(options.submeshing.threads);
+    for (int i = 0; i < warm_up_steps; ++i, ++step) {
+        add(run, simulation->step(velocity, step * dt, dt));
+    }
+    const scenes::Stopwatch watch;
+    for (int i = 0; i < timed_steps; ++i, ++step) {
+        const StepReport report = simulation->step(velocity, step * dt, dt);
+        run.vertex_steps += report.interface_vertices;
+        run.operations += report.operations;
+        add(run, report);
+    }
+    run.wall_s = watch.wall();
+    run.cpu_s = watch.cpu();
+    return run;
+}
+
+ModelRun profile_steps(const Start& start, Complex<double>& complex,
+                       const scenes::RunOptions& options) {
+    const Options<double> choices = scenes::scene_options<double>(start.parameters);
+    scenes::Submeshing submeshing = options.submeshing;
+    submeshing.threads = 1;
+    submeshing.profile = true;
+    auto executor = scenes::make_executor(complex, choices, options.strategy, submeshing);
+    const auto* submeshes = dynamic_cast<SubmeshExecutor<double>*>(executor.get());
+    if (submeshes == nullptr) {
+        throw InvariantError("this strategy keeps no account of its tasks");
+    }
+    Simulation<double> simulation(complex, choices, std::move(executor));
+    const auto& velocity = start.setup.flow.front().velocity;
+    const double dt = start.parameters.dt;
+    ModelRun run;
+    int step = start.step;
+    wake(1);
+    for (int i = 0; i < warm_up_steps + timed_steps; ++i, ++step) {
+        const auto begin = std::chrono::steady_clock::now();
+        (void)simulation.step(velocity, step * dt, dt);
+        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+        if (i >= warm_up_steps) {
+            add_step(run, *submeshes, wall.count());
+        }
+    }
+    return run;
+}
+
+StepRun run_reference(const Start& start, reference::Complex& complex, int first, int steps) {
+    const reference::Options options = scenes::reference_options(start.parameters);
+    const auto& velocity = start.setup.flow.front().velocity;
+    const reference::Velocity one = [&velocity](const Point<double>& p, double time) {
+        Point<double> v;
+        velocity({&p, 1}, time, {&v, 1});
+        return v;
+    };
+    const double dt = start.parameters.dt;
+    StepRun run;
+    run.steps = steps;
+    const scenes::Stopwatch watch;
+    for (int step = first; step < first + steps; ++step) {
+        const reference::StepCounts counts = reference::step(complex, one, step * dt, dt, options);
+        // Each interface vertex arrives once in each sub-step.
+        run.vertex_steps += static_cast<double>(counts.moved + counts.unreached) /
+                            static_cast<double>(counts.substeps);
+        run.unreached += counts.unreached;
+    }
+    run.wall_s = watch.wall();
+    run.cpu_s = watch.cpu();
+    return run;
+}
+
+Answer check_answer(const Start& start, const Complex<double>& complex, const StepRun& run,
+                    int step, double limit) {
+    if (run.unreached > 0 || run.gave_up) {
+        throw InvariantError(std::to_string(run.unreached) + " vertices did not arrive");
+    }
+    validate_or_throw(complex);
+    const scenes::MeshQuality quality = scenes::measure_worst(complex);
+    if (quality.inverted > 0) {
+        throw InvariantError(std::to_string(quality.inverted) + " triangles are inverted");
+    }
+    const double exact = start.setup.exact(step * start.parameters.dt).area;
+    const double area = scenes::signed_area(scenes::interface_outlines(complex));
+    Answer answer;
+    answer.hash = mesh_hash(complex);
+    answer.triangles = complex.triangle_count();
+    answer.min_quality = quality.min_quality;
+    answer.area_error_rel = std::abs(scenes::area_drift(area, exact));
+    if (!(answer.area_error_rel <= limit)) {
+        throw InvariantError("the area is off by " + std::to_string(answer.area_error_rel) +
+                             " of the exact one, where " + std::to_string(limit) + " is allowed");
+    }
+    return answer;
+}
+
+double area_limit(const Start& start) {
+    if (start.family == "swirl_step") {
+        return swirl_area_limit;
+    }
+    double radius = 0; // of the smallest shape at the start
+    for (const auto& outline : start.setup.outlines) {
+        const double r = std::sqrt(scenes::signed_area(outline) / std::numbers::pi);
+        radius = radius == 0 ? r : std::min(radius, r);
+    }
+    const double h = start.parameters.h;
+    return 1.4 * 1.4 * h * h / (6 * radius * radius) + 2 * 0.02 * h / radius;
+}
+
+} // namespace dsc::bench

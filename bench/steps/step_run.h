@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// One measurement of a step, and the answer that it must give.
+#pragma once
+
+#include "dsc/algorithm/simulation.h"
+#include "model.h"
+#include "reference/dsc.h"
+#include "scenes/run.h"
+#include "starts.h"
+
+#include <cstdint>
+
+namespace dsc::bench {
+
+/// What the timed steps took and did.
+struct StepRun {
+    int steps = 0;
+    double wall_s = 0;
+    double cpu_s = 0;            ///< of all threads
+    double vertex_steps = 0;     ///< interface vertices, summed over the steps
+    OperationCounts operations;  ///< of the library's strategies
+    std::uint64_t unreached = 0; ///< warm-up included
+    bool gave_up = false;
+};
+
+/// Goes on from `start.step` with a copy of `start.complex`: warm-up, then the timed steps.
+StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& run);
+
+/// The same steps on one thread, with the account of the times of its tasks.
+ModelRun profile_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& run);
+
+/// The literal method takes `steps` steps after `first`, without a warm-up.
+StepRun run_reference(const Start& start, reference::Complex& complex, int first, int steps);
+
+/// What a mesh is like after `steps` steps of the scene.
+struct Answer {
+    std::uint64_t hash = 0;
+    std::uint64_t triangles = 0;
+    double min_quality = 0;
+    double area_error_rel = 0; ///< to the exact growth
+};
+
+/// Measures, and throws InvariantError where the complex is not valid, a triangle is inverted, a
+/// vertex did not arrive or the area is further than `area_limit` from the exact one.
+Answer check_answer(const Start& start, const Complex<double>& complex, const StepRun& run,
+                    int step, double area_limit);
+
+/// How far the area of a polygon with edges of up to 1.4 h on a circle of radius r may be from the
+/// circle's, relative: (1.4 h)^2 / (6 r^2) for the chords, and a collapse may move the curve by
+/// 0.02 h (InterfaceThresholds), which is 2 * 0.02 h / r if all of them did so.
+[[nodiscard]] double area_limit(const Start& start);
+
+} // namespace dsc::bench

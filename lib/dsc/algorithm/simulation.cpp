@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/algorithm/simulation.h"
+
+#include "dsc/passes/interface_list.h"
+#include "dsc/base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dsc {
+
+template <class Real>
+Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& options)
+    : Simulation(complex, options, nullptr) {}
+
+template <class Real>
+Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& options,
+                             std::unique_ptr<Executor<Real>> executor)
+    : complex_(complex), options_(options), executor_(std::move(executor)) {
+    check_options(options);
+    if (!executor_) {
+        executor_ =
+            std::make_unique<SequentialExecutor<Real>>(complex, options, default_algorithm<Real>());
+    }
+    mark_corners(complex, interface(), options.interface.corner_degrees);
+}
+
+template <class Real>
+std::vector<std::uint32_t> Simulation<Real>::interface() const {
+    std::vector<std::uint32_t> list;
+    list.reserve(executor_->interface_size());
+    executor_->append_interface(list);
+    return list;
+}
+
+template <class Real>
+StepReport Simulation<Real>::step(const Velocity<Real>& velocity, Real time, Real dt) {
+    if (!std::isfinite(dt) || dt < 0 || !std::isfinite(time)) {
+        throw InputError("not a time step", "Simulation::step", std::to_string(dt),
+                         "a finite time and a step of 0 or more");
+    }
+    StepReport report;
+    executor_->begin_step();
+    Real remaining = dt;
+    try {
+        while (remaining > 0 && sub_step(velocity, time, remaining, report)) {
+        }
+    } catch (...) {
+        // The velocity, or a pass of the application: the complex is valid, only not yet there.
+        executor_->end_step();
+        (void)executor_->take_counts();
+        throw;
+    }
+    executor_->end_step();
+    report.operations = executor_->take_counts();
+    report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());
+    return report;
+}
+
+// The rest of a step in equal parts, by the speed...
+template <class Real>
+Real Simulation<Real>::pieces_of_speed(Real remaining, Real fastest) const {
+    const Real farthest = static_cast<Real>(options_.sub_step) * options_.edge_length;
+    return std::ceil(remaining * fastest / farthest);
+}
+
+// ...and by what the tolerance allows.
+template <class Real>
+Real Simulation<Real>::pieces_of(Real remaining, Real fastest) const {
+    return std::max(pieces_of_speed(remaining, fastest), std::ceil(remaining / most_dt_));
+}
+
+template <class Real>
+bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real& remaining,
+                                StepReport& report) {
+    const auto dt_of = [&](Real pieces) { return pieces > 1 ? remaining / pieces : remaining; };
+    // Aimed with the speed of the sub-step before, which is nearly always right: the velocities and
+    // the targets are then found in one go, and submeshes need not wait for each other in between.
+    Real dt = dt_of(pieces_of(remaining, fastest_));
+    AimReport<Real> aim = executor_->aim(velocity, time, dt);
+    fastest_ = aim.fastest;
+    report.held += aim.held;
+    report.unreached += aim.held;
+    const Real pieces = pieces_of(remaining, aim.fastest);
+    // What the tolerance asks for at one moment is not what it asks for in the rest of the step.
+    const Real sure = std::max(pieces_of_speed(remaining, aim.fastest), Real(1));
+    if (!(sure + static_cast<Real>(report.sub_steps) <=
+          static_cast<Real>(options_.max_sub_steps))) {
+        report.gave_up = GiveUp::too_many_sub_steps;
+        report.unreached += aim.vertices;
+        find_fastest(velocity, time, report);
+        return false;
+    }
+    if (dt_of(pieces) != dt) {
+        dt = dt_of(pieces);
+        aim.reach = executor_->aim_again(velocity, time, dt);
+    }
+    dt = shorten(velocity, time, dt, aim.reach);
+    report.error = std::max(report.error, static_cast<double>(aim.reach.error));
+
+    const MoveReport moved = executor_->move();
+    report.held += moved.held;
+    report.unreached += moved.unreached;
+    report.passes += moved.passes;
+    ++report.sub_steps;
+    time += dt;
+    remaining = dt < remaining ? remaining - dt : Real(0);
+    return true;
+}
+
+// The speed may rise within the step, and the error may be too large: then it is made shorter, a
+// bounded number of times. Errors that do not become smaller are those of a flow without
+// derivatives; they are reported.
+template <class Real>
+Real Simulation<Real>::shorten(const Velocity<Real>& velocity, Real time, Real dt,
+                               Reach<Real>& reach) {
+    constexpr int most_halvings = 6;
+    constexpr int most_trials = 12;
+    constexpr Real tolerated = 2;
+    const Real farthest = tolerated * static_cast<Real>(options_.sub_step) * options_.edge_length;
+    const Real tolerance = static_cast<Real>(options_.tolerance) * options_.edge_length;
+    // The estimate falls with the fourth power of dt.
+    const auto factor = [&](Real most) {
+        return std::clamp(Real(0.9) * std::sqrt(std::sqrt(tolerance / reach.error)), Real(0.1),
+                          most);
+    };
+    for (int trial = 0; trial < most_trials && reach.error > tolerance; ++trial) {
+        dt *= factor(Real(0.9));
+        reach = executor_->aim_again(velocity, time, dt);
+    }
+    for (int halving = 0; reach.farthest > farthest && halving < most_halvings; ++halving) {
+        dt *= Real(0.5);
+        reach = executor_->aim_again(velocity, time, dt);
+    }
+    most_dt_ = reach.error > 0 ? dt * factor(Real(4)) : std::numeric_limits<Real>::infinity();
+    return dt;
+}
+
+// Who asks for too many sub-steps. O(interface vertices), once.
+template <class Real>
+void Simulation<Real>::find_fastest(const Velocity<Real>& velocity, Real time,
+                                    StepReport& report) const {
+    const std::vector<std::uint32_t> list = interface();
+    std::vector<Point<Real>> positions;
+    for (const std::uint32_t v : list) {
+        positions.push_back(complex_.position(Vertex{v}));
+    }
+    std::vector<Point<Real>> velocities(list.size());
+    velocity(positions, time, velocities);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const double speed = velocities[i].template cast<double>().norm();
+        if (std::isfinite(speed) && speed > report.speed) {
+            report.speed = speed;
+            report.where = Vertex{list[i]};
+        }
+    }
+}
+
+template <class Real>
+void Simulation<Real>::forget() {
+    most_dt_ = std::numeric_limits<Real>::infinity();
+    if (options_.integrator == Integrator::centred) {
+        auto& past = past_of(complex_);
+        for (const std::uint32_t v : interface()) {
+            past[Vertex{v}] = {};
+        }
+    }
+}
+
+template class Simulation<double>;
+template class Simulation<float>;
+
+} // namespace dsc

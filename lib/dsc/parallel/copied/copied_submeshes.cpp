@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/parallel/copied/copied_submeshes.h"
+
+#include "dsc/base/require.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dsc {
+
+namespace {
+
+bool has_edges(const AttributeSet& attributes) {
+    return std::any_of(attributes.list().begin(), attributes.list().end(),
+                       [](const auto& each) { return each->kind() == SimplexKind::edge; });
+}
+
+// Copies the data of triangles, and of their edges, which are stored at corners.
+void append_triangles(AttributeSet& to, const AttributeSet& from,
+                      const std::vector<std::uint32_t>& order,
+                      std::vector<std::uint32_t>& corner_order) {
+    to.append(SimplexKind::triangle, from, order);
+    if (!has_edges(to)) {
+        return;
+    }
+    corner_order.clear();
+    corner_order.reserve(4 * order.size());
+    for (const std::uint32_t triangle : order) {
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            corner_order.push_back(triangle == no_id ? no_id : corner_of(triangle, i));
+        }
+    }
+    to.append(SimplexKind::edge, from, corner_order);
+}
+
+// The border's record, as a complex begins with it.
+template <class Real>
+void clear(Complex<Real>& complex) {
+    complex.vertices.clear();
+    complex.triangles.assign(
+        1, {{0, 0, 0}, {border_corner, border_corner, border_corner}, border_phase, 0});
+    complex.ids.vertices.clear();
+    complex.ids.triangles.clear();
+    complex.lent_vertices = 0;
+    complex.lent_triangles = 0;
+}
+
+// --- algorithm 6.1: which triangle goes where ---------------------------------------------------
+
+template <class Real>
+void find_keys(const Complex<Real>& mesh, const CountingDivision& division,
+               CopiedSubmeshes<Real>& submeshes) {
+    auto& keys = submeshes.keys;
+    keys.clear();
+    keys.reserve(mesh.triangle_count());
+    for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
+        if (!mesh.is_alive(Triangle{t})) {
+            continue;
+        }
+        double x = 0;
+        double y = 0;
+        for (const std::uint32_t v : mesh.triangles[t].v) {
+            x += static_cast<double>(mesh.vertices[v].x);
+            y += static_cast<double>(mesh.vertices[v].y);
+        }
+        keys.push_back({division.normal_x * x + division.normal_y * y, t});
+    }
+}
+
+// Where the shares end. The printed bounds of the black ones leave out k triangles behind the first
+// half share; the text and figure 6.2b say what is meant: the red bounds, shifted by half a share.
+void find_cuts(std::size_t triangles, const CountingDivision& division,
+               std::vector<std::size_t>& cuts) {
+    const std::size_t n = division.submeshes;
+    const std::size_t share = triangles / n;
+    const std::size_t more = triangles % n; // so many shares, the first, have one more
+    const std::size_t shift = division.colour == RedBlack::black ? share / 2 : 0;
+    cuts.assign(1, 0);
+    for (std::size_t i = shift == 0 ? 1 : 0; i < n; ++i) {
+        cuts.push_back(shift + i * share + std::min(i, more));
+    }
+    cuts.push_back(triangles);
+}
+
+// Sorts as far as the cuts first to last - 1 need it: nothing from one share is left in another.
+template <class Key>
+void sort_into_shares(std::vector<Key>& keys, const std::vector<std::size_t>& cuts,
+                      std::size_t first, std::size_t last) {
+    if (last - first < 2) {
+        return;
+    }
+    const auto at = [&](std::size_t cut) {
+        return keys.begin() + static_cast<std::ptrdiff_t>(cuts[cut]);
+    };
+    const std::size_t middle = first + (last - first) / 2;
+    if (cuts[middle] < cuts[last]) {
+        std::nth_element(at(first), at(middle), at(last), [](const Key& a, const Key& b) {
+            return a.place != b.place ? a.place < b.place : a.triangle < b.triangle;
+        });
+    }
+    sort_into_shares(keys, cuts, first, middle);
+    sort_into_shares(keys, cuts, middle, last);
+}
+
+// N, and for each vertex whether it is on a submesh boundary.
+template <class Real>
+void number_simplices(const Complex<Real>& mesh, const CountingDivision& division,
+                      CopiedSubmeshes<Real>& submeshes) {
+    find_keys(mesh, division, submeshes);
+    const auto& keys = submeshes.keys;
+    const auto& cuts = submeshes.cuts;
+    find_cuts(keys.size(), division, submeshes.cuts);
+    sort_into_shares(submeshes.keys, cuts, 0, cuts.size() - 1);
+    submeshes.number.assign(mesh.triangle_bound(), no_id);
+    for (std::size_t share = 0; share + 1 < cuts.size(); ++share) {
+        // The first and the last black share are one submesh [8.5].
+        const auto number = static_cast<std::uint32_t>(share % division.submeshes);
+        for (std::size_t i = cuts[share]; i < cuts[share + 1]; ++i) {
+            submeshes.number[keys[i].triangle] = number;
+        }
+    }
+    submeshes.owner.assign(mesh.vertex_bound(), no_id);
+    for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
+        if (submeshes.number[t] == no_id) {
+            continue;
+        }
+        for (const std::uint32_t v : mesh.triangles[t].v) {
+            std::uint32_t& owner = submeshes.owner[v];
+            if (owner == no_id) {
+                owner = submeshes.number[t];
+            } else if (owner != submeshes.number[t]) {
+                owner = CopiedSubmeshes<Real>::several;
+            }
+        }
+    }
+}
+
+// The triangles submesh by submesh, in each by their ids in the mesh: neighbours in memory stay
+// neighbours. Afterwards submesh i ends at cuts[i].
+template <class Real>
+void bucket_triangles(CopiedSubmeshes<Real>& submeshes) {
+    auto& ends = submeshes.cuts;
+    ends.assign(submeshes.list.size() + 1, 0);
+    for (const std::uint32_t i : submeshes.number) {
+        if (i != no_id) {
+            ++ends[i + 1];
+        }
+    }
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        ends[i] += ends[i - 1];
+    }
+    submeshes.by_submesh.resize(ends.back());
+    submeshes.local_triangle.assign(submeshes.number.size(), border_triangle);
+    const std::vector<std::size_t> begins = ends;
+    for (std::uint32_t t = 1; t < submeshes.number.size(); ++t) {
+        const std::uint32_t i = submeshes.number[t];
+        if (i != no_id) {
+            submeshes.by_submesh[ends[i]] = t;
+            submeshes.local_triangle[t] = static_cast<std::uint32_t>(++ends[i] - begins[i]);
+        }
+    }
+}
+
+// --- algorithm 6.1: copies ----------------------------------------------------------------------
+
+// Inserts the vertices of the triangles. O.order: where they come from.
+template <class Real>
+void insert_vertices(const Complex<Real>& mesh, std::span<const std::uint32_t> triangles,
+                     CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& submesh) {
+    auto& complex = submesh.complex;
+    submeshes.order.clear();
+    submesh.shared.clear();
+    for (const std::uint32_t t : triangles) {
+        for (const std::uint32_t v : mesh.triangles[t].v) {
+            if (submeshes.local[v] != no_id) {
+                continue;
+            }
+            submeshes.local[v] = complex.vertex_bound();
+            submeshes.order.push_back(v);
+            const auto& record = mesh.vertices[v];
+            complex.vertices.push_back({record.x, record.y, no_id, record.flags, 0, no_id});
+            const bool is_shared = submeshes.owner[v] == CopiedSubmeshes<Real>::several;
+            submesh.shared.push_back(is_shared ? v : no_id);
+        }
+    }
+    complex.attributes.append(SimplexKind::vertex, mesh.attributes, submeshes.order);
+}
+
+template <class Real>
+void insert_triangles(const Complex<Real>& mesh, std::span<const std::uint32_t> triangles,
+                      CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& submesh) {
+    auto& complex = submesh.complex;
+    submeshes.order.assign(1, border_triangle);
+    for (const std::uint32_t t : triangles) {
+        const TriangleRecord& record = mesh.triangles[t];
+        TriangleRecord copy{{}, {}, record.phase, 0};
+        const std::uint32_t id = complex.triangle_bound();
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            copy.v[i] = submeshes.local[record.v[i]];
+            complex.vertices[copy.v[i]].corner = corner_of(id, i);
+            const Corner across = record.n[i];
+            const std::uint32_t beyond = triangle_of(across);
+            const bool is_inside =
+                !is_border(across) && submeshes.number[beyond] == submeshes.number[t];
+            copy.n[i] = is_inside ? corner_of(submeshes.local_triangle[beyond], index_of(across))
+                                  : border_corner;
+        }
+        complex.triangles.push_back(copy);
+        submeshes.order.push_back(t);
+    }
+    append_triangles(complex.attributes, mesh.attributes, submeshes.order, submeshes.corner_order);
+}
+
+// --- algorithm 6.2 ------------------------------------------------------------------------------
+
+template <class Real>
+void merge_vertices(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& submesh) {
+    Complex<Real>& fresh = submeshes.fresh;
+    const Complex<Real>& complex = submesh.complex;
+    submesh.merged.assign(complex.vertex_bound(), no_id);
+    submeshes.order.clear();
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        const auto& record = complex.vertices[v];
+        if (!complex.is_alive(Vertex{v}) || record.corner == no_id) {
+            continue;
+        }
+        const std::uint32_t original = submesh.shared[v];
+        // A shared vertex is inserted by the first of its submeshes, as these come in order.
+        if (original != no_id && submeshes.merged[original] != no_id) {
+            submesh.merged[v] = submeshes.merged[original];
+            continue;
+        }
+        const std::uint32_t id = fresh.vertex_bound();
+        submesh.merged[v] = id;
+        if (original != no_id) {
+            submeshes.merged[original] = id;
+        }
+        fresh.vertices.push_back({record.x, record.y, no_id, record.flags, 0, no_id});
+        submeshes.order.push_back(v);
+    }
+    fresh.attributes.append(SimplexKind::vertex, complex.attributes, submeshes.order);
+}
+
+// The border in a submesh is that of the domain, or another submesh is beyond: then both ends are
+// shared, and another triangle will come with them.
+template <class Real>
+void note_seam(CopiedSubmeshes<Real>& submeshes, const CopiedSubmesh<Real>& submesh, Corner corner,
+               Corner merged) {
+    const std::uint32_t a = submesh.complex.vertex(next(corner));
+    const std::uint32_t b = submesh.complex.vertex(prev(corner));
+    if (submesh.shared[a] == no_id || submesh.shared[b] == no_id) {
+        return;
+    }
+    const auto [low, high] = std::minmax(submesh.merged[a], submesh.merged[b]);
+    submeshes.seams.push_back({(static_cast<std::uint64_t>(low) << 32U) | high, merged});
+}
+
+template <class Real>
+void merge_triangles(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& submesh) {
+    Complex<Real>& fresh = submeshes.fresh;
+    const Complex<Real>& complex = submesh.complex;
+    submesh.merged_triangles.assign(complex.triangle_bound(), border_triangle);
+    submeshes.order.clear();
+    std::uint32_t id = fresh.triangle_bound();
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (complex.is_alive(Triangle{t})) {
+            submesh.merged_triangles[t] = id++;
+            submeshes.order.push_back(t);
+        }
+    }
+    for (const std::uint32_t t : submeshes.order) {
+        const TriangleRecord& record = complex.triangles[t];
+        TriangleRecord copy{{}, {}, record.phase, 0};
+        const std::uint32_t merged = fresh.triangle_bound();
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            copy.v[i] = submesh.merged[record.v[i]];
+            fresh.vertices[copy.v[i]].corner = corner_of(merged, i);
+            const Corner across = record.n[i];
+            copy.n[i] = is_border(across) ? border_corner
+                                          : corner_of(submesh.merged_triangles[triangle_of(across)],
+                                                      index_of(across));
+            if (is_border(across)) {
+                note_seam(submeshes, submesh, corner_of(t, i), corner_of(merged, i));
+            }
+        }
+        fresh.triangles.push_back(copy);
+    }
+    append_triangles(fresh.attributes, complex.attributes, submeshes.order, submeshes.corner_order);
+}
+
+// Sorting the half-edges at the submesh boundaries pairs those of one edge; what is alone is on the
+// boundary of the domain, between two shared vertices.
+template <class Real>
+void close_seams(CopiedSubmeshes<Real>& submeshes) {
+    auto& seams = submeshes.seams;
+    auto& triangles = submeshes.fresh.triangles;
+    std::sort(seams.begin(), seams.end(), [](const auto& a, const auto& b) {
+        return a.ends != b.ends ? a.ends < b.ends : a.corner < b.corner;
+    });
+    for (std::size_t i = 0; i + 1 < seams.size(); ++i) {
+        const Corner a = seams[i].corner;
+        const Corner b = seams[i + 1].corner;
+        if (seams[i].ends != seams[i + 1].ends) {
+            continue;
+        }
+        if (i + 2 < seams.size() && seams[i + 2].ends == seams[i].ends) {
+            throw InvariantError("merge_submeshes: more than two triangles at a shared edge");
+        }
+        triangles[triangle_of(a)].n[index_of(a)] = b;
+        triangles[triangle_of(b)].n[index_of(b)] = a;
+        ++i;
+    }
+}
+
+} // namespace
+
+void check_division(const CountingDivision& division) {
+    require(division.submeshes >= 1 && division.submeshes <= 65536, "submeshes", division.submeshes,
+            "1 to 65536");
+    const double norm = std::hypot(division.normal_x, division.normal_y);
+    require(std::abs(norm - 1) < 1e-9, "normal", norm, "a direction of length 1");
+}
+
+template <class Real>
+void create_submeshes(const Complex<Real>& mesh, const CountingDivision& division,
+                      CopiedSubmeshes<Real>& submeshes) {
+    check_division(division);
+    if (mesh.lent_vertices != 0 || mesh.lent_triangles != 0) {
+        throw InputError("submeshes hold free ids of the complex", "create_submeshes",
+                         std::to_string(mesh.lent_vertices) + " vertices and " +
+                             std::to_string(mesh.lent_triangles) + " triangles",
+                         "0 of each: let the submeshes give them back first");
+    }
+    submeshes.list.resize(division.submeshes);
+    number_simplices(mesh, division, submeshes);
+    bucket_triangles(submeshes);
+    submeshes.local.assign(mesh.vertex_bound(), no_id);
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < submeshes.list.size(); ++i) {
+        if (!submeshes.list[i]) {
+            submeshes.list[i] = std::make_unique<CopiedSubmesh<Real>>();
+        }
+        CopiedSubmesh<Real>& submesh = *submeshes.list[i];
+        clear(submesh.complex);
+        submesh.complex.ids.may_grow = false;
+        submesh.complex.attributes = mesh.attributes.clone_empty();
+        const std::size_t end = submeshes.cuts[i];
+        const std::span<const std::uint32_t> triangles =
+            std::span(submeshes.by_submesh).subspan(begin, end - begin);
+        submesh.complex.reserve(triangles.size(), triangles.size());
+        insert_vertices(mesh, triangles, submeshes, submesh);
+        insert_triangles(mesh, triangles, submeshes, submesh);
+        // The next submesh inserts its own copy of a shared vertex.
+        for (const std::uint32_t v : submesh.shared) {
+            if (v != no_id) {
+                submeshes.local[v] = no_id;
+            }
+        }
+        begin = end;
+    }
+}
+
+template <class Real>
+void lend_ids(CopiedSubmesh<Real>& submesh, std::size_t vertices) {
+    auto& complex = submesh.complex;
+    const std::uint32_t first_vertex = complex.vertex_bound();
+    const std::uint32_t first_triangle = complex.triangle_bound();
+    const auto count = static_cast<std::uint32_t>(vertices);
+    complex.vertices.resize(first_vertex + vertices, {0, 0, no_id, vertex_dead, 0, no_id});
+    complex.triangles.resize(
+        first_triangle + 2 * vertices,
+        {{no_id, no_id, no_id}, {border_corner, border_corner, border_corner}, border_phase, 0});
+    submesh.shared.resize(complex.vertices.size(), no_id);
+    complex.attributes.resize_vertices(complex.vertices.size());
+    complex.attributes.resize_triangles(complex.triangles.size());
+    // Ids are taken from the end of the pool: the lowest first.
+    for (std::uint32_t i = count; i > 0; --i) {
+        complex.ids.vertices.push_back(first_vertex + i - 1);
+    }
+    for (std::uint32_t i = 2 * count; i > 0; --i) {
+        complex.ids.triangles.push_back(first_triangle + i - 1);
+    }
+}
+
+template <class Real>
+void merge_submeshes(CopiedSubmeshes<Real>& submeshes, Complex<Real>& mesh) {
+    Complex<Real>& fresh = submeshes.fresh;
+    clear(fresh);
+    fresh.attributes = mesh.attributes.clone_empty();
+    submeshes.order.assign(1, border_triangle);
+    append_triangles(fresh.attributes, mesh.attributes, submeshes.order, submeshes.corner_order);
+    submeshes.merged.assign(submeshes.owner.size(), no_id);
+    submeshes.seams.clear();
+    for (const auto& submesh : submeshes.list) {
+        merge_vertices(submeshes, *submesh);
+        merge_triangles(submeshes, *submesh);
+    }
+    close_seams(submeshes);
+    // K <- K': from here on nothing throws.
+    mesh.vertices.swap(fresh.vertices);
+    mesh.triangles.swap(fresh.triangles);
+    mesh.attributes.swap_entries(fresh.attributes);
+    mesh.ids.vertices.clear();
+    mesh.ids.triangles.clear();
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template void create_submeshes(const Complex<Real>&, const CountingDivision&,                  \
+                                   CopiedSubmeshes<Real>&);                                        \
+    template void lend_ids(CopiedSubmesh<Real>&, std::size_t);                                     \
+    template void merge_submeshes(CopiedSubmeshes<Real>&, Complex<Real>&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/parallel/copied/copy_executor.h"
+
+#include "dsc/passes/interface_list.h"
+#include "dsc/base/require.h"
+#include "dsc/parallel/timer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+/// Free ids of a submesh, beside two for each of its interface vertices: a sub-step of at most an
+/// edge length makes about one vertex for each; what does not fit is put off, never lost.
+constexpr std::size_t spare_vertices = 256;
+
+template <class Real>
+void forget(Work<Real>& work) {
+    work.interface.clear();
+    work.movers.clear();
+    work.active.clear();
+    work.put_off_movers.clear();
+    work.put_off_active.clear();
+    work.put_off_interface.clear();
+}
+
+} // namespace
+
+template <class Real>
+CopyExecutor<Real>::CopyExecutor(Complex<Real>& complex, const Options<Real>& options,
+                                 Algorithm<Real> algorithm, const CopyOptions& copy)
+    : complex_(complex), options_(options), algorithm_(std::move(algorithm)), copy_(copy),
+      whole_(complex, options) {
+    check_division({copy.submeshes, copy.normal_x, copy.normal_y});
+    require(copy.threads >= 1 && copy.threads <= 1024, "threads", copy.threads, "1 to 1024");
+    // Stamps of an earlier run must not look like this one's.
+    for (const auto& vertex : complex.vertices) {
+        epoch_ = std::max(epoch_, vertex.stamp);
+    }
+    whole_.epoch = ++epoch_;
+    whole_.interface = collect_interface(complex, options.shuffle_seed);
+}
+
+template <class Real>
+AimReport<Real> CopyExecutor<Real>::aim(const Velocity<Real>& velocity, Real time, Real dt) {
+    under_way_ = true;
+    const AimReport<Real> report = aim_whole(whole_, algorithm_.upkeep, velocity, time, dt);
+    under_way_ = false;
+    return report;
+}
+
+template <class Real>
+Reach<Real> CopyExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
+    return find_targets(whole_, velocity, time, dt);
+}
+
+template <class Real>
+MoveReport CopyExecutor<Real>::move() {
+    under_way_ = true;
+    MoveReport report;
+    whole_.movers.clear();
+    report.held = collect_movers(whole_);
+    // Algorithm 6.3: divided anew until nothing is put off, but for what two colours cannot do. Who
+    // is blocked although nothing is put off has had all the room that there is.
+    const bool is_left = run_round(RedBlack::red, report) && run_round(RedBlack::black, report);
+    Timer timer;
+    if (is_left) {
+        report.passes += run_motion(whole_, algorithm_.motion, epoch_);
+    }
+    report.unreached = give_up_movers(whole_) + report.held;
+    whole_.put_off_active.clear();
+    costs_.whole_s += timer.lap();
+    under_way_ = false;
+    return report;
+}
+
+// What is left to do is in `whole_` again, with the new ids.
+template <class Real>
+bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
+    Timer timer;
+    create_submeshes(complex_, {copy_.submeshes, copy_.normal_x, copy_.normal_y, colour},
+                     submeshes_);
+    hand_out();
+    costs_.create_s += timer.lap();
+    run_tasks();
+    costs_.run_s += timer.lap();
+    merge_submeshes(submeshes_, complex_);
+    const bool is_put_off = take_back();
+    costs_.merge_s += timer.lap();
+    ++costs_.rounds;
+    for (const auto& task : tasks_) {
+        report.passes = std::max(report.passes, task->passes);
+    }
+    return is_put_off;
+}
+
+template <class Real>
+void CopyExecutor<Real>::hand_out() {
+    while (tasks_.size() < submeshes_.list.size()) {
+        tasks_.push_back(std::make_unique<Task>(submeshes_.list[tasks_.size()]->complex, options_));
+    }
+    for (const auto& task : tasks_) {
+        forget(task->work);
+        task->passes = 0;
+        // The stamps of a new submesh are 0.
+        task->work.epoch = 1;
+    }
+    waiting_movers_.clear();
+    waiting_active_.clear();
+    const auto work_of = [&](std::uint32_t vertex) -> Work<Real>* {
+        const std::uint32_t owner = submeshes_.owner[vertex];
+        return owner < tasks_.size() ? &tasks_[owner]->work : nullptr;
+    };
+    for (const Mover<Real>& mover : whole_.movers) {
+        if (Work<Real>* work = work_of(mover.vertex)) {
+            work->movers.push_back({submeshes_.local[mover.vertex], mover.x, mover.y});
+        } else {
+            waiting_movers_.push_back(mover);
+        }
+    }
+    for (const std::uint32_t v : whole_.active) {
+        if (Work<Real>* work = work_of(v)) {
+            work->activate(submeshes_.local[v]);
+        } else {
+            waiting_active_.push_back(v);
+        }
+    }
+    for (const std::uint32_t v : whole_.interface) {
+        if (Work<Real>* work = work_of(v)) {
+            work->interface.push_back(submeshes_.local[v]);
+        }
+    }
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+        Task& task = *tasks_[i];
+        task.given = task.work.interface;
+        lend_ids(*submeshes_.list[i], spare_vertices + 2 * task.given.size());
+        task.work.submesh.region = submeshes_.list[i]->region();
+    }
+}
+
+template <class Real>
+void CopyExecutor<Real>::run_tasks() {
+    const auto count = static_cast<std::ptrdiff_t>(tasks_.size());
+    const int threads = static_cast<int>(std::min(copy_.threads, copy_.submeshes));
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1) if (threads > 1)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        Task& task = *tasks_[static_cast<std::size_t>(i)];
+        try {
+            std::uint32_t epoch = task.work.epoch;
+            task.passes = run_motion(task.work, algorithm_.motion, epoch);
+        } catch (...) {
+            task.failure = std::current_exception();
+        }
+    }
+    std::exception_ptr first;
+    for (const auto& task : tasks_) {
+        std::exception_ptr failure = std::exchange(task->failure, nullptr);
+        if (!first) {
+            first = failure;
+        }
+    }
+    if (first) {
+        std::rethrow_exception(first);
+    }
+}
+
+template <class Real>
+bool CopyExecutor<Real>::take_back() {
+    // In the merged complex all stamps are 0.
+    whole_.movers.clear();
+    whole_.active.clear();
+    whole_.epoch = ++epoch_;
+    for (const Mover<Real>& mover : waiting_movers_) {
+        whole_.movers.push_back({submeshes_.merged_vertex(mover.vertex), mover.x, mover.y});
+    }
+    for (const std::uint32_t v : waiting_active_) {
+        if (const std::uint32_t merged = submeshes_.merged_vertex(v); merged != no_id) {
+            whole_.activate(merged);
+        }
+    }
+    bool is_put_off = !waiting_movers_.empty() || !waiting_active_.empty();
+    bool is_as_given = true;
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+        const Work<Real>& work = tasks_[i]->work;
+        const auto& merged = submeshes_.list[i]->merged;
+        // Who is blocked here may find room when others have moved.
+        for (const auto* list : {&work.movers, &work.put_off_movers}) {
+            for (const Mover<Real>& mover : *list) {
+                whole_.movers.push_back({merged[mover.vertex], mover.x, mover.y});
+            }
+        }
+        for (const auto* list : {&work.active, &work.put_off_active}) {
+            for (const std::uint32_t v : *list) {
+                if (merged[v] != no_id) {
+                    whole_.activate(merged[v]);
+                }
+            }
+        }
+        is_put_off = is_put_off || !work.put_off_movers.empty() || !work.put_off_active.empty();
+        is_as_given = is_as_given && work.interface == tasks_[i]->given;
+    }
+    take_interface_back(is_as_given);
+    std::erase_if(whole_.movers, [](const auto& mover) { return mover.vertex == no_id; });
+    return is_put_off;
+}
+
+// The order of the list stays, unless passes of an application rewrote it.
+template <class Real>
+void CopyExecutor<Real>::take_interface_back(bool is_as_given) {
+    if (!is_as_given) {
+        whole_.interface = collect_interface(complex_, options_.shuffle_seed);
+        return;
+    }
+    for (std::uint32_t& v : whole_.interface) {
+        v = submeshes_.merged_vertex(v);
+    }
+    std::erase(whole_.interface, no_id);
+}
+
+// Drops who was on the way, and looks for the interface again. The active vertices are those of the
+// complex as it is: stars that changed before it threw are looked at in the next step. O(mesh).
+template <class Real>
+void CopyExecutor<Real>::recover() {
+    const std::vector<std::uint32_t> active = std::move(whole_.active);
+    forget(whole_);
+    whole_.epoch = ++epoch_;
+    for (const std::uint32_t v : active) {
+        if (complex_.is_alive(Vertex{v})) {
+            whole_.activate(v);
+        }
+    }
+    whole_.interface = collect_interface(complex_, options_.shuffle_seed);
+    under_way_ = false;
+}
+
+template <class Real>
+void CopyExecutor<Real>::end_step() {
+    if (under_way_) {
+        recover();
+    }
+    whole_.movers.clear();
+}
+
+template <class Real>
+void CopyExecutor<Real>::append_interface(std::vector<std::uint32_t>& list) const {
+    list.insert(list.end(), whole_.interface.begin(), whole_.interface.end());
+}
+
+template <class Real>
+OperationCounts CopyExecutor<Real>::take_counts() {
+    OperationCounts total = std::exchange(whole_.counts, {});
+    for (const auto& task : tasks_) {
+        total += std::exchange(task->work.counts, {});
+    }
+    return total;
+}
+
+template class CopyExecutor<double>;
+template class CopyExecutor<float>;
+
+} // namespace dsc

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Parallel DSC as printed: algorithm 6.3 over CreateSubmeshes and MergeSubmeshes, which copy the
+// whole mesh into submeshes and back for red and again for black. What it costs beside the
+// submeshes that run in place (submesh_executor.h) is what it is here for.
+#pragma once
+
+#include "dsc/algorithm/executor.h"
+#include "dsc/parallel/copied/copied_submeshes.h"
+
+#include <exception>
+
+namespace dsc {
+
+/// Slabs by the counting method.
+struct CopyOptions {
+    std::uint32_t submeshes = 8; ///< of either colour; 1 to 65536
+    std::uint32_t threads = 1;   ///< 1 to 1024; the result does not depend on it
+    double normal_x = 1;         ///< direction along which the slabs follow each other; length 1
+    double normal_y = 0;
+};
+
+/// Where the time went, since the beginning; in seconds of the thread that calls.
+struct CopyCosts {
+    double create_s = 0; ///< CreateSubmeshes, and handing out what there is to do
+    double run_s = 0;    ///< the submeshes, in parallel
+    double merge_s = 0;  ///< MergeSubmeshes, and taking back what was put off
+    double whole_s = 0;  ///< the run on the whole complex for what both colours left
+    std::uint64_t steps = 0;
+    std::uint64_t rounds = 0; ///< how often the mesh was divided and merged
+};
+
+/// Runs the upkeep on the whole complex; the motion passes on red submeshes, then on black ones for
+/// what red put off, then on the whole complex for what is left. Submeshes hold no locks and no
+/// common memory while they run: any pass may run in them that keeps to `Work::submesh`, but it
+/// sees the ids and the attributes of the submesh (`work.complex.attributes`), not of the mesh.
+///
+/// The complex stays the same object, and its attributes do. All ids change in `move`, as in the
+/// thesis: handles from before a step are void, the application finds its simplices again by its
+/// attributes; vertices without triangles are lost. Where a velocity or a pass throws, submeshes
+/// under way are dropped and the complex is that of the last merge. The same bits for any number of
+/// threads; of several passes that throw, the one in the first submesh is heard.
+template <class Real>
+class CopyExecutor final : public Executor<Real> {
+public:
+    /// Throws InputError where the options make no sense.
+    CopyExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
+                 const CopyOptions& copy);
+
+    void begin_step() override { ++costs_.steps; }
+    AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
+    Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    /// O(mesh) for each colour, however little moves.
+    MoveReport move() override;
+    void end_step() override;
+    [[nodiscard]] std::size_t interface_size() const override { return whole_.interface.size(); }
+    void append_interface(std::vector<std::uint32_t>& list) const override;
+    [[nodiscard]] OperationCounts take_counts() override;
+
+    [[nodiscard]] const CopyCosts& costs() const { return costs_; }
+    /// The division of the last round.
+    [[nodiscard]] const CopiedSubmeshes<Real>& submeshes() const { return submeshes_; }
+
+private:
+    /// What one submesh has to do.
+    struct Task {
+        Task(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {}
+        Work<Real> work;
+        std::vector<std::uint32_t> given; ///< `work.interface` as it was handed out
+        std::exception_ptr failure;
+        std::uint32_t passes = 0;
+    };
+
+    /// Whether submesh boundaries, or too few ids, kept anything from being done.
+    [[nodiscard]] bool run_round(RedBlack colour, MoveReport& report);
+    void hand_out();
+    void run_tasks();
+    [[nodiscard]] bool take_back();
+    void take_interface_back(bool is_as_given);
+    void recover();
+
+    Complex<Real>& complex_;
+    const Options<Real>& options_;
+    Algorithm<Real> algorithm_;
+    CopyOptions copy_;
+    CopiedSubmeshes<Real> submeshes_;
+    std::vector<std::unique_ptr<Task>> tasks_;
+    Work<Real> whole_; ///< upkeep and aim; between the rounds, what there is to do
+    // What lies on submesh boundaries waits for the next round, by vertex of the mesh.
+    std::vector<Mover<Real>> waiting_movers_;
+    std::vector<std::uint32_t> waiting_active_;
+    std::uint32_t epoch_ = 0;
+    bool under_way_ = false; ///< still true at the end of a step: something threw
+    CopyCosts costs_;
+};
+
+} // namespace dsc

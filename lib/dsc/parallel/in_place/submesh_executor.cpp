@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/parallel/in_place/submesh_part.h"
+
+#include "dsc/passes/interface_list.h"
+#include "dsc/base/require.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+/// Ids that each submesh holds beyond one for each of its interface vertices; what does not fit is
+/// put off to the next colour, never lost.
+constexpr std::size_t spare_vertices = 64;
+
+void check(const SubmeshOptions& options) {
+    require(options.threads >= 1 && options.threads <= 1024, "threads", options.threads,
+            "1 to 1024");
+    require(options.vertices_per_thread >= 1, "vertices_per_thread", options.vertices_per_thread,
+            "1 or more");
+}
+
+} // namespace
+
+template <class Real>
+SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options,
+                                       Algorithm<Real> algorithm,
+                                       std::unique_ptr<Partitioner<Real>> partitioner,
+                                       const SubmeshOptions& submeshes)
+    : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
+      partitioner_(std::move(partitioner)), submeshes_(submeshes), whole_(complex, options) {
+    check(submeshes);
+    if (!partitioner_) {
+        throw InputError("no partitioner", "SubmeshExecutor", "null", "an object");
+    }
+    for (const auto& vertex : complex.vertices) {
+        epoch_ = std::max(epoch_, vertex.stamp);
+    }
+    // Until the first division all of the interface is in this list.
+    whole_.interface = collect_interface(complex, options.shuffle_seed);
+}
+
+template <class Real>
+SubmeshExecutor<Real>::~SubmeshExecutor() {
+    for (auto& part : parts_) {
+        give_back(part->pool, 0, 0);
+    }
+    complex_.lent_vertices = 0;
+    complex_.lent_triangles = 0;
+}
+
+// --- set-up ------------------------------------------------------------------------------------
+
+template <class Real>
+void SubmeshExecutor<Real>::give_back(IdPool& pool, std::size_t vertices, std::size_t triangles) {
+    const auto give = [](std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& to,
+                         std::size_t keep) {
+        while (from.size() > keep) {
+            to.push_back(from.back());
+            from.pop_back();
+        }
+    };
+    give(pool.vertices, complex_.ids.vertices, vertices);
+    give(pool.triangles, complex_.ids.triangles, triangles);
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::refill(Part& part) {
+    IdPool& pool = part.pool;
+    if (part.work.submesh.region.is_whole()) {
+        return; // it has those of the complex
+    }
+    const std::size_t least = spare_vertices + part.work.interface.size() / 2;
+    if (pool.vertices.size() >= least && pool.triangles.size() >= 2 * least) {
+        return;
+    }
+    // Twice as many, so that this is rare.
+    while (pool.vertices.size() < 2 * least) {
+        const std::uint32_t id = complex_.take_vertex(complex_.ids);
+        complex_.vertices[id].flags = vertex_dead;
+        pool.vertices.push_back(id);
+    }
+    while (pool.triangles.size() < 4 * least) {
+        const std::uint32_t id = complex_.take_triangle(complex_.ids);
+        complex_.triangles[id].v = {no_id, no_id, no_id};
+        pool.triangles.push_back(id);
+    }
+}
+
+// Stamps for one parallel section: all its submeshes may use the same, their vertices are not.
+template <class Real>
+std::uint32_t SubmeshExecutor<Real>::next_epochs() {
+    const auto needed = 2 * static_cast<std::uint32_t>(options_.max_passes) + 8;
+    if (epoch_ > 0xffffffffU - 4 * needed) {
+        for (auto& vertex : complex_.vertices) {
+            vertex.stamp = 0; // once in some hundred million steps
+        }
+        epoch_ = 0;
+    }
+    const std::uint32_t first = epoch_ + 1;
+    epoch_ += needed;
+    return first;
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::begin_step() {
+    Timer timer(submeshes_.profile);
+    profile_.sub_steps.clear();
+    status_.interface_vertices = interface_size();
+    divide();
+    ++status_.step;
+    ++status_.steps_since_all;
+    threads_ = static_cast<std::uint32_t>(
+        std::clamp<std::size_t>(status_.interface_vertices / submeshes_.vertices_per_thread, 1,
+                                std::min<std::size_t>(submeshes_.threads, first_colour_)));
+    profile_.serial_outside = timer.lap();
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::divide() {
+    const Recut recut = parts_.empty() ? Recut::all : partitioner_->is_due(status_);
+    if (recut == Recut::none) {
+        return;
+    }
+    std::vector<std::uint32_t> list;
+    append_interface(list);
+    if (recut == Recut::all && options_.shuffle_seed == 0 && !parts_.empty()) {
+        // New vertices of the boundaries stand at the ends of lists.
+        order_interface(complex_, list, next_epochs());
+    }
+    partitioner_->divide({complex_, list, work_of(list), static_cast<double>(options_.edge_length)},
+                         recut, partition_);
+    make_parts(recut);
+    if (recut == Recut::all) {
+        hand_out(std::move(list));
+        status_.steps_since_all = 0;
+    }
+    connect();
+}
+
+// The work that each vertex has been since the last division, as its submesh's average.
+template <class Real>
+std::vector<float> SubmeshExecutor<Real>::work_of(const std::vector<std::uint32_t>& list) const {
+    std::vector<float> work(list.size(), 1.0F);
+    if (first_colour_ < 2) {
+        return work;
+    }
+    const Colour& colour = partition_.colours.front();
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        at = colour.locate(list[i], place_of(list[i]).x(), place_of(list[i]).y(), at);
+        if (at < first_colour_) {
+            const Part& part = *parts_[at];
+            work[i] = 1.0F + static_cast<float>(part.examined) /
+                                 static_cast<float>(part.work.interface.size() + 1);
+        }
+    }
+    return work;
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::make_parts(Recut recut) {
+    const std::size_t kept = recut == Recut::all ? 0 : first_colour_;
+    std::size_t wanted = 0;
+    for (const Colour& colour : partition_.colours) {
+        wanted += colour.regions.size();
+    }
+    while (parts_.size() > wanted) {
+        give_back(parts_.back()->pool, 0, 0);
+        parts_.pop_back();
+    }
+    while (parts_.size() < wanted) {
+        parts_.push_back(std::make_unique<Part>(complex_, options_));
+        keep_times(*parts_.back());
+    }
+    first_colour_ = partition_.colours.front().regions.size();
+    std::size_t number = 0;
+    for (const Colour& colour : partition_.colours) {
+        for (const Region& region : colour.regions) {
+            Part& part = *parts_[number];
+            part.work.submesh.region = region;
+            part.work.submesh.pool = region.is_whole() ? &complex_.ids : &part.pool;
+            if (number >= kept) {
+                part.work.interface.clear();
+                part.examined = 0;
+            }
+            ++number;
+        }
+    }
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::keep_times(Part& part) {
+    part.passes_s.assign(algorithm_.motion.size(), 0);
+    part.motion = algorithm_.motion;
+    for (std::size_t i = 0; submeshes_.profile && i < part.motion.size(); ++i) {
+        part.motion[i].run = [&part, i, run = algorithm_.motion[i].run](Work<Real>& work) {
+            Timer timer(true);
+            run(work);
+            part.passes_s[i] += timer.lap();
+        };
+    }
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::hand_out(std::vector<std::uint32_t> list) {
+    whole_.interface.clear();
+    const Colour& colour = partition_.colours.front();
+    std::size_t at = 0;
+    for (const std::uint32_t v : list) {
+        at = colour.locate(v, place_of(v).x(), place_of(v).y(), at);
+        if (at == first_colour_) {
+            throw InvariantError("vertex " + std::to_string(v) +
+                                 " is in no submesh of the first colour");
+        }
+        parts_[at]->work.interface.push_back(v);
+    }
+}
+
+// Tasks: a submesh waits for those of the colour before it that it meets. It is then alone with all
+// it owns: what is in none of these it cannot reach.
+template <class Real>
+void SubmeshExecutor<Real>::connect() {
+    aiming_.tasks.clear();
+    moving_.tasks.clear();
+    aiming_.tasks.add_colour(first_colour_);
+    std::size_t before = 0; // first part of the colour before
+    std::size_t first = 0;
+    for (std::size_t c = 0; c < partition_.colours.size(); ++c) {
+        const Colour& colour = partition_.colours[c];
+        const std::size_t count = colour.regions.size();
+        moving_.tasks.add_colour(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            Part& part = *parts_[first + i];
+            const bool is_last = c + 1 == partition_.colours.size();
+            part.next = is_last ? nullptr : &partition_.colours[c + 1];
+            part.next_first = first + count;
+            for (std::size_t j = before; j < first; ++j) {
+                if (colour.regions[i].may_meet(partition_.colours[c - 1].regions[j - before])) {
+                    moving_.tasks.wait_for(first + i, j);
+                }
+            }
+        }
+        before = first;
+        first += count;
+    }
+}
+
+template <class Real>
+Point<double> SubmeshExecutor<Real>::place_of(std::uint32_t vertex) const {
+    const auto& record = complex_.vertices[vertex];
+    return {static_cast<double>(read_shared(record.x)), static_cast<double>(read_shared(record.y))};
+}
+
+template <class Real>
+typename SubmeshExecutor<Real>::Part& SubmeshExecutor<Real>::owner_of(std::uint32_t vertex) {
+    const Point<double> place = place_of(vertex);
+    const std::size_t at = partition_.colours.front().locate(vertex, place.x(), place.y());
+    return *parts_[at < first_colour_ ? at : 0];
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::recover() {
+    for (auto& part : parts_) {
+        part->forget_put_off();
+        part->immigrants.clear();
+        part->newcomers.clear();
+        part->work.movers.clear();
+        part->work.active.clear();
+        part->work.interface.clear();
+    }
+    whole_.movers.clear();
+    whole_.active.clear();
+    whole_.put_off_active.clear();
+    whole_.put_off_interface.clear();
+    hand_out(collect_interface(complex_, options_.shuffle_seed));
+    under_way_ = false;
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::end_step() {
+    if (under_way_) {
+        recover();
+    }
+    complex_.lent_vertices = 0;
+    complex_.lent_triangles = 0;
+    for (auto& part : parts_) {
+        const std::size_t most = 4 * (spare_vertices + part->work.interface.size());
+        give_back(part->pool, most, 2 * most);
+        complex_.lent_vertices += static_cast<std::uint32_t>(part->pool.vertices.size());
+        complex_.lent_triangles += static_cast<std::uint32_t>(part->pool.triangles.size());
+    }
+}
+
+// --- questions ---------------------------------------------------------------------------------
+
+template <class Real>
+std::size_t SubmeshExecutor<Real>::interface_size() const {
+    std::size_t size = whole_.interface.size();
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        size += parts_[i]->work.interface.size();
+    }
+    return size;
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::append_interface(std::vector<std::uint32_t>& list) const {
+    list.insert(list.end(), whole_.interface.begin(), whole_.interface.end());
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        const auto& part = parts_[i]->work.interface;
+        list.insert(list.end(), part.begin(), part.end());
+    }
+}
+
+template <class Real>
+OperationCounts SubmeshExecutor<Real>::take_counts() {
+    OperationCounts total = std::exchange(whole_.counts, {});
+    for (auto& part : parts_) {
+        part->examined += part->work.counts.examined;
+        total += std::exchange(part->work.counts, {});
+    }
+    return total;
+}
+
+template class SubmeshExecutor<double>;
+template class SubmeshExecutor<float>;
+
+} // namespace dsc

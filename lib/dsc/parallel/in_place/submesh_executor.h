@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Parallel DSC [6, 8.10] in place: the submeshes of the first colour run upkeep, movement and mesh
+// update at once and hand on what their boundaries kept from being done; a submesh of the next
+// colour begins when those that it meets have ended; what all colours left is done serially. The
+// regions, the order within a submesh and the pools of ids do not depend on threads: the same bits
+// for any number of them.
+#pragma once
+
+#include "dsc/algorithm/executor.h"
+#include "dsc/parallel/partition/partition.h"
+#include "dsc/parallel/in_place/schedule.h"
+#include "dsc/parallel/in_place/step_profile.h"
+
+namespace dsc {
+
+struct SubmeshOptions {
+    std::uint32_t threads = 1;
+    Assignment assignment = Assignment::queue;
+    /// A thread pays for itself from about so many interface vertices on; fewer threads are used
+    /// where there is less to do. 1: always all of them.
+    std::uint32_t vertices_per_thread = 48;
+    bool profile = false; ///< keep account of times: reads a clock twice for each pass and task
+};
+
+template <class Real>
+class SubmeshExecutor final : public Executor<Real> {
+public:
+    /// Throws InputError where the options make no sense.
+    SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
+                    std::unique_ptr<Partitioner<Real>> partitioner,
+                    const SubmeshOptions& submeshes);
+    /// Gives the ids that the submeshes hold back to the complex.
+    ~SubmeshExecutor() override;
+    SubmeshExecutor(const SubmeshExecutor&) = delete;
+    SubmeshExecutor& operator=(const SubmeshExecutor&) = delete;
+    SubmeshExecutor(SubmeshExecutor&&) = delete;
+    SubmeshExecutor& operator=(SubmeshExecutor&&) = delete;
+
+    void begin_step() override;
+    AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
+    Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    MoveReport move() override;
+    void end_step() override;
+    [[nodiscard]] std::size_t interface_size() const override;
+    void append_interface(std::vector<std::uint32_t>& list) const override;
+    [[nodiscard]] OperationCounts take_counts() override;
+
+    /// The partition in force, for drawing.
+    [[nodiscard]] const Partition& partition() const { return partition_; }
+    /// Which task waits for which: task i of `SubStepProfile::move`.
+    [[nodiscard]] const TaskGraph& tasks() const { return moving_.tasks; }
+    /// Of the last step, where `SubmeshOptions::profile` is set.
+    [[nodiscard]] const StepProfile& profile() const { return profile_; }
+    /// Threads that the last step used.
+    [[nodiscard]] std::uint32_t threads_used() const { return threads_; }
+
+private:
+    struct Part;
+
+    // Set-up.
+    void divide();
+    void make_parts(Recut recut);
+    void keep_times(Part& part);
+    void hand_out(std::vector<std::uint32_t> list);
+    void connect();
+    void refill(Part& part);
+    void give_back(IdPool& pool, std::size_t vertices, std::size_t triangles);
+    [[nodiscard]] std::uint32_t next_epochs();
+    // Tasks.
+    void begin_part(Part& part);
+    void aim_part(Part& part, std::size_t pass, const Velocity<Real>& velocity, Real time, Real dt);
+    void move_part(std::size_t task);
+    void take_from_predecessors(Part& part, std::size_t task);
+    void route(Part& part);
+    // Between and after them.
+    AimReport<Real> hand_over(const Velocity<Real>& velocity, Real time, Real dt);
+    void take_displaced();
+    void unlist(std::uint32_t vertex);
+    void clean_up(MoveReport& report);
+    void recover();
+    [[nodiscard]] Part& owner_of(std::uint32_t vertex);
+    [[nodiscard]] Point<double> place_of(std::uint32_t vertex) const;
+    [[nodiscard]] std::vector<float> work_of(const std::vector<std::uint32_t>& list) const;
+
+    Complex<Real>& complex_;
+    const Options<Real>& options_;
+    Algorithm<Real> algorithm_;
+    std::unique_ptr<Partitioner<Real>> partitioner_;
+    SubmeshOptions submeshes_;
+    Partition partition_;
+    PartitionStatus status_;
+
+    std::vector<std::unique_ptr<Part>> parts_; // of all colours, colour by colour
+    std::size_t first_colour_ = 0;             // parts of the first colour
+    Schedule aiming_;
+    Schedule moving_;
+    Work<Real> whole_;                  // for what all colours left
+    std::vector<std::uint32_t> listed_; // scratch of hand_over
+    std::vector<Point<double>> listed_places_;
+    std::uint32_t threads_ = 1;
+    std::uint32_t epoch_ = 0;
+    bool under_way_ = false; // still true at the end of a step: something threw
+    StepProfile profile_;
+};
+
+} // namespace dsc

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What the two files of the executor share: one submesh, and its account of times.
+#pragma once
+
+#include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/parallel/timer.h"
+
+namespace dsc {
+
+/// One submesh: its work, its ids, and where what it put off goes.
+template <class Real>
+struct SubmeshExecutor<Real>::Part {
+    Part(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {
+        pool.may_grow = false;
+        work.submesh.pool = &pool;
+        keep_apart();
+    }
+
+    Work<Real> work;
+    IdPool pool;
+    const Colour* next = nullptr; // the next colour; null: there is none
+    std::size_t next_first = 0;   // number of its first part
+
+    std::vector<std::uint32_t> emigrants; // interface vertices that have left the region
+    std::vector<std::uint32_t> newcomers; // and those that came: listed when the sub-step is over
+    std::vector<Mover<Real>> immigrants;  // the same, on their way
+    std::uint64_t examined = 0;           // stars, since the last division
+    // By entry of the lists of what was put off: the part of the next colour, or nowhere.
+    std::vector<std::uint32_t> mover_routes;
+    std::vector<std::uint32_t> active_routes;
+    AimReport<Real> aimed;
+    MoveReport moved;
+
+    // Account of times.
+    double upkeep_s = 0;
+    double velocities_s = 0;
+    double aim_s = 0;
+    double move_s = 0;
+    std::vector<double> passes_s;
+    std::vector<Pass<Real>> motion; // the algorithm's, with a clock about each where times are kept
+
+    // Short lists of two submeshes side by side in the heap would share cache lines, which two
+    // threads then take from each other at each push.
+    void keep_apart() {
+        constexpr std::size_t entries = 512;
+        const auto reserve = [](auto&... lists) { (lists.reserve(entries), ...); };
+        reserve(work.interface, work.interface_next, work.movers, work.active, work.suspects,
+                work.put_off_movers, work.put_off_active, work.put_off_interface);
+        reserve(work.aim.positions, work.aim.targets, work.aim.held, work.aim.scratch.first,
+                work.aim.scratch.stage, work.aim.scratch.slope, work.aim.scratch.sum);
+        reserve(pool.vertices, pool.triangles);
+        reserve(emigrants, newcomers, immigrants, mover_routes, active_routes);
+    }
+
+    void forget_put_off() {
+        work.put_off_movers.clear();
+        work.put_off_active.clear();
+        work.put_off_interface.clear();
+        mover_routes.clear();
+        active_routes.clear();
+        emigrants.clear();
+    }
+};
+
+} // namespace dsc

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+// The step itself: what the submeshes do, what they hand on, and what is left in the end.
+#include "dsc/parallel/in_place/submesh_part.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+namespace {
+
+/// Nowhere: for the serial clean-up.
+constexpr std::uint32_t nowhere = 0xffffffffU;
+
+} // namespace
+
+// --- tasks -------------------------------------------------------------------------------------
+
+// Where what was put off since the last call goes.
+template <class Real>
+void SubmeshExecutor<Real>::route(Part& part) {
+    Work<Real>& work = part.work;
+    std::size_t hint = 0;
+    const auto destination = [&](std::uint32_t vertex) {
+        const Point<double> place = place_of(vertex);
+        // What has left this submesh is unknown to those that wait for it.
+        if (part.next == nullptr || !work.submesh.region.owns(vertex, place.x(), place.y())) {
+            return nowhere;
+        }
+        hint = part.next->locate(vertex, place.x(), place.y(), hint);
+        return hint < part.next->regions.size() ? static_cast<std::uint32_t>(part.next_first + hint)
+                                                : nowhere;
+    };
+    for (std::size_t i = part.mover_routes.size(); i < work.put_off_movers.size(); ++i) {
+        part.mover_routes.push_back(destination(work.put_off_movers[i].vertex));
+    }
+    for (std::size_t i = part.active_routes.size(); i < work.put_off_active.size(); ++i) {
+        part.active_routes.push_back(destination(work.put_off_active[i]));
+    }
+}
+
+// Interface vertices that are no longer in the region are somebody else's.
+template <class Real>
+void SubmeshExecutor<Real>::begin_part(Part& part) {
+    part.forget_put_off();
+    part.aim_s = 0;
+    part.upkeep_s = 0;
+    const Region& region = part.work.submesh.region;
+    if (region.is_whole()) {
+        return;
+    }
+    std::erase_if(part.work.interface, [&](std::uint32_t v) {
+        const Point<double> place = place_of(v);
+        if (region.owns(v, place.x(), place.y())) {
+            return false;
+        }
+        part.emigrants.push_back(v);
+        return true;
+    });
+}
+
+// One pass of upkeep; with the last one velocities and targets.
+template <class Real>
+void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Velocity<Real>& velocity,
+                                     Real time, Real dt) {
+    Timer timer(submeshes_.profile);
+    Work<Real>& work = part.work;
+    if (pass == 0) {
+        begin_part(part);
+    }
+    if (pass < algorithm_.upkeep.size()) {
+        algorithm_.upkeep[pass].run(work);
+    }
+    part.upkeep_s += timer.lap();
+    if (pass + 1 >= algorithm_.upkeep.size()) {
+        part.aimed = find_velocities(work, velocity, time);
+        part.aimed.reach = find_targets(work, velocity, time, dt);
+        part.velocities_s = timer.lap();
+        part.aim_s = part.upkeep_s + part.velocities_s;
+    }
+}
+
+// What the submeshes that this one waited for put off, and what lies in this one.
+template <class Real>
+void SubmeshExecutor<Real>::take_from_predecessors(Part& part, std::size_t task) {
+    Work<Real>& work = part.work;
+    const auto number = static_cast<std::uint32_t>(task);
+    for (const std::uint32_t earlier : moving_.tasks.predecessors(task)) {
+        const Part& from = *parts_[earlier];
+        for (std::size_t i = 0; i < from.mover_routes.size(); ++i) {
+            if (from.mover_routes[i] == number) {
+                work.movers.push_back(from.work.put_off_movers[i]);
+            }
+        }
+        for (std::size_t i = 0; i < from.active_routes.size(); ++i) {
+            const std::uint32_t v = from.work.put_off_active[i];
+            if (from.active_routes[i] == number && complex_.is_alive(Vertex{v})) {
+                work.activate(v);
+            }
+        }
+    }
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::move_part(std::size_t task) {
+    Timer timer(submeshes_.profile);
+    Part& part = *parts_[task];
+    Work<Real>& work = part.work;
+    const bool is_first = task < first_colour_;
+    part.moved = {};
+    std::ranges::fill(part.passes_s, 0.0);
+    if (is_first) {
+        work.movers.clear();
+        part.moved.held = collect_movers(work);
+        work.movers.insert(work.movers.end(), part.immigrants.begin(), part.immigrants.end());
+        part.immigrants.clear();
+    } else {
+        part.forget_put_off();
+        take_from_predecessors(part, task);
+    }
+    std::uint32_t epoch = work.epoch;
+    if (is_first || !work.movers.empty() || !work.active.empty()) {
+        part.moved.passes = run_motion(work, part.motion, epoch);
+    }
+    // Who is blocked here may find room when others have moved, unless it is in contact, or this
+    // submesh had all the room that there is.
+    if (!work.submesh.region.is_whole()) {
+        std::erase_if(work.movers, [&](const auto& mover) {
+            const bool may_find_room = !is_in_contact(complex_.vertices[mover.vertex]);
+            if (may_find_room) {
+                work.put_off_movers.push_back(mover);
+            }
+            return may_find_room;
+        });
+    }
+    part.moved.unreached = give_up_movers(work);
+    route(part);
+    part.move_s = timer.lap();
+}
+
+// --- the step ----------------------------------------------------------------------------------
+
+template <class Real>
+AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>& velocity, Real time, Real dt) {
+    Timer timer(submeshes_.profile);
+    under_way_ = true;
+    std::size_t number = 0;
+    for (const Colour& colour : partition_.colours) {
+        const std::uint32_t epoch = next_epochs();
+        for (std::size_t i = 0; i < colour.regions.size(); ++i, ++number) {
+            refill(*parts_[number]);
+            parts_[number]->work.epoch = epoch;
+        }
+    }
+    const double set_up = timer.lap();
+    // A pass may move what the next one looks at across a boundary: one section for each.
+    const std::size_t sections = std::max<std::size_t>(algorithm_.upkeep.size(), 1);
+    std::size_t pass = 0;
+    const auto task = [&](std::size_t i) { aim_part(*parts_[i], pass, velocity, time, dt); };
+    for (; pass < sections; ++pass) {
+        aiming_.run(threads_, submeshes_.assignment,
+                    std::cref(task)); // by reference: no allocation
+    }
+    const double wall = timer.lap();
+    AimReport<Real> report;
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        report += parts_[i]->aimed;
+    }
+    report += hand_over(velocity, time, dt);
+    if (submeshes_.profile) {
+        SubStepProfile& profile = profile_.sub_steps.emplace_back();
+        profile.set_up = set_up;
+        profile.aim_wall = wall;
+        profile.hand_over = timer.lap();
+        for (std::size_t i = 0; i < first_colour_; ++i) {
+            profile.aim.push_back(parts_[i]->aim_s);
+            profile.upkeep += parts_[i]->upkeep_s;
+            profile.velocities += parts_[i]->velocities_s;
+        }
+    }
+    return report;
+}
+
+// What upkeep may not touch in any submesh, and vertices that have left theirs: few, and done here.
+// Those that are new to a submesh are aimed here as well, and listed when the sub-step is over.
+template <class Real>
+AimReport<Real> SubmeshExecutor<Real>::hand_over(const Velocity<Real>& velocity, Real time,
+                                                 Real dt) {
+    whole_.interface.clear();
+    listed_.clear();
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        const auto& put_off = parts_[i]->work.put_off_interface;
+        listed_.insert(listed_.end(), put_off.begin(), put_off.end());
+        const auto& emigrants = parts_[i]->emigrants;
+        whole_.interface.insert(whole_.interface.end(), emigrants.begin(), emigrants.end());
+    }
+    if (listed_.empty() && whole_.interface.empty()) {
+        return {};
+    }
+    std::ranges::sort(listed_);
+    listed_.erase(std::unique(listed_.begin(), listed_.end()), listed_.end());
+    whole_.interface.insert(whole_.interface.end(), listed_.begin(), listed_.end());
+    listed_places_.clear();
+    for (const std::uint32_t v : listed_) {
+        listed_places_.push_back(place_of(v));
+    }
+    whole_.epoch = next_epochs();
+    for (const auto& pass : algorithm_.upkeep) {
+        pass.run(whole_);
+    }
+    whole_.put_off_interface.clear();
+    // Who is left of those that are listed stays listed; the others are new somewhere. A vertex
+    // elsewhere under the same id is a new one, which got the id of one that is gone.
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < listed_.size(); ++i) {
+        const std::uint32_t v = listed_[i];
+        if (std::ranges::find(whole_.interface, v) != whole_.interface.end() &&
+            place_of(v) == listed_places_[i]) {
+            listed_[kept++] = v;
+        } else {
+            unlist(v);
+        }
+    }
+    listed_.resize(kept);
+    if (options_.interface.coarsening == Coarsening::area) {
+        take_displaced();
+    }
+    std::erase_if(whole_.interface,
+                  [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
+    AimReport<Real> report = find_velocities(whole_, velocity, time);
+    report.reach = find_targets(whole_, velocity, time, dt);
+    return report;
+}
+
+// Neighbours of those that are gone have moved, and their aims are of where they were: they are
+// aimed anew. O(interface vertices).
+template <class Real>
+void SubmeshExecutor<Real>::take_displaced() {
+    std::vector<std::uint32_t> displaced;
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        const Work<Real>& work = parts_[i]->work;
+        for (std::size_t k = 0; k < work.interface.size(); ++k) {
+            if (complex_.position(Vertex{work.interface[k]}) != work.aim.positions[k]) {
+                displaced.push_back(work.interface[k]);
+            }
+        }
+    }
+    for (const std::uint32_t v : displaced) {
+        unlist(v);
+        whole_.interface.push_back(v);
+    }
+}
+
+// Takes a vertex that is gone off the list that has it, with its aim.
+template <class Real>
+void SubmeshExecutor<Real>::unlist(std::uint32_t vertex) {
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        Work<Real>& work = parts_[i]->work;
+        const auto found = std::ranges::find(work.interface, vertex);
+        if (found != work.interface.end()) {
+            const auto at = found - work.interface.begin();
+            const auto drop = [at](auto& list) { list.erase(list.begin() + at); };
+            drop(work.interface);
+            drop(work.aim.positions);
+            drop(work.aim.targets);
+            drop(work.aim.held);
+            drop(work.aim.scratch.first);
+            return;
+        }
+    }
+}
+
+template <class Real>
+Reach<Real> SubmeshExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
+    aiming_.run(threads_, submeshes_.assignment, [&](std::size_t i) {
+        Part& part = *parts_[i];
+        part.aimed.reach = find_targets(part.work, velocity, time, dt);
+    });
+    Reach<Real> reach = find_targets(whole_, velocity, time, dt);
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        reach += parts_[i]->aimed.reach;
+    }
+    return reach;
+}
+
+template <class Real>
+MoveReport SubmeshExecutor<Real>::move() {
+    Timer timer(submeshes_.profile);
+    MoveReport report;
+    if (!whole_.interface.empty()) {
+        whole_.movers.clear();
+        report.held += collect_movers(whole_);
+        for (const auto& mover : whole_.movers) {
+            owner_of(mover.vertex).immigrants.push_back(mover);
+        }
+        whole_.movers.clear();
+        for (const std::uint32_t v : whole_.interface) {
+            owner_of(v).newcomers.push_back(v);
+        }
+        whole_.interface.clear();
+    }
+    const double hand_over = timer.lap();
+    moving_.run(threads_, submeshes_.assignment, [&](std::size_t task) { move_part(task); });
+    const double wall = timer.lap();
+    for (const auto& part : parts_) {
+        report += part->moved;
+    }
+    clean_up(report);
+    report.unreached += report.held;
+    under_way_ = false;
+    if (submeshes_.profile) {
+        SubStepProfile& profile = profile_.sub_steps.back();
+        profile.hand_over += hand_over;
+        profile.move_wall = wall;
+        profile.clean_up = timer.lap();
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            profile.move.push_back(parts_[i]->move_s);
+            profile.later_colours += i < first_colour_ ? 0 : parts_[i]->move_s;
+            profile.motion_passes.resize(algorithm_.motion.size());
+            for (std::size_t k = 0; i < first_colour_ && k < algorithm_.motion.size(); ++k) {
+                profile.motion_passes[k] += parts_[i]->passes_s[k];
+            }
+        }
+    }
+    return report;
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
+    whole_.epoch = next_epochs();
+    const std::size_t last_colour = parts_.size() - partition_.colours.back().regions.size();
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const Part& part = *parts_[i];
+        const bool is_last = i >= last_colour;
+        for (std::size_t k = 0; k < part.mover_routes.size(); ++k) {
+            if (is_last || part.mover_routes[k] == nowhere) {
+                whole_.movers.push_back(part.work.put_off_movers[k]);
+            }
+        }
+        for (std::size_t k = 0; k < part.active_routes.size(); ++k) {
+            const std::uint32_t v = part.work.put_off_active[k];
+            if ((is_last || part.active_routes[k] == nowhere) && complex_.is_alive(Vertex{v})) {
+                whole_.activate(v);
+            }
+        }
+    }
+    std::uint32_t epoch = whole_.epoch;
+    if (!whole_.movers.empty() || !whole_.active.empty()) {
+        report.passes = std::max(report.passes, run_motion(whole_, algorithm_.motion, epoch));
+    }
+    report.unreached += give_up_movers(whole_);
+    whole_.put_off_active.clear();
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        auto& newcomers = parts_[i]->newcomers;
+        auto& list = parts_[i]->work.interface;
+        list.insert(list.end(), newcomers.begin(), newcomers.end());
+        newcomers.clear();
+    }
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>&, Real, Real);        \
+    template Reach<Real> SubmeshExecutor<Real>::aim_again(const Velocity<Real>&, Real, Real);      \
+    template MoveReport SubmeshExecutor<Real>::move();
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/parallel/partition/blocks.h"
+
+#include "dsc/base/require.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dsc {
+
+namespace {
+
+constexpr std::uint32_t colours = 3;
+
+// Cuts of one direction and colour, at equal widths over [low, high], shifted by thirds.
+std::vector<double> cuts_of(double low, double high, std::uint32_t blocks, std::uint32_t colour) {
+    std::vector<double> cuts{-Region::infinity};
+    const double width = (high - low) / blocks;
+    for (std::uint32_t i = colour == 0 ? 1 : 0; i < blocks; ++i) {
+        cuts.push_back(low + (i + static_cast<double>(colour) / colours) * width);
+    }
+    cuts.push_back(Region::infinity);
+    return cuts;
+}
+
+} // namespace
+
+template <class Real>
+BlockPartitioner<Real>::BlockPartitioner(const BlockOptions& options) : options_(options) {
+    require(options.submeshes >= 1 && options.submeshes <= 65536, "submeshes", options.submeshes,
+            "1 to 65536");
+    require(options.least_width >= 2, "least_width", options.least_width, "2 edge lengths or more");
+    require(options.recut >= 1, "recut", options.recut, "1 step or more");
+}
+
+template <class Real>
+Recut BlockPartitioner<Real>::is_due(const PartitionStatus& status) const {
+    return status.steps_since_all >= options_.recut ? Recut::all : Recut::none;
+}
+
+template <class Real>
+void BlockPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*recut*/,
+                                    Partition& partition) {
+    partition.colours.assign(1, {});
+    if (input.interface.empty()) {
+        partition.colours.front().regions.emplace_back();
+        return;
+    }
+    // About the interface: there is nothing to do elsewhere.
+    std::array<double, 2> low{Region::infinity, Region::infinity};
+    std::array<double, 2> high{-Region::infinity, -Region::infinity};
+    for (const std::uint32_t v : input.interface) {
+        const auto& record = input.complex.vertices[v];
+        const std::array<double, 2> p{static_cast<double>(record.x), static_cast<double>(record.y)};
+        for (std::size_t k = 0; k < 2; ++k) {
+            low[k] = std::min(low[k], p[k]);
+            high[k] = std::max(high[k], p[k]);
+        }
+    }
+    std::array<std::uint32_t, 2> blocks{};
+    const auto wanted = static_cast<std::uint32_t>(std::sqrt(options_.submeshes));
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double most = (high[k] - low[k]) / (options_.least_width * input.edge_length);
+        blocks[k] = std::max(1U, std::min(wanted, static_cast<std::uint32_t>(most)));
+    }
+    if (blocks[0] * blocks[1] < 2) {
+        partition.colours.front().regions.emplace_back();
+        return;
+    }
+    partition.colours.assign(colours, {});
+    for (std::uint32_t colour = 0; colour < colours; ++colour) {
+        const auto across = cuts_of(low[0], high[0], blocks[0], colour);
+        const auto up = cuts_of(low[1], high[1], blocks[1], colour);
+        Region region;
+        region.kind = Region::Kind::box;
+        for (std::size_t j = 0; j + 1 < up.size(); ++j) {
+            for (std::size_t i = 0; i + 1 < across.size(); ++i) {
+                region.low = across[i];
+                region.high = across[i + 1];
+                region.side_low = up[j];
+                region.side_high = up[j + 1];
+                partition.colours[colour].regions.push_back(region);
+            }
+        }
+    }
+}
+
+template class BlockPartitioner<double>;
+template class BlockPartitioner<float>;
+
+} // namespace dsc

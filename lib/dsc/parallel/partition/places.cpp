@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/parallel/partition/places.h"
+
+#include "dsc/base/error.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+std::uint32_t call_place(const void* context, double x, double y) {
+    return static_cast<const PlaceColour*>(context)->number_of(x, y);
+}
+
+std::uint32_t nearest(const std::vector<Point<double>>& sites, double x, double y) {
+    std::uint32_t best = 0;
+    double least = Region::infinity;
+    for (std::uint32_t i = 0; i < sites.size(); ++i) {
+        const double squared = (sites[i] - Point<double>(x, y)).squaredNorm();
+        if (squared < least) {
+            least = squared;
+            best = i;
+        }
+    }
+    return best;
+}
+
+// Each site moves to the mean of the points that are nearest to it.
+void even_out(std::vector<Point<double>>& sites, const std::vector<Point<double>>& points,
+              int rounds) {
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<Point<double>> sums(sites.size(), Point<double>::Zero());
+        std::vector<double> counts(sites.size(), 0);
+        for (const auto& p : points) {
+            const std::uint32_t i = nearest(sites, p.x(), p.y());
+            sums[i] += p;
+            counts[i] += 1;
+        }
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+            if (counts[i] > 0) {
+                sites[i] = sums[i] / counts[i];
+            }
+        }
+    }
+}
+
+} // namespace
+
+template <class Real>
+PlacePartitioner<Real>::PlacePartitioner(PlaceFunction<Real> function, std::uint32_t recut)
+    : function_(std::move(function)), recut_(recut) {
+    if (!function_ || recut < 1) {
+        throw InputError("not a partition", "PlacePartitioner", !function_ ? "no function" : "0",
+                         "a function, and 1 step or more between two divisions");
+    }
+}
+
+template <class Real>
+Recut PlacePartitioner<Real>::is_due(const PartitionStatus& status) const {
+    return status.steps_since_all >= recut_ ? Recut::all : Recut::none;
+}
+
+template <class Real>
+void PlacePartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*recut*/,
+                                    Partition& partition) {
+    std::vector<PlaceColour> colours = function_(input);
+    for (const PlaceColour& colour : colours) {
+        if (!colour.number_of || colour.submeshes < 1) {
+            throw InputError("not a colour", "PlacePartitioner",
+                             std::to_string(colour.submeshes) + " submeshes",
+                             "a function and 1 submesh or more");
+        }
+    }
+    if (colours.empty()) {
+        throw InputError("no colour", "PlacePartitioner", "0", "1 colour or more");
+    }
+    colours_ = std::move(colours);
+    partition.colours.assign(colours_.size(), {});
+    for (std::size_t c = 0; c < colours_.size(); ++c) {
+        if (colours_[c].submeshes == 1) {
+            partition.colours[c].regions.emplace_back(); // the whole mesh
+            continue;
+        }
+        for (std::uint32_t i = 0; i < colours_[c].submeshes; ++i) {
+            Region region;
+            region.kind = Region::Kind::places;
+            region.place = &call_place;
+            region.context = &colours_[c];
+            region.label = i;
+            partition.colours[c].regions.push_back(region);
+        }
+    }
+}
+
+PlaceColour voronoi_colour(std::vector<Point<double>> sites) {
+    const auto count = static_cast<std::uint32_t>(std::max<std::size_t>(sites.size(), 1));
+    return {[sites = std::move(sites)](double x, double y) { return nearest(sites, x, y); }, count};
+}
+
+template <class Real>
+std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input, std::uint32_t submeshes,
+                                         int rounds) {
+    std::vector<Point<double>> points;
+    for (const std::uint32_t v : input.interface) {
+        points.push_back(input.complex.position(Vertex{v}).template cast<double>());
+    }
+    if (points.size() < 2 || submeshes < 2) {
+        return {voronoi_colour({})};
+    }
+    std::vector<Point<double>> sites;
+    for (std::size_t i = 0; i < submeshes; ++i) {
+        sites.push_back(points[i * points.size() / submeshes]);
+    }
+    even_out(sites, points, rounds);
+    // Where the interface goes from one region to the next, the second colour has a site.
+    std::vector<Point<double>> between;
+    std::uint32_t before = nearest(sites, points.back().x(), points.back().y());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::uint32_t at = nearest(sites, points[i].x(), points[i].y());
+        const Point<double> gap = points[i] - points[i == 0 ? points.size() - 1 : i - 1];
+        if (at != before && gap.norm() < 3 * input.edge_length) {
+            between.push_back(points[i]);
+        }
+        before = at;
+    }
+    std::vector<PlaceColour> colours{voronoi_colour(std::move(sites))};
+    if (!between.empty()) {
+        colours.push_back(voronoi_colour(std::move(between)));
+    }
+    return colours;
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template class PlacePartitioner<Real>;                                                         \
+    template std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>&, std::uint32_t,  \
+                                                      int);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A partition that the application supplies: a function from places to submesh numbers, one for
+// each colour. It divides the plane, not the vertices, so that it stays valid while these come, go
+// and move. Voronoi regions [6] are such a function.
+#pragma once
+
+#include "dsc/parallel/partition/partition.h"
+
+#include <functional>
+
+namespace dsc {
+
+/// One colour: `number_of(x, y)` is below `submeshes`, the same for the same place each time, and
+/// safe to call from several threads. Two submeshes of one colour that touch are fine; a colour's
+/// boundaries should lie away from those of the colours before it.
+struct PlaceColour {
+    std::function<std::uint32_t(double x, double y)> number_of;
+    std::uint32_t submeshes = 1;
+};
+
+/// Called for the first step, and after `recut` steps each: gets the interface, gives the colours.
+template <class Real>
+using PlaceFunction = std::function<std::vector<PlaceColour>(const PartitionInput<Real>& input)>;
+
+template <class Real>
+class PlacePartitioner final : public Partitioner<Real> {
+public:
+    explicit PlacePartitioner(PlaceFunction<Real> function, std::uint32_t recut = 64);
+    [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
+    /// Throws InputError where the function gives no colour, or one without a submesh.
+    void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
+
+private:
+    PlaceFunction<Real> function_;
+    std::uint32_t recut_;
+    std::vector<PlaceColour> colours_; // regions point to these
+};
+
+/// Voronoi regions of points [6]: the submesh of a place is the number of the nearest point, the
+/// lower one of two. O(points) a look-up.
+PlaceColour voronoi_colour(std::vector<Point<double>> sites);
+
+/// The same for sites that the interface chooses: k-means of its vertices (Lloyd, `rounds` times,
+/// from vertices evenly spread along the list): the "springs" of section 6, which even out the
+/// submeshes. The second colour's sites lie in the middle between neighbouring sites of the first.
+template <class Real>
+std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input, std::uint32_t submeshes,
+                                         int rounds = 8);
+
+} // namespace dsc

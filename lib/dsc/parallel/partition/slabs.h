@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The slabbing method [6.3, 8.5] in place: a slab is an interval of positions along a direction,
+// nothing is copied. Red slabs, then black ones shifted by half a slab, whose first and last form
+// one submesh.
+#pragma once
+
+#include "dsc/parallel/partition/partition.h"
+
+#include <string_view>
+
+namespace dsc {
+
+/// How the cuts between slabs are chosen.
+enum class Slabbing : std::uint8_t {
+    fixed,    ///< equal widths [6.3]
+    counting, ///< equal numbers of triangles [6.3], judged by a sample of a large mesh
+    active,   ///< equal shares of the work that was done
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Slabbing slabbing) {
+    switch (slabbing) {
+    case Slabbing::fixed: return "fixed";
+    case Slabbing::counting: return "counting";
+    case Slabbing::active: return "active";
+    }
+    return "unknown";
+}
+
+struct SlabOptions {
+    Slabbing slabbing = Slabbing::counting;
+    std::uint32_t submeshes = 8; ///< how many red slabs; independent of the number of threads
+    /// The slabs are cut across this direction, in degrees from the x axis; follow_shape: across
+    /// the direction in which the interface extends farthest.
+    double degrees = 0;
+    bool follow_shape = false;
+    /// In edge lengths; thinner slabs would be locked altogether: there are fewer then.
+    double least_width = 8;
+    std::uint32_t recut = 64; ///< steps between two choices of the cuts
+};
+
+/// Cuts along a direction: slab i is [cuts[i], cuts[i + 1]); the outer cuts are infinite.
+struct Cuts {
+    std::vector<double> red;
+    std::vector<double> black; ///< in the middle of the red slabs, by the same measure
+};
+
+/// Cuts such that each slab holds the same share of the weight, none thinner than `least_width`.
+/// Reorders the positions, each a pair of place and weight. O(n log n).
+Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::uint32_t slabs,
+                         double least_width);
+
+/// Cuts of equal width over [low, high].
+Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double least_width);
+
+/// The colour of these slabs; `round`: the first and the last are one.
+Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_y, bool round);
+
+/// The unit vector along which points scatter most (first principal component). O(n).
+template <class Real>
+Point<double> principal_direction(const Complex<Real>& complex,
+                                  std::span<const std::uint32_t> vertices);
+
+template <class Real>
+class SlabPartitioner final : public Partitioner<Real> {
+public:
+    /// Throws InputError where the options make no sense.
+    explicit SlabPartitioner(const SlabOptions& options);
+    [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
+    void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
+
+private:
+    void find_extent(const Complex<Real>& complex, const Point<double>& normal);
+
+    SlabOptions options_;
+    Point<double> extent_of_ = Point<double>::Zero(); // the normal that these belong to
+    double low_ = 0;
+    double high_ = 0;
+};
+
+} // namespace dsc

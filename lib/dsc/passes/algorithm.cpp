@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/passes/algorithm.h"
+
+#include "dsc/passes/interface_upkeep.h"
+#include "dsc/passes/mesh_update.h"
+#include "dsc/passes/move_vertices.h"
+
+namespace dsc {
+
+template <class Real>
+Algorithm<Real> default_algorithm() {
+    return {.upkeep = {{"interface upkeep", &upkeep_interface<Real>}},
+            .motion = {{"movement", &move_vertices<Real>}, {"mesh update", &update_mesh<Real>}}};
+}
+
+template Algorithm<double> default_algorithm();
+template Algorithm<float> default_algorithm();
+
+} // namespace dsc

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/passes/interface_list.h"
+
+#include "dsc/passes/interface_curve.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace dsc {
+
+void shuffle_interface(std::vector<std::uint32_t>& list, std::uint64_t seed) {
+    if (seed == 0) {
+        return;
+    }
+    // Fisher and Yates, spelt out: std::shuffle differs between standard libraries.
+    std::mt19937_64 random(seed);
+    for (std::size_t i = list.size(); i > 1; --i) {
+        std::swap(list[i - 1], list[random() % i]);
+    }
+}
+
+template <class Real>
+std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::uint64_t seed) {
+    // next[v]: where the interface half-edge with the larger phase on its left leads from v.
+    std::vector<std::uint32_t> list;
+    std::vector<std::uint8_t> seen(complex.vertex_bound(), 0);
+    const auto follow = [&](Corner c) {
+        // c is opposite to the half-edge from next(c) to prev(c); go on around the larger phase.
+        while (true) {
+            const std::uint32_t v = complex.vertex(next(c));
+            if (seen[v] != 0) {
+                return;
+            }
+            seen[v] = 1;
+            list.push_back(v);
+            // The next interface edge about w = vertex(prev(c)), clockwise inside this phase.
+            Corner at = prev(c);
+            const Phase inside = complex.phase_at(c);
+            while (true) {
+                // Half-edge that leaves w in this triangle is opposite to prev(at).
+                const Corner candidate = prev(at);
+                const Corner across = complex.twin(candidate);
+                if (complex.phase_at(across) != inside) {
+                    c = candidate;
+                    break;
+                }
+                at = prev(across);
+            }
+        }
+    };
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t})) {
+            continue;
+        }
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t, i);
+            const Phase inside = complex.phase_at(c);
+            const Phase across = complex.phase_at(complex.twin(c));
+            const bool canonical =
+                across == border_phase ? inside != exterior_phase : inside > across;
+            if (canonical) {
+                follow(c);
+                const std::uint32_t w = complex.vertex(prev(c));
+                if (seen[w] == 0) {
+                    seen[w] = 1;
+                    list.push_back(w);
+                }
+            }
+        }
+    }
+    shuffle_interface(list, seed);
+    return list;
+}
+
+template <class Real>
+void order_interface(Complex<Real>& complex, std::vector<std::uint32_t>& list,
+                     std::uint32_t epoch) {
+    const std::uint32_t listed = epoch;
+    const std::uint32_t placed = epoch + 1;
+    for (const std::uint32_t v : list) {
+        complex.vertices[v].stamp = listed;
+    }
+    std::vector<std::uint32_t> ordered;
+    ordered.reserve(list.size());
+    Ring<Real> ring;
+    for (const std::uint32_t start : list) {
+        std::uint32_t v = start;
+        while (v != no_id && complex.vertices[v].stamp == listed) {
+            complex.vertices[v].stamp = placed;
+            ordered.push_back(v);
+            std::uint32_t following = no_id;
+            if (gather(complex, Region{}, v, ring)) {
+                for (std::uint32_t i = 0; i < ring.link_size() && following == no_id; ++i) {
+                    if (ring.is_constrained(i) && complex.vertices[ring.link[i]].stamp == listed) {
+                        following = ring.link[i];
+                    }
+                }
+            }
+            v = following;
+        }
+    }
+    list.swap(ordered);
+}
+
+template <class Real>
+void mark_corners(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees) {
+    const auto cosine = static_cast<Real>(std::cos(degrees * std::numbers::pi / 180));
+    Ring<Real> ring;
+    for (const std::uint32_t v : list) {
+        if (!gather(complex, Region{}, v, ring)) {
+            continue;
+        }
+        const Spokes spokes = interface_spokes(ring);
+        if (spokes.count == 2 &&
+            !turns_less<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
+                              link_point(ring, spokes.second), cosine)) {
+            complex.vertices[v].flags |= vertex_corner;
+        }
+    }
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template std::vector<std::uint32_t> collect_interface(const Complex<Real>&, std::uint64_t);    \
+    template void order_interface(Complex<Real>&, std::vector<std::uint32_t>&, std::uint32_t);     \
+    template void mark_corners(Complex<Real>&, const std::vector<std::uint32_t>&, double);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/passes/interface_upkeep.h"
+
+#include "dsc/passes/interface_curve.h"
+#include "dsc/passes/wall.h"
+#include "dsc/motion/movement.h"
+#include "dsc/operations/edge_collapse.h"
+#include "dsc/operations/edge_split.h"
+#include "dsc/quality/ring_quality.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace dsc {
+
+namespace {
+
+template <class Real>
+class Upkeep {
+public:
+    explicit Upkeep(Work<Real>& work)
+        : work_(work), complex_(work.complex), thresholds_(work.options.interface),
+          longest_squared_(square(thresholds_.longest)),
+          shortest_squared_(square(thresholds_.shortest)),
+          deviation_squared_(square(thresholds_.deviation)),
+          degenerate_squared_(square(thresholds_.degenerate * thresholds_.deviation)),
+          finest_squared_(square(2 * thresholds_.finest)),
+          turn_squared_(
+              static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
+          gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
+          follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
+          // An edge ahead that is shorter than a sub-step is in the way. A poor triangle for the
+          // time being is better than none that can move.
+          wall_{square(work.options.phases.longest), square(work.options.sub_step), Real(0.05)} {}
+
+    void run() {
+        auto& kept = work_.interface_next;
+        kept.clear();
+        for (const std::uint32_t v : work_.interface) {
+            visit(v);
+        }
+        std::swap(work_.interface, kept);
+    }
+
+private:
+    Real square(double relative) const {
+        const Real value = static_cast<Real>(relative) * work_.options.edge_length;
+        return value * value;
+    }
+
+    void visit(std::uint32_t v) {
+        if (!complex_.is_alive(Vertex{v})) {
+            return;
+        }
+        Ring<Real>& ring = work_.ring;
+        const bool gathered = gather(complex_, work_.submesh.region, v, ring);
+        if (!gathered) {
+            work_.interface_next.push_back(v);
+            return;
+        }
+        const Spokes spokes = interface_spokes(ring);
+        if (!ring.owned) {
+            // The triangles of this star are of two submeshes, so that nobody rewrites them, and
+            // nobody moves their vertices: whether there is anything to do can be seen from here.
+            // What is beyond the link cannot, and that is what a gap is about.
+            if (gap_squared_ > 0 || should_collapse(ring, spokes) ||
+                long_spoke(ring, spokes) != no_id || wants_wall_upkeep(ring)) {
+                work_.put_off_interface.push_back(v);
+            }
+            work_.interface_next.push_back(v);
+            return;
+        }
+        if (spokes.count == 0) {
+            return;
+        }
+        if (should_collapse(ring, spokes) && try_collapse(ring, spokes)) {
+            return;
+        }
+        if (wants_wall_upkeep(ring) && keep_wall(v, ring)) {
+            return;
+        }
+        refine(v, ring, spokes);
+    }
+
+    // --- the interface along the domain boundary ----------------------------------------------
+    bool wants_wall_upkeep(const Ring<Real>& ring) const {
+        return !ring.closed &&
+               (should_collapse_on_wall(ring, wall_) ||
+                (ring.phase[0] != exterior_phase && should_split_wall(ring, wall_)));
+    }
+
+    // True if the ring is stale, and what is to be kept in the list was put there.
+    bool keep_wall(std::uint32_t v, const Ring<Real>& ring) {
+        if (should_collapse_on_wall(ring, wall_) && collapse_on_wall(work_, ring, wall_)) {
+            ++work_.counts.interface_collapses;
+            return true;
+        }
+        if (ring.phase[0] == exterior_phase || !should_split_wall(ring, wall_)) {
+            return false;
+        }
+        const SplitResult result = split_wall(work_, ring);
+        if (result.verdict == Verdict::out_of_ids ||
+            result.verdict == Verdict::on_submesh_boundary) {
+            work_.put_off_interface.push_back(v);
+        }
+        if (result.verdict != Verdict::legal) {
+            return false;
+        }
+        ++work_.counts.interface_splits;
+        work_.interface_next.push_back(v);
+        work_.interface_next.push_back(result.vertex.id);
+        return true;
+    }
+
+    // --- coarsening ---------------------------------------------------------------------------
+    bool should_collapse(const Ring<Real>& ring, const Spokes& spokes) {
+        if (thresholds_.coarsening == Coarsening::never || spokes.count != 2 || !ring.closed ||
+            is_corner(ring.vertex)) {
+            return false;
+        }
+        const Point<Real> p(ring.x0, ring.y0);
+        const Point<Real> a = link_point(ring, spokes.first);
+        const Point<Real> b = link_point(ring, spokes.second);
+        const Real nearest = std::min((a - p).squaredNorm(), (b - p).squaredNorm());
+        if (nearest >= shortest_squared_ ||
+            (b - a).squaredNorm() >= longest_squared(ring, spokes)) {
+            return false;
+        }
+        if (nearest < degenerate_squared_ &&
+            !turns_less<Real>(a, p, b, std::numbers::sqrt2_v<Real> / 2)) {
+            return true;
+        }
+        return turns_less<Real>(a, p, b, Real(0)) &&
+               (thresholds_.coarsening != Coarsening::deviation ||
+                squared_deviation(ring, spokes) < deviation_squared_);
+    }
+
+    // Squared distance of the centre from what the curve is without it; 0 where that is another
+    // submesh's to see.
+    Real squared_deviation(const Ring<Real>& ring, const Spokes& spokes) {
+        const Point<Real> p(ring.x0, ring.y0);
+        CurveNeighbours<Real> curve;
+        curve.p1 = link_point(ring, spokes.first);
+        curve.p2 = link_point(ring, spokes.second);
+        const Point<Real> chord = curve.p2 - curve.p1;
+        if (thresholds_.reading == Reading::chords) {
+            const Point<Real> offset = p - curve.p1;
+            const Real area = chord.x() * offset.y() - chord.y() * offset.x();
+            return area * area / chord.squaredNorm();
+        }
+        // The cubic over the gap, at the share of the way at which the centre was.
+        const Real before = (p - curve.p1).norm();
+        const Real share = before / (before + (curve.p2 - p).norm());
+        if (!see_past(ring, spokes.first, curve.p0, curve.has_first) ||
+            !see_past(ring, spokes.second, curve.p3, curve.has_last)) {
+            return 0;
+        }
+        const Point<Real> off = p - curve_point(curve, share);
+        const Real across = chord.x() * off.y() - chord.y() * off.x();
+        return across * across / chord.squaredNorm();
+    }
+
+    // The vertex that follows the one at the end of a spoke, away from the centre. False where its
+    // star is another submesh's to see.
+    bool see_past(const Ring<Real>& ring, std::uint32_t spoke, Point<Real>& next, bool& has_next) {
+        Ring<Real>& beyond = work_.other_ring;
+        if (!gather(complex_, work_.submesh.region, ring.link[spoke], beyond)) {
+            return beyond.owned;
+        }
+        CurveNeighbours<Real> on;
+        on.p1 = {ring.x0, ring.y0};
+        on.p2 = link_point(ring, spoke);
+        see_from_beyond(complex_, beyond, ring.vertex, on);
+        next = on.p3;
+        has_next = on.has_last;
+        return true;
+    }
+
+    bool try_collapse(Ring<Real>& ring, const Spokes& spokes) {
+        const Point<Real> p(ring.x0, ring.y0);
+        const Real to_a = (link_point(ring, spokes.first) - p).squaredNorm();
+        const Real to_b = (link_point(ring, spokes.second) - p).squaredNorm();
+        const std::uint32_t nearer = to_a < to_b ? spokes.first : spokes.second;
+        for (const std::uint32_t i : {nearer, spokes.other(nearer)}) {
+            Point<Real> place;
+            const bool moves = thresholds_.coarsening == Coarsening::area;
+            if (moves && !keeps_area(ring, i, spokes.other(i), place)) {
+                continue;
+            }
+            if (edge_collapse(complex_, work_.submesh, prev(ring.corner[i]),
+                              rewire::Vanishing::next) == Verdict::legal) {
+                ++work_.counts.interface_collapses;
+                for (std::uint32_t j = 0; j < ring.size; ++j) {
+                    work_.activate(ring.link[j]);
+                }
+                if (moves) {
+                    move_survivor(ring.link[i], place);
+                }
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // Where the survivor a of the edge from p to a goes so that the triangles on either side of
+    // the polyline b, p, a, c keep their area without p: above the middle of p and a, at the height
+    // over the chord from b to c that does it. False where a may not move, or is not seen.
+    bool keeps_area(const Ring<Real>& ring, std::uint32_t survivor, std::uint32_t other,
+                    Point<Real>& place) {
+        const Point<Real> p(ring.x0, ring.y0);
+        const Point<Real> a = link_point(ring, survivor);
+        const Point<Real> b = link_point(ring, other);
+        Ring<Real>& beyond = work_.other_ring;
+        const bool gathered = gather(complex_, work_.submesh.region, ring.link[survivor], beyond);
+        if (!beyond.owned) {
+            work_.put_off_interface.push_back(ring.vertex);
+            return false;
+        }
+        if (!gathered || !beyond.closed || is_corner(beyond.vertex) ||
+            complex_.is_locked(Vertex{beyond.vertex})) {
+            return false;
+        }
+        const Spokes spokes = interface_spokes(beyond);
+        if (spokes.count != 2) {
+            return false;
+        }
+        const bool first_is_p = beyond.link[spokes.first] == ring.vertex;
+        const Point<Real> c = link_point(beyond, first_is_p ? spokes.second : spokes.first);
+        const Point<Real> chord = c - b;
+        const auto cross = [](const Point<Real>& s, const Point<Real>& t) {
+            return s.x() * t.y() - s.y() * t.x();
+        };
+        const Real square = chord.squaredNorm();
+        if (!(square > 0)) {
+            return false;
+        }
+        const Real doubled_area = cross(p - b, a - b) + cross(a - b, chord);
+        const Point<Real> middle = midpoint<Real>(p, a);
+        const Real missing = doubled_area - cross(middle - b, chord);
+        place = middle + missing / square * Point<Real>(chord.y(), -chord.x());
+        return (place - middle).squaredNorm() < shortest_squared_ && owns_point(place);
+    }
+
+    void move_survivor(std::uint32_t v, const Point<Real>& place) {
+        Ring<Real>& star = work_.other_ring;
+        if (gather(complex_, work_.submesh.region, v, star) && star.owned &&
+            all_positive(star, place.x(), place.y())) {
+            auto& record = complex_.vertices[v];
+            write_shared(record.x, place.x());
+            write_shared(record.y, place.y());
+            for (std::uint32_t i = 0; i < star.size; ++i) {
+                work_.activate(star.link[i]);
+            }
+        }
+    }
+
+    // --- refinement ---------------------------------------------------------------------------
+    // How long an interface edge at the centre may be, squared.
+    Real longest_squared(const Ring<Real>& ring, const Spokes& spokes) const {
+        if (!follows_shape_ || spokes.count != 2) {
+            return longest_squared_;
+        }
+        Real longest = longest_squared_;
+        // The angle at which a curve meets the domain boundary is no bend of its own.
+        if (turn_squared_ > 0 && ring.closed && !is_corner(ring.vertex)) {
+            const Real bend = curvature<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
+                                              link_point(ring, spokes.second));
+            longest = std::min(longest, turn_squared_ / (bend * bend));
+        }
+        if (gap_squared_ > 0) {
+            longest = std::min(longest, gap_squared_ * squared_gap(complex_, ring, spokes));
+        }
+        return std::max(longest, finest_squared_);
+    }
+
+    // The interface edge that is to be split. Too long for all: seen from the end that has the
+    // larger phase on its left, so that each edge is seen once. Too long for the shape at the
+    // centre: seen from there. no_id: there is none.
+    std::uint32_t long_spoke(const Ring<Real>& ring, const Spokes& spokes) const {
+        const Real local = longest_squared(ring, spokes);
+        std::uint32_t found = no_id;
+        Real longest = 0;
+        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+            const Phase before = ring.phase_before(i);
+            const Phase after = ring.phase_after(i);
+            if (before == after || before == border_phase || after == border_phase) {
+                continue;
+            }
+            const Real squared =
+                (link_point(ring, i) - Point<Real>(ring.x0, ring.y0)).squaredNorm();
+            const Real allowed =
+                after > before ? longest_squared_ : std::numeric_limits<Real>::infinity();
+            if (squared > std::min(local < longest_squared_ ? local : allowed, allowed) &&
+                squared > longest) {
+                found = i;
+                longest = squared;
+            }
+        }
+        return found;
+    }
+
+    // Splits one edge at most: then the ring is stale; a junction's other edges wait for the next
+    // step.
+    void refine(std::uint32_t v, Ring<Real>& ring, const Spokes& spokes) {
+        newest_ = no_id;
+        if (const std::uint32_t i = long_spoke(ring, spokes);
+            i != no_id && !split(v, ring, spokes, i)) {
+            work_.put_off_interface.push_back(v);
+        }
+        work_.interface_next.push_back(v);
+        if (newest_ != no_id) {
+            work_.interface_next.push_back(newest_);
+        }
+    }
+
+    bool split(std::uint32_t v, const Ring<Real>& ring, const Spokes& spokes, std::uint32_t i) {
+        CurveNeighbours<Real> curve;
+        see_from_centre(complex_, ring, spokes, i, curve);
+        Ring<Real>& beyond = work_.other_ring;
+        const bool gathered = gather(complex_, work_.submesh.region, ring.link[i], beyond);
+        if (!beyond.owned) {
+            return false;
+        }
+        if (gathered) {
+            see_from_beyond(complex_, beyond, v, curve);
+        }
+        const auto& options = work_.options;
+        Point<Real> point = options.insertion_function ? options.insertion_function(curve)
+                                                       : insertion_point(options.insertion, curve);
+        if (!owns_point(point)) {
+            point = midpoint<Real>(curve.p1, curve.p2);
+            if (!owns_point(point)) {
+                return false;
+            }
+        }
+        SplitResult result = edge_split(complex_, work_.submesh, prev(ring.corner[i]), point);
+        if (result.verdict == Verdict::inverts) {
+            point = midpoint<Real>(curve.p1, curve.p2);
+            result = edge_split(complex_, work_.submesh, prev(ring.corner[i]), point);
+        }
+        if (result.verdict == Verdict::out_of_ids) {
+            return false;
+        }
+        if (result.verdict != Verdict::legal) {
+            return true;
+        }
+        newest_ = result.vertex.id;
+        ++work_.counts.interface_splits;
+        work_.activate(newest_);
+        work_.activate(v);
+        work_.activate(ring.link[i]);
+        work_.activate(ring.link[i + 1]);
+        work_.activate(ring.link[i == 0 ? ring.size - 1 : i - 1]);
+        return true;
+    }
+
+    // What is made must lie where its maker works: the next colour looks for it there.
+    bool owns_point(const Point<Real>& point) const {
+        return owns_place(work_.submesh.region, point);
+    }
+
+    bool is_corner(std::uint32_t v) const {
+        return (complex_.vertices[v].flags & vertex_corner) != 0;
+    }
+
+    Work<Real>& work_;
+    Complex<Real>& complex_;
+    const InterfaceThresholds& thresholds_;
+    Real longest_squared_;
+    Real shortest_squared_;
+    Real deviation_squared_;
+    Real degenerate_squared_;
+    Real finest_squared_;
+    Real turn_squared_;
+    Real gap_squared_;
+    bool follows_shape_;
+    WallLimits<Real> wall_;
+    std::uint32_t newest_ = no_id;
+};
+
+} // namespace
+
+template <class Real>
+void upkeep_interface(Work<Real>& work) {
+    Upkeep<Real>(work).run();
+}
+
+template void upkeep_interface(Work<double>&);
+template void upkeep_interface(Work<float>&);
+
+} // namespace dsc

@@ -1,0 +1,455 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/passes/mesh_update.h"
+
+#include "dsc/passes/wall.h"
+#include "dsc/motion/movement.h"
+#include "dsc/operations/edge_collapse.h"
+#include "dsc/operations/edge_flip.h"
+#include "dsc/operations/edge_split.h"
+#include "dsc/quality/delaunay.h"
+#include "dsc/quality/ring_quality.h"
+
+namespace dsc {
+
+OperationCounts& OperationCounts::operator+=(const OperationCounts& other) {
+    moves += other.moves;
+    flips += other.flips;
+    interface_splits += other.interface_splits;
+    interface_collapses += other.interface_collapses;
+    splits += other.splits;
+    collapses += other.collapses;
+    smoothed += other.smoothed;
+    subdivisions += other.subdivisions;
+    retriangulations += other.retriangulations;
+    examined += other.examined;
+    return *this;
+}
+
+namespace {
+
+/// Lawson's algorithm ends by itself; this bound only guards against rounding that the slack of the
+/// test does not cover.
+constexpr std::size_t max_flips_at_once = 4096;
+/// Turns about one vertex: flips and splits change its star, so that it is gathered anew.
+constexpr int max_turns = 6;
+
+template <class Real>
+class MeshUpdate {
+public:
+    explicit MeshUpdate(Work<Real>& work)
+        : work_(work), complex_(work.complex), ring_(work.ring),
+          grading_squared_(
+              static_cast<Real>(work.options.interface.grading * work.options.interface.grading)),
+          needle_(squared_needle_quality(grading_squared_)) {}
+
+    void run() {
+        // Vertices made on the way are appended and looked at as well: splits halve lengths, so
+        // that this ends; the bound is for thresholds that contradict each other.
+        const std::size_t bound = 8 * work_.active.size() + 64;
+        for (std::size_t i = 0; i < work_.active.size() && i < bound; ++i) {
+            visit(work_.active[i]);
+        }
+        work_.active.clear();
+    }
+
+private:
+    struct Limits {
+        Real collapse; // squared quality
+        Real smooth;   // squared quality
+        Real longest;  // squared length
+        Real shortest; // squared length
+        Real crowded;  // squared length
+    };
+
+    Limits limits(Phase phase) const {
+        const PhaseThresholds& t = work_.options.thresholds(phase);
+        const auto square = [](Real value) { return value * value; };
+        const Real h = work_.options.edge_length;
+        return {square(static_cast<Real>(t.collapse_quality)),
+                square(static_cast<Real>(t.smooth_quality)),
+                square(static_cast<Real>(t.longest) * h), square(static_cast<Real>(t.shortest) * h),
+                square(static_cast<Real>(t.crowded) * h)};
+    }
+
+    bool gather_star(std::uint32_t v) {
+        const bool gathered = gather(complex_, work_.submesh.region, v, ring_);
+        if (!ring_.owned) {
+            work_.put_off_active.push_back(v);
+        }
+        return gathered && ring_.owned;
+    }
+
+    // A vertex that is gone has no star. Its id may be in use again elsewhere, so that nothing of
+    // it is looked at before its place.
+    void visit(std::uint32_t v) {
+        for (int turn = 0; turn < max_turns; ++turn) {
+            if (!gather_star(v)) {
+                return;
+            }
+            ++work_.counts.examined;
+            const StarReport<Real> star = examine(ring_);
+            if (star.delaunay < 0 && flip_spokes()) {
+                continue;
+            }
+            const Limits limit = limits(ring_.phase[0]);
+            const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
+            if (may_move) {
+                const bool poor = star.quality < limit.collapse;
+                if ((poor || star.shortest < limit.shortest || star.longest < limit.crowded) &&
+                    collapse(star, limit)) {
+                    return;
+                }
+                if (star.quality < limit.smooth && smooth(v, star.quality)) {
+                    continue_edges();
+                    return;
+                }
+            }
+            if (!ring_.closed && ring_.phase[0] == exterior_phase) {
+                const WallUpkeep done = keep_wall(v, star, limit);
+                if (done == WallUpkeep::gone) {
+                    return;
+                }
+                if (done == WallUpkeep::split) {
+                    continue;
+                }
+            }
+            // About an interface vertex phases differ, and so may their limits.
+            const bool mixed = !ring_.one_phase && !work_.options.per_phase.empty();
+            if ((mixed || star.longest > limit.longest) && split_longest(limit, mixed)) {
+                continue;
+            }
+            if (!ring_.one_phase && star.quality < needle_ && split_beside_short()) {
+                continue;
+            }
+            return;
+        }
+    }
+
+    // --- flips --------------------------------------------------------------------------------
+    bool flip_spokes() {
+        const std::uint64_t before = work_.counts.flips;
+        work_.suspects.clear();
+        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+            if (is_non_delaunay_spoke(ring_, i)) {
+                work_.suspects.push_back(prev(ring_.corner[i]));
+            }
+        }
+        drain();
+        return work_.counts.flips != before;
+    }
+
+    // The edges of the ring's triangles, after its centre moved: what the ring knows is not looked
+    // up again, and only edges that fail are handed on.
+    void continue_edges() {
+        work_.suspects.clear();
+        const bool spokes = has_non_delaunay_spoke(ring_);
+        const Point<Real> centre(ring_.x0, ring_.y0);
+        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+            const Corner across = complex_.twin(ring_.corner[i]);
+            if (complex_.phase_at(across) == ring_.phase[i] &&
+                !is_delaunay<Real>(centre, {ring_.x[i], ring_.y[i]}, apex(across),
+                                   {ring_.x_next[i], ring_.y_next[i]})) {
+                work_.suspects.push_back(ring_.corner[i]);
+            }
+            if (spokes && is_non_delaunay_spoke(ring_, i)) {
+                work_.suspects.push_back(prev(ring_.corner[i]));
+            }
+        }
+        drain();
+    }
+
+    /// The vertex at a corner, which another submesh may own and move.
+    Point<Real> apex(Corner corner) const {
+        const auto& record = complex_.vertices[complex_.vertex(corner)];
+        return {read_shared(record.x), read_shared(record.y)};
+    }
+
+    void drain() {
+        auto& suspects = work_.suspects;
+        std::size_t flips = 0;
+        const Region& region = work_.submesh.region;
+        while (!suspects.empty()) {
+            const Corner c = suspects.back();
+            suspects.pop_back();
+            // Its triangle is of an owned star, or of a flip there: owned, if it is still alive.
+            if (!complex_.is_alive(Triangle{triangle_of(c)})) {
+                continue;
+            }
+            const Corner o = complex_.twin(c);
+            if (complex_.phase_at(o) != complex_.phase_at(c)) {
+                continue;
+            }
+            const auto at = [this](Corner corner) {
+                return complex_.position(Vertex{complex_.vertex(corner)});
+            };
+            if (is_delaunay<Real>(at(c), at(next(c)), apex(o), at(prev(c)))) {
+                continue;
+            }
+            if (!owns(complex_, region, complex_.vertex(o))) {
+                work_.put_off_active.push_back(complex_.vertex(next(c)));
+                continue;
+            }
+            // All four vertices are owned: nothing is left to ask the region.
+            if (flips >= max_flips_at_once ||
+                edge_flip(complex_, Submesh{Region{}, work_.submesh.pool}, c) != Verdict::legal) {
+                continue;
+            }
+            ++flips;
+            suspects.push_back(c);
+            suspects.push_back(prev(c));
+            suspects.push_back(o);
+            suspects.push_back(prev(o));
+        }
+        work_.counts.flips += flips;
+    }
+
+    // --- coarsening ---------------------------------------------------------------------------
+    /// Collapses the centre into the link vertex that leaves the best triangles.
+    bool collapse(const StarReport<Real>& star, const Limits& limit) {
+        if (ring_.size < 4) {
+            // Degree three: the link is the triangle that will stand there.
+            return ring_.size == 3 && finish_collapse(0);
+        }
+        // A short spoke may cost quality, down to where it would be collapsed for that again.
+        const bool is_short = star.shortest < limit.shortest || star.longest < limit.crowded;
+        Real best = is_short ? std::min(star.quality, limit.collapse) : star.quality;
+        std::uint32_t best_spoke = no_id;
+        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+            const Real after = worst_quality_squared_after_collapse(ring_, i);
+            if (after > best && longest_after(i) <= Real(1.44) * limit.longest &&
+                keeps_grading(i)) {
+                best = after;
+                best_spoke = i;
+            }
+        }
+        return best_spoke != no_id && finish_collapse(best_spoke);
+    }
+
+    /// Whether no needle beside an interface edge would be split again at once, with the star's
+    /// triangles at link vertex i.
+    bool keeps_grading(std::uint32_t i) const {
+        if (grading_squared_ == 0) {
+            return true;
+        }
+        const std::uint32_t n = ring_.size;
+        const auto squared = [](Real dx, Real dy) { return dx * dx + dy * dy; };
+        for (std::uint32_t j = 0; j < n; ++j) {
+            const Phase across = complex_.phase_at(complex_.twin(ring_.corner[j]));
+            if (across == ring_.phase[j] || across == border_phase) {
+                continue;
+            }
+            // The apex over this edge: i, or beyond it where i is one of its ends.
+            const std::uint32_t end = j + 1 == n ? 0 : j + 1;
+            const std::uint32_t apex = i == j     ? (end + 1 == n ? 0 : end + 1)
+                                       : i == end ? (j == 0 ? n - 1 : j - 1)
+                                                  : i;
+            const Real allowed =
+                Real(0.8) * grading_squared_ *
+                squared(ring_.x_next[j] - ring_.x[j], ring_.y_next[j] - ring_.y[j]);
+            if (squared(ring_.x[apex] - ring_.x[j], ring_.y[apex] - ring_.y[j]) > allowed ||
+                squared(ring_.x[apex] - ring_.x[end], ring_.y[apex] - ring_.y[end]) > allowed) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    Real longest_after(std::uint32_t i) const {
+        Real longest = 0;
+        for (std::uint32_t j = 0; j < ring_.size; ++j) {
+            const Real dx = ring_.x[j] - ring_.x[i];
+            const Real dy = ring_.y[j] - ring_.y[i];
+            longest = std::max(longest, dx * dx + dy * dy);
+        }
+        return longest;
+    }
+
+    bool finish_collapse(std::uint32_t i) {
+        if (star_collapse_guard(complex_, ring_, i) != Verdict::legal) {
+            return false;
+        }
+        rewire::collapse(complex_, prev(ring_.corner[i]), rewire::Vanishing::next,
+                         *work_.submesh.pool);
+        ++work_.counts.collapses;
+        const std::uint32_t target = ring_.link[i];
+        for (std::uint32_t j = 0; j < ring_.size; ++j) {
+            work_.activate(ring_.link[j]);
+        }
+        // Delaunay again, about the vertex that took the star.
+        Ring<Real>& star = work_.other_ring;
+        if (gather(complex_, work_.submesh.region, target, star) && star.owned &&
+            has_non_delaunay_spoke(star)) {
+            work_.suspects.clear();
+            for (std::uint32_t j = 0; j < star.size; ++j) {
+                work_.suspects.push_back(prev(star.corner[j]));
+            }
+            drain();
+        }
+        return true;
+    }
+
+    // --- walls of the exterior phase ----------------------------------------------------------
+    enum class WallUpkeep : std::uint8_t { none, gone, split };
+
+    WallUpkeep keep_wall(std::uint32_t v, const StarReport<Real>& star, const Limits& limit) {
+        const bool is_poor = star.quality < limit.collapse;
+        const WallLimits<Real> wall{limit.longest, limit.shortest,
+                                    std::sqrt(std::clamp(star.quality, Real(0), limit.collapse))};
+        if (should_collapse_on_wall(ring_, wall, is_poor) && collapse_on_wall(work_, ring_, wall)) {
+            ++work_.counts.collapses;
+            return WallUpkeep::gone;
+        }
+        if (!should_split_wall(ring_, wall)) {
+            return WallUpkeep::none;
+        }
+        const SplitResult result = split_wall(work_, ring_);
+        if (result.verdict == Verdict::out_of_ids ||
+            result.verdict == Verdict::on_submesh_boundary) {
+            work_.put_off_active.push_back(v);
+        }
+        work_.counts.splits += result.verdict == Verdict::legal ? 1U : 0U;
+        return result.verdict == Verdict::legal ? WallUpkeep::split : WallUpkeep::none;
+    }
+
+    // --- smoothing ----------------------------------------------------------------------------
+    /// Laplacian smoothing [eq. 6], and half of it; the better one, if it raises the worst quality.
+    bool smooth(std::uint32_t v, Real before) {
+        Real sum_x = 0;
+        Real sum_y = 0;
+        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+            sum_x += ring_.x[i] - ring_.x0;
+            sum_y += ring_.y[i] - ring_.y0;
+        }
+        const Real share = Real(1) / static_cast<Real>(ring_.size);
+        Real best = before;
+        Real best_x = 0;
+        Real best_y = 0;
+        const auto look_at = [&](Real px, Real py) {
+            const Real after = worst_quality_squared(ring_, px, py);
+            if (after > best) {
+                best = after;
+                best_x = px;
+                best_y = py;
+            }
+        };
+        for (const Real step : {Real(1), Real(0.5)}) {
+            look_at(ring_.x0 + step * share * sum_x, ring_.y0 + step * share * sum_y);
+        }
+        if (!(best > before) || !all_positive(ring_, best_x, best_y)) {
+            return false;
+        }
+        if (!owns_place<Real>(work_.submesh.region, {best_x, best_y})) {
+            work_.put_off_active.push_back(v);
+            return false;
+        }
+        auto& record = complex_.vertices[v];
+        write_shared(record.x, best_x);
+        write_shared(record.y, best_y);
+        ring_.x0 = best_x;
+        ring_.y0 = best_y;
+        ++work_.counts.smoothed;
+        return true;
+    }
+
+    // --- refinement ---------------------------------------------------------------------------
+    bool split_longest(const Limits& limit, bool mixed) {
+        Real longest = 0;
+        std::uint32_t spoke = no_id;
+        for (std::uint32_t i = ring_.closed ? 0 : 1; i < ring_.size; ++i) {
+            const Real dx = ring_.x[i] - ring_.x0;
+            const Real dy = ring_.y[i] - ring_.y0;
+            const Real squared = dx * dx + dy * dy;
+            const Real allowed = mixed ? limits(ring_.phase[i]).longest : limit.longest;
+            if (squared > allowed && squared > longest && !ring_.is_constrained(i)) {
+                longest = squared;
+                spoke = i;
+            }
+        }
+        if (spoke == no_id) {
+            return false;
+        }
+        return split_spoke(spoke);
+    }
+
+    // A spoke beside a short edge of the interface, of a triangle that is a needle therefore.
+    bool split_beside_short() {
+        Real longest = 0;
+        std::uint32_t spoke = no_id;
+        const auto length = [this](std::uint32_t i) {
+            const Real dx = ring_.link_x(i) - ring_.x0;
+            const Real dy = ring_.link_y(i) - ring_.y0;
+            return dx * dx + dy * dy;
+        };
+        const auto look_at = [&](std::uint32_t i, Real allowed) {
+            const Real squared = length(i);
+            if (squared > allowed && squared > longest && !ring_.is_constrained(i)) {
+                longest = squared;
+                spoke = i;
+            }
+        };
+        const std::uint32_t n = ring_.link_size();
+        for (std::uint32_t i = 0; i < n; ++i) {
+            if (ring_.is_constrained(i) && ring_.phase_before(i) != border_phase &&
+                ring_.phase_after(i) != border_phase) {
+                const Real allowed = grading_squared_ * length(i);
+                if (i > 0 || ring_.closed) {
+                    look_at(i > 0 ? i - 1 : n - 1, allowed);
+                }
+                if (i + 1 < n || ring_.closed) {
+                    look_at(i + 1 < n ? i + 1 : 0, allowed);
+                }
+            }
+        }
+        // A needle from sheet to sheet is what a thin film is made of: a vertex inside would have
+        // no room, and go again.
+        Ring<Real>& beyond = work_.other_ring;
+        return spoke != no_id &&
+               gather(complex_, work_.submesh.region, ring_.link[spoke], beyond) &&
+               beyond.one_phase && split_spoke(spoke);
+    }
+
+    bool split_spoke(std::uint32_t spoke) {
+        const Point<Real> middle =
+            midpoint<Real>({ring_.x0, ring_.y0}, {ring_.x[spoke], ring_.y[spoke]});
+        if (!owns_place(work_.submesh.region, middle)) {
+            work_.put_off_active.push_back(ring_.vertex);
+            return false;
+        }
+        const SplitResult result =
+            edge_split(complex_, work_.submesh, prev(ring_.corner[spoke]), middle);
+        if (result.verdict == Verdict::out_of_ids) {
+            work_.put_off_active.push_back(ring_.vertex);
+        }
+        if (result.verdict != Verdict::legal) {
+            return false;
+        }
+        ++work_.counts.splits;
+        work_.activate(result.vertex.id);
+        work_.activate(ring_.link[spoke]);
+        return true;
+    }
+
+    /// Of a triangle with a base of 1 and legs of the grading; squared.
+    static Real squared_needle_quality(Real grading_squared) {
+        // Two sines of the angle at the apex over sqrt(3), as in quality/measures.h.
+        return grading_squared > 0 ? (4 - 1 / grading_squared) / (3 * grading_squared) : Real(0);
+    }
+
+    Work<Real>& work_;
+    Complex<Real>& complex_;
+    Ring<Real>& ring_;
+    Real grading_squared_;
+    Real needle_; // squared quality of a needle that the grading just allows; 0: none is split
+};
+
+} // namespace
+
+template <class Real>
+void update_mesh(Work<Real>& work) {
+    MeshUpdate<Real>(work).run();
+}
+
+template void update_mesh(Work<double>&);
+template void update_mesh(Work<float>&);
+
+} // namespace dsc

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/passes/move_vertices.h"
+
+#include "dsc/motion/movement.h"
+
+namespace dsc {
+
+namespace {
+
+// A vertex on the domain boundary stays there: it slides along a straight side and does not leave a
+// corner [6.4].
+template <class Real>
+void stay_on_boundary(const Ring<Real>& ring, Real& x, Real& y) {
+    const Real ax = ring.link_x(0);
+    const Real ay = ring.link_y(0);
+    const Real bx = ring.link_x(ring.size);
+    const Real by = ring.link_y(ring.size);
+    if (orientation(static_cast<double>(ax), static_cast<double>(ay), static_cast<double>(ring.x0),
+                    static_cast<double>(ring.y0), static_cast<double>(bx),
+                    static_cast<double>(by)) != 0) {
+        x = ring.x0;
+        y = ring.y0;
+        return;
+    }
+    const Real tx = bx - ax;
+    const Real ty = by - ay;
+    const Real along = ((x - ring.x0) * tx + (y - ring.y0) * ty) / (tx * tx + ty * ty);
+    x = ring.x0 + along * tx;
+    y = ring.y0 + along * ty;
+}
+
+} // namespace
+
+template <class Real>
+void move_vertices(Work<Real>& work) {
+    work.progressed = 0;
+    std::size_t kept = 0;
+    for (const Mover<Real>& mover : work.movers) {
+        Ring<Real>& ring = work.ring;
+        const bool gathered = gather(work.complex, work.submesh.region, mover.vertex, ring);
+        if (!ring.owned) {
+            work.put_off_movers.push_back(mover);
+            continue;
+        }
+        if (!gathered) {
+            work.movers[kept++] = mover;
+            continue;
+        }
+        Real x = mover.x;
+        Real y = mover.y;
+        if (!ring.closed) {
+            stay_on_boundary(ring, x, y);
+        }
+        if (!owns_place<Real>(work.submesh.region, {x, y})) {
+            // It would leave the submesh: the next colour looks for what is put off in there.
+            work.put_off_movers.push_back(mover);
+            continue;
+        }
+        const MoveOutcome outcome = move_vertex(work.complex, ring, x, y);
+        if (outcome != MoveOutcome::blocked) {
+            ++work.progressed;
+            ++work.counts.moves;
+        }
+        work.activate(mover.vertex);
+        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+            work.activate(ring.link[i]);
+        }
+        if (outcome != MoveOutcome::reached) {
+            work.movers[kept++] = mover;
+        } else {
+            auto& record = work.complex.vertices[mover.vertex];
+            if ((record.flags & vertex_contact) != 0) {
+                record.flags &= ~static_cast<std::uint32_t>(vertex_contact);
+            }
+        }
+    }
+    work.movers.resize(kept);
+}
+
+template void move_vertices(Work<double>&);
+template void move_vertices(Work<float>&);
+
+} // namespace dsc

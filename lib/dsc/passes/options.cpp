@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/passes/options.h"
+
+#include "dsc/base/require.h"
+#include "dsc/base/tolerances.h"
+
+#include <cmath>
+
+namespace dsc {
+
+namespace {
+
+void check_thresholds(const PhaseThresholds& t) {
+    require(t.collapse_quality >= 0 && t.collapse_quality < 1, "phases.collapse_quality",
+            t.collapse_quality, "0 to 1, 1 excluded");
+    require(t.smooth_quality >= 0 && t.smooth_quality <= 1, "phases.smooth_quality",
+            t.smooth_quality, "0 to 1");
+    require(t.shortest >= 0, "phases.shortest", t.shortest, "0 or more, in edge lengths");
+    require(t.crowded >= 0 && t.crowded <= 2, "phases.crowded", t.crowded,
+            "0 to 2, in edge lengths");
+    require(t.longest > 2 * t.shortest, "phases.longest", t.longest,
+            "more than twice phases.shortest, or splits and collapses undo each other");
+}
+
+} // namespace
+
+template <class Real>
+void check_options(const Options<Real>& options) {
+    require(std::isfinite(options.edge_length) && options.edge_length > 0, "edge_length",
+            static_cast<double>(options.edge_length), "a positive finite length");
+    require(static_cast<double>(options.edge_length) >= least_edge_length<Real> &&
+                static_cast<double>(options.edge_length) <= most_edge_length<Real>,
+            "edge_length", static_cast<double>(options.edge_length),
+            sizeof(Real) == sizeof(double) ? "1e-50 to 1e50; a UnitMap brings any scene there"
+                                           : "1e-5 to 1e5; a UnitMap brings any scene there");
+    check_thresholds(options.phases);
+    for (const auto& thresholds : options.per_phase) {
+        check_thresholds(thresholds);
+    }
+    const auto& i = options.interface;
+    require(i.shortest >= 0, "interface.shortest", i.shortest, "0 or more, in edge lengths");
+    require(i.longest > 2 * i.shortest, "interface.longest", i.longest,
+            "more than twice interface.shortest, or splits and collapses undo each other");
+    require(i.deviation >= 0, "interface.deviation", i.deviation, "0 or more, in edge lengths");
+    require(i.degenerate >= 0 && std::isfinite(i.degenerate), "interface.degenerate", i.degenerate,
+            "0 or more, in deviations");
+    require(i.corner_degrees > 0 && i.corner_degrees <= 180, "interface.corner_degrees",
+            i.corner_degrees, "more than 0, up to 180 degrees");
+    require(i.grading == 0 || (i.grading >= 2 && std::isfinite(i.grading)), "interface.grading",
+            i.grading, "0, or 2 and more");
+    require(i.turn_degrees == 0 || (i.turn_degrees >= 1 && i.turn_degrees <= 180),
+            "interface.turn_degrees", i.turn_degrees, "0, or 1 to 180 degrees");
+    require(i.gap == 0 || (i.gap >= 0.1 && std::isfinite(i.gap)), "interface.gap", i.gap,
+            "0, or 0.1 and more");
+    require(i.finest > 0 && i.finest <= 1, "interface.finest", i.finest,
+            "more than 0, up to 1, in edge lengths");
+    require(options.tolerance > 0 && std::isfinite(options.tolerance), "tolerance",
+            options.tolerance, "more than 0, in edge lengths");
+    require(options.sub_step > 0 && options.sub_step <= 2, "sub_step", options.sub_step,
+            "more than 0, up to 2 edge lengths");
+    require(options.max_sub_steps > 0, "max_sub_steps", options.max_sub_steps, "1 or more");
+    require(options.max_passes > 0, "max_passes", options.max_passes, "1 or more");
+    require(options.max_idle_passes > 0, "max_idle_passes", options.max_idle_passes, "1 or more");
+}
+
+template void check_options(const Options<double>&);
+template void check_options(const Options<float>&);
+
+} // namespace dsc

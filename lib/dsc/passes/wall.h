@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Upkeep along the domain boundary [8.3]. Where an interface slides along a wall, the wall's edges
+// before it become short and those behind it long: vertices inside one phase are collapsed along
+// the wall, and edges split at their middle, so that the domain stays what it is. Walls of the
+// exterior phase belong to the mesh update, those of any other phase to the interface (figure 8.3)
+// and its upkeep.
+#pragma once
+
+#include "dsc/passes/work.h"
+#include "dsc/operations/edge_collapse.h"
+#include "dsc/operations/edge_split.h"
+#include "dsc/quality/measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc {
+
+/// What is long and short along a wall, squared; and the quality that a collapse may cost.
+template <class Real>
+struct WallLimits {
+    Real longest = 0;
+    Real shortest = 0;
+    Real least_quality = 0; ///< equation 4, not squared
+};
+
+/// One of the two spokes of an open ring that lie on the domain boundary.
+template <class Real>
+struct WallSpoke {
+    std::uint32_t link = 0; ///< index in the ring
+    Corner corner = 0;      ///< opposite to the edge
+    rewire::Vanishing end;  ///< at which the centre is
+    Real squared = 0;       ///< length
+};
+
+/// The spoke that has the domain on its left as seen from the centre, or the other one. The ring
+/// must be open.
+template <class Real>
+WallSpoke<Real> wall_spoke(const Ring<Real>& ring, bool is_first) {
+    WallSpoke<Real> spoke;
+    spoke.link = is_first ? 0 : ring.size;
+    spoke.corner = is_first ? prev(ring.corner[0]) : next(ring.corner[ring.size - 1]);
+    spoke.end = is_first ? rewire::Vanishing::next : rewire::Vanishing::prev;
+    const Real dx = ring.link_x(spoke.link) - ring.x0;
+    const Real dy = ring.link_y(spoke.link) - ring.y0;
+    spoke.squared = dx * dx + dy * dy;
+    return spoke;
+}
+
+/// Whether the centre, inside one phase on the wall, may go for a short edge there; `is_poor`: for
+/// another reason.
+template <class Real>
+bool should_collapse_on_wall(const Ring<Real>& ring, const WallLimits<Real>& limits,
+                             bool is_poor = false) {
+    if (ring.closed || !ring.one_phase) {
+        return false;
+    }
+    const Real dx = ring.link_x(ring.size) - ring.link_x(0);
+    const Real dy = ring.link_y(ring.size) - ring.link_y(0);
+    const Real shorter = std::min(wall_spoke(ring, true).squared, wall_spoke(ring, false).squared);
+    return (is_poor || shorter < limits.shortest) && dx * dx + dy * dy < limits.longest;
+}
+
+/// Whether the wall's edge with the domain on its left, as seen from the centre, is too long.
+template <class Real>
+bool should_split_wall(const Ring<Real>& ring, const WallLimits<Real>& limits) {
+    return !ring.closed && wall_spoke(ring, true).squared > limits.longest;
+}
+
+/// The worst quality of the centre's triangles with link vertex i, a neighbour on the wall, in its
+/// place. O(degree).
+template <class Real>
+Real quality_after_wall_collapse(const Ring<Real>& ring, std::uint32_t i) {
+    const Point<Real> target(ring.link_x(i), ring.link_y(i));
+    Real worst = 1;
+    for (std::uint32_t j = i == 0 ? 1 : 0; j < (i == 0 ? ring.size : ring.size - 1); ++j) {
+        worst = std::min(
+            worst, quality<Real>(target, {ring.x[j], ring.y[j]}, {ring.x_next[j], ring.y_next[j]}));
+    }
+    return worst;
+}
+
+/// Collapses the centre into that neighbour on the wall that leaves the better triangles, if they
+/// are not below `least_quality`, and activates the link. Corners of the domain stay, by the guard.
+template <class Real>
+bool collapse_on_wall(Work<Real>& work, const Ring<Real>& ring, const WallLimits<Real>& limits) {
+    const Real first = quality_after_wall_collapse(ring, 0);
+    const Real last = quality_after_wall_collapse(ring, ring.size);
+    for (const bool is_first : {first >= last, first < last}) {
+        if ((is_first ? first : last) < limits.least_quality) {
+            return false; // the other one is worse
+        }
+        const WallSpoke<Real> spoke = wall_spoke(ring, is_first);
+        if (edge_collapse(work.complex, work.submesh, spoke.corner, spoke.end) == Verdict::legal) {
+            for (std::uint32_t j = 0; j < ring.link_size(); ++j) {
+                work.activate(ring.link[j]);
+            }
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Splits the wall's edge with the domain on its left, as seen from the centre. Only where the
+/// middle lies on the wall exactly: a vertex beside it would be a corner of the domain. What was
+/// made is activated. `out_of_ids` and `on_submesh_boundary`: another submesh has to do it.
+template <class Real>
+SplitResult split_wall(Work<Real>& work, const Ring<Real>& ring) {
+    const Point<Real> from(ring.x0, ring.y0);
+    const Point<Real> to(ring.link_x(0), ring.link_y(0));
+    const Point<Real> middle = midpoint<Real>(from, to);
+    if (orientation<Real>(from, middle, to) != 0) {
+        return {Verdict::on_boundary, {}};
+    }
+    if (!owns_place(work.submesh.region, middle)) {
+        return {Verdict::on_submesh_boundary, {}};
+    }
+    const SplitResult result =
+        edge_split(work.complex, work.submesh, wall_spoke(ring, true).corner, middle);
+    if (result.verdict == Verdict::legal) {
+        work.activate(result.vertex.id);
+        work.activate(ring.vertex);
+        work.activate(ring.link[0]);
+        work.activate(ring.link[1]);
+    }
+    return result;
+}
+
+} // namespace dsc

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// What a pass works on: a submesh, the interface vertices that lie in it, and the active set, that
+// is the vertices whose star changed. The sequential driver has one, the parallel driver one for
+// each submesh. Nothing here grows with the mesh.
+#pragma once
+
+#include "dsc/passes/options.h"
+#include "dsc/complex/ring.h"
+
+#include <vector>
+
+namespace dsc {
+
+/// What was done. Sums over submeshes are independent of the number of threads.
+struct OperationCounts {
+    std::uint64_t moves = 0; ///< vertices moved, wholly or partly
+    std::uint64_t flips = 0;
+    std::uint64_t interface_splits = 0;
+    std::uint64_t interface_collapses = 0;
+    std::uint64_t splits = 0;    ///< inside phases
+    std::uint64_t collapses = 0; ///< inside phases
+    std::uint64_t smoothed = 0;
+    std::uint64_t subdivisions = 0;
+    std::uint64_t retriangulations = 0;
+    std::uint64_t examined = 0; ///< stars that were gathered for the mesh update
+
+    OperationCounts& operator+=(const OperationCounts& other);
+};
+
+/// A vertex on its way.
+template <class Real>
+struct Mover {
+    std::uint32_t vertex;
+    Real x; ///< target
+    Real y;
+};
+
+/// Where the vertices of `Work::interface` are, and where they are to go; one entry for each.
+template <class Real>
+struct Aim {
+    std::vector<Point<Real>> positions;
+    std::vector<Point<Real>> targets;
+    std::vector<std::uint8_t> held;  ///< not 0: the velocity is not finite, the vertex stays
+    IntegratorScratch<Real> scratch; ///< `first`: the velocities
+    Real dt = 0;                     ///< in which the targets are to be reached
+};
+
+/// The attribute in which `Integrator::centred` keeps the last step of each vertex; made where
+/// there is none yet.
+template <class Real>
+Attribute<Past<Real>>& past_of(Complex<Real>& complex);
+
+template <class Real>
+struct Work {
+    Work(Complex<Real>& complex_in, const Options<Real>& options_in)
+        : complex(complex_in), options(options_in), submesh{Region{}, &complex_in.ids},
+          past(options_in.integrator == Integrator::centred ? &past_of(complex_in) : nullptr) {}
+
+    Complex<Real>& complex;
+    const Options<Real>& options;
+    Submesh submesh;
+    Attribute<Past<Real>>* past; ///< of `Integrator::centred`; no other has one
+
+    std::vector<std::uint32_t> interface; ///< interface vertices, about in the order of the curve
+    Aim<Real> aim;                        ///< of the interface vertices
+    std::vector<Mover<Real>> movers;      ///< vertices that have not reached their target yet
+    std::vector<std::uint32_t> active;    ///< vertices whose star must be looked at; no duplicates
+    std::uint32_t epoch = 0;              ///< a vertex with this stamp is in `active` already
+
+    // What the submesh boundary kept this submesh from doing: for another colour.
+    std::vector<Mover<Real>> put_off_movers;
+    std::vector<std::uint32_t> put_off_active;
+    std::vector<std::uint32_t> put_off_interface;
+
+    std::size_t progressed = 0; ///< movers that got any further in the last movement pass
+    OperationCounts counts;
+
+    // Scratch, kept so that nothing is allocated from step to step.
+    Ring<Real> ring;
+    Ring<Real> other_ring;
+    std::vector<Corner> suspects; ///< edges to be tested for the Delaunay condition
+    std::vector<std::uint32_t> interface_next;
+
+    /// Puts a vertex into the active set, unless it is there.
+    void activate(std::uint32_t vertex) {
+        auto& record = complex.vertices[vertex];
+        if (record.stamp != epoch) {
+            record.stamp = epoch;
+            active.push_back(vertex);
+        }
+    }
+};
+
+} // namespace dsc

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "flows/exact.h"
+
+#include "dsc/base/error.h"
+#include "measures/symmetric_difference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <numbers>
+
+namespace dsc::scenes {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// New markers go in by rounds: each looks at the intervals that the last one made.
+constexpr int most_rounds = 40;
+/// In one round an interval gets at most this many parts: its length is a guess until then.
+constexpr double most_parts = 64.0;
+/// The number of markers to begin with on each smooth piece of a curve.
+constexpr int first_markers = 256;
+
+struct Marker {
+    double parameter;
+    Point<double> place;
+    bool corner;
+};
+
+/// The angle by which the polygon turns at b, counter-clockwise.
+double turn(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
+    const Point<double> u = b - a;
+    const Point<double> v = c - b;
+    return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
+}
+
+double length(const Point<double>& v) { return std::hypot(v.x(), v.y()); }
+
+const Marker& cyclic(const std::vector<Marker>& markers, std::size_t i) {
+    return markers[i % markers.size()];
+}
+
+double turn_at(const std::vector<Marker>& markers, std::size_t i) {
+    const Marker& here = cyclic(markers, i);
+    return here.corner ? 0.0
+                       : turn(cyclic(markers, i + markers.size() - 1).place, here.place,
+                              cyclic(markers, i + 1).place);
+}
+
+void place_markers(const Curve& curve, const FlowMap& map, std::vector<Marker>& markers) {
+    std::vector<Point<double>> points;
+    points.reserve(markers.size());
+    for (const Marker& marker : markers) {
+        points.push_back(curve.point(marker.parameter));
+    }
+    map(points);
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        markers[i].place = points[i];
+    }
+}
+
+/// Appends the markers that divide the interval (from, from + span) of the parameter.
+void divide(double from, double span, int count, std::vector<Marker>& markers) {
+    for (int k = 1; k < count; ++k) {
+        const double parameter = from + span * k / count;
+        const double wrapped = parameter < 1.0 ? parameter : parameter - 1.0;
+        markers.push_back({wrapped, Point<double>{0.0, 0.0}, false});
+    }
+}
+
+std::vector<Marker> spread_markers(const Curve& curve, const FlowMap& map, double spacing,
+                                   double deviation, int most_markers) {
+    std::vector<Marker> markers;
+    const std::vector<double>& corners = curve.corners;
+    const std::size_t pieces = std::max<std::size_t>(1, corners.size());
+    for (std::size_t i = 0; i < pieces; ++i) {
+        const double begin = corners.empty() ? 0.0 : corners[i];
+        const double end = corners.empty()  ? 1.0
+                           : i + 1 < pieces ? corners[i + 1]
+                                            : corners[0] + 1.0;
+        markers.push_back({begin, Point<double>{0.0, 0.0}, !corners.empty()});
+        divide(begin, end - begin, first_markers, markers);
+    }
+    const auto by_parameter = [](const Marker& s, const Marker& t) {
+        return s.parameter < t.parameter;
+    };
+    std::sort(markers.begin(), markers.end(), by_parameter);
+    place_markers(curve, map, markers);
+    for (int round = 0; round < most_rounds; ++round) {
+        std::vector<Marker> added;
+        for (std::size_t i = 0; i < markers.size(); ++i) {
+            const Marker& here = markers[i];
+            const Marker& next = cyclic(markers, i + 1);
+            const double distance = length(next.place - here.place);
+            const double angle =
+                std::max(std::abs(turn_at(markers, i)), std::abs(turn_at(markers, i + 1)));
+            const double parts = std::ceil(
+                std::max(distance / spacing, std::sqrt(0.125 * distance * angle / deviation)));
+            double span = next.parameter - here.parameter;
+            span = span > 0.0 ? span : span + 1.0;
+            if (parts > 1.0 && span > 1e3 * std::numeric_limits<double>::epsilon()) {
+                divide(here.parameter, span, static_cast<int>(std::min(parts, most_parts)), added);
+            }
+        }
+        if (added.empty() ||
+            markers.size() + added.size() > static_cast<std::size_t>(most_markers)) {
+            break;
+        }
+        place_markers(curve, map, added);
+        const auto old = static_cast<std::ptrdiff_t>(markers.size());
+        std::sort(added.begin(), added.end(), by_parameter);
+        markers.insert(markers.end(), added.begin(), added.end());
+        std::inplace_merge(markers.begin(), markers.begin() + old, markers.end(), by_parameter);
+    }
+    return markers;
+}
+
+/// A chord of length d misses an area of curvature d^3 / 12. Each vertex goes out by its share.
+Outline balanced_outline(const std::vector<Marker>& markers) {
+    Outline outline;
+    outline.reserve(markers.size());
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        const Point<double>& here = markers[i].place;
+        const Point<double>& before = cyclic(markers, i + markers.size() - 1).place;
+        const Point<double>& after = cyclic(markers, i + 1).place;
+        const double d1 = length(here - before);
+        const double d2 = length(after - here);
+        const Point<double> along = after - before;
+        const double size = length(along);
+        Point<double> pushed = here;
+        if (size > 0.0) {
+            const double push =
+                turn_at(markers, i) * (d1 * d1 * d1 + d2 * d2 * d2) / (6.0 * (d1 + d2) * (d1 + d2));
+            pushed += (push / size) * Point<double>{along.y(), -along.x()};
+        }
+        outline.push_back(pushed);
+    }
+    return outline;
+}
+
+/// What rounding alone does to vertices of this size.
+double rounding_error(std::span<const Outline> outlines) {
+    double size = 0.0;
+    for (const Outline& outline : outlines) {
+        for (const Point<double>& p : outline) {
+            size = std::max(size, p.cwiseAbs().maxCoeff());
+        }
+    }
+    return 4.0 * std::numeric_limits<double>::epsilon() * size * perimeter(outlines);
+}
+
+ExactShape rigid(std::span<const Outline> first, const FlowMap& map,
+                 const std::string& description) {
+    ExactShape shape;
+    shape.outlines.assign(first.begin(), first.end());
+    for (Outline& outline : shape.outlines) {
+        map(outline);
+    }
+    shape.area = signed_area(first);
+    shape.description = description;
+    shape.own_error = rounding_error(shape.outlines);
+    return shape;
+}
+
+} // namespace
+
+ExactShape translated_shape(std::span<const Outline> first, const Point<double>& displacement) {
+    return rigid(first, translation_map(displacement), "first outlines, translated");
+}
+
+ExactShape rotated_shape(std::span<const Outline> first, const Point<double>& centre,
+                         double angle) {
+    return rigid(first, rotation_map(centre, angle), "first outlines, rotated");
+}
+
+ExactShape exact_circle(const Point<double>& centre, double radius, int vertices) {
+    if (vertices < 8) {
+        throw InputError("number of vertices", "exact_circle", std::to_string(vertices),
+                         "at least 8");
+    }
+    const Curve curve = circle_curve(centre, radius);
+    const double angle = 2.0 * pi / vertices;
+    const Curve outer = circle_curve(centre, radius * std::sqrt(angle / std::sin(angle)));
+    ExactShape shape;
+    Outline outline;
+    outline.reserve(static_cast<std::size_t>(vertices));
+    for (int i = 0; i < vertices; ++i) {
+        outline.push_back(outer.point(static_cast<double>(i) / vertices));
+    }
+    shape.outlines.push_back(std::move(outline));
+    shape.area = curve.area;
+    shape.description = "circle in closed form, " + std::to_string(vertices) + " vertices";
+    // Vertices lie outside by 2/3 of the height of a segment, the middles of edges inside by 1/3:
+    // the mean of |1/3 - u^2| over 0 < u < 1 is 4 / (9 sqrt 3).
+    const double height = 0.125 * radius * angle * angle;
+    shape.own_error = 4.0 / (9.0 * std::numbers::sqrt3) * height * 2.0 * pi * radius +
+                      rounding_error(shape.outlines);
+    return shape;
+}
+
+ExactShape mapped_shape(const Curve& curve, const FlowMap& map, const FlowMap& rough,
+                        const std::string& description, const MarkerOptions& options) {
+    if (!(options.spacing > 0.0) || !(options.deviation > 0.0)) {
+        throw InputError("spacing and deviation of markers", "mapped_shape",
+                         std::to_string(options.spacing) + ", " + std::to_string(options.deviation),
+                         "above 0");
+    }
+    const double unit = std::sqrt(curve.area);
+    const double spacing = options.spacing * unit;
+    const double deviation = options.deviation * unit;
+    ExactShape shape;
+    shape.outlines.push_back(
+        balanced_outline(spread_markers(curve, map, spacing, deviation, options.most_markers)));
+    const Outline check = balanced_outline(
+        spread_markers(curve, rough, 2.0 * spacing, 4.0 * deviation, options.most_markers));
+    shape.area = curve.area;
+    shape.description =
+        description + ", " + std::to_string(shape.outlines.front().size()) + " markers";
+    // Chords err with the square of their length and the steps with a higher power: where markers
+    // are twice as far apart, the difference is at least three times the error of the finer one.
+    // Intervals are divided into whole parts, so that they may be less than that.
+    const double ratio =
+        static_cast<double>(shape.outlines.front().size()) / static_cast<double>(check.size());
+    shape.own_error = symmetric_difference(shape.outlines.front(), check) /
+                          std::clamp(ratio * ratio - 1.0, 1.0, 3.0) +
+                      rounding_error(shape.outlines);
+    return shape;
+}
+
+ExactShape advected_shape(const Curve& curve, const Flow& flow, double time, int steps,
+                          const MarkerOptions& options) {
+    return mapped_shape(curve, runge_kutta_map(flow, 0.0, time, steps),
+                        runge_kutta_map(flow, 0.0, time, std::max(1, steps / 2)),
+                        "curve advected by RK4 in " + std::to_string(steps) + " steps", options);
+}
+
+int advection_steps(double time) {
+    // What a step gets wrong grows with the gradients that it meets, so that long times need more
+    // steps in all; short ones have the least.
+    constexpr int least = 768;
+    constexpr double per_time = 160.0;
+    constexpr double most = 1e6;
+    return std::max(least, static_cast<int>(std::min(most, std::ceil(per_time * time))));
+}
+
+ExactShape advected_shape(const Curve& curve, const Flow& flow, double time) {
+    return advected_shape(curve, flow, time, advection_steps(time), MarkerOptions{});
+}
+
+ExactShape unmoved_shape(const Curve& curve, const MarkerOptions& options) {
+    const FlowMap stay = [](std::span<Point<double>>) {};
+    return mapped_shape(curve, stay, stay, "curve itself", options);
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "flows/flow_map.h"
+
+#include "dsc/base/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace dsc::scenes {
+
+namespace {
+
+/// Points that go through all the steps together, so that they stay in the first-level cache.
+constexpr std::size_t block = 256;
+
+using Block = std::array<Point<double>, block>;
+
+/// One leg's part of the time.
+struct Stretch {
+    double begin, end;
+    int steps;
+    Velocity velocity;
+};
+
+void advance(const Stretch& stretch, std::span<Point<double>> points) {
+    Block k1;
+    Block k2;
+    Block k3;
+    Block k4;
+    Block stage;
+    const std::size_t count = points.size();
+    const double dt = (stretch.end - stretch.begin) / stretch.steps;
+    const auto evaluate = [&](std::span<const Point<double>> at, double time, Block& k) {
+        stretch.velocity(at, time, std::span(k).first(count));
+    };
+    const auto move = [&](double time, const Block& k) {
+        for (std::size_t i = 0; i < count; ++i) {
+            stage[i] = points[i] + time * k[i];
+        }
+        return std::span<const Point<double>>(stage).first(count);
+    };
+    for (int step = 0; step < stretch.steps; ++step) {
+        const double time = stretch.begin + dt * step;
+        evaluate(points, time, k1);
+        evaluate(move(0.5 * dt, k1), time + 0.5 * dt, k2);
+        evaluate(move(0.5 * dt, k2), time + 0.5 * dt, k3);
+        evaluate(move(dt, k3), time + dt, k4);
+        for (std::size_t i = 0; i < count; ++i) {
+            points[i] += (dt / 6.0) * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
+        }
+    }
+}
+
+} // namespace
+
+FlowMap translation_map(const Point<double>& displacement) {
+    return [displacement](std::span<Point<double>> points) {
+        for (Point<double>& p : points) {
+            p += displacement;
+        }
+    };
+}
+
+FlowMap rotation_map(const Point<double>& centre, double angle) {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    return [centre, c, s](std::span<Point<double>> points) {
+        for (Point<double>& p : points) {
+            const Point<double> d = p - centre;
+            p = centre + Point<double>{c * d.x() - s * d.y(), s * d.x() + c * d.y()};
+        }
+    };
+}
+
+FlowMap radial_map(const Radial& field, double time) {
+    return [field, time](std::span<Point<double>> points) {
+        for (Point<double>& p : points) {
+            const Point<double> d = p - field.centre;
+            const double distance = std::hypot(d.x(), d.y());
+            if (distance > 0.0) {
+                p = field.centre + (1.0 + field.speed * time / distance) * d;
+            }
+        }
+    };
+}
+
+FlowMap vortex_map(const Vortex& field, double time) {
+    return [field, time](std::span<Point<double>> points) {
+        for (Point<double>& p : points) {
+            const Point<double> d = p - field.centre;
+            const double distance = std::hypot(d.x(), d.y());
+            if (distance > 0.0) {
+                const double c = std::cos(field.speed * time / distance);
+                const double s = std::sin(field.speed * time / distance);
+                p = field.centre + Point<double>{c * d.x() - s * d.y(), s * d.x() + c * d.y()};
+            }
+        }
+    };
+}
+
+FlowMap runge_kutta_map(Flow flow, double begin, double end, int steps) {
+    if (!(begin <= end) || !std::isfinite(begin) || !std::isfinite(end)) {
+        throw InputError("end of the time", "runge_kutta_map", std::to_string(end),
+                         "finite, from " + std::to_string(begin));
+    }
+    if (steps < 1) {
+        throw InputError("number of steps", "runge_kutta_map", std::to_string(steps), "at least 1");
+    }
+    std::vector<double> ends;
+    for (const Leg& leg : flow) {
+        if (leg.end > begin && leg.end < end) {
+            ends.push_back(leg.end);
+        }
+    }
+    ends.push_back(end);
+    std::vector<Stretch> stretches;
+    double from = begin;
+    for (const double to : ends) {
+        if (to > from) {
+            const double share = std::ceil(steps * ((to - from) / (end - begin)));
+            stretches.push_back(
+                {from, to, std::max(1, static_cast<int>(share)), velocity_of_step(flow, from, to)});
+            from = to;
+        }
+    }
+    return [stretches = std::move(stretches)](std::span<Point<double>> points) {
+        for (std::size_t i = 0; i < points.size(); i += block) {
+            const auto part = points.subspan(i, std::min(block, points.size() - i));
+            for (const Stretch& stretch : stretches) {
+                advance(stretch, part);
+            }
+        }
+    };
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The Hausdorff distance: the largest distance from a point of either curve to the other curve.
+#pragma once
+
+#include "shapes/outline.h"
+
+#include <span>
+
+namespace dsc::scenes {
+
+struct HausdorffOptions {
+    double tolerance = 1e-10; ///< of the result, relative to the size of the box around both
+};
+
+struct HausdorffDistance {
+    double first_to_second = 0.0; ///< largest distance from a point of the first to the second
+    double second_to_first = 0.0;
+    Point<double> farthest{0.0, 0.0}; ///< the point at which the larger of the two is found
+
+    [[nodiscard]] double distance() const {
+        return first_to_second > second_to_first ? first_to_second : second_to_first;
+    }
+};
+
+/// Of closed polylines with all the points of their edges, not only their vertices. Never above
+/// the true value (but for rounding) and below it by no more than the tolerance. Infinite if
+/// exactly one of the sets is empty. Throws InputError for an outline of fewer than three points
+/// or with one that is not finite, and for a tolerance that is not above zero.
+[[nodiscard]] HausdorffDistance hausdorff(std::span<const Outline> first,
+                                          std::span<const Outline> second,
+                                          const HausdorffOptions& options = {});
+
+} // namespace dsc::scenes

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// A vertex p with neighbours a and b is projected to the exact curve, and so are a and b; the exact
+// turn is that of the polyline of the three projections. As these are about as far apart as the
+// vertices, the turn of a chord is compared with that of a chord, and a corner of the exact curve
+// counts wherever between a and b it lies.
+//
+// Projections can fail to say what stretch of the curve is meant:
+// - They nearly coincide, where vertices outside of a corner are all nearest to the corner itself,
+//   or an edge stands across the curve. The direction between them would mean nothing.
+// - They come in another order than the vertices, where the polygon folds back. Their polyline
+//   would fold as well and excuse the fold.
+// So the stretch is one of arc length: from p's projection back to a's and on to b's, but in either
+// direction no less than a part of the edge of the polygon. A short edge of the polygon itself
+// needs no such care: if its turn is large, the polygon is jagged.
+// - The nearest point lies on the far side of a filament that is thinner than the error of p. The
+//   curve runs the other way there; a point where it does not is taken instead if it is near.
+#include "measures/jaggedness.h"
+
+#include "measures/compensated_sum.h"
+#include "measures/segment_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace dsc::scenes {
+
+namespace {
+
+/// The shortest stretch of the exact curve to either side of a vertex, over the edge there. Small
+/// enough that projections of a sound polygon are always farther apart.
+constexpr double shortest_stretch = 0.25;
+
+double turn_deg(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
+    const Point<double> u = b - a;
+    const Point<double> v = c - b;
+    return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)) * (180.0 / std::numbers::pi);
+}
+
+/// A point of the exact curves by the arc length before it, over all outlines one after the other.
+struct Place {
+    std::size_t segment = 0;
+    double arc = 0.0;
+};
+
+/// The exact curves, to be asked by place and by arc length.
+class ExactCurves {
+public:
+    ExactCurves(std::span<const Outline> outlines, double scale)
+        : tree_(segments_of(outlines, scale)) {
+        for (const Outline& outline : outlines) {
+            first_.push_back(outline_.size());
+            outline_.insert(outline_.end(), outline.size(), first_.size() - 1);
+        }
+        first_.push_back(outline_.size());
+        CompensatedSum arc;
+        for (const Segment& segment : tree_.segments()) {
+            begin_.push_back(arc.value());
+            arc.add((segment.b - segment.a).norm());
+        }
+        begin_.push_back(arc.value());
+    }
+
+    /// Near to p, where the curve runs along `direction` if that costs no more than `reach`.
+    [[nodiscard]] Place project(const Point<double>& p, const Point<double>& direction,
+                                double reach, std::size_t guess) const {
+        Near near = tree_.nearest(p, guess, 0.0);
+        const Segment& nearest = tree_.segments()[near.segment];
+        if (direction.dot(nearest.b - nearest.a) < 0.0) {
+            near = tree_.nearest_along(p, direction, near.distance + reach).value_or(near);
+        }
+        const double fraction = tree_.segments()[near.segment].nearest_fraction(p);
+        return {near.segment, begin_[near.segment] +
+                                  fraction * (begin_[near.segment + 1] - begin_[near.segment])};
+    }
+
+    /// The arc length from one place on to another, negative where it is shorter backwards;
+    /// `otherwise` where they are on different curves.
+    [[nodiscard]] double ahead(const Place& from, const Place& to, double otherwise) const {
+        return outline_[from.segment] != outline_[to.segment]
+                   ? otherwise
+                   : std::remainder(to.arc - from.arc, length(from));
+    }
+
+    [[nodiscard]] Point<double> point(const Place& from, double ahead) const {
+        const std::size_t outline = outline_[from.segment];
+        const double start = begin_[first_[outline]];
+        double arc = std::fmod(from.arc + ahead - start, length(from));
+        arc = start + (arc < 0.0 ? arc + length(from) : arc);
+        const auto range = begin_.begin();
+        const auto found =
+            std::upper_bound(range + static_cast<std::ptrdiff_t>(first_[outline]) + 1,
+                             range + static_cast<std::ptrdiff_t>(first_[outline + 1]), arc);
+        const auto i = static_cast<std::size_t>(found - range) - 1;
+        const Segment& segment = tree_.segments()[i];
+        const double size = begin_[i + 1] - begin_[i];
+        const double fraction = size > 0.0 ? std::clamp((arc - begin_[i]) / size, 0.0, 1.0) : 0.0;
+        return segment.a + fraction * (segment.b - segment.a);
+    }
+
+private:
+    /// Of the curve on which a place is.
+    [[nodiscard]] double length(const Place& place) const {
+        const std::size_t outline = outline_[place.segment];
+        return begin_[first_[outline + 1]] - begin_[first_[outline]];
+    }
+
+    SegmentTree tree_;
+    std::vector<std::size_t> outline_; ///< of each segment
+    std::vector<std::size_t> first_;   ///< segment of each outline, and the end
+    std::vector<double> begin_;        ///< arc length before each segment, and the end
+};
+
+double exact_turn_deg(const ExactCurves& curves, const Place& a, const Place& p, const Place& b,
+                      double edge_before, double edge_after) {
+    const double before =
+        std::max(-curves.ahead(p, a, -edge_before), shortest_stretch * edge_before);
+    const double after = std::max(curves.ahead(p, b, edge_after), shortest_stretch * edge_after);
+    return turn_deg(curves.point(p, -before), curves.point(p, 0.0), curves.point(p, after));
+}
+
+} // namespace
+
+Jaggedness measure_jaggedness(std::span<const Outline> polygons, std::span<const Outline> exact,
+                              const JaggednessOptions& options) {
+    const double scale = unit_scale(polygons, exact, "measure_jaggedness");
+    Jaggedness result;
+    if (polygons.empty() || exact.empty()) {
+        return result;
+    }
+    const ExactCurves curves(exact, scale);
+    CompensatedSum squares;
+    std::size_t guess = 0;
+    for (const Outline& polygon : polygons) {
+        const std::size_t n = polygon.size();
+        std::vector<Point<double>> points;
+        for (const Point<double>& p : polygon) {
+            points.emplace_back(scale * p);
+        }
+        std::vector<double> edges; // edges[i] ends in vertex i
+        for (std::size_t i = 0; i < n; ++i) {
+            edges.push_back((points[i] - points[(i + n - 1) % n]).norm());
+        }
+        std::vector<Place> places;
+        for (std::size_t i = 0; i < n; ++i) {
+            places.push_back(curves.project(points[i],
+                                            points[(i + 1) % n] - points[(i + n - 1) % n],
+                                            std::max(edges[i], edges[(i + 1) % n]), guess));
+            guess = places.back().segment;
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t before = (i + n - 1) % n;
+            const std::size_t after = (i + 1) % n;
+            const double turn = turn_deg(points[before], points[i], points[after]);
+            const double exact_turn = exact_turn_deg(curves, places[before], places[i],
+                                                     places[after], edges[i], edges[after]);
+            if (std::abs(turn) >= result.largest_turn_deg) {
+                result.largest_turn_deg = std::abs(turn);
+                result.exact_turn_deg = std::abs(exact_turn);
+            }
+            const double excess =
+                std::abs(turn) - (options.factor * std::abs(exact_turn) + options.slack_deg);
+            if (excess > result.largest_excess_deg) {
+                result.largest_excess_deg = excess;
+                result.worst = polygon[i];
+            }
+            result.beyond += excess > 0.0 ? 1U : 0U;
+            squares.add((turn - exact_turn) * (turn - exact_turn));
+            ++result.vertices;
+        }
+    }
+    result.rms_deg = std::sqrt(squares.value() / static_cast<double>(result.vertices));
+    return result;
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Whether an interface is as smooth as the curve that it stands for. Neither its area nor its
+// distance from that curve shows a saw edge; its turning angles do.
+#pragma once
+
+#include "shapes/outline.h"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace dsc::scenes {
+
+/// A vertex is jagged that turns by more than `factor` times the exact curve's turn plus `slack`.
+struct JaggednessOptions {
+    double factor = 2.0;
+    double slack_deg = 2.0;
+};
+
+/// Turning angles in degrees, without their sign but for `rms_deg`.
+struct Jaggedness {
+    std::uint64_t vertices = 0;    ///< looked at
+    std::uint64_t beyond = 0;      ///< of these, jagged
+    double largest_turn_deg = 0.0; ///< of any vertex
+    double exact_turn_deg = 0.0;   ///< of the exact curve at that vertex
+    /// The most by which a turn exceeds what the options allow it; not above 0 where no vertex is
+    /// jagged, minus infinity where there are no vertices.
+    double largest_excess_deg = -std::numeric_limits<double>::infinity();
+    Point<double> worst{0.0, 0.0}; ///< the vertex of the largest excess
+    double rms_deg = 0.0;          ///< root of the mean square of turn - exact turn, with signs
+};
+
+/// Compares the turn at each vertex of `polygons` with that of the exact outlines over the same
+/// stretch. Both have the region on their left. O((n + m) log m) for n vertices near to m exact
+/// ones. Nothing is looked at where either set is empty. Throws InputError for an outline of fewer
+/// than three points or with one that is not finite.
+[[nodiscard]] Jaggedness measure_jaggedness(std::span<const Outline> polygons,
+                                            std::span<const Outline> exact,
+                                            const JaggednessOptions& options = {});
+
+} // namespace dsc::scenes

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "measures/segment_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace dsc::scenes {
+
+namespace {
+
+/// Segments in a leaf of the tree.
+constexpr std::size_t leaf = 4;
+
+} // namespace
+
+double Segment::distance(const Point<double>& p) const {
+    const double dx = b.x() - a.x();
+    const double dy = b.y() - a.y();
+    const double px = p.x() - a.x();
+    const double py = p.y() - a.y();
+    const double dot = dx * px + dy * py;
+    const double square = dx * dx + dy * dy;
+    if (dot <= 0.0) {
+        return std::sqrt(px * px + py * py);
+    }
+    if (dot >= square) {
+        const double qx = p.x() - b.x();
+        const double qy = p.y() - b.y();
+        return std::sqrt(qx * qx + qy * qy);
+    }
+    return std::abs(dx * py - dy * px) / std::sqrt(square);
+}
+
+double Segment::nearest_fraction(const Point<double>& p) const {
+    const Point<double> along = b - a;
+    const double square = along.squaredNorm();
+    return square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
+}
+
+std::vector<Segment> segments_of(std::span<const Outline> outlines, double scale) {
+    std::vector<Segment> segments;
+    for (const Outline& outline : outlines) {
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            segments.push_back(
+                {scale * outline[i], scale * outline[i + 1 == outline.size() ? 0 : i + 1]});
+        }
+    }
+    return segments;
+}
+
+double unit_scale(std::span<const Outline> first, std::span<const Outline> second,
+                  const std::string& where) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Point<double> low{infinity, infinity};
+    Point<double> high{-infinity, -infinity};
+    for (const std::span<const Outline> outlines : {first, second}) {
+        for (const Outline& outline : outlines) {
+            check_outline(outline, where);
+            for (const Point<double>& p : outline) {
+                low = low.cwiseMin(p);
+                high = high.cwiseMax(p);
+            }
+        }
+    }
+    const double size = (high - low).maxCoeff();
+    int exponent = 0;
+    if (size > 0.0 && std::isfinite(size)) {
+        std::frexp(size, &exponent);
+    }
+    return std::ldexp(1.0, -exponent);
+}
+
+void SegmentTree::Box::include(const Point<double>& p) {
+    left = std::min(left, p.x());
+    right = std::max(right, p.x());
+    low = std::min(low, p.y());
+    high = std::max(high, p.y());
+}
+
+void SegmentTree::Box::include(const Box& box) {
+    left = std::min(left, box.left);
+    right = std::max(right, box.right);
+    low = std::min(low, box.low);
+    high = std::max(high, box.high);
+}
+
+double SegmentTree::Box::distance(const Point<double>& p) const {
+    const double x = std::max({left - p.x(), p.x() - right, 0.0});
+    const double y = std::max({low - p.y(), p.y() - high, 0.0});
+    return std::sqrt(x * x + y * y);
+}
+
+SegmentTree::SegmentTree(std::vector<Segment> segments) : segments_(std::move(segments)) {
+    const std::size_t used = (segments_.size() + leaf - 1) / leaf;
+    leaves_ = std::bit_ceil(std::max<std::size_t>(1, used));
+    boxes_.resize(2 * leaves_);
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+        boxes_[leaves_ + i / leaf].include(segments_[i].a);
+        boxes_[leaves_ + i / leaf].include(segments_[i].b);
+    }
+    for (std::size_t node = leaves_; node-- > 1;) {
+        boxes_[node] = boxes_[2 * node];
+        boxes_[node].include(boxes_[2 * node + 1]);
+    }
+}
+
+template <class Accept>
+Near SegmentTree::search(const Point<double>& p, Near best, double enough, Accept accept) const {
+    // Every level leaves at most one node behind, and there are at most 64 levels.
+    std::array<std::pair<std::size_t, double>, 130> stack;
+    std::size_t size = 0;
+    stack[size++] = {1, boxes_[1].distance(p)};
+    while (size > 0) {
+        const auto [node, bound] = stack[--size];
+        if (bound >= best.distance) {
+            continue;
+        }
+        if (node < leaves_) {
+            std::pair near{2 * node, boxes_[2 * node].distance(p)};
+            std::pair far{2 * node + 1, boxes_[2 * node + 1].distance(p)};
+            if (far.second < near.second) {
+                std::swap(near, far);
+            }
+            stack[size++] = far;
+            stack[size++] = near;
+            continue;
+        }
+        const std::size_t begin = (node - leaves_) * leaf;
+        const std::size_t end = std::min(begin + leaf, segments_.size());
+        for (std::size_t i = begin; i < end; ++i) {
+            const double distance = segments_[i].distance(p);
+            if (distance < best.distance && accept(segments_[i])) {
+                best = {i, distance};
+            }
+        }
+        if (best.distance <= enough) {
+            return best;
+        }
+    }
+    return best;
+}
+
+Near SegmentTree::nearest(const Point<double>& p, std::size_t guess, double enough) const {
+    const Near first{guess, segments_[guess].distance(p)};
+    return first.distance <= enough ? first
+                                    : search(p, first, enough, [](const Segment&) { return true; });
+}
+
+std::optional<Near> SegmentTree::nearest_along(const Point<double>& p,
+                                               const Point<double>& direction,
+                                               double within) const {
+    const std::size_t none = segments_.size();
+    const Near found = search(p, {none, within}, 0.0, [&](const Segment& segment) {
+        return direction.dot(segment.b - segment.a) >= 0.0;
+    });
+    return found.segment == none ? std::nullopt : std::optional(found);
+}
+
+} // namespace dsc::scenes

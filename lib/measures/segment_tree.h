@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Which edge of some outlines is nearest to a point: a tree of boxes over the edges in their order
+// along the curves. Unlike a grid, it does not mind how far apart or how unequal the curves are.
+#pragma once
+
+#include "shapes/outline.h"
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dsc::scenes {
+
+struct Segment {
+    Point<double> a;
+    Point<double> b;
+
+    [[nodiscard]] double distance(const Point<double>& p) const;
+    /// The point nearest to p, as a fraction of the way from a (0) to b (1).
+    [[nodiscard]] double nearest_fraction(const Point<double>& p) const;
+};
+
+/// The edges of all outlines in their order, scaled.
+[[nodiscard]] std::vector<Segment> segments_of(std::span<const Outline> outlines, double scale);
+
+/// The power of two that brings the box around both to a size from 1/2 to 1, so that no square
+/// under- or overflows and no digit is lost. Throws InputError, naming `where`, for an outline of
+/// fewer than three points or with one that is not finite.
+[[nodiscard]] double unit_scale(std::span<const Outline> first, std::span<const Outline> second,
+                                const std::string& where);
+
+/// A segment and its distance from a point that was asked for.
+struct Near {
+    std::size_t segment = 0;
+    double distance = std::numeric_limits<double>::infinity();
+};
+
+/// Of n segments, at least one; built in O(n), asked in O(log n) where the point is near to them.
+class SegmentTree {
+public:
+    explicit SegmentTree(std::vector<Segment> segments);
+
+    [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
+
+    /// The segment nearest to p, or any that is not farther than `enough`. `guess` is tried first.
+    [[nodiscard]] Near nearest(const Point<double>& p, std::size_t guess, double enough) const;
+
+    /// The nearest to p of the segments that do not run against `direction`; none where there is no
+    /// such segment nearer than `within`.
+    [[nodiscard]] std::optional<Near>
+    nearest_along(const Point<double>& p, const Point<double>& direction, double within) const;
+
+private:
+    struct Box {
+        double left = std::numeric_limits<double>::infinity();
+        double right = -std::numeric_limits<double>::infinity();
+        double low = std::numeric_limits<double>::infinity();
+        double high = -std::numeric_limits<double>::infinity();
+
+        void include(const Point<double>& p);
+        void include(const Box& box);
+        /// No point of the box is nearer. Infinite for an empty box.
+        [[nodiscard]] double distance(const Point<double>& p) const;
+    };
+
+    /// The nearest that is accepted and nearer than `best`, else `best`; ends at `enough`.
+    template <class Accept>
+    Near search(const Point<double>& p, Near best, double enough, Accept accept) const;
+
+    std::vector<Segment> segments_;
+    std::size_t leaves_ = 1;
+    std::vector<Box> boxes_;
+};
+
+} // namespace dsc::scenes

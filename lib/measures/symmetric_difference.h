@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// How much of two regions lies in one of them only: the field's error norm SD. Unlike the area, it
+// is not blind to errors that cancel.
+#pragma once
+
+#include "shapes/outline.h"
+
+#include <span>
+
+namespace dsc::scenes {
+
+/// What the outlines of a region enclose.
+enum class FillRule {
+    even_odd, ///< points with an odd number of outlines around them; orientation does not matter
+    nonzero,  ///< points with a winding number other than zero; holes run clockwise
+};
+
+struct Region {
+    std::span<const Outline> outlines; ///< none: the empty region
+    FillRule rule = FillRule::even_odd;
+};
+
+struct OverlapAreas {
+    double only_first = 0.0;
+    double only_second = 0.0;
+    double both = 0.0;
+
+    [[nodiscard]] double first() const { return only_first + both; }
+    [[nodiscard]] double second() const { return only_second + both; }
+    [[nodiscard]] double symmetric_difference() const { return only_first + only_second; }
+};
+
+/// The areas of first \ second, second \ first and their intersection.
+///
+/// Exact up to rounding for any outlines: they may share edges, nearly coincide, touch, or cross
+/// themselves. Each area is a sum of slivers that are never negative, so that a small one keeps its
+/// digits beside a large one; equal outlines give exactly zero, and the error is some 1e-16 times
+/// the size of the box around both, squared. The time is that of a sort plus, for each vertex, the
+/// number of edges right above and below it: 1e5 edges take a few hundredths of a second.
+/// Throws InputError for an outline of fewer than three points or with one that is not finite.
+[[nodiscard]] OverlapAreas overlap_areas(const Region& first, const Region& second);
+
+/// The area in which two even-odd regions differ.
+[[nodiscard]] double symmetric_difference(std::span<const Outline> first,
+                                          std::span<const Outline> second);
+[[nodiscard]] double symmetric_difference(const Outline& first, const Outline& second);
+
+} // namespace dsc::scenes

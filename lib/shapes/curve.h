@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Smooth closed curves by a parameter. What the exact flow makes of a shape is computed from its
+// curve, never from the polygon that a mesh starts with.
+#pragma once
+
+#include "shapes/outline.h"
+#include "shapes/shapes.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace dsc::scenes {
+
+/// A simple closed curve, counter-clockwise.
+struct Curve {
+    std::function<Point<double>(double)> point; ///< for parameters in [0, 1)
+    std::vector<double> corners; ///< parameters at which the tangent jumps, ascending
+    double area = 0.0;           ///< in closed form
+};
+
+[[nodiscard]] Curve circle_curve(const Point<double>& centre, double radius);
+[[nodiscard]] Curve polygon_curve(std::span<const Point<double>> corners);
+[[nodiscard]] Curve slotted_disc_curve(const SlottedDisc& disc);
+
+} // namespace dsc::scenes

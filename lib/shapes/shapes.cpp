@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "shapes/shapes.h"
+
+#include "dsc/base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+namespace dsc::scenes {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// Nobody wants more vertices than this; a wrong unit does.
+constexpr double most_vertices = 1e8;
+
+void check_positive(double value, const std::string& what, const std::string& where) {
+    if (!(value > 0.0) || !std::isfinite(value)) {
+        throw InputError(what, where, std::to_string(value), "finite and above 0");
+    }
+}
+
+/// How many edges it takes for a curve of this length.
+int parts(double length, double edge_length, const std::string& where) {
+    check_positive(edge_length, "edge length", where);
+    const double count = std::ceil(length / edge_length);
+    if (!(count <= most_vertices)) {
+        throw InputError("edge length too small for the shape", where, std::to_string(edge_length),
+                         "at most 1e8 edges");
+    }
+    return std::max(1, static_cast<int>(count));
+}
+
+/// Appends the side from a to b, without b.
+void append_side(const Point<double>& a, const Point<double>& b, double edge_length,
+                 Outline& outline) {
+    const int count = parts(std::hypot(b.x() - a.x(), b.y() - a.y()), edge_length, "polygon");
+    outline.push_back(a);
+    for (int i = 1; i < count; ++i) {
+        outline.emplace_back(a + (static_cast<double>(i) / count) * (b - a));
+    }
+}
+
+/// Appends what lies strictly between the ends of an arc that sweeps by `sweep` from `begin`.
+void append_arc(const Point<double>& centre, double radius, double begin, double sweep,
+                double edge_length, Outline& outline) {
+    const int count = parts(radius * std::abs(sweep), edge_length, "arc");
+    for (int i = 1; i < count; ++i) {
+        const double angle = begin + sweep * i / count;
+        outline.emplace_back(centre.x() + radius * std::cos(angle),
+                             centre.y() + radius * std::sin(angle));
+    }
+}
+
+double angle_of(const Point<double>& p, const Point<double>& centre) {
+    return std::atan2(p.y() - centre.y(), p.x() - centre.x());
+}
+
+/// The angle by which to turn counter-clockwise from `from` to `to`, in (0, 2 pi].
+double turn(double from, double to) {
+    const double difference = std::remainder(to - from, 2.0 * pi);
+    return difference > 0.0 ? difference : difference + 2.0 * pi;
+}
+
+} // namespace
+
+Outline circle(const Point<double>& centre, double radius, double edge_length) {
+    check_positive(radius, "radius", "circle");
+    const int count = std::max(8, parts(2.0 * pi * radius, edge_length, "circle"));
+    Outline outline;
+    outline.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * pi * i / count;
+        outline.emplace_back(centre.x() + radius * std::cos(angle),
+                             centre.y() + radius * std::sin(angle));
+    }
+    return outline;
+}
+
+Outline polygon(std::span<const Point<double>> corners, double edge_length) {
+    check_outline(Outline(corners.begin(), corners.end()), "polygon");
+    Outline outline;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        append_side(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1], edge_length, outline);
+    }
+    return outline;
+}
+
+Outline rectangle(const Point<double>& low, const Point<double>& high, double edge_length) {
+    check_positive(high.x() - low.x(), "width", "rectangle");
+    check_positive(high.y() - low.y(), "height", "rectangle");
+    const Outline corners{low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+    return polygon(corners, edge_length);
+}
+
+std::vector<Point<double>> slot_corners(const SlottedDisc& disc) {
+    check_positive(disc.radius, "radius", "slotted_disc");
+    check_positive(disc.slot_width, "slot width", "slotted_disc");
+    const double half = 0.5 * disc.slot_width;
+    if (half >= disc.radius) {
+        throw InputError("slot width", "slotted_disc", std::to_string(disc.slot_width),
+                         "less than the diameter");
+    }
+    const double reach = std::sqrt((disc.radius - half) * (disc.radius + half));
+    const double left = disc.centre.x() - half;
+    const double right = disc.centre.x() + half;
+    const double bottom = disc.centre.y() - reach;
+    const double top = disc.centre.y() - disc.radius + disc.slot_height;
+    if (!(top > bottom && top < disc.centre.y() + reach)) {
+        throw InputError("slot height", "slotted_disc", std::to_string(disc.slot_height),
+                         "ends inside the disc");
+    }
+    return {{left, bottom}, {left, top}, {right, top}, {right, bottom}};
+}
+
+Outline slotted_disc(const SlottedDisc& disc, double edge_length) {
+    const std::vector<Point<double>> slot = slot_corners(disc);
+    Outline outline;
+    for (std::size_t i = 0; i < 3; ++i) {
+        append_side(slot[i], slot[i + 1], edge_length, outline);
+    }
+    outline.push_back(slot[3]);
+    const double begin = angle_of(slot[3], disc.centre);
+    append_arc(disc.centre, disc.radius, begin, turn(begin, angle_of(slot[0], disc.centre)),
+               edge_length, outline);
+    return outline;
+}
+
+double slotted_disc_area(const SlottedDisc& disc) {
+    const std::vector<Point<double>> slot = slot_corners(disc);
+    const double half = 0.5 * disc.slot_width;
+    const double above_centre = disc.slot_width * (disc.slot_height - disc.radius);
+    const double below_centre = half * (disc.centre.y() - slot[0].y()) +
+                                disc.radius * disc.radius * std::asin(half / disc.radius);
+    return pi * disc.radius * disc.radius - above_centre - below_centre;
+}
+
+Outline crescent(const Crescent& crescent, double edge_length) {
+    check_positive(crescent.radius, "radius", "crescent");
+    check_positive(crescent.bite_radius, "bite radius", "crescent");
+    const Point<double> axis = crescent.bite_centre - crescent.centre;
+    const double distance = std::hypot(axis.x(), axis.y());
+    const double r = crescent.radius;
+    const double b = crescent.bite_radius;
+    if (!(distance > std::abs(r - b) && distance < r + b)) {
+        throw InputError("distance of the bite's centre", "crescent", std::to_string(distance),
+                         "such that the two circles cross");
+    }
+    // The horns: `along` from the centre on the axis, `across` to either side of it.
+    const double along = 0.5 * (distance + (r - b) * (r + b) / distance);
+    const double across = std::sqrt((r - along) * (r + along));
+    const Point<double> unit = axis / distance;
+    const Point<double> normal{-unit.y(), unit.x()};
+    const Point<double> first = crescent.centre + along * unit + across * normal;
+    const Point<double> second = crescent.centre + along * unit - across * normal;
+
+    Outline outline{first};
+    const double begin = angle_of(first, crescent.centre);
+    append_arc(crescent.centre, r, begin, turn(begin, angle_of(second, crescent.centre)),
+               edge_length, outline);
+    outline.push_back(second);
+    const double back = angle_of(second, crescent.bite_centre);
+    append_arc(crescent.bite_centre, b, back, -turn(angle_of(first, crescent.bite_centre), back),
+               edge_length, outline);
+    return outline;
+}
+
+Outline star(const Point<double>& centre, double outer_radius, double inner_radius, int tips,
+             double edge_length) {
+    check_positive(outer_radius, "outer radius", "star");
+    check_positive(inner_radius, "inner radius", "star");
+    if (tips < 2) {
+        throw InputError("number of tips", "star", std::to_string(tips), "at least 2");
+    }
+    Outline corners;
+    for (int i = 0; i < 2 * tips; ++i) {
+        const double radius = i % 2 == 0 ? outer_radius : inner_radius;
+        const double angle = pi * i / tips;
+        corners.emplace_back(centre.x() + radius * std::cos(angle),
+                             centre.y() + radius * std::sin(angle));
+    }
+    return polygon(corners, edge_length);
+}
+
+std::vector<Outline> four_circles(const Point<double>& centre, double spacing, double radius,
+                                  double edge_length) {
+    if (!(spacing > 2.0 * radius)) {
+        throw InputError("spacing", "four_circles", std::to_string(spacing),
+                         "more than the diameter");
+    }
+    const double half = 0.5 * spacing;
+    std::vector<Outline> outlines;
+    for (const auto& [x, y] :
+         {std::pair(-half, -half), {half, -half}, {-half, half}, {half, half}}) {
+        outlines.push_back(circle(centre + Point<double>{x, y}, radius, edge_length));
+    }
+    return outlines;
+}
+
+} // namespace dsc::scenes

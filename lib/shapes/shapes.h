@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The shapes of the thesis's experiments [9.1 to 9.7] as outlines with edges no longer than asked.
+// Corners stay vertices, at the very coordinates that are given. All of them run counter-clockwise.
+// Bad sizes throw InputError.
+#pragma once
+
+#include "shapes/outline.h"
+
+#include <span>
+#include <vector>
+
+namespace dsc::scenes {
+
+/// max(8, ceil(2 pi radius / edge_length)) vertices on the circle, the first at angle zero.
+[[nodiscard]] Outline circle(const Point<double>& centre, double radius, double edge_length);
+
+/// A polygon with each side cut into equal parts.
+[[nodiscard]] Outline polygon(std::span<const Point<double>> corners, double edge_length);
+
+/// The rectangle with opposite corners `low` and `high`.
+[[nodiscard]] Outline rectangle(const Point<double>& low, const Point<double>& high,
+                                double edge_length);
+
+/// Zalesak's disc [9.6]: a disc with a slot cut from below. The values are those of D. Enright,
+/// R. Fedkiw, J. Ferziger, I. Mitchell, "A hybrid particle level set method" (2002), in a unit box.
+struct SlottedDisc {
+    Point<double> centre{0.5, 0.75};
+    double radius = 0.15;
+    double slot_width = 0.05;
+    double slot_height = 0.25; ///< from the lowest point of the full disc to the end of the slot
+};
+
+/// The four corners of the slot, counter-clockwise along the disc: lower left, upper left, upper
+/// right, lower right. The lower two lie on the circle.
+[[nodiscard]] std::vector<Point<double>> slot_corners(const SlottedDisc& disc);
+[[nodiscard]] Outline slotted_disc(const SlottedDisc& disc, double edge_length);
+/// In closed form, of the disc and not of its polygon.
+[[nodiscard]] double slotted_disc_area(const SlottedDisc& disc);
+
+/// A disc without its part in a second disc, the bite [9.3]; the circles must cross. The two horns
+/// are corners.
+struct Crescent {
+    Point<double> centre{0.0, 0.0};
+    double radius = 1.0;
+    Point<double> bite_centre{0.6, 0.0};
+    double bite_radius = 0.8;
+};
+
+[[nodiscard]] Outline crescent(const Crescent& crescent, double edge_length);
+
+/// A star with `tips` corners on the outer circle, the first at angle zero, and as many between
+/// them on the inner one.
+[[nodiscard]] Outline star(const Point<double>& centre, double outer_radius, double inner_radius,
+                           int tips, double edge_length);
+
+/// Circles of one size around the four corners of a square with sides of length `spacing` [9.7].
+[[nodiscard]] std::vector<Outline> four_circles(const Point<double>& centre, double spacing,
+                                                double radius, double edge_length);
+
+} // namespace dsc::scenes

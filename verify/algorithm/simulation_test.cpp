@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: MIT
+// The sequential driver: what it counts, how far it goes, and what it does with velocities that no
+// mesh can follow. Every step ends with a valid complex and a list of the whole interface.
+#include "dsc/algorithm/simulation.h"
+
+#include "support/simulation_testing.h"
+
+#include "dsc/passes/interface_list.h"
+#include "dsc/passes/mesh_update.h"
+#include "dsc/passes/move_vertices.h"
+#include "dsc/base/error.h"
+#include "dsc/complex/hash.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace dsc {
+namespace {
+
+using test::coarse;
+using test::constant;
+using test::disc_complex;
+using test::expect_sound;
+using test::options_for;
+using test::pointwise;
+
+template <class Real>
+class Driver : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(Driver, Reals);
+
+template <class Real>
+std::map<std::uint32_t, Point<Real>> interface_positions(const Complex<Real>& complex,
+                                                         const Simulation<Real>& simulation) {
+    std::map<std::uint32_t, Point<Real>> positions;
+    for (const std::uint32_t v : simulation.interface()) {
+        positions[v] = complex.position(Vertex{v});
+    }
+    return positions;
+}
+
+TYPED_TEST(Driver, CountsWhatItDoes) {
+    using Real = TypeParam;
+    auto complex = disc_complex<Real>(coarse);
+    auto options = options_for<Real>(coarse);
+    options.interface.shortest = 0.45;
+    Simulation<Real> simulation(complex, options);
+    // It grows from a radius of 0.25 to 0.41, and shrinks to 0.11.
+    const auto flow = pointwise<Real>([](const Point<double>& p, double time) {
+        return Point<double>((time < 25 ? 1 : -1) * (p - Point<double>(0.5, 0.5)));
+    });
+    OperationCounts sum;
+    const std::int64_t vertices = complex.vertex_count();
+    for (int step = 0; step < 90; ++step) {
+        auto at = static_cast<Real>(step);
+        const StepReport report = simulation.step(
+            [&](auto positions, Real, auto velocities) { flow(positions, at, velocities); }, 0,
+            Real(0.02));
+        sum += report.operations;
+        ASSERT_EQ(report.unreached, 0U);
+        ASSERT_EQ(report.held, 0U);
+        ASSERT_EQ(report.gave_up, GiveUp::none);
+        ASSERT_EQ(report.sub_steps, 1U);
+        ASSERT_GE(report.passes, 1U);
+        ASSERT_EQ(report.interface_vertices, simulation.interface().size());
+        ASSERT_GE(report.operations.moves, report.interface_vertices);
+        ASSERT_GE(report.operations.examined, report.interface_vertices);
+        expect_sound(complex, simulation);
+        // Each split makes a vertex and each collapse takes one.
+        const auto made = static_cast<std::int64_t>(sum.splits + sum.interface_splits);
+        const auto gone = static_cast<std::int64_t>(sum.collapses + sum.interface_collapses);
+        ASSERT_EQ(static_cast<std::int64_t>(complex.vertex_count()) - vertices, made - gone);
+    }
+    EXPECT_GT(sum.interface_splits, 5U);
+    EXPECT_GT(sum.interface_collapses, 5U);
+    EXPECT_GT(sum.flips, 50U);
+    EXPECT_GT(sum.collapses, 20U);
+    EXPECT_GT(sum.splits, 5U);
+    EXPECT_GT(sum.smoothed, 5U);
+}
+
+TYPED_TEST(Driver, DoesNothingWhereNothingMoves) {
+    using Real = TypeParam;
+    auto complex = disc_complex<Real>(coarse);
+    const auto options = options_for<Real>(coarse);
+    Simulation<Real> simulation(complex, options);
+    const std::uint64_t hash = mesh_hash(complex);
+    for (int step = 0; step < 3; ++step) {
+        const StepReport report = simulation.step(constant<Real>(0, 0), 0, 1);
+        EXPECT_EQ(report.operations.moves, 0U);
+        EXPECT_EQ(report.unreached, 0U);
+    }
+    EXPECT_EQ(simulation.step(constant<Real>(1, 1), 0, 0).sub_steps, 0U);
+    EXPECT_EQ(mesh_hash(complex), hash);
+    expect_sound(complex, simulation);
+}
+
+// The active set: the same disc in a domain of 25 times the area costs the same.
+TYPED_TEST(Driver, LooksOnlyAtWhatChanged) {
+    using Real = TypeParam;
+    std::array<OperationCounts, 2> sums;
+    std::array<std::uint32_t, 2> triangles{};
+    for (std::size_t large = 0; large < 2; ++large) {
+        const double more = large == 0 ? 0 : 2;
+        const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.2, 26), 1}};
+        auto complex = initial_complex<Real>({{-more, -more}, {1 + more, 1 + more}}, shapes,
+                                             {.edge_length = coarse});
+        triangles[large] = complex.triangle_count();
+        const auto options = options_for<Real>(coarse);
+        Simulation<Real> simulation(complex, options);
+        for (int step = 0; step < 20; ++step) {
+            sums[large] += simulation.step(constant<Real>(0.01, 0.004), 0, 1).operations;
+        }
+    }
+    EXPECT_GT(triangles[1], 20 * triangles[0]);
+    EXPECT_EQ(sums[0].moves, sums[1].moves);
+    EXPECT_NEAR(static_cast<double>(sums[1].examined) / static_cast<double>(sums[0].examined), 1,
+                0.25);
+}
+
+TYPED_TEST(Driver, GoesManyEdgeLengthsInOneStep) {
+    using Real = TypeParam;
+    constexpr double h = 0.02;
+    auto complex = disc_complex<Real>(h, {0.25, 0.5}, 0.12);
+    const auto options = options_for<Real>(h);
+    Simulation<Real> simulation(complex, options);
+    const auto before = interface_positions(complex, simulation);
+    const StepReport report = simulation.step(constant<Real>(20 * h, 0), 0, 1);
+    EXPECT_GE(report.sub_steps, 20 / options.sub_step);
+    EXPECT_LE(report.sub_steps, 40U);
+    EXPECT_EQ(report.unreached, 0U);
+    expect_sound(complex, simulation);
+    // Whoever is still there went the whole way.
+    int compared = 0;
+    for (const std::uint32_t v : simulation.interface()) {
+        const auto found = before.find(v);
+        if (found != before.end()) {
+            const Point<Real> way = complex.position(Vertex{v}) - found->second;
+            EXPECT_NEAR(static_cast<double>(way.x()), 20 * h, 1e-5);
+            EXPECT_NEAR(static_cast<double>(way.y()), 0, 1e-5);
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 20);
+}
+
+// A velocity that is no number in one half of the disc: that half is held and counted, the other
+// half goes its way.
+template <class Real>
+void hold_half(double bad, double bad_from) {
+    auto complex = disc_complex<Real>(coarse);
+    auto options = options_for<Real>(coarse);
+    Simulation<Real> simulation(complex, options);
+    const auto before = interface_positions(complex, simulation);
+    const auto velocity = pointwise<Real>([=](const Point<double>& p, double time) {
+        return Point<double>(p.x() > 0.5 && time >= bad_from ? bad : 0.02, 0);
+    });
+    const StepReport report = simulation.step(velocity, 0, 1);
+    std::uint64_t expected = 0;
+    for (const auto& [v, p] : before) {
+        const Point<Real> now = complex.position(Vertex{v});
+        // From the left half to the right one, vertices may meet the bad half under way.
+        if (static_cast<double>(p.x()) > 0.5) {
+            ++expected;
+            EXPECT_EQ(now.x(), p.x());
+            EXPECT_EQ(now.y(), p.y());
+        } else if (static_cast<double>(p.x()) < 0.47) {
+            EXPECT_NEAR(static_cast<double>(now.x() - p.x()), 0.02, 1e-6);
+            EXPECT_EQ(now.y(), p.y());
+        }
+    }
+    EXPECT_GT(expected, 10U);
+    EXPECT_GE(report.held, expected);
+    EXPECT_LE(report.held, expected + 2);
+    EXPECT_EQ(report.unreached, report.held);
+    EXPECT_EQ(report.gave_up, GiveUp::none);
+    expect_sound(complex, simulation);
+}
+
+TYPED_TEST(Driver, HoldsVerticesWhoseVelocityIsNotFinite) {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+          -std::numeric_limits<double>::infinity()}) {
+        hold_half<TypeParam>(bad, 0.0);
+        hold_half<TypeParam>(bad, 0.1); // the stages of the integrator meet it first
+    }
+}
+
+TYPED_TEST(Driver, HoldsEverythingWhereNothingIsFinite) {
+    using Real = TypeParam;
+    auto complex = disc_complex<Real>(coarse);
+    const auto options = options_for<Real>(coarse);
+    Simulation<Real> simulation(complex, options);
+    const std::uint64_t hash = mesh_hash(complex);
+    const StepReport report =
+        simulation.step(constant<Real>(std::numeric_limits<double>::quiet_NaN(), 0), 0, 1);
+    EXPECT_EQ(report.held, simulation.interface().size());
+    EXPECT_EQ(report.unreached, report.held);
+    EXPECT_EQ(mesh_hash(complex), hash);
+}
+
+TYPED_TEST(Driver, GivesUpWhereTheVelocityIsAbsurd) {
+    using Real = TypeParam;
+    // The last two are not finite any more once they are squared, or as float.
+    for (const double speed : {1e6, 1e15, 1e100, 1e300}) {
+        auto complex = disc_complex<Real>(coarse);
+        const auto options = options_for<Real>(coarse);
+        Simulation<Real> simulation(complex, options);
+        const std::uint64_t hash = mesh_hash(complex);
+        const StepReport report = simulation.step(constant<Real>(speed, -speed), 0, 1);
+        EXPECT_TRUE(report.gave_up == GiveUp::too_many_sub_steps || report.held > 0) << speed;
+        if (speed < 1e16) {
+            EXPECT_EQ(report.gave_up, GiveUp::too_many_sub_steps) << speed;
+        }
+        EXPECT_EQ(report.unreached, simulation.interface().size()) << speed;
+        EXPECT_EQ(mesh_hash(complex), hash) << speed;
+        expect_sound(complex, simulation);
+        // And goes on when the velocity comes to its senses.
+        const StepReport next = simulation.step(constant<Real>(0.01, 0), 0, 1);
+        EXPECT_EQ(next.unreached, 0U);
+        EXPECT_EQ(next.gave_up, GiveUp::none);
+        EXPECT_NE(mesh_hash(complex), hash);
+    }
+}
+
+TYPED_TEST(Driver, LeavesLockedVerticesWhereTheyAre) {
+    using Real = TypeParam;
+    auto complex = disc_complex<Real>(coarse);
+    const auto options = options_for<Real>(coarse);
+    Simulation<Real> simulation(complex, options);
+    std::map<std::uint32_t, Point<Real>> locked;
+    for (const std::uint32_t v : simulation.interface()) {
+        if (static_cast<double>(complex.position(Vertex{v}).y()) > 0.7) {
+            complex.set_locked(Vertex{v}, true);
+            locked[v] = complex.position(Vertex{v});
+        }
+    }
+    ASSERT_GT(locked.size(), 2U);
+    for (int step = 0; step < 10; ++step) {
+        (void)simulation.step(constant<Real>(0.01, 0.01), 0, 1);
+        expect_sound(complex, simulation);
+    }
+    for (const auto& [v, p] : locked) {
+        ASSERT_TRUE(complex.is_alive(Vertex{v}));
+        EXPECT_EQ(complex.position(Vertex{v}).x(), p.x());
+        EXPECT_EQ(complex.position(Vertex{v}).y(), p.y());
+    }
+}
+
+TYPED_TEST(Driver, RefusesStepsThatAreNone) {
+    using Real = TypeParam;
+    auto complex = disc_complex<Real>(coarse);
+    const auto options = options_for<Real>(coarse);
+    Simulation<Real> simulation(complex, options);
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    const Real infinity = std::numeric_limits<Real>::infinity();
+    const auto velocity = constant<Real>(0.01, 0);
+    for (const Real dt : {nan, infinity, -infinity, Real(-1)}) {
+        EXPECT_THROW((void)simulation.step(velocity, 0, dt), InputError);
+    }
+    EXPECT_THROW((void)simulation.step(velocity, nan, 1), InputError);
+    EXPECT_THROW((void)simulation.step(velocity, infinity, 1), InputError);
+    EXPECT_EQ(simulation.step(velocity, 0, 1).unreached, 0U);
+}
+
+TYPED_TEST(Driver, RefusesOptionsThatMakeNoSense) {
+    using Real = TypeParam;
+    auto complex = disc_complex<Real>(coarse);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    struct Fault {
+        const char* where;
+        std::function<void(Options<Real>&)> seed;
+    };
+    const std::vector<Fault> faults{
+        {"edge_length", [](auto& o) { o.edge_length = 0; }},
+        {"edge_length", [](auto& o) { o.edge_length = -1; }},
+        {"edge_length", [&](auto& o) { o.edge_length = static_cast<Real>(nan); }},
+        {"edge_length", [](auto& o) { o.edge_length = std::numeric_limits<Real>::infinity(); }},
+        {"phases.collapse_quality", [](auto& o) { o.phases.collapse_quality = -0.1; }},
+        {"phases.collapse_quality", [&](auto& o) { o.phases.collapse_quality = nan; }},
+        {"phases.smooth_quality", [](auto& o) { o.phases.smooth_quality = 1.1; }},
+        {"phases.longest", [](auto& o) { o.phases.longest = 2 * o.phases.shortest; }},
+        {"phases.longest", [&](auto& o) { o.phases.longest = nan; }},
+        {"phases.shortest", [](auto& o) { o.phases.shortest = -1; }},
+        {"phases.collapse_quality",
+         [](auto& o) {
+             o.per_phase.resize(2);
+             o.per_phase[1].collapse_quality = 2;
+         }},
+        {"interface.shortest", [](auto& o) { o.interface.shortest = -1; }},
+        {"interface.longest", [](auto& o) { o.interface.longest = o.interface.shortest; }},
+        {"interface.deviation", [](auto& o) { o.interface.deviation = -1e-9; }},
+        {"interface.corner_degrees", [](auto& o) { o.interface.corner_degrees = 0; }},
+        {"interface.corner_degrees", [](auto& o) { o.interface.corner_degrees = 181; }},
+        {"sub_step", [](auto& o) { o.sub_step = 0; }},
+        {"sub_step", [&](auto& o) { o.sub_step = nan; }},
+        {"max_sub_steps", [](auto& o) { o.max_sub_steps = 0; }},
+        {"max_passes", [](auto& o) { o.max_passes = 0; }},
+        {"max_idle_passes", [](auto& o) { o.max_idle_passes = -1; }},
+    };
+    for (const Fault& fault : faults) {
+        auto options = options_for<Real>(coarse);
+        EXPECT_NO_THROW(Simulation<Real>(complex, options));
+        fault.seed(options);
+        try {
+            Simulation<Real> simulation(complex, options);
+            ADD_FAILURE() << "accepted: " << fault.where;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.where(), fault.where);
+            EXPECT_FALSE(error.allowed().empty());
+        }
+    }
+}
+
+// --- the algorithm is the application's ---------------------------------------------------------
+
+TYPED_TEST(Driver, RunsTheApplicationsPassesInsteadOfTheDefault) {
+    using Real = TypeParam;
+    auto complex = disc_complex<Real>(coarse);
+    const auto options = options_for<Real>(coarse);
+    std::vector<std::string> calls;
+    const auto noting = [&](const char* name, auto pass) {
+        return Pass<Real>{name, [&calls, name, pass](Work<Real>& work) {
+                              calls.emplace_back(name);
+                              pass(work);
+                          }};
+    };
+    // Movement alone: no upkeep of the interface, and no mesh update.
+    const Algorithm<Real> algorithm{
+        .upkeep = {noting("upkeep", [](Work<Real>&) {})},
+        .motion = {noting("move", &move_vertices<Real>),
+                   noting("forget", [](Work<Real>& work) { work.active.clear(); })}};
+    Simulation<Real> simulation(
+        complex, options, std::make_unique<SequentialExecutor<Real>>(complex, options, algorithm));
+    const StepReport report = simulation.step(constant<Real>(0.02, 0), 0, 1);
+    EXPECT_EQ(calls, (std::vector<std::string>{"upkeep", "move", "forget"}));
+    EXPECT_EQ(report.operations.moves, simulation.interface().size());
+    EXPECT_EQ(report.operations.flips, 0U);
+    EXPECT_EQ(report.operations.smoothed, 0U);
+    EXPECT_EQ(report.operations.examined, 0U);
+    expect_sound(complex, simulation);
+
+    // Without a mesh update it soon comes to an end, and says so.
+    std::uint64_t unreached = 0;
+    for (int step = 0; step < 20; ++step) {
+        unreached += simulation.step(constant<Real>(0.02, 0), 0, 1).unreached;
+        expect_sound(complex, simulation);
+    }
+    EXPECT_GT(unreached, 0U);
+}
+
+TYPED_TEST(Driver, TakesThresholdsForEachPhase) {
+    using Real = TypeParam;
+    // Phase 1 is kept twice as fine as phase 0 by its longest spoke.
+    auto complex = disc_complex<Real>(coarse);
+    auto options = options_for<Real>(coarse);
+    options.per_phase.resize(2);
+    options.per_phase[1].longest = 0.8;
+    options.per_phase[1].shortest = 0.2;
+    Simulation<Real> simulation(complex, options);
+    const auto triangles_of = [&](Phase phase) {
+        int count = 0;
+        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+            count += complex.is_alive(Triangle{t}) && complex.phase(Triangle{t}) == phase ? 1 : 0;
+        }
+        return count;
+    };
+    const int inside = triangles_of(1);
+    const int outside = triangles_of(0);
+    for (int step = 0; step < 10; ++step) {
+        EXPECT_EQ(simulation.step(constant<Real>(step < 5 ? 0.02 : -0.02, 0), 0, 1).unreached, 0U);
+        expect_sound(complex, simulation);
+    }
+    // Some of it spreads into the neighbour, where qualities are mended.
+    EXPECT_GT(triangles_of(1), 1.5 * inside);
+    EXPECT_LT(triangles_of(0), 1.25 * outside);
+}
+
+TYPED_TEST(Driver, TheSeedOnlyChangesTheOrder) {
+    using Real = TypeParam;
+    std::array<std::uint64_t, 3> hashes{};
+    std::array<std::size_t, 3> vertices{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        auto complex = disc_complex<Real>(coarse);
+        auto options = options_for<Real>(coarse);
+        options.shuffle_seed = i == 0 ? 0 : 7;
+        Simulation<Real> simulation(complex, options);
+        for (int step = 0; step < 20; ++step) {
+            EXPECT_EQ(simulation.step(constant<Real>(0.01, 0.01), 0, 1).unreached, 0U);
+        }
+        expect_sound(complex, simulation);
+        hashes[i] = mesh_hash(complex);
+        vertices[i] = simulation.interface().size();
+    }
+    EXPECT_NE(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[1], hashes[2]);
+    EXPECT_NEAR(static_cast<double>(vertices[0]), static_cast<double>(vertices[1]), 2);
+}
+
+} // namespace
+} // namespace dsc

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// Integrators that need more than the moment: the centred difference, which remembers, and the step
+// that follows from a tolerance; and what a step says when it gives up.
+#include "dsc/algorithm/simulation.h"
+
+#include "support/simulation_testing.h"
+
+#include "dsc/initial/initial_complex.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dsc {
+namespace {
+
+using test::options_for;
+using test::pointwise;
+
+// A turn about the origin whose speed changes: by sin(t) from time 0 to t.
+void changing_turn(std::span<const Point<double>> positions, double time,
+                   std::span<Point<double>> velocities) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        velocities[i] = std::cos(time) * Point<double>(-positions[i].y(), positions[i].x());
+    }
+}
+
+// One point by centred differences, with steps whose lengths alternate where `ratio` is not 1.
+double centred_error(int steps, double ratio) {
+    IntegratorScratch<double> scratch;
+    scratch.first.resize(1);
+    scratch.past.resize(1);
+    std::vector<Point<double>> at{{1, 0}};
+    std::vector<Point<double>> to(1);
+    double time = 0;
+    const double mean = 2.0 / steps;
+    for (int i = 0; i < steps; ++i) {
+        const double dt = 2 * mean * (i % 2 == 0 ? ratio : 1) / (1 + ratio);
+        changing_turn(at, time, scratch.first);
+        EXPECT_EQ(integrate<double>(Integrator::centred, changing_turn, at, time, dt, to, scratch),
+                  0);
+        scratch.past[0] = {to[0] - at[0], dt};
+        at = to;
+        time += dt;
+    }
+    const double angle = std::sin(time);
+    return (at[0] - Point<double>(std::cos(angle), std::sin(angle))).norm();
+}
+
+TEST(CentredDifference, HasSecondOrderForEqualAndForUnequalSteps) {
+    for (const double ratio : {1.0, 1.5}) {
+        EXPECT_NEAR(std::log2(centred_error(80, ratio) / centred_error(160, ratio)), 2, 0.2)
+            << ratio;
+        EXPECT_LT(centred_error(160, ratio), 3e-4);
+    }
+}
+
+TEST(CentredDifference, IsTheLeapfrogForEqualSteps) {
+    IntegratorScratch<double> scratch;
+    const std::vector<Point<double>> at{{0.5, 0.25}};
+    std::vector<Point<double>> to(1);
+    scratch.first = {{3, -1}};
+    scratch.past = {{Point<double>(0.125, 0.0625), 0.25}};
+    integrate<double>(Integrator::centred, changing_turn, at, 0, 0.25, to, scratch);
+    // x(t - dt) + 2 dt v(t)
+    EXPECT_EQ(to[0].x(), 0.375 + 0.5 * 3);
+    EXPECT_EQ(to[0].y(), 0.1875 + 0.5 * -1);
+}
+
+class Turning : public testing::Test {
+protected:
+    static Complex<double> disc(double h) {
+        std::vector<Point<double>> outline;
+        for (int i = 0; i < 40; ++i) {
+            const double angle = 2 * M_PI * i / 40;
+            outline.emplace_back(0.5 + 0.2 * std::cos(angle), 0.5 + 0.2 * std::sin(angle));
+        }
+        const std::vector<Shape> shapes{{outline, 1}};
+        return initial_complex<double>({}, shapes, {.edge_length = h});
+    }
+    static double farthest_from_circle(const Complex<double>& complex,
+                                       const Simulation<double>& simulation) {
+        double worst = 0;
+        for (const std::uint32_t v : simulation.interface()) {
+            const Point<double> d = complex.position(Vertex{v}) - Point<double>(0.5, 0.5);
+            worst = std::max(worst, std::abs(d.norm() - 0.2));
+        }
+        return worst;
+    }
+    // Counter-clockwise about the middle of the domain.
+    static Velocity<double> turn(double speed) {
+        return pointwise<double>([=](const Point<double>& p, double) {
+            return Point<double>(-speed * (p.y() - 0.5), speed * (p.x() - 0.5));
+        });
+    }
+};
+
+// Turned back without a word, the memory is of the other direction, and the step is off by three
+// times itself; told, it starts anew.
+TEST_F(Turning, ForgetsWhenItIsTold) {
+    std::array<double, 2> error{};
+    for (const bool told : {false, true}) {
+        auto complex = disc(0.05);
+        auto options = options_for<double>(0.05);
+        options.integrator = Integrator::centred;
+        options.interface.coarsening = Coarsening::never;
+        Simulation<double> simulation(complex, options);
+        for (int i = 0; i < 4; ++i) {
+            EXPECT_EQ(simulation.step(turn(1), 0.05 * i, 0.05).unreached, 0U);
+        }
+        if (told) {
+            simulation.forget();
+        }
+        for (int i = 4; i < 8; ++i) {
+            EXPECT_EQ(simulation.step(turn(-1), 0.05 * i, 0.05).unreached, 0U);
+        }
+        EXPECT_EQ(validate(complex).problem, "");
+        error[told ? 1 : 0] = farthest_from_circle(complex, simulation);
+    }
+    EXPECT_GT(error[0], 1e-3);
+    EXPECT_LT(error[1], 2e-5);
+}
+
+TEST_F(Turning, TheMemoryCostsNothingWhereNobodyAsksForIt) {
+    auto complex = disc(0.05);
+    const auto options = options_for<double>(0.05);
+    Simulation<double> simulation(complex, options);
+    simulation.step(turn(1), 0, 0.05);
+    EXPECT_TRUE(complex.attributes.empty());
+}
+
+TEST_F(Turning, TheToleranceChoosesTheStep) {
+    std::uint32_t first_steps = 0;
+    std::uint32_t last_steps = 0;
+    for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+        auto complex = disc(0.05);
+        auto options = options_for<double>(0.05);
+        options.integrator = Integrator::adaptive;
+        options.tolerance = tolerance;
+        options.interface.coarsening = Coarsening::never;
+        Simulation<double> simulation(complex, options);
+        std::uint32_t steps = 0;
+        double estimate = 0;
+        for (int i = 0; i < 5; ++i) {
+            const StepReport report = simulation.step(turn(20), 0.1 * i, 0.1);
+            EXPECT_EQ(report.unreached, 0U);
+            steps += report.sub_steps;
+            estimate = std::max(estimate, report.error);
+        }
+        EXPECT_LE(estimate, tolerance * 0.05);
+        EXPECT_GE(steps, last_steps);
+        // What was estimated bounds what happened.
+        EXPECT_LE(farthest_from_circle(complex, simulation), steps * tolerance * 0.05);
+        first_steps = first_steps == 0 ? steps : first_steps;
+        last_steps = steps;
+    }
+    EXPECT_GT(last_steps, 2 * first_steps); // which is what the length of a move asks for
+}
+
+TEST_F(Turning, TheStepGrowsAgainWhereTheFlowIsSlower) {
+    auto complex = disc(0.05);
+    auto options = options_for<double>(0.05);
+    options.integrator = Integrator::adaptive;
+    options.tolerance = 1e-6;
+    Simulation<double> simulation(complex, options);
+    EXPECT_GT(simulation.step(turn(20), 0, 0.1).sub_steps, 20U);
+    EXPECT_LT(simulation.step(turn(1), 0.1, 1).sub_steps, 30U);
+    EXPECT_LT(simulation.step(turn(1), 1.1, 1).sub_steps, 30U);
+}
+
+TEST_F(Turning, AFlowWithoutDerivativesEndsAllTheSame) {
+    auto complex = disc(0.05);
+    auto options = options_for<double>(0.05);
+    options.integrator = Integrator::adaptive;
+    options.tolerance = 1e-9;
+    options.max_sub_steps = 40;
+    Simulation<double> simulation(complex, options);
+    const auto jumps = pointwise<double>([](const Point<double>& p, double) {
+        return Point<double>(std::fmod(std::floor(p.x() * 1e6), 2) < 1 ? 0.2 : -0.2, 0);
+    });
+    const StepReport report = simulation.step(jumps, 0, 0.01);
+    EXPECT_LE(report.sub_steps, static_cast<std::uint32_t>(options.max_sub_steps));
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
+// A flow that is rough for a moment asks for sub-steps so short that the whole step would be
+// thousands of them; that is no reason to give it up.
+TEST_F(Turning, AMomentOfRoughnessDoesNotMakeTheRestOfTheStepShort) {
+    auto complex = disc(0.05);
+    auto options = options_for<double>(0.05);
+    options.integrator = Integrator::adaptive;
+    options.tolerance = 1e-6;
+    options.max_sub_steps = 300;
+    Simulation<double> simulation(complex, options);
+    const auto rough = pointwise<double>([](const Point<double>& p, double time) {
+        const bool is_rough = time > 0.1 && time < 0.102;
+        return Point<double>(0.1, is_rough ? 1e-3 * std::sin(1e7 * p.y()) : 0.0);
+    });
+    const StepReport smooth = simulation.step(rough, 0, 0.1);
+    const StepReport within = simulation.step(rough, 0.1, 0.0015);
+    const StepReport beyond = simulation.step(rough, 0.1015, 0.3985);
+    for (const StepReport& one : {smooth, within, beyond}) {
+        EXPECT_EQ(one.gave_up, GiveUp::none);
+        EXPECT_EQ(one.unreached, 0U);
+        EXPECT_LE(one.error, 1e-6 * 0.05);
+    }
+    EXPECT_GT(within.sub_steps, 5U);
+    EXPECT_EQ(validate(complex).problem, "");
+    for (const std::uint32_t v : simulation.interface()) {
+        EXPECT_NEAR((complex.position(Vertex{v}) - Point<double>(0.55, 0.5)).norm(), 0.2, 1e-4);
+    }
+}
+
+TEST_F(Turning, SaysWhoAskedForTooMuch) {
+    auto complex = disc(0.05);
+    const auto options = options_for<double>(0.05);
+    Simulation<double> simulation(complex, options);
+    const auto list = simulation.interface();
+    const std::uint32_t chosen = list[list.size() / 3];
+    const Point<double> place = complex.position(Vertex{chosen});
+    const auto one_is_fast = pointwise<double>([&](const Point<double>& p, double) {
+        return p == place ? Point<double>(0, 1e9) : Point<double>(0, 0.01);
+    });
+    const StepReport report = simulation.step(one_is_fast, 0, 1);
+    EXPECT_EQ(report.gave_up, GiveUp::too_many_sub_steps);
+    EXPECT_EQ(report.where, Vertex{chosen});
+    EXPECT_EQ(report.speed, 1e9);
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
+} // namespace
+} // namespace dsc

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// A submesh leaves what it does not own alone, whatever its region is like.
+#include "dsc/complex/submesh.h"
+
+#include "support/random_scene.h"
+
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/interface_list.h"
+#include "dsc/complex/validate.h"
+#include "dsc/parallel/partition/places.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using test::Dice;
+using test::RandomFlow;
+using test::Wildness;
+
+// All that is known of a vertex but the scratch of the active set.
+struct Seen {
+    double x, y;
+    std::uint32_t flags;
+    friend bool operator==(const Seen&, const Seen&) = default;
+};
+
+// A complex, and one submesh of it with ids of its own and all interface vertices to move.
+class OneOfSeveral {
+public:
+    OneOfSeveral(Dice& dice, bool patches)
+        : complex(patches ? test::random_patches<double>(dice, h, 8)
+                          : test::random_shapes<double>(dice, h)) {
+        options.edge_length = h;
+        constexpr int spare = 200;
+        for (int i = 0; i < spare; ++i) {
+            const std::uint32_t v = complex.take_vertex(complex.ids);
+            complex.vertices[v].flags = vertex_dead;
+            pool.vertices.push_back(v);
+            for (int k = 0; k < 2; ++k) {
+                const std::uint32_t t = complex.take_triangle(complex.ids);
+                complex.triangles[t].v = {no_id, no_id, no_id};
+                pool.triangles.push_back(t);
+            }
+        }
+        pool.may_grow = false;
+    }
+
+    // Upkeep and motion in the region; what it does not own must stay bit for bit, and so must the
+    // triangles that are not wholly in it, but for their links.
+    void run(const Region& region, const RandomFlow& flow) {
+        Work<double> work(complex, options);
+        work.submesh.region = region;
+        work.submesh.pool = &pool;
+        work.epoch = 1;
+        work.interface = collect_interface(complex);
+        std::vector<Point<double>> positions;
+        for (const std::uint32_t v : work.interface) {
+            positions.push_back(complex.position(Vertex{v}));
+        }
+        std::vector<Point<double>> velocities(positions.size());
+        flow.velocity<double>()(positions, 0, velocities);
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const Point<double> target = positions[i] + 0.5 * h * velocities[i];
+            work.movers.push_back({work.interface[i], target.x(), target.y()});
+        }
+        const std::size_t listed = work.movers.size();
+        const auto vertices = complex.vertices;
+        const auto triangles = complex.triangles;
+        const auto owned = [&](std::uint32_t v) {
+            return region.owns(v, vertices[v].x, vertices[v].y);
+        };
+        const auto algorithm = default_algorithm<double>();
+        for (const auto* passes : {&algorithm.upkeep, &algorithm.motion}) {
+            for (const auto& pass : *passes) {
+                pass.run(work);
+            }
+        }
+        moved += work.counts.moves;
+        put_off += work.put_off_movers.size();
+        // Everyone is accounted for: arrived, on the way, or put off; only the dead are not.
+        EXPECT_LE(work.put_off_movers.size() + work.movers.size(), listed);
+        for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+            const auto& now = complex.vertices[v];
+            if ((vertices[v].flags & vertex_dead) == 0 && !owned(v)) {
+                ++foreign_vertices;
+                ASSERT_EQ((Seen{now.x, now.y, now.flags}),
+                          (Seen{vertices[v].x, vertices[v].y, vertices[v].flags}))
+                    << "vertex " << v;
+            } else if ((now.flags & vertex_dead) == 0) {
+                ASSERT_TRUE(region.owns(v, now.x, now.y))
+                    << "vertex " << v << " went, or was made, where another submesh works";
+            }
+        }
+        for (std::uint32_t t = 1; t < triangles.size(); ++t) {
+            const auto& v = triangles[t].v;
+            if (v[0] != no_id && !(owned(v[0]) && owned(v[1]) && owned(v[2]))) {
+                ++foreign_triangles;
+                ASSERT_EQ(complex.triangles[t].v, v) << "triangle " << t;
+                ASSERT_EQ(complex.triangles[t].phase, triangles[t].phase) << "triangle " << t;
+            }
+        }
+        complex.lent_vertices = static_cast<std::uint32_t>(pool.vertices.size());
+        complex.lent_triangles = static_cast<std::uint32_t>(pool.triangles.size());
+        ASSERT_EQ(validate(complex).problem, "");
+    }
+
+    static constexpr double h = 0.03;
+    Complex<double> complex;
+    Options<double> options;
+    IdPool pool;
+    std::uint64_t moved = 0;
+    std::size_t put_off = 0;
+    int foreign_vertices = 0;
+    int foreign_triangles = 0;
+};
+
+struct DrawnRegion {
+    Region region;
+    PlaceColour places;                ///< what the region points to
+    std::vector<std::uint32_t> labels; ///< the same
+};
+
+enum class Form : std::uint8_t { slab, turned, block, round, turned_round, places, labels };
+constexpr std::array forms{Form::slab,         Form::turned, Form::block, Form::round,
+                           Form::turned_round, Form::places, Form::labels};
+
+void draw_region(Dice& dice, Form form, const Complex<double>& complex, DrawnRegion& drawn) {
+    Region& region = drawn.region;
+    region.kind = Region::Kind::box;
+    if (form == Form::turned || form == Form::turned_round) {
+        const double angle = dice.in(0.0, 6.3);
+        region.normal_x = std::cos(angle);
+        region.normal_y = std::sin(angle);
+    }
+    const double middle = region.along(0.5, 0.5);
+    region.low = middle - dice.in(0.05, 0.3);
+    region.high = middle + dice.in(0.05, 0.3);
+    switch (form) {
+    case Form::slab:
+    case Form::turned: break;
+    case Form::block:
+        region.side_low = dice.in(0.1, 0.4);
+        region.side_high = dice.in(0.6, 0.9);
+        break;
+    case Form::round:
+    case Form::turned_round: std::swap(region.low, region.high); break;
+    case Form::places: {
+        std::vector<Point<double>> sites;
+        for (int i = 0; i < 6; ++i) {
+            sites.emplace_back(dice.in(0.0, 1.0), dice.in(0.0, 1.0));
+        }
+        sites[0] = {0.5, 0.4};
+        drawn.places = voronoi_colour(sites);
+        region.kind = Region::Kind::places;
+        region.context = &drawn.places;
+        region.place = [](const void* context, double x, double y) {
+            return static_cast<const PlaceColour*>(context)->number_of(x, y);
+        };
+        break;
+    }
+    case Form::labels:
+        // A disc; free ids, which its pool has, are its own.
+        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+            const bool inside =
+                (complex.position(Vertex{v}) - Point<double>(0.5, 0.5)).norm() < 0.3;
+            drawn.labels.push_back(!complex.is_alive(Vertex{v}) || inside ? 7 : 3);
+        }
+        region.kind = Region::Kind::labels;
+        region.labels = drawn.labels.data();
+        region.label = 7;
+        break;
+    }
+}
+
+TEST(Submesh, LeavesAloneWhatItDoesNotOwn) {
+    for (const Form form : forms) {
+        std::uint64_t moved = 0;
+        std::size_t put_off = 0;
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            SCOPED_TRACE("form " + std::to_string(static_cast<int>(form)) + ", seed " +
+                         std::to_string(seed));
+            Dice dice(seed);
+            OneOfSeveral submesh(dice, seed % 2 == 0);
+            const RandomFlow flow(dice, 1, Wildness::none);
+            DrawnRegion drawn;
+            draw_region(dice, form, submesh.complex, drawn);
+            submesh.run(drawn.region, flow);
+            if (HasFatalFailure()) {
+                return;
+            }
+            moved += submesh.moved;
+            put_off += submesh.put_off;
+            EXPECT_GT(submesh.foreign_vertices, 50);
+            EXPECT_GT(submesh.foreign_triangles, 100);
+        }
+        EXPECT_GT(moved, 100U) << "form " << static_cast<int>(form);
+        EXPECT_GT(put_off, 100U) << "form " << static_cast<int>(form);
+    }
+}
+
+} // namespace
+} // namespace dsc

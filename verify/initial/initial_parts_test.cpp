@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+// The parts of the initial complex one by one, each against the plainest way to the same answer,
+// and the errors for input that makes no sense.
+#include "dsc/base/error.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/complex/validate.h"
+#include "dsc/initial/delaunay.h"
+#include "dsc/initial/insertion.h"
+#include "dsc/initial/lattice.h"
+#include "dsc/initial/outline_sweep.h"
+#include "dsc/initial/segments.h"
+#include "support/initial_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace {
+
+using dsc::Complex;
+using dsc::Point;
+using dsc::Rectangle;
+using dsc::Shape;
+using dsc::Vertex;
+using dsc::initial::Place;
+using dsc::initial::SweepPolygon;
+
+using Polygon = std::vector<Point<double>>;
+
+constexpr double pi = 3.14159265358979323846;
+
+TEST(Lattice, IsAValidComplexOfEverySize) {
+    for (std::uint32_t columns = 1; columns < 6; ++columns) {
+        for (std::uint32_t rows = 1; rows < 6; ++rows) {
+            dsc::initial::Lattice lattice{{-1, 2}, {3, 3},        columns,
+                                          rows,    4.0 / columns, 1.0 / rows};
+            Complex<double> complex;
+            dsc::initial::write_lattice(lattice, 0, complex);
+            const auto report = dsc::validate(complex);
+            ASSERT_TRUE(report.ok()) << columns << " x " << rows << ": " << report.problem;
+            EXPECT_EQ(report.triangles, (2 * columns + 1) * rows);
+            EXPECT_EQ(report.components, 1U);
+            EXPECT_EQ(report.unused_vertices, 0U);
+        }
+    }
+}
+
+TEST(Lattice, FindsATriangleNearEachPoint) {
+    const auto lattice = dsc::initial::fit_lattice({0, 0}, {2, 1}, 0.05);
+    Complex<double> complex;
+    dsc::initial::write_lattice(lattice, 0, complex);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> share(0, 1);
+    for (int i = 0; i < 1000; ++i) {
+        const Point<double> p(2 * share(random), share(random));
+        const auto& v = complex.triangles[lattice.triangle_near(p)].v;
+        EXPECT_LT((complex.position(Vertex{v[0]}) - p).norm(), 0.11);
+    }
+}
+
+TEST(Locate, AgreesWithEveryTrianglesSigns) {
+    const auto lattice = dsc::initial::fit_lattice({0, 0}, {1, 1}, 0.2);
+    Complex<double> complex;
+    dsc::initial::write_lattice(lattice, 0, complex);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> share(0.01, 0.99);
+    std::vector<dsc::Corner> stack;
+    std::size_t places[4] = {0, 0, 0, 0};
+    for (int i = 0; i < 400; ++i) {
+        Point<double> p(share(random), share(random));
+        if (i % 4 == 1) { // on a vertex, or halfway along an edge
+            p = complex.position(
+                Vertex{static_cast<std::uint32_t>(random() % complex.vertex_bound())});
+        } else if (i % 4 == 2) {
+            const auto& v = complex.triangles[1 + random() % (complex.triangle_bound() - 1)].v;
+            p = (complex.position(Vertex{v[0]}) + complex.position(Vertex{v[1]})) / 2;
+        }
+        const auto start =
+            static_cast<std::uint32_t>(1 + random() % (complex.triangle_bound() - 1));
+        const auto location = dsc::initial::locate(complex, start, p);
+        ASSERT_NE(location.place, Place::beyond);
+        ++places[static_cast<std::size_t>(location.place)];
+        int zeros = 0;
+        dsc::Corner c = location.corner;
+        for (int side = 0; side < 3; ++side, c = dsc::next(c)) {
+            const int sign =
+                dsc::orientation<double>(complex.position(Vertex{complex.vertex(dsc::next(c))}),
+                                         complex.position(Vertex{complex.vertex(dsc::prev(c))}), p);
+            ASSERT_GE(sign, 0);
+            zeros += sign == 0 ? 1 : 0;
+        }
+        EXPECT_EQ(zeros, location.place == Place::triangle ? 0
+                         : location.place == Place::edge   ? 1
+                                                           : 2);
+        if (location.place == Place::vertex) {
+            EXPECT_EQ(complex.position(Vertex{complex.vertex(location.corner)}), p);
+        }
+        const std::uint32_t v = dsc::initial::insert_point(complex, location, p, stack);
+        EXPECT_EQ(complex.position(Vertex{v}), p);
+        const auto report = dsc::validate(complex);
+        ASSERT_TRUE(report.ok()) << report.problem;
+    }
+    EXPECT_GT(places[0], 20U);
+    EXPECT_GT(places[1], 20U);
+    EXPECT_GT(places[2], 20U);
+    EXPECT_EQ(dsc::testing::sizes_of(complex).not_delaunay, 0U);
+}
+
+TEST(Locate, StopsAtTheSidesAndAtTheInterface) {
+    const auto lattice = dsc::initial::fit_lattice({0, 0}, {1, 1}, 0.1);
+    Complex<double> complex;
+    dsc::initial::write_lattice(lattice, 0, complex);
+    EXPECT_EQ(dsc::initial::locate(complex, 1, Point<double>(0.5, 1.5)).place, Place::beyond);
+    EXPECT_EQ(dsc::initial::locate(complex, 1, Point<double>(0.5, 0.95)).place, Place::triangle);
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        complex.triangles[t].phase = complex.position(Vertex{complex.triangles[t].v[0]}).y() > 0.5;
+    }
+    EXPECT_EQ(dsc::initial::locate(complex, 1, Point<double>(0.5, 0.95)).place, Place::beyond);
+}
+
+// Segments through a triangulation that knows nothing of them.
+TEST(Segments, AreRecoveredThroughAnything) {
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> share(0.02, 0.98);
+        const auto lattice = dsc::initial::fit_lattice({0, 0}, {1, 1}, 0.5);
+        Complex<double> complex;
+        dsc::initial::write_lattice(lattice, 0, complex);
+        std::vector<dsc::Corner> stack;
+        const auto insert = [&](const Point<double>& p) {
+            return dsc::initial::insert_point(complex, dsc::initial::locate(complex, 1, p), p,
+                                              stack);
+        };
+        for (int i = 0; i < 120; ++i) {
+            // Also many points on one line, which is what a segment may run along.
+            insert(i % 3 == 0 ? Point<double>(std::round(64 * share(random)) / 64, 0.5)
+                              : Point<double>(share(random), share(random)));
+        }
+        const auto first = static_cast<std::uint32_t>(seed % 2 == 0 ? 1 : 2);
+        dsc::initial::Chains chains;
+        chains.push_back(
+            {insert({0.01, 0.5}), insert({0.99, 0.5}), insert({0.7, 0.9 - 0.1 * first})});
+        chains.push_back({insert({0.05, 0.03}), insert({0.9, 0.04}), insert({0.5, 0.07})});
+        const auto touched = dsc::initial::recover_segments(complex, chains);
+        EXPECT_FALSE(touched.empty());
+        EXPECT_GT(chains.front().size(), 20U) << "vertices on a segment become part of it";
+        const auto report = dsc::validate(complex);
+        ASSERT_TRUE(report.ok()) << report.problem;
+        for (const auto& chain : chains) {
+            for (std::size_t i = 0; i < chain.size(); ++i) {
+                const Vertex a{chain[i]};
+                const Vertex b{chain[i + 1 < chain.size() ? i + 1 : 0]};
+                EXPECT_TRUE(complex.find_edge(a, b).is_valid());
+            }
+        }
+    }
+}
+
+// --- the sweep against all pairs
+// ------------------------------------------------------------------
+
+bool segments_touch(const Point<double>& a, const Point<double>& b, const Point<double>& c,
+                    const Point<double>& d) {
+    const auto side = [](const auto& p, const auto& q, const auto& r) {
+        return dsc::orientation<double>(p, q, r);
+    };
+    const auto in_box = [](const auto& p, const auto& q, const auto& r) {
+        return std::min(p.x(), q.x()) <= r.x() && r.x() <= std::max(p.x(), q.x()) &&
+               std::min(p.y(), q.y()) <= r.y() && r.y() <= std::max(p.y(), q.y());
+    };
+    return (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) ||
+           (side(a, b, c) == 0 && in_box(a, b, c)) || (side(a, b, d) == 0 && in_box(a, b, d)) ||
+           (side(c, d, a) == 0 && in_box(c, d, a)) || (side(c, d, b) == 0 && in_box(c, d, b));
+}
+
+bool any_contact(const std::vector<Polygon>& polygons) {
+    for (std::size_t p = 0; p < polygons.size(); ++p) {
+        for (std::size_t q = p; q < polygons.size(); ++q) {
+            const std::size_t n = polygons[p].size();
+            const std::size_t m = polygons[q].size();
+            for (std::size_t i = 0; i < n; ++i) {
+                for (std::size_t j = p == q ? i + 1 : 0; j < m; ++j) {
+                    const auto& a = polygons[p][i];
+                    const auto& b = polygons[p][(i + 1) % n];
+                    const auto& c = polygons[q][j];
+                    const auto& d = polygons[q][(j + 1) % m];
+                    if (p == q && (j == i + 1 || (i == 0 && j + 1 == n))) {
+                        // Successive edges: a spike is a contact, the common vertex is not.
+                        const auto& common = j == i + 1 ? b : a;
+                        const auto& one = j == i + 1 ? a : b;
+                        const auto& other = j == i + 1 ? d : c;
+                        if (dsc::orientation<double>(one, common, other) == 0 &&
+                            (one - common).dot(other - common) > 0) {
+                            return true;
+                        }
+                    } else if (segments_touch(a, b, c, d)) {
+                        return true;
+                    }
+                }
+            }
+        }
+    }
+    return false;
+}
+
+dsc::initial::SweepResult sweep(const std::vector<Polygon>& polygons) {
+    std::vector<SweepPolygon> all;
+    for (const auto& p : polygons) {
+        all.push_back({p, dsc::scenes::signed_area(p) > 0});
+    }
+    return dsc::initial::sweep(all);
+}
+
+// Star-shaped polygons on a coarse grid: now and then simple, often touching in vertices, in edges
+// or along them.
+TEST(Sweep, AgreesWithAllPairs) {
+    std::mt19937 random(11);
+    std::size_t with = 0;
+    std::size_t without = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::vector<Polygon> polygons(1 + random() % 3);
+        const int grid = i % 2 == 0 ? 8 : 24;
+        for (auto& polygon : polygons) {
+            const double cx = static_cast<double>(random() % 3) - 1;
+            const std::size_t n = 3 + random() % 5;
+            const double radius = 0.2 + 0.3 * static_cast<double>(random() % 4);
+            for (std::size_t k = 0; k < n; ++k) {
+                const double angle = 2 * pi * static_cast<double>(k) / static_cast<double>(n);
+                const double r = radius * (random() % 2 == 0 ? 1 : 0.6);
+                polygon.push_back({std::round(grid * (cx + r * std::cos(angle))) / grid,
+                                   std::round(grid * r * std::sin(angle)) / grid});
+            }
+        }
+        bool flat = false;
+        for (const auto& polygon : polygons) {
+            flat = flat || dsc::scenes::signed_area(polygon) == 0;
+            for (std::size_t k = 0; k < polygon.size(); ++k) {
+                flat = flat || polygon[k] == polygon[(k + 1) % polygon.size()];
+            }
+        }
+        if (flat) {
+            continue;
+        }
+        const bool expected = any_contact(polygons);
+        const auto result = sweep(polygons);
+        ASSERT_EQ(result.contact.has_value(), expected) << "case " << i;
+        (expected ? with : without) += 1;
+        if (expected) {
+            continue;
+        }
+        for (std::size_t p = 0; p < polygons.size(); ++p) {
+            std::uint32_t parent = dsc::no_id;
+            double least = 1e300;
+            for (std::uint32_t q = 0; q < polygons.size(); ++q) {
+                const double size = std::abs(dsc::scenes::signed_area(polygons[q]));
+                if (q != p && size < least &&
+                    dsc::testing::is_inside(polygons[q], polygons[p].front())) {
+                    parent = q;
+                    least = size;
+                }
+            }
+            EXPECT_EQ(result.parent[p], parent) << "case " << i;
+        }
+    }
+    EXPECT_GT(with, 2000U);
+    EXPECT_GT(without, 2000U);
+}
+
+TEST(Sweep, TakesALongOutlineInItsStride) {
+    Polygon comb; // every edge overlaps all others in y
+    const int teeth = 50000;
+    for (int i = 0; i < teeth; ++i) {
+        comb.push_back({2.0 * i, 0.0});
+        comb.push_back({2.0 * i + 1, 1.0});
+    }
+    comb.push_back({2.0 * teeth, -1.0});
+    comb.push_back({-1.0, -1.0});
+    EXPECT_FALSE(sweep({comb}).contact);
+    comb[70001].y() = -2;
+    EXPECT_TRUE(sweep({comb}).contact);
+}
+
+// --- errors
+// ---------------------------------------------------------------------------------------
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+Shape square(double x, double y, double side, dsc::Phase phase = 1) {
+    return {{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, phase};
+}
+
+template <class Real = double>
+void expect_error(const std::vector<Shape>& shapes, const std::string& where,
+                  const std::string& words, double edge_length = 0.05, const Rectangle& domain = {},
+                  int rounds = 12) {
+    try {
+        static_cast<void>(dsc::initial_complex<Real>(
+            domain, shapes, {.edge_length = edge_length, .improve_rounds = rounds}));
+        ADD_FAILURE() << "no error; expected: " << where << ": " << words;
+    } catch (const dsc::InputError& error) {
+        EXPECT_EQ(error.where(), where) << error.what();
+        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+        EXPECT_FALSE(error.value().empty());
+        EXPECT_FALSE(error.allowed().empty());
+    }
+}
+
+TEST(InitialErrors, OptionsAndDomain) {
+    for (const double h : {0.0, -1.0, infinity, not_a_number}) {
+        expect_error({}, "options", "edge length", h);
+    }
+    expect_error({}, "options", "out of range", 1e-110, {{0, 0}, {1e-109, 1e-109}});
+    expect_error({}, "options", "out of range", 1e110, {{0, 0}, {1e111, 1e111}});
+    expect_error({}, "options", "rounds", 0.1, {}, -1);
+    expect_error({}, "options", "larger than the domain", 1.5);
+    expect_error({}, "options", "larger than the domain", 0.3, {{0, 0}, {1, 0.2}});
+    expect_error({}, "options", "absurdly large", 1e-5);
+    expect_error({}, "options", "resolve", 1.0, {{1e15, 0}, {1e15 + 64, 64}});
+    expect_error<float>({}, "options", "resolve", 0.05, {{1e5, 0}, {1e5 + 1, 1}});
+    expect_error({}, "domain", "empty", 0.1, {{0, 0}, {0, 1}});
+    expect_error({}, "domain", "empty", 0.1, {{1, 0}, {0, 1}});
+    expect_error({}, "domain", "out of range", 1, {{-1e200, 0}, {1e200, 1e200}});
+    expect_error({}, "domain", "not finite", 0.1, {{0, not_a_number}, {1, 1}});
+    expect_error({}, "domain", "not finite", 0.1, {{0, 0}, {infinity, 1}});
+    expect_error<float>({}, "domain", "not finite", 1e39, {{0, 0}, {1e40, 1e40}});
+}
+
+TEST(InitialErrors, OneOutline) {
+    const Shape good = square(0.1, 0.1, 0.1);
+    Shape bad = square(0.5, 0.5, 0.2);
+    bad.outline[2].x() = not_a_number;
+    expect_error({good, bad}, "shape 1, vertex 2", "not finite");
+    bad.outline[2].x() = infinity;
+    expect_error({good, bad}, "shape 1, vertex 2", "not finite");
+    expect_error({good, {{}, 1}}, "shape 1", "too few");
+    expect_error({{{{0.2, 0.2}, {0.4, 0.4}}, 1}}, "shape 0", "too few");
+    bad = square(0.5, 0.5, 0.2);
+    bad.outline[3] = bad.outline[2];
+    expect_error({bad}, "shape 0, edge 2", "no length");
+    bad = square(0.5, 0.5, 0.2);
+    bad.outline.push_back(bad.outline.front());
+    expect_error({bad}, "shape 0, edge 4", "no length");
+    expect_error({{{{0.2, 0.2}, {0.4, 0.4}, {0.6, 0.6}, {0.3, 0.3}}, 1}}, "shape 0", "no area");
+    expect_error({square(0.5, 0.5, 0.2, dsc::border_phase)}, "shape 0", "reserved");
+    expect_error({square(0.5, 0.5, 0.04)}, "shape 0", "larger than the shape");
+    expect_error({square(0.8, 0.5, 0.2)}, "shape 0, vertex 1", "strictly inside");
+    expect_error({square(0.79999, 0.5, 0.2)}, "shape 0, vertex 1", "strictly inside");
+    expect_error({square(-0.1, 0.5, 0.2)}, "shape 0, vertex 0", "strictly inside");
+    expect_error({square(2, 2, 0.2)}, "shape 0, vertex 0", "strictly inside");
+}
+
+TEST(InitialErrors, Contacts) {
+    expect_error({{{{0.2, 0.2}, {0.6, 0.6}, {0.6, 0.2}, {0.2, 0.6}}, 1}}, "shape 0, edge 0",
+                 "itself: got contact with shape 0, edge 2");
+    // A vertex on another edge, a vertex on another vertex, a spike.
+    expect_error({{{{0.2, 0.2}, {0.6, 0.2}, {0.6, 0.6}, {0.4, 0.2}, {0.2, 0.6}}, 1}},
+                 "shape 0, edge 0", "itself");
+    expect_error({{{{0.2, 0.2}, {0.4, 0.4}, {0.6, 0.2}, {0.6, 0.6}, {0.4, 0.4}, {0.2, 0.6}}, 1}},
+                 "shape 0, edge 0", "itself");
+    expect_error({{{{0.2, 0.2}, {0.6, 0.2}, {0.4, 0.2}, {0.4, 0.6}}, 1}}, "shape 0, edge 0",
+                 "itself");
+    expect_error({square(0.2, 0.2, 0.2), square(0.3, 0.3, 0.2, 2)}, "shape 0, edge 2",
+                 "two outlines cross or touch: got contact with shape 1, edge 3");
+    expect_error({square(0.2, 0.2, 0.2), square(0.4, 0.2, 0.2, 2)}, "shape 0, edge 1", "two");
+    expect_error({square(0.2, 0.2, 0.2), square(0.2, 0.2, 0.2, 2)}, "shape 0, edge 0", "two");
+    expect_error({square(0.2, 0.2, 0.4), square(0.3, 0.2, 0.2, 2)}, "shape 0, edge 0", "two");
+}
+
+TEST(InitialErrors, Phases) {
+    expect_error({square(0.2, 0.2, 0.2, 0)}, "shape 0", "phase of what is around it");
+    expect_error({square(0.3, 0.3, 0.2, 4), square(0.2, 0.2, 0.4, 4)}, "shape 0",
+                 "phase of what is around it");
+    expect_error({square(0.2, 0.2, 0.6, 4), square(0.3, 0.3, 0.4, 0), square(0.4, 0.4, 0.1, 0)},
+                 "shape 2", "phase of what is around it");
+    EXPECT_NO_THROW(static_cast<void>(dsc::initial_complex<double>(
+        {}, std::vector<Shape>{square(0.2, 0.2, 0.6, 4), square(0.3, 0.3, 0.4, 0)},
+        {.edge_length = 0.05})));
+}
+
+TEST(InitialErrors, FloatsThatCollide) {
+    Shape shape = square(0.5, 0.5, 0.2);
+    shape.outline.insert(shape.outline.begin() + 1, Point<double>(0.5 + 1e-9, 0.5));
+    EXPECT_NO_THROW(static_cast<void>(
+        dsc::initial_complex<double>({}, std::vector<Shape>{shape}, {.edge_length = 0.05})));
+    expect_error<float>({shape}, "shape 0, edge 0", "collide when rounded");
+    // Apart as doubles, the same line as floats.
+    expect_error<float>({square(0.2, 0.2, 0.2),
+                         {{{0.4 + 1e-9, 0.2}, {0.6, 0.2}, {0.6, 0.4}, {0.4 + 1e-9, 0.4}}, 2}},
+                        "shape 0, edge 1", "two outlines");
+}
+
+} // namespace

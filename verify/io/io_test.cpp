@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: MIT
+// Pictures and ParaView files: well-formed, complete, exact, and there whole or not at all.
+#include "dsc/io/part_file.h"
+#include "dsc/io/svg.h"
+#include "dsc/io/vtu.h"
+
+#include "support/small_meshes.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/algebra.h"
+#include "dsc/complex/mesh_functions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <regex>
+#include <sstream>
+
+#include <sys/resource.h>
+
+namespace dsc {
+namespace {
+
+namespace fs = std::filesystem;
+using test::grid;
+
+template <class Real>
+class Io : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        std::string name = std::string("dsc_io_") + info->test_suite_name() + "_" + info->name();
+        std::replace(name.begin(), name.end(), '/', '_');
+        folder = fs::temp_directory_path() / (name + "_" + std::to_string(getpid()));
+        fs::create_directories(folder);
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    [[nodiscard]] std::string path(const std::string& name) const { return folder / name; }
+    [[nodiscard]] std::size_t files() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+    }
+
+    fs::path folder;
+};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(Io, Reals);
+
+std::string read(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
+// Tags open and close in order, attributes are quoted: enough of XML for what is written here.
+void expect_well_formed(const std::string& text) {
+    static const std::regex tag(
+        R"re(<(/?)([A-Za-z:]+)((?:\s+[A-Za-z_:-]+="[^"<]*")*)\s*(/?)>|<\?xml[^?]*\?>)re");
+    std::vector<std::string> open;
+    std::size_t angles = 0;
+    for (std::sregex_iterator i(text.begin(), text.end(), tag), end; i != end; ++i) {
+        ++angles;
+        const std::smatch& m = *i;
+        if (!m[2].matched) {
+            continue;
+        }
+        if (m[1].length() > 0) {
+            ASSERT_FALSE(open.empty());
+            EXPECT_EQ(open.back(), m[2].str());
+            open.pop_back();
+        } else if (m[4].length() == 0) {
+            open.push_back(m[2].str());
+        }
+    }
+    EXPECT_TRUE(open.empty());
+    EXPECT_EQ(angles, count(text, "<")) << "something in angle brackets is no tag";
+}
+
+// What stands between the tags of the DataArray of that name.
+std::vector<double> data_array(const std::string& text, const std::string& name) {
+    const auto tag = text.find("Name=\"" + name + "\"");
+    EXPECT_NE(tag, std::string::npos) << name;
+    const auto begin = text.find('>', tag) + 1;
+    std::istringstream body(text.substr(begin, text.find("</DataArray>", begin) - begin));
+    std::vector<double> values;
+    for (std::string word; body >> word;) {
+        values.push_back(std::stod(word));
+    }
+    return values;
+}
+
+template <class Real>
+Complex<Real> scene() {
+    auto complex = grid<Real>(6, 0.15, 2, 2);
+    remove(complex, SimplexSet({}, {}, {Triangle{40}})); // free ids: numbers differ from ids
+    remove(complex, SimplexSet({Vertex{8}}, {}, {}));
+    return complex;
+}
+
+TYPED_TEST(Io, SvgHasEveryTriangleAndTheInterface) {
+    const auto complex = scene<TypeParam>();
+    const std::string file = this->path("mesh.svg");
+    write_svg(complex, file, {.title = "a < b & \"c\""});
+    const std::string text = read(file);
+    expect_well_formed(text);
+    EXPECT_EQ(this->files(), 1U) << "nothing else is left behind";
+    EXPECT_NE(text.find("<title>a &lt; b &amp; &quot;c&quot;</title>"), std::string::npos);
+    EXPECT_NE(text.find("class=\"phase-0\" fill=\"#ffffff\""), std::string::npos);
+    EXPECT_NE(text.find("class=\"phase-1\" fill=\"#56b4e9\""), std::string::npos);
+    EXPECT_EQ(count(text, "Z\n"), complex.triangle_count());
+    const SimplexSet interface = interface_of(complex);
+    EXPECT_EQ(count(text, "M"), complex.triangle_count() + interface.edges().size());
+    EXPECT_NE(text.find("class=\"interface\""), std::string::npos);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+    EXPECT_NE(text.find("viewBox=\"0 0 820.000 820.000\""), std::string::npos);
+    // y upwards: the vertex at (0, 0) is at the lower left.
+    EXPECT_NE(text.find("M10.000 810.000"), std::string::npos);
+}
+
+TYPED_TEST(Io, SvgOptions) {
+    const auto complex = scene<TypeParam>();
+    const std::string file = this->path("mesh.svg");
+    SvgOptions options;
+    options.interface_width_px = 0;
+    options.edge_width_px = 0;
+    options.size_px = 100;
+    options.margin_px = 0;
+    options.view = SvgBox{0, 0, 3, 1.5};
+    options.phase_colours = {"white", "red", "blue"};
+    write_svg(complex, file, options);
+    const std::string text = read(file);
+    expect_well_formed(text);
+    EXPECT_EQ(text.find("class=\"interface\""), std::string::npos);
+    EXPECT_NE(text.find("width=\"100.000\" height=\"50.000\""), std::string::npos);
+    EXPECT_NE(text.find("class=\"phase-1\" fill=\"red\""), std::string::npos);
+    // Phases beyond the list go around, but never get the exterior's colour.
+    auto many = complex;
+    const auto triangles = all_simplices(many).triangles();
+    many.set_phase(triangles[1], 3);
+    many.set_phase(triangles[2], 4);
+    many.set_phase(triangles[3], border_phase - 1);
+    write_svg(many, file, options);
+    const std::string cycled = read(file);
+    EXPECT_NE(cycled.find("class=\"phase-3\" fill=\"red\""), std::string::npos);
+    EXPECT_NE(cycled.find("class=\"phase-4\" fill=\"blue\""), std::string::npos);
+    EXPECT_NE(cycled.find("class=\"phase-4294967294\" fill=\"blue\""), std::string::npos);
+    write_svg(Complex<TypeParam>(), file);
+    expect_well_formed(read(file));
+    const auto refused = [&](auto change) {
+        SvgOptions bad;
+        change(bad);
+        EXPECT_THROW(write_svg(complex, this->path("never.svg"), bad), InputError);
+    };
+    refused([](SvgOptions& o) { o.size_px = 0; });
+    refused([](SvgOptions& o) { o.size_px = std::nan(""); });
+    refused([](SvgOptions& o) { o.margin_px = -1; });
+    refused([](SvgOptions& o) { o.interface_width_px = -1; });
+    refused([](SvgOptions& o) { o.phase_colours.clear(); });
+    refused([](SvgOptions& o) { o.view = SvgBox{1, 0, 1, 1}; });
+    EXPECT_EQ(this->files(), 1U);
+}
+
+TYPED_TEST(Io, VtuReadsBackBitByBit) {
+    auto complex = scene<TypeParam>();
+    auto& heat = complex.attributes.template add<double>("heat <K>", SimplexKind::vertex);
+    auto& load = complex.attributes.template add<double>("load", SimplexKind::triangle);
+    complex.attributes.template add<int>("count", SimplexKind::vertex);
+    complex.attributes.template add<double>("side", SimplexKind::edge);
+    for (std::size_t i = 0; i < heat.data().size(); ++i) {
+        heat.data()[i] = 1.0 / (1.0 + static_cast<double>(i));
+    }
+    for (std::size_t i = 0; i < load.data().size(); ++i) {
+        load.data()[i] = -1e-300 * static_cast<double>(i);
+    }
+    const std::string file = this->path("mesh.vtu");
+    write_vtu(complex, file);
+    EXPECT_EQ(this->files(), 1U);
+    const std::string text = read(file);
+    expect_well_formed(text);
+    EXPECT_NE(text.find("NumberOfPoints=\"" + std::to_string(complex.vertex_count()) + "\""),
+              std::string::npos);
+    EXPECT_NE(text.find("NumberOfCells=\"" + std::to_string(complex.triangle_count()) + "\""),
+              std::string::npos);
+    EXPECT_NE(
+        text.find(sizeof(TypeParam) == 8 ? "Float64\" Name=\"Points" : "Float32\" Name=\"Points"),
+        std::string::npos);
+    const auto points = data_array(text, "Points");
+    const auto cells = data_array(text, "connectivity");
+    const auto offsets = data_array(text, "offsets");
+    const auto types = data_array(text, "types");
+    const auto phase = data_array(text, "phase");
+    const auto heats = data_array(text, "heat &lt;K&gt;");
+    const auto loads = data_array(text, "load");
+    ASSERT_EQ(points.size(), 3 * std::size_t{complex.vertex_count()});
+    ASSERT_EQ(cells.size(), 3 * std::size_t{complex.triangle_count()});
+    ASSERT_EQ(phase.size(), complex.triangle_count());
+    ASSERT_EQ(heats.size(), complex.vertex_count());
+    ASSERT_EQ(loads.size(), complex.triangle_count());
+    EXPECT_EQ(types, std::vector<double>(complex.triangle_count(), 5));
+    EXPECT_EQ(text.find("\"count\""), std::string::npos) << "only attributes of type double";
+    EXPECT_EQ(text.find("\"side\""), std::string::npos);
+    const SimplexSet all = all_simplices(complex);
+    for (std::size_t i = 0; i < all.vertices().size(); ++i) {
+        const Vertex v = all.vertices()[i];
+        EXPECT_EQ(static_cast<TypeParam>(points[3 * i]), complex.position(v).x());
+        EXPECT_EQ(static_cast<TypeParam>(points[3 * i + 1]), complex.position(v).y());
+        EXPECT_EQ(points[3 * i + 2], 0);
+        EXPECT_EQ(heats[i], heat[v]);
+    }
+    for (std::size_t i = 0; i < all.triangles().size(); ++i) {
+        const Triangle t = all.triangles()[i];
+        EXPECT_EQ(phase[i], complex.phase(t));
+        EXPECT_EQ(loads[i], load[t]);
+        EXPECT_EQ(offsets[i], static_cast<double>(3 * (i + 1)));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto number = static_cast<std::size_t>(cells[3 * i + k]);
+            ASSERT_LT(number, all.vertices().size());
+            EXPECT_EQ(all.vertices()[number], complex.vertices_of(t)[k]);
+        }
+    }
+    write_vtu(Complex<TypeParam>(), file);
+    expect_well_formed(read(file));
+}
+
+TYPED_TEST(Io, PvdNamesFilesAndTimes) {
+    const std::string file = this->path("run.pvd");
+    const std::vector<PvdEntry> entries{{0, "a.vtu"}, {0.1, "b&c.vtu"}, {1e-9, "d.vtu"}};
+    write_pvd(entries, file);
+    const std::string text = read(file);
+    expect_well_formed(text);
+    EXPECT_EQ(count(text, "<DataSet"), 3U);
+    EXPECT_NE(text.find("timestep=\"0.1\" part=\"0\" file=\"b&amp;c.vtu\""), std::string::npos);
+    write_pvd({}, file);
+    expect_well_formed(read(file));
+}
+
+TYPED_TEST(Io, NoFolderNoFile) {
+    const auto complex = scene<TypeParam>();
+    const std::string file = this->path("missing/mesh.svg");
+    try {
+        write_svg(complex, file);
+        FAIL() << "wrote into a folder that is not there";
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.path(), file);
+        EXPECT_NE(std::string(error.what()).find("No such file"), std::string::npos);
+    }
+    EXPECT_THROW(write_vtu(complex, this->path("missing/mesh.vtu")), FileError);
+    EXPECT_THROW(write_pvd({}, this->path("missing/run.pvd")), FileError);
+    EXPECT_THROW(write_pvd({}, this->path("")), FileError);
+    // The place is a folder that is not empty: nothing can be renamed onto it.
+    fs::create_directories(this->folder / "full.vtu" / "more");
+    EXPECT_THROW(write_vtu(complex, this->path("full.vtu")), FileError);
+    EXPECT_FALSE(fs::exists(this->path("full.vtu.part")));
+    EXPECT_EQ(this->files(), 1U);
+}
+
+TYPED_TEST(Io, AFullDiskLeavesTheOldFile) {
+    const auto big = grid<TypeParam>(60);
+    const std::string svg = this->path("mesh.svg");
+    const std::string vtu = this->path("mesh.vtu");
+    write_svg(scene<TypeParam>(), svg);
+    const std::string before = read(svg);
+    // The process may write files of at most 20 kB: the disk is "full" after that.
+    struct Limit {
+        Limit() {
+            old_handler = std::signal(SIGXFSZ, SIG_IGN);
+            getrlimit(RLIMIT_FSIZE, &old_limit);
+            rlimit limit = old_limit;
+            limit.rlim_cur = 20000;
+            setrlimit(RLIMIT_FSIZE, &limit);
+        }
+        ~Limit() {
+            setrlimit(RLIMIT_FSIZE, &old_limit);
+            std::signal(SIGXFSZ, old_handler);
+        }
+        void (*old_handler)(int) = nullptr;
+        rlimit old_limit{};
+    };
+    std::string said;
+    bool vtu_threw = false;
+    {
+        const Limit limit;
+        try {
+            write_svg(big, svg);
+        } catch (const FileError& error) {
+            said = error.what();
+        }
+        try {
+            write_vtu(big, vtu);
+        } catch (const FileError&) {
+            vtu_threw = true;
+        }
+    }
+    EXPECT_NE(said.find("writing failed"), std::string::npos) << said;
+    EXPECT_TRUE(vtu_threw);
+    EXPECT_EQ(read(svg), before);
+    EXPECT_FALSE(fs::exists(vtu));
+    EXPECT_EQ(this->files(), 1U) << "the partial files are gone";
+    write_vtu(big, vtu);
+    EXPECT_EQ(this->files(), 2U);
+}
+
+TYPED_TEST(Io, WhatIsNotCommittedIsRemoved) {
+    {
+        PartFile file(this->path("notes.txt"));
+        file << "half a sen";
+        EXPECT_TRUE(fs::exists(this->path("notes.txt.part")));
+    }
+    EXPECT_EQ(this->files(), 0U);
+    PartFile file(this->path("notes.txt"));
+    file << 0.1 << ' ' << 0.1F << ' ' << std::uint64_t{18446744073709551615U} << ' ' << 7U << ' '
+         << std::numeric_limits<double>::denorm_min() << ' ';
+    file.fixed(-1e300, 2) << '\n';
+    const std::string line(100000, 'x');
+    file << line;
+    EXPECT_FALSE(fs::exists(this->path("notes.txt")));
+    file.commit();
+    const std::string text = read(this->path("notes.txt"));
+    EXPECT_EQ(text.substr(0, text.find('\n')).substr(0, 38),
+              "0.1 0.1 18446744073709551615 7 5e-324 ");
+    EXPECT_EQ(text.substr(text.find('\n') + 1), line);
+    EXPECT_EQ(this->files(), 1U);
+}
+
+} // namespace
+} // namespace dsc

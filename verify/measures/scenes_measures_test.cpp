@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+// The measures judge everything else, so they are judged here: against closed forms, against
+// slower methods that share no code with them, and where inputs are degenerate.
+#include "dsc/base/error.h"
+#include "measures/hausdorff.h"
+#include "shapes/shapes.h"
+#include "measures/symmetric_difference.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <random>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace dsc;
+using namespace dsc::scenes;
+
+constexpr double pi = std::numbers::pi;
+using Random = std::mt19937_64;
+
+double uniform(Random& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+Outline square(double x, double y, double side) {
+    return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
+
+OverlapAreas areas_of(const Outline& p, const Outline& q, FillRule rule = FillRule::even_odd) {
+    return overlap_areas({std::span(&p, 1), rule}, {std::span(&q, 1), rule});
+}
+
+/// A star-shaped polygon about the origin with random radii.
+Outline random_star(Random& random, int count) {
+    Outline outline;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * pi * (i + uniform(random, 0.0, 0.9)) / count;
+        const double radius = uniform(random, 0.3, 1.0);
+        outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    return outline;
+}
+
+Outline transformed(Outline outline, double scale, const Point<double>& shift) {
+    for (Point<double>& p : outline) {
+        p = scale * p + shift;
+    }
+    return outline;
+}
+
+Outline transposed(Outline outline) {
+    for (Point<double>& p : outline) {
+        std::swap(p.x(), p.y());
+    }
+    return reversed(std::move(outline));
+}
+
+double cross(const Point<double>& a, const Point<double>& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+bool even_odd_inside(const Point<double>& p, const Outline& outline) {
+    bool inside = false;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Point<double>& a = outline[i];
+        const Point<double>& b = outline[(i + 1) % outline.size()];
+        if ((a.y() > p.y()) != (b.y() > p.y()) &&
+            p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+/// Every edge of `of` cut at every edge of both, O(n^2); each piece bounds the difference on the
+/// one side or the other. Only for outlines in general position, and simple ones.
+double half_of_difference(const Outline& of, const Outline& other) {
+    double doubled = 0.0;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+        const Point<double>& a = of[i];
+        const Point<double> d = of[(i + 1) % of.size()] - a;
+        std::vector<double> cuts{0.0, 1.0};
+        for (std::size_t j = 0; j < other.size(); ++j) {
+            const Point<double>& c = other[j];
+            const Point<double> e = other[(j + 1) % other.size()] - c;
+            const double det = cross(d, e);
+            const double s = cross(c - a, e) / det;
+            const double t = cross(c - a, d) / det;
+            if (s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0) {
+                cuts.push_back(s);
+            }
+        }
+        std::sort(cuts.begin(), cuts.end());
+        for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+            const Point<double> from = a + cuts[k] * d;
+            const Point<double> to = a + cuts[k + 1] * d;
+            doubled += (even_odd_inside(0.5 * (from + to), other) ? -1.0 : 1.0) * cross(from, to);
+        }
+    }
+    return 0.5 * doubled;
+}
+
+double brute_force_difference(const Outline& p, const Outline& q) {
+    return half_of_difference(p, q) + half_of_difference(q, p);
+}
+
+// --- outlines and shapes ---------------------------------------------------------------------
+
+TEST(Outline, AreaDoesNotLoseDigitsFarFromTheOrigin) {
+    const Outline near = transformed(circle({0.0, 0.0}, 0.5, 0.01), 1.0, {0.0, 0.0});
+    Outline grid = near; // coordinates that survive the offset exactly
+    for (Point<double>& p : grid) {
+        p = {std::round(std::ldexp(p.x(), 20)) * 0x1p-20,
+             std::round(std::ldexp(p.y(), 20)) * 0x1p-20};
+    }
+    const Outline far = transformed(grid, 1.0, {0x1p30, -0x1p31});
+    EXPECT_EQ(signed_area(far), signed_area(grid));
+    EXPECT_EQ(signed_area(reversed(grid)), -signed_area(grid));
+    EXPECT_NEAR(signed_area(near), 0.5 * 315 * 0.25 * std::sin(2.0 * pi / 315), 1e-16);
+}
+
+TEST(Outline, SimplicityIsDecidedExactly) {
+    EXPECT_TRUE(is_simple(square(0.0, 0.0, 1.0)));
+    EXPECT_FALSE(is_simple(Outline{{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
+    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {2, 1}, {1, 0}, {0, 1}})) << "touches an edge";
+    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {1, 0}, {1, 1}})) << "folds back";
+    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {1, 0}})) << "folds back";
+    EXPECT_FALSE(is_simple(Outline{{1, 0}, {2, 0}, {0, 0}})) << "folds back";
+    EXPECT_FALSE(is_simple(Outline{{0, 0}, {0, 0}, {1, 0}, {1, 1}})) << "point twice";
+    const std::vector<Outline> nested{square(0, 0, 3), reversed(square(1, 1, 1))};
+    EXPECT_TRUE(is_simple(nested));
+    const std::vector<Outline> crossing{square(0, 0, 3), square(2, 2, 3)};
+    EXPECT_FALSE(is_simple(crossing));
+    EXPECT_THROW(check_outline({{0, 0}, {1, 1}}, "test"), InputError);
+    EXPECT_THROW(check_outline({{0, 0}, {1, NAN}, {1, 1}}, "test"), InputError);
+}
+
+void expect_sound(const Outline& outline, double edge_length, double area, double tolerance) {
+    EXPECT_TRUE(is_simple(outline));
+    EXPECT_LE(longest_edge(outline), edge_length * (1.0 + 1e-12));
+    EXPECT_NEAR(signed_area(outline), area, tolerance);
+}
+
+TEST(Shapes, KeepTheirAreaCornersAndEdgeLength) {
+    const Outline round = circle({0.5, 0.75}, 0.15, 0.0196);
+    EXPECT_EQ(round.size(), 49U);
+    expect_sound(round, 0.0196, pi * 0.15 * 0.15, 3e-4);
+    EXPECT_EQ(circle({0, 0}, 1.0, 100.0).size(), 8U);
+    for (const Point<double>& p : round) {
+        EXPECT_NEAR(std::hypot(p.x() - 0.5, p.y() - 0.75), 0.15, 1e-16);
+    }
+    expect_sound(rectangle({1, 2}, {4, 3}, 0.3), 0.3, 3.0, 1e-15);
+
+    const SlottedDisc disc;
+    const Outline zalesak = slotted_disc(disc, 1e-3);
+    expect_sound(zalesak, 1e-3, slotted_disc_area(disc), 1e-6);
+    for (const Point<double>& corner :
+         {Point<double>{0.475, 0.85}, {0.525, 0.85}, {0.475, slot_corners(disc)[0].y()}}) {
+        EXPECT_EQ(std::count(zalesak.begin(), zalesak.end(), corner), 1) << corner.transpose();
+    }
+    const std::vector<Outline> slot_alone{circle({0.5, 0.75}, 0.15, 1e-4),
+                                          rectangle({0.475, 0.55}, {0.525, 0.85}, 1.0)};
+    const OverlapAreas cut =
+        overlap_areas({std::span(slot_alone).first(1)}, {std::span(slot_alone).last(1)});
+    EXPECT_NEAR(cut.only_first, slotted_disc_area(disc), 6e-9);
+
+    const Crescent moon{{1, 2}, 1.0, {1.5, 2.5}, 0.8};
+    const OverlapAreas bitten = areas_of(circle({1, 2}, 1.0, 1e-4), circle({1.5, 2.5}, 0.8, 1e-4));
+    expect_sound(crescent(moon, 1e-3), 1e-3, bitten.only_first, 1e-6);
+
+    expect_sound(star({0, 0}, 1.0, 0.4, 5, 0.05), 0.05, 5 * 0.4 * std::sin(pi / 5), 1e-14);
+    const std::vector<Outline> four = four_circles({0.5, 0.5}, 0.4, 0.1, 0.01);
+    EXPECT_TRUE(is_simple(four));
+    EXPECT_EQ(four.size(), 4U);
+    EXPECT_NEAR(signed_area(four), 4.0 * 0.5 * 63 * 0.01 * std::sin(2.0 * pi / 63), 1e-15);
+    EXPECT_THROW((void)circle({0, 0}, -1.0, 0.1), InputError);
+    EXPECT_THROW((void)circle({0, 0}, 1.0, NAN), InputError);
+    EXPECT_THROW((void)slotted_disc({.slot_width = 0.4}, 0.1), InputError);
+    EXPECT_THROW((void)crescent({{0, 0}, 1.0, {3, 0}, 1.0}, 0.1), InputError);
+    EXPECT_THROW((void)four_circles({0, 0}, 0.1, 0.1, 0.1), InputError);
+}
+
+// --- symmetric difference --------------------------------------------------------------------
+
+TEST(SymmetricDifference, ShiftedSquaresInClosedForm) {
+    for (const double shift : {0.5, 1e-3, 1e-9, 1e-12}) {
+        const Outline first = square(0.0, 0.0, 1.0);
+        for (const auto& [dx, dy] : {std::pair(shift, 0.0), {0.0, shift}, {shift, shift}}) {
+            const Outline second = transformed(first, 1.0, {dx, dy});
+            const double x = second[0].x();
+            const double y = second[0].y();
+            EXPECT_NEAR(symmetric_difference(first, second), 2.0 * (x + y - x * y), 4e-16);
+        }
+    }
+    const OverlapAreas apart = areas_of(square(0, 0, 1), square(5, 0, 2));
+    EXPECT_EQ(apart.only_first, 1.0);
+    EXPECT_EQ(apart.only_second, 4.0);
+    EXPECT_EQ(apart.both, 0.0);
+}
+
+TEST(SymmetricDifference, CrossingsOfNearlyVerticalSides) {
+    // Two parallelograms that lean to either side: their sides cross within a strip of width w.
+    for (const double w : {0.25, 1e-3, 1e-6, 1e-9, 1e-12}) {
+        const Outline right{{0, 0}, {1, 0}, {1 + w, 1}, {w, 1}};
+        const Outline left{{w, 0}, {1 + w, 0}, {1, 1}, {0, 1}};
+        EXPECT_NEAR(symmetric_difference(right, left), w, 5e-16);
+        EXPECT_NEAR(symmetric_difference(transposed(right), transposed(left)), w, 5e-16);
+    }
+}
+
+TEST(SymmetricDifference, EqualOutlinesGiveZero) {
+    Random random(1);
+    for (int i = 0; i < 20; ++i) {
+        const Outline outline = random_star(random, 100);
+        Outline turned = outline;
+        std::rotate(turned.begin(), turned.begin() + 37, turned.end());
+        EXPECT_EQ(symmetric_difference(outline, turned), 0.0);
+        EXPECT_EQ(symmetric_difference(outline, reversed(turned)), 0.0);
+        Outline refined; // collinear points change the outline by their own rounding only
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            const Point<double>& next = outline[(k + 1) % outline.size()];
+            refined.push_back(outline[k]);
+            for (const double part : {0.1, 0.25, 0.7}) {
+                refined.emplace_back(outline[k] + part * (next - outline[k]));
+            }
+        }
+        EXPECT_LT(symmetric_difference(outline, refined), 1e-15);
+    }
+}
+
+TEST(SymmetricDifference, AgreesWithBruteForceOnRandomStars) {
+    Random random(2);
+    for (int i = 0; i < 200; ++i) {
+        const Outline p = random_star(random, 3 + i % 60);
+        const Outline q = transformed(random_star(random, 3 + (7 * i) % 50), 0.9, {0.05, -0.03});
+        const OverlapAreas areas = areas_of(p, q);
+        EXPECT_NEAR(areas.symmetric_difference(), brute_force_difference(p, q), 3e-14);
+        EXPECT_NEAR(areas.first(), signed_area(p), 1e-14);
+        EXPECT_NEAR(areas.second(), signed_area(q), 1e-14);
+    }
+}
+
+TEST(SymmetricDifference, NearlyCoincidentCurvesKeepTheirDigits) {
+    // Noise of 1e-9 at each vertex: some hundred thousandths of the edge length, crossings all
+    // over.
+    Random random(3);
+    for (const double noise : {1e-3, 1e-6, 1e-9}) {
+        const Outline p = circle({0.1, 0.2}, 0.7, 0.012);
+        Outline q = p;
+        for (Point<double>& v : q) {
+            v += noise * Point<double>{uniform(random, -1, 1), uniform(random, -1, 1)};
+        }
+        const double expected = brute_force_difference(p, q);
+        EXPECT_NEAR(symmetric_difference(p, q), expected, 1e-6 * noise + 1e-14);
+        EXPECT_GT(expected, noise);
+    }
+    // Moved outwards by 1e-9 all around: the perimeter times 1e-9.
+    const Outline p = circle({0.0, 0.0}, 0.7, 0.001);
+    const Outline q = transformed(p, 1.0 + 1e-9 / 0.7, {0.0, 0.0});
+    EXPECT_NEAR(symmetric_difference(p, q), perimeter(p) * 1e-9, 1e-15);
+}
+
+TEST(SymmetricDifference, SliverOfOnePartInTenToTheFourteen) {
+    const Outline p = circle({0.5, 0.75}, 0.15, 0.0196);
+    for (const std::size_t i : {0U, 5U, 12U, 24U, 31U}) {
+        Outline q = p;
+        q[i] = Point<double>{0.5, 0.75} + (1.0 + 3e-13) * (p[i] - Point<double>{0.5, 0.75});
+        const Point<double>& before = p[(i + p.size() - 1) % p.size()];
+        const double sliver = 0.5 * std::abs(cross(q[i] - p[i], p[(i + 1) % p.size()] - before));
+        ASSERT_LT(sliver, 2e-14 * signed_area(p));
+        EXPECT_NEAR(symmetric_difference(p, q), sliver, 0.02 * sliver) << i;
+        const OverlapAreas areas = areas_of(p, q);
+        EXPECT_LT(areas.only_first, 0.02 * sliver) << "pushed outwards: nothing was lost";
+    }
+}
+
+TEST(SymmetricDifference, DegenerateGridPolygonsAgreeWithTheirTransposes) {
+    // Vertices on a 5 x 5 grid: shared and overlapping edges, touching vertices, self-crossings.
+    Random random(4);
+    for (int i = 0; i < 2000; ++i) {
+        std::array<Outline, 2> outlines;
+        for (Outline& outline : outlines) {
+            const int count = 3 + static_cast<int>(random() % 8);
+            for (int k = 0; k < count; ++k) {
+                outline.emplace_back(static_cast<double>(random() % 5),
+                                     static_cast<double>(random() % 5));
+            }
+        }
+        const std::array<Outline, 2> mirrored{transposed(outlines[0]), transposed(outlines[1])};
+        for (const FillRule rule : {FillRule::even_odd, FillRule::nonzero}) {
+            const OverlapAreas one = areas_of(outlines[0], outlines[1], rule);
+            const OverlapAreas two = areas_of(mirrored[0], mirrored[1], rule);
+            const OverlapAreas swapped = areas_of(outlines[1], outlines[0], rule);
+            EXPECT_NEAR(one.only_first, two.only_first, 1e-14);
+            EXPECT_NEAR(one.only_second, two.only_second, 1e-14);
+            EXPECT_NEAR(one.both, two.both, 1e-14);
+            EXPECT_NEAR(one.only_first, swapped.only_second, 1e-14);
+        }
+    }
+}
+
+TEST(SymmetricDifference, HolesAndFillRules) {
+    const std::vector<Outline> ring{square(0, 0, 3), reversed(square(1, 1, 1))};
+    const std::vector<Outline> full{square(0, 0, 3)};
+    const std::vector<Outline> none;
+    EXPECT_EQ(symmetric_difference(ring, full), 1.0);
+    EXPECT_EQ(symmetric_difference(ring, none), 8.0);
+    EXPECT_EQ(symmetric_difference(none, none), 0.0);
+    const std::vector<Outline> stacked{square(0, 0, 3), square(1, 1, 1)};
+    EXPECT_EQ(overlap_areas({stacked, FillRule::even_odd}, {full}).only_second, 1.0);
+    EXPECT_EQ(overlap_areas({stacked, FillRule::nonzero}, {full}).only_second, 0.0);
+    EXPECT_EQ(overlap_areas({ring, FillRule::nonzero}, {full}).only_second, 1.0);
+    EXPECT_THROW((void)symmetric_difference({{0, 0}, {1, 0}}, square(0, 0, 1)), InputError);
+    EXPECT_THROW((void)symmetric_difference({{0, 0}, {1, 0}, {INFINITY, 1}}, square(0, 0, 1)),
+                 InputError);
+}
+
+TEST(SymmetricDifference, NearlyVerticalSidesThatInterlace) {
+    // The sides of q wander by single rounding errors about those of p, with ten thousand vertices:
+    // strips as thin as numbers get, with nearly all edges in them.
+    Random random(5);
+    const Outline p = rectangle({1.0, 0.0}, {2.0, 1.0}, 1e-4);
+    Outline q = rectangle({1.0, 0.0}, {2.0, 1.0}, 1.1e-4);
+    for (Point<double>& v : q) {
+        v.x() += 0x1p-52 * static_cast<double>(random() % 5);
+    }
+    EXPECT_LT(symmetric_difference(p, q), 2e-15);
+}
+
+TEST(SymmetricDifference, FollowsOffsetAndScale) {
+    Random random(6);
+    Outline p = random_star(random, 50);
+    Outline q = random_star(random, 50);
+    for (Outline* outline : {&p, &q}) {
+        for (Point<double>& v : *outline) {
+            v = {std::round(std::ldexp(v.x(), 20)) * 0x1p-20,
+                 std::round(std::ldexp(v.y(), 20)) * 0x1p-20};
+        }
+    }
+    const double area = symmetric_difference(p, q);
+    const Point<double> offset{0x1p31, -0x1p30};
+    EXPECT_NEAR(symmetric_difference(transformed(p, 1.0, offset), transformed(q, 1.0, offset)),
+                area, 1e-14);
+    const Point<double> none{0.0, 0.0};
+    EXPECT_EQ(symmetric_difference(transformed(p, 0x1p-400, none), transformed(q, 0x1p-400, none)),
+              std::ldexp(area, -800));
+}
+
+// --- Hausdorff distance ----------------------------------------------------------------------
+
+double hausdorff(const Outline& p, const Outline& q) {
+    return dsc::scenes::hausdorff(std::span(&p, 1), std::span(&q, 1)).distance();
+}
+
+TEST(Hausdorff, ClosedForms) {
+    const Outline p = square(0, 0, 1);
+    EXPECT_EQ(hausdorff(p, p), 0.0);
+    EXPECT_EQ(hausdorff(p, square(0.25, 0, 1)), 0.25);
+    EXPECT_NEAR(hausdorff(p, transformed(p, 1.0, {3.0, 4.0})), 5.0, 1e-15);
+    const Outline inner = circle({0, 0}, 0.6, 1e-3);
+    const Outline outer = circle({0, 0}, 0.7, 1.1e-3);
+    EXPECT_NEAR(hausdorff(inner, outer), 0.1, 1e-6);
+    // The farthest point lies inside an edge: half-way between two boxes at its ends.
+    const std::vector<Outline> bar{rectangle({0, 0}, {10, 0.5}, 100.0)};
+    const std::vector<Outline> ends{rectangle({-1, 0}, {0, 0.5}, 1.0),
+                                    rectangle({10, 0}, {13, 0.5}, 1.0)};
+    const HausdorffDistance far = dsc::scenes::hausdorff(bar, ends);
+    EXPECT_NEAR(far.first_to_second, 5.0, 1e-9 * 14);
+    EXPECT_NEAR(far.farthest.x(), 5.0, 1e-8);
+    EXPECT_NEAR(far.second_to_first, 3.0, 1e-15);
+    const double tiny = 0x1p-600;
+    EXPECT_NEAR(hausdorff(transformed(inner, tiny, {0, 0}), transformed(outer, tiny, {0, 0})) /
+                    tiny,
+                hausdorff(inner, outer), 1e-15);
+    EXPECT_EQ(dsc::scenes::hausdorff({}, bar).distance(), INFINITY);
+    EXPECT_EQ(dsc::scenes::hausdorff({}, {}).distance(), 0.0);
+    EXPECT_THROW((void)dsc::scenes::hausdorff(bar, ends, {.tolerance = 0.0}), InputError);
+}
+
+double sampled_distance(const Outline& from, const Outline& to, int samples) {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        for (int k = 0; k < samples; ++k) {
+            const Point<double> p = from[i] + (static_cast<double>(k) / samples) *
+                                                  (from[(i + 1) % from.size()] - from[i]);
+            double nearest = INFINITY;
+            for (std::size_t j = 0; j < to.size(); ++j) {
+                const Point<double> d = to[(j + 1) % to.size()] - to[j];
+                const double t = std::clamp((p - to[j]).dot(d) / d.squaredNorm(), 0.0, 1.0);
+                nearest = std::min(nearest, (p - to[j] - t * d).norm());
+            }
+            farthest = std::max(farthest, nearest);
+        }
+    }
+    return farthest;
+}
+
+TEST(Hausdorff, AgreesWithDenseSampling) {
+    Random random(7);
+    for (int i = 0; i < 40; ++i) {
+        const Outline p = random_star(random, 4 + i % 40);
+        const Outline q = transformed(random_star(random, 3 + i % 30), 1.2, {0.1, 0.4});
+        const double there = sampled_distance(p, q, 100);
+        const double back = sampled_distance(q, p, 100);
+        const auto result = dsc::scenes::hausdorff(std::span(&p, 1), std::span(&q, 1));
+        EXPECT_GE(result.first_to_second, there - 1e-9);
+        EXPECT_GE(result.second_to_first, back - 1e-9);
+        EXPECT_LE(result.first_to_second, there + 0.02);
+        EXPECT_LE(result.second_to_first, back + 0.02);
+    }
+}
+
+} // namespace

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// What is said of a shape at one moment, and of errors at several sizes: against closed forms, and
+// where a measure of smoothness is easily fooled.
+#include "dsc/base/error.h"
+#include "measures/convergence.h"
+#include "shapes/curve.h"
+#include "measures/shape_errors.h"
+#include "shapes/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace {
+
+using namespace dsc;
+using namespace dsc::scenes;
+
+constexpr double pi = std::numbers::pi;
+
+double degrees(double radians) { return radians * 180.0 / pi; }
+
+Jaggedness jaggedness(const Outline& polygon, const Outline& exact) {
+    return measure_jaggedness(std::span(&polygon, 1), std::span(&exact, 1));
+}
+
+Outline transformed(Outline outline, double scale, const Point<double>& shift) {
+    for (Point<double>& p : outline) {
+        p = scale * p + shift;
+    }
+    return outline;
+}
+
+std::size_t index_of(const Outline& outline, const Point<double>& p) {
+    return static_cast<std::size_t>(std::min_element(outline.begin(), outline.end(),
+                                                     [&](const auto& s, const auto& t) {
+                                                         return (s - p).norm() < (t - p).norm();
+                                                     }) -
+                                    outline.begin());
+}
+
+// --- jaggedness ---------------------------------------------------------------------------------
+
+TEST(Jaggedness, OfAnInscribedPolygonIsThatOfTheCircle) {
+    // Vertices at very unequal distances, on the circle: each turns by half of both angles beside
+    // it, and so do its projections.
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> gap(0.02, 0.3);
+    std::vector<double> angles{0.0};
+    while (angles.back() < 2.0 * pi - 0.4) {
+        angles.push_back(angles.back() + gap(random));
+    }
+    Outline polygon;
+    for (const double angle : angles) {
+        polygon.emplace_back(0.5 + 0.3 * std::cos(angle), 0.4 + 0.3 * std::sin(angle));
+    }
+    double largest = 0.0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const double before = i == 0 ? angles.back() - 2.0 * pi : angles[i - 1];
+        const double after = i + 1 == angles.size() ? 2.0 * pi : angles[i + 1];
+        largest = std::max(largest, degrees(0.5 * (after - before)));
+    }
+    const ExactShape exact = exact_circle({0.5, 0.4}, 0.3);
+    const Jaggedness j = jaggedness(polygon, exact.outlines.front());
+    EXPECT_EQ(j.vertices, angles.size());
+    EXPECT_EQ(j.beyond, 0U);
+    EXPECT_NEAR(j.largest_turn_deg, largest, 1e-9);
+    EXPECT_NEAR(j.exact_turn_deg, largest, 1e-3);
+    EXPECT_LT(j.largest_excess_deg, -2.0);
+    EXPECT_LT(j.rms_deg, 1e-3);
+}
+
+/// The unit square with edges of 0.1.
+Outline fine_square() { return rectangle({0, 0}, {1, 1}, 0.1); }
+const Outline plain_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+TEST(Jaggedness, FindsATooth) {
+    Outline polygon = fine_square();
+    const std::size_t tooth = index_of(polygon, {0.5, 0});
+    polygon[tooth].y() -= 0.1 * std::tan(1.5 * pi / 180);
+    const Jaggedness j = jaggedness(polygon, plain_square);
+    EXPECT_EQ(j.vertices, 40U);
+    EXPECT_EQ(j.beyond, 1U) << "its neighbours turn by 1.5 degrees only";
+    EXPECT_EQ(j.worst, polygon[tooth]);
+    EXPECT_NEAR(j.largest_excess_deg, 1.0, 1e-9);
+    EXPECT_NEAR(j.rms_deg, std::sqrt((9.0 + 2 * 2.25) / 40), 1e-9);
+    EXPECT_NEAR(j.largest_turn_deg, 90.0, 1e-12);
+    EXPECT_NEAR(j.exact_turn_deg, 90.0, 1e-12);
+    const auto strict = measure_jaggedness(std::span(&polygon, 1), std::span(&plain_square, 1),
+                                           {.factor = 1.0, .slack_deg = 1.0});
+    EXPECT_EQ(strict.beyond, 3U);
+    EXPECT_NEAR(strict.largest_excess_deg, 2.0, 1e-9);
+}
+
+TEST(Jaggedness, ComparesSignsInTheMean) {
+    // A dent where the circle bulges: within the limit, and yet wrong by both turns.
+    const Outline exact = circle({0, 0}, 1.0, 1e-3);
+    Outline polygon = circle({0, 0}, 1.0, 2 * pi / 360);
+    const double turn = pi / 180;
+    const std::size_t dent = 90;
+    polygon[dent] *= 1.0 - turn * turn; // twice the sagitta, and so the turn of its mirror image
+    const Jaggedness j = jaggedness(polygon, exact);
+    EXPECT_EQ(j.beyond, 0U);
+    EXPECT_NEAR(j.rms_deg, std::sqrt((4.0 + 2.0) / 360), 1e-3);
+}
+
+TEST(Jaggedness, CornersOfTheExactShapeAreNone) {
+    for (const double h : {0.004, 0.01, 0.024}) {
+        const Outline exact = unmoved_shape(slotted_disc_curve({})).outlines.front();
+        const Outline polygon = slotted_disc({}, h);
+        const Jaggedness whole = jaggedness(polygon, exact);
+        EXPECT_EQ(whole.beyond, 0U);
+        EXPECT_GT(whole.largest_turn_deg, 89.0);
+        EXPECT_LT(whole.rms_deg, 0.02) << "facets of the exact outline";
+        // Without the vertices at the corners: two turns instead of one.
+        Outline cut;
+        const auto corners = slot_corners({});
+        for (const Point<double>& p : polygon) {
+            if (std::find(corners.begin(), corners.end(), p) == corners.end()) {
+                cut.push_back(p);
+            }
+        }
+        EXPECT_EQ(jaggedness(cut, exact).beyond, 0U);
+    }
+}
+
+TEST(Jaggedness, ProjectionsThatCoincideInACorner) {
+    // Three vertices that are all nearest to the corner (1, 1) itself. Only the two before and
+    // after it, where the sides are left, turn as no side does.
+    const Outline polygon{{0, 0},         {1, 0},         {1, 0.9}, {1.01, 1.0001},
+                          {1.008, 1.008}, {1.0001, 1.01}, {0.9, 1}, {0, 1}};
+    const Jaggedness j = jaggedness(polygon, plain_square);
+    EXPECT_EQ(j.beyond, 2U);
+    EXPECT_NEAR(j.largest_excess_deg, degrees(std::atan(0.01 / 0.1001)) - 2.0, 1e-9);
+}
+
+TEST(Jaggedness, AFoldExcusesNothing) {
+    Outline polygon = fine_square();
+    const std::size_t i = index_of(polygon, {0.5, 0});
+    std::swap(polygon[i], polygon[i + 1]);
+    const Jaggedness j = jaggedness(polygon, plain_square);
+    EXPECT_EQ(j.beyond, 2U);
+    EXPECT_NEAR(j.largest_excess_deg, 178.0, 1e-9);
+    EXPECT_NEAR(j.exact_turn_deg, 0.0, 1e-9);
+    // Beside a corner that lies nearer than the fold is long, but not within the fold.
+    const Outline beside{{0, 0}, {0.5, 0}, {0.15, 0}, {0.6, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const Jaggedness k = jaggedness(beside, plain_square);
+    EXPECT_EQ(k.beyond, 2U);
+    EXPECT_NEAR(k.rms_deg, std::sqrt(2 * 180.0 * 180.0 / 7), 1e-9);
+}
+
+TEST(Jaggedness, TheFarSideOfAFilamentExcusesNothing) {
+    // Every other vertex of the lower side is nearer to the upper one.
+    const Outline exact = rectangle({0, 0}, {1, 0.004}, 0.001);
+    Outline polygon = rectangle({0, 0}, {1, 0.004}, 0.05);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point<double> p = polygon[i];
+        if (p.y() == 0.0 && p.x() > 0.0 && p.x() < 1.0) {
+            polygon[i].y() = i % 2 == 0 ? 0.003 : 0.0;
+        }
+    }
+    const Jaggedness j = jaggedness(polygon, exact);
+    EXPECT_EQ(j.beyond, 19U);
+    EXPECT_NEAR(j.largest_excess_deg, 2.0 * degrees(std::atan(0.06)) - 2.0, 1e-6);
+}
+
+TEST(Jaggedness, ATipThatFellShortIsATip) {
+    // The filament goes on for four edges where the polygon ends: that is an error of the shape,
+    // but the curve does turn back there.
+    const Outline exact = rectangle({0, 0}, {1, 0.004}, 0.001);
+    const Outline polygon = rectangle({0, 0.0005}, {0.8, 0.0035}, 0.05);
+    EXPECT_EQ(jaggedness(polygon, exact).beyond, 0U);
+}
+
+TEST(Jaggedness, DoesNotDependOnScaleNorOnOtherOutlines) {
+    Outline polygon = slotted_disc({}, 0.02);
+    polygon[7].x() += 0.001;
+    polygon[31].y() -= 0.002;
+    const Outline exact = slotted_disc({}, 0.001);
+    const Jaggedness j = jaggedness(polygon, exact);
+    EXPECT_GT(j.beyond, 1U);
+    const double tiny = 0x1p-600;
+    const Jaggedness small =
+        jaggedness(transformed(polygon, tiny, {0, 0}), transformed(exact, tiny, {0, 0}));
+    EXPECT_EQ(small.beyond, j.beyond);
+    EXPECT_EQ(small.largest_excess_deg, j.largest_excess_deg);
+    EXPECT_EQ(small.rms_deg, j.rms_deg);
+    // A second, smooth curve beside it; the first vertex need not be the same.
+    Outline turned = exact;
+    std::rotate(turned.begin(), turned.begin() + 333, turned.end());
+    const std::array polygons{circle({2, 2}, 0.3, 0.02), polygon};
+    const std::array exacts{turned, circle({2, 2}, 0.3, 1e-4)};
+    const Jaggedness both = measure_jaggedness(polygons, exacts);
+    EXPECT_EQ(both.vertices, polygons[0].size() + polygon.size());
+    EXPECT_EQ(both.beyond, j.beyond);
+    EXPECT_NEAR(both.largest_excess_deg, j.largest_excess_deg, 1e-9);
+}
+
+TEST(Jaggedness, OfNothing) {
+    const Outline one = fine_square();
+    EXPECT_EQ(measure_jaggedness({}, std::span(&one, 1)).vertices, 0U);
+    EXPECT_EQ(measure_jaggedness(std::span(&one, 1), {}).largest_excess_deg, -INFINITY);
+    const Outline bad{{0, 0}, {1, 0}, {NAN, 1}};
+    EXPECT_THROW((void)jaggedness(bad, one), InputError);
+    EXPECT_THROW((void)jaggedness(one, {{0, 0}, {1, 0}}), InputError);
+}
+
+// --- the moment ---------------------------------------------------------------------------------
+
+TEST(ShapeErrors, OfACircleThatIsTooLarge) {
+    const ExactShape exact = exact_circle({0.5, 0.5}, 0.2);
+    const Outline large = circle({0.5, 0.5}, 0.21, 1e-4);
+    const Outline vertices = circle({0.5, 0.5}, 0.21, 0.02);
+    const ShapeErrors e = measure_shape(std::span(&large, 1), std::span(&vertices, 1), exact);
+    EXPECT_NEAR(e.area, pi * 0.21 * 0.21, 1e-7);
+    EXPECT_EQ(e.area_exact, pi * 0.2 * 0.2);
+    EXPECT_NEAR(e.symmetric_difference, pi * (0.21 * 0.21 - 0.2 * 0.2), 1e-7);
+    EXPECT_NEAR(e.hausdorff, 0.01, 1e-7);
+    EXPECT_NEAR(e.perimeter, 2 * pi * 0.21, 1e-6);
+    EXPECT_EQ(e.jaggedness.vertices, vertices.size());
+    EXPECT_NEAR(e.jaggedness.largest_turn_deg, 360.0 / static_cast<double>(vertices.size()), 1e-9);
+    EXPECT_EQ(e.exact_error, exact.own_error);
+    EXPECT_EQ(e.exact_shape, exact.description);
+    const ShapeErrors gone = measure_shape({}, {}, exact);
+    EXPECT_EQ(gone.area, 0.0);
+    EXPECT_NEAR(gone.symmetric_difference, e.area_exact, 1e-9);
+    EXPECT_EQ(gone.hausdorff, INFINITY);
+}
+
+// --- convergence --------------------------------------------------------------------------------
+
+TEST(Order, OfAPowerIsItsExponent) {
+    const std::array sizes{0.02, 0.005, 0.01, 0.04};
+    std::array<double, 4> errors{};
+    std::transform(sizes.begin(), sizes.end(), errors.begin(),
+                   [](double h) { return 1e-200 * std::pow(h, 2.5); });
+    const Order order = fit_order(sizes, errors);
+    EXPECT_NEAR(order.order, 2.5, 1e-12);
+    EXPECT_NEAR(order.smallest, 2.5, 1e-12);
+    EXPECT_NEAR(order.spread(), 0.0, 1e-11);
+}
+
+TEST(Order, IsTheLeastSquaresLine) {
+    const std::array sizes{1.0, 2.0, 4.0, 8.0};
+    const std::array errors{1.0, 2.0, 16.0, 32.0};
+    const Order order = fit_order(sizes, errors);
+    EXPECT_NEAR(order.order, 1.8, 1e-12); // (1.5 * 2.5 + 0.5 * 1.5) * 2 / 5
+    EXPECT_NEAR(order.smallest, 1.0, 1e-12);
+    EXPECT_NEAR(order.largest, 3.0, 1e-12);
+}
+
+TEST(Order, RefusesWhatHasNone) {
+    using Values = std::vector<double>;
+    EXPECT_THROW((void)fit_order(Values{1}, Values{1}), InputError);
+    EXPECT_THROW((void)fit_order(Values{}, Values{}), InputError);
+    EXPECT_THROW((void)fit_order(Values{1, 2}, Values{1}), InputError);
+    EXPECT_THROW((void)fit_order(Values{1, 2}, Values{1, 0}), InputError);
+    EXPECT_THROW((void)fit_order(Values{1, -2}, Values{1, 1}), InputError);
+    EXPECT_THROW((void)fit_order(Values{1, 2}, Values{1, NAN}), InputError);
+    EXPECT_THROW((void)fit_order(Values{1, INFINITY}, Values{1, 2}), InputError);
+    EXPECT_THROW((void)fit_order(Values{1, 2, 1}, Values{1, 2, 3}), InputError);
+    EXPECT_EQ(fit_order(Values{1, 2}, Values{1, 2}).order, 1.0);
+}
+
+} // namespace

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: MIT
+// The insertion of vertices: exact on polynomials in the chord's length, of fourth order on smooth
+// curves, and linear where the curve has a corner.
+#include "dsc/motion/interpolation.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/initial/initial_complex.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using Wide = Eigen::Matrix<long double, 2, 1>;
+
+// Newton's divided differences, in long double: another form of the same polynomial.
+Wide newton(const std::vector<Wide>& points, const std::vector<long double>& knots,
+            long double at) {
+    std::vector<Wide> table = points;
+    for (std::size_t order = 1; order < points.size(); ++order) {
+        for (std::size_t i = points.size() - 1; i >= order; --i) {
+            table[i] = (table[i] - table[i - 1]) / (knots[i] - knots[i - order]);
+        }
+    }
+    Wide value = table.back();
+    for (std::size_t i = points.size() - 1; i-- > 0;) {
+        value = table[i] + (at - knots[i]) * value;
+    }
+    return value;
+}
+
+template <class Real>
+Wide expected_point(const CurveNeighbours<Real>& n, long double share = 0.5L) {
+    const auto wide = [](const Point<Real>& p) { return Wide(p.x(), p.y()); };
+    std::vector<Wide> points;
+    if (n.has_first) {
+        points.push_back(wide(n.p0));
+    }
+    points.push_back(wide(n.p1));
+    points.push_back(wide(n.p2));
+    if (n.has_last) {
+        points.push_back(wide(n.p3));
+    }
+    std::vector<long double> knots{0};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        knots.push_back(knots.back() + (points[i] - points[i - 1]).norm());
+    }
+    const std::size_t one = n.has_first ? 1 : 0;
+    return newton(points, knots, knots[one] + share * (knots[one + 1] - knots[one]));
+}
+
+template <class Real>
+class Interpolation : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(Interpolation, Reals);
+
+TYPED_TEST(Interpolation, IsThePolynomialThroughTheNeighboursByChordLength) {
+    using Real = TypeParam;
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> jitter(-0.2, 0.2);
+    const auto near = [&](double x, double y) {
+        return Point<Real>(static_cast<Real>(x + jitter(random)),
+                           static_cast<Real>(y + jitter(random)));
+    };
+    for (int i = 0; i < 500; ++i) {
+        CurveNeighbours<Real> n;
+        n.p0 = near(0, 0);
+        n.p1 = near(1, 0.4);
+        n.p2 = near(2, 0.3);
+        n.p3 = near(3, -0.3);
+        n.has_first = i % 4 != 1;
+        n.has_last = i % 4 != 2;
+        const Wide expected = expected_point(n);
+        const Point<Real> point = insertion_point(Insertion::cubic, n);
+        const double rounding = 30.0 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+        EXPECT_NEAR(point.x(), static_cast<double>(expected.x()), rounding) << i;
+        EXPECT_NEAR(point.y(), static_cast<double>(expected.y()), rounding) << i;
+        for (const double share : {0.0, 0.125, 0.75, 1.0}) {
+            const Wide there = expected_point(n, share);
+            const Point<Real> read = curve_point(n, static_cast<Real>(share));
+            EXPECT_NEAR(read.x(), static_cast<double>(there.x()), rounding) << i << " " << share;
+            EXPECT_NEAR(read.y(), static_cast<double>(there.y()), rounding) << i << " " << share;
+        }
+    }
+}
+
+// Where the knots are those of the curve's parameter, the curve itself comes back: four points of a
+// straight line, however they are spaced.
+TYPED_TEST(Interpolation, KeepsAStraightLine) {
+    using Real = TypeParam;
+    const Point<Real> direction(Real(0.6), Real(0.8));
+    for (const double spacing : {0.2, 1.0, 3.0}) {
+        CurveNeighbours<Real> n;
+        n.p0 = Point<Real>(1, 2) - static_cast<Real>(spacing) * direction;
+        n.p1 = Point<Real>(1, 2);
+        n.p2 = n.p1 + direction;
+        n.p3 = n.p2 + static_cast<Real>(2.5 * spacing) * direction;
+        n.has_first = n.has_last = true;
+        const Point<Real> point = insertion_point(Insertion::cubic, n);
+        EXPECT_NEAR((point - (n.p1 + n.p2) / Real(2)).norm(), 0, 1e-6);
+    }
+}
+
+// Symmetric data make the chord's parameter symmetric: the middle of the parabola through four of
+// its own points with equal chords is known.
+TEST(CubicInsertion, ReproducesAParabolaInTheChordsParameter) {
+    // Chord lengths 1, 1, 1 by design: y = a (s^2 - 9/4) at s = -3/2, -1/2, 1/2, 3/2; x follows.
+    const double a = 0.1;
+    const double rise = 2 * a;
+    const double run = std::sqrt(1 - rise * rise);
+    CurveNeighbours<double> n;
+    n.p0 = {-0.5 - run, 0};
+    n.p1 = {-0.5, -rise};
+    n.p2 = {0.5, -rise};
+    n.p3 = {0.5 + run, 0};
+    n.has_first = n.has_last = true;
+    EXPECT_NEAR((n.p1 - n.p0).norm(), 1, 1e-15);
+    const Point<double> point = insertion_point(Insertion::cubic, n);
+    EXPECT_NEAR(point.x(), 0, 1e-15);
+    EXPECT_NEAR(point.y(), -a * 9 / 4, 1e-15); // at s = 0
+}
+
+// First order in the distance: the level set over its gradient.
+double from_ellipse(const Point<double>& p) {
+    const double level = p.x() * p.x() + p.y() * p.y() / 0.36 - 1;
+    const double gradient = 2 * std::hypot(p.x(), p.y() / 0.36);
+    return std::abs(level) / gradient;
+}
+
+// A curve, its points at parameters `before`, 1 and `after` apart, times h, and how far the point
+// that `make` finds is off it.
+template <class Make>
+double off_the_ellipse(double h, double before, double after, bool has_first, bool has_last,
+                       Make make) {
+    const auto at = [](double t) { return Point<double>(std::cos(t), 0.6 * std::sin(t)); };
+    double worst = 0;
+    for (int i = 0; i < 60; ++i) {
+        const double t = 0.1 * i;
+        CurveNeighbours<double> n;
+        n.p0 = at(t - before * h);
+        n.p1 = at(t);
+        n.p2 = at(t + h);
+        n.p3 = at(t + h + after * h);
+        n.has_first = has_first;
+        n.has_last = has_last;
+        worst = std::max(worst, from_ellipse(make(n)));
+    }
+    return worst;
+}
+
+double off_the_ellipse(double h, bool has_first, bool has_last, Insertion insertion) {
+    return off_the_ellipse(h, 0.8, 1.3, has_first, has_last,
+                           [=](const auto& n) { return insertion_point(insertion, n); });
+}
+
+double order_of(bool has_first, bool has_last, Insertion insertion) {
+    return std::log2(off_the_ellipse(0.05, has_first, has_last, insertion) /
+                     off_the_ellipse(0.025, has_first, has_last, insertion));
+}
+
+TEST(CubicInsertion, HasFourthOrderOnASmoothCurve) {
+    EXPECT_NEAR(order_of(true, true, Insertion::cubic), 4, 0.2);
+    EXPECT_LT(off_the_ellipse(0.05, true, true, Insertion::cubic), 5e-6);
+}
+
+TEST(CubicInsertion, HasThirdOrderNextToACornerAndSecondBetweenTwo) {
+    EXPECT_NEAR(order_of(true, false, Insertion::cubic), 3, 0.2);
+    EXPECT_NEAR(order_of(false, true, Insertion::cubic), 3, 0.2);
+    EXPECT_NEAR(order_of(false, false, Insertion::cubic), 2, 0.1);
+}
+
+TEST(CurvePoint, HasFourthOrderWhereverItIsOnTheChord) {
+    for (const double share : {0.1, 0.3, 0.8}) {
+        const auto off = [&](double h) {
+            return off_the_ellipse(h, 0.8, 1.3, true, true,
+                                   [=](const auto& n) { return curve_point(n, share); });
+        };
+        EXPECT_NEAR(std::log2(off(0.05) / off(0.025)), 4, 0.2) << share;
+        EXPECT_LT(off(0.05), 5e-6) << share;
+    }
+}
+
+// Whichever way it is gone round, with whatever neighbours, and evenly spread or not.
+TYPED_TEST(Interpolation, KeepsACircleByArcs) {
+    using Real = TypeParam;
+    constexpr double radius = 0.3;
+    for (const double sense : {1.0, -1.0}) {
+        for (const double length : {1e-3, 0.1, 1.0, 2.5}) {
+            const auto at = [&](double angle) {
+                return Point<Real>(static_cast<Real>(2 + radius * std::cos(sense * angle)),
+                                   static_cast<Real>(1 + radius * std::sin(sense * angle)));
+            };
+            for (int known = 1; known < 4; ++known) {
+                const CurveNeighbours<Real> n{at(0.7 - 0.4 * length), at(0.7),
+                                              at(0.7 + length),       at(0.7 + 1.5 * length),
+                                              (known & 1) != 0,       (known & 2) != 0};
+                const Point<double> p = insertion_point(Insertion::arc, n).template cast<double>();
+                const Point<double> middle = at(0.7 + length / 2).template cast<double>();
+                // The curvature is that of rounded points; its height over the chord, as much.
+                const double rounding =
+                    40 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+                EXPECT_NEAR((p - middle).norm(), 0, rounding) << length << " " << known;
+            }
+        }
+    }
+}
+
+TEST(ArcInsertion, IsTheMidpointOfAStraightLineAndBetweenTwoCorners) {
+    CurveNeighbours<double> n{{0, 0}, {1, 1}, {2, 2}, {4, 4}, true, true};
+    EXPECT_EQ((insertion_point(Insertion::arc, n) - Point<double>(1.5, 1.5)).norm(), 0);
+    n.p0 = {1, -3};
+    n.p3 = {5, 0};
+    n.has_first = n.has_last = false;
+    EXPECT_EQ((insertion_point(Insertion::arc, n) - Point<double>(1.5, 1.5)).norm(), 0);
+}
+
+// The curvature of three points is that of the curve at their middle, which for even spacing is the
+// second one: then the mean of two is off by the second order, one alone, or uneven spacing, by the
+// first; the height is length^2 times that.
+TEST(ArcInsertion, HasFourthOrderForEvenEdgesAndThirdForOthers) {
+    const auto order = [](double before, double after, bool has_first, bool has_last) {
+        const auto off = [&](double h) {
+            return off_the_ellipse(h, before, after, has_first, has_last, [](const auto& n) {
+                return insertion_point(Insertion::arc, n);
+            });
+        };
+        return std::log2(off(0.05) / off(0.025));
+    };
+    EXPECT_NEAR(order(1, 1, true, true), 4, 0.2);
+    EXPECT_NEAR(order(0.8, 1.3, true, true), 3, 0.2);
+    EXPECT_NEAR(order(1, 1, true, false), 3, 0.2);
+    EXPECT_NEAR(order(1, 1, false, true), 3, 0.2);
+}
+
+TEST(LinearInsertion, HasSecondOrderWhateverTheNeighbours) {
+    EXPECT_NEAR(order_of(true, true, Insertion::linear), 2, 0.1);
+    EXPECT_EQ(off_the_ellipse(0.05, true, true, Insertion::linear),
+              off_the_ellipse(0.05, false, false, Insertion::cubic));
+}
+
+TYPED_TEST(Interpolation, IsTheMidpointBetweenTwoCorners) {
+    using Real = TypeParam;
+    CurveNeighbours<Real> n;
+    n.p1 = {Real(0.25), Real(1)};
+    n.p2 = {Real(0.75), Real(3)};
+    // Not to be read.
+    n.p0 = n.p3 = Point<Real>::Constant(std::numeric_limits<Real>::quiet_NaN());
+    for (const auto insertion : {Insertion::linear, Insertion::cubic}) {
+        const Point<Real> point = insertion_point(insertion, n);
+        EXPECT_EQ(point.x(), Real(0.5));
+        EXPECT_EQ(point.y(), Real(2));
+    }
+}
+
+TEST(CubicInsertion, LosesNoDigitsFarFromTheOrigin) {
+    CurveNeighbours<double> n;
+    n.p0 = {0, 0};
+    n.p1 = {1, 0.5};
+    n.p2 = {2, 0.5};
+    n.p3 = {3, 0};
+    n.has_first = n.has_last = true;
+    const Point<double> near = insertion_point(Insertion::cubic, n);
+    const Point<double> offset(1 << 30, -(1 << 29));
+    for (auto* p : {&n.p0, &n.p1, &n.p2, &n.p3}) {
+        *p += offset;
+    }
+    const Point<double> far = insertion_point(Insertion::cubic, n) - offset;
+    EXPECT_NEAR((far - near).norm(), 0, 4e-7); // two units in the last place of 2^30
+}
+
+// The upkeep itself: at a corner of the outline the neighbour beyond is not used; elsewhere it is.
+TEST(CubicInsertion, DoesNotLookAroundCorners) {
+    const std::vector<Point<double>> square{{0.35, 0.35}, {0.65, 0.35}, {0.65, 0.65}, {0.35, 0.65}};
+    const std::vector<Shape> shapes{{square, 1}};
+    auto complex = initial_complex<double>({}, shapes, {.edge_length = 0.05});
+    Options<double> options;
+    options.edge_length = 0.05;
+    const Point<double> centre(0.5, 0.5);
+    double half = 0.15; // of the square's side, as it grows
+    const auto is_corner = [&](const Point<double>& p) {
+        const Point<double> d = (p - centre).cwiseAbs();
+        return d.minCoeff() > half * (1 - 1e-9);
+    };
+    int around = 0;
+    int smooth = 0;
+    int cornered = 0;
+    options.insertion_function = [&](const CurveNeighbours<double>& n) {
+        around += (n.has_first && is_corner(n.p1)) || (n.has_last && is_corner(n.p2)) ? 1 : 0;
+        smooth += n.has_first && n.has_last ? 1 : 0;
+        cornered += !n.has_first || !n.has_last ? 1 : 0;
+        return insertion_point(Insertion::cubic, n);
+    };
+    Simulation<double> simulation(complex, options);
+    const Velocity<double> grow = [&](std::span<const Point<double>> positions, double,
+                                      std::span<Point<double>> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = positions[i] - centre;
+        }
+    };
+    for (int step = 0; step < 40; ++step) {
+        const auto report = simulation.step(grow, 0, 0.025);
+        ASSERT_EQ(report.unreached, 0U);
+        ASSERT_EQ(report.sub_steps, 1U);
+        double corner = 0;
+        for (const std::uint32_t v : simulation.interface()) {
+            const Point<double> d = (complex.position(Vertex{v}) - centre).cwiseAbs();
+            corner = std::max(corner, d.minCoeff());
+        }
+        half = corner;
+    }
+    EXPECT_EQ(around, 0);
+    EXPECT_GT(smooth, 10);
+    EXPECT_GE(cornered, 4);
+    // So the square is still one.
+    for (const std::uint32_t v : simulation.interface()) {
+        const Point<double> d = (complex.position(Vertex{v}) - centre).cwiseAbs();
+        EXPECT_NEAR(d.maxCoeff(), half, 1e-9);
+    }
+}
+
+} // namespace
+} // namespace dsc

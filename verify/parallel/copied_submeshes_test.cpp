@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// CreateSubmeshes and MergeSubmeshes (algorithms 6.1 and 6.2) by themselves: dividing and merging
+// changes nothing but the ids, whatever hangs on the simplices.
+#include "dsc/parallel/copied/copied_submeshes.h"
+
+#include "support/random_scene.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/hash.h"
+#include "dsc/complex/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace dsc {
+namespace {
+
+using test::Dice;
+
+Complex<double> random_mesh(std::uint64_t seed, double h) {
+    Dice dice(seed);
+    return seed % 3 == 0 ? test::random_patches<double>(dice, h, 12)
+                         : test::random_shapes<double>(dice, h);
+}
+
+// Data by place, which tell wherever their simplex went.
+double datum(const Complex<double>& mesh, Vertex v) {
+    return mesh.vertices[v.id].x + 2 * mesh.vertices[v.id].y;
+}
+
+std::string datum(const Complex<double>& mesh, Corner c) {
+    const double sum =
+        datum(mesh, Vertex{mesh.vertex(next(c))}) + datum(mesh, Vertex{mesh.vertex(prev(c))});
+    return "edge " + std::to_string(sum);
+}
+
+float datum(const Complex<double>& mesh, Triangle t) {
+    const auto v = mesh.vertices_of(t);
+    return static_cast<float>(datum(mesh, v[0]) * datum(mesh, v[1]) * datum(mesh, v[2]));
+}
+
+struct Data {
+    explicit Data(Complex<double>& mesh)
+        : of_vertices(mesh.attributes.add<double>("by vertex", SimplexKind::vertex)),
+          of_edges(mesh.attributes.add<std::string>("by edge", SimplexKind::edge)),
+          of_triangles(mesh.attributes.add<float>("by triangle", SimplexKind::triangle)) {
+        for (std::uint32_t v = 0; v < mesh.vertex_bound(); ++v) {
+            of_vertices[Vertex{v}] = datum(mesh, Vertex{v});
+        }
+        for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
+            for (std::uint32_t i = 0; i < 3 && mesh.is_alive(Triangle{t}); ++i) {
+                of_triangles[Triangle{t}] = datum(mesh, Triangle{t});
+                of_edges.at_corner(corner_of(t, i)) = datum(mesh, corner_of(t, i));
+            }
+        }
+    }
+
+    void expect_in_place(const Complex<double>& mesh) {
+        for (std::uint32_t v = 0; v < mesh.vertex_bound(); ++v) {
+            ASSERT_EQ(of_vertices[Vertex{v}], datum(mesh, Vertex{v}));
+        }
+        for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
+            ASSERT_EQ(of_triangles[Triangle{t}], datum(mesh, Triangle{t}));
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                ASSERT_EQ(of_edges.at_corner(corner_of(t, i)), datum(mesh, corner_of(t, i)));
+            }
+        }
+    }
+
+    Attribute<double>& of_vertices;
+    Attribute<std::string>& of_edges;
+    Attribute<float>& of_triangles;
+};
+
+TEST(CopiedSubmeshes, MergeIntoTheMeshThatWasDivided) {
+    CopiedSubmeshes<double> submeshes; // used again and again, as by the executor
+    for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+        Dice dice(100 + seed);
+        auto mesh = random_mesh(seed, 0.04);
+        Data data(mesh);
+        for (int i = 0; i < 20; ++i) {
+            const auto v =
+                static_cast<std::uint32_t>(dice.in(0, static_cast<int>(mesh.vertex_bound()) - 1));
+            mesh.set_locked(Vertex{v}, true);
+        }
+        const auto locked_places = [&] {
+            std::vector<std::pair<double, double>> places;
+            for (const auto& record : mesh.vertices) {
+                if ((record.flags & vertex_locked) != 0) {
+                    places.emplace_back(record.x, record.y);
+                }
+            }
+            std::sort(places.begin(), places.end());
+            return places;
+        };
+        const auto locked = locked_places();
+        const std::uint64_t hash = mesh_hash(mesh);
+        const ValidationReport before = validate(mesh);
+        for (const RedBlack colour : {RedBlack::red, RedBlack::black}) {
+            for (const std::uint32_t n : {1U, 2U, 3U, 8U, 60U}) {
+                SCOPED_TRACE("seed " + std::to_string(seed) + ", submeshes " + std::to_string(n));
+                create_submeshes(mesh, {n, 0.6, 0.8, colour}, submeshes);
+                for (const auto& submesh : submeshes.list) {
+                    lend_ids(*submesh, 7); // must not turn up in the mesh
+                }
+                merge_submeshes(submeshes, mesh);
+                EXPECT_EQ(mesh_hash(mesh), hash);
+                const ValidationReport report = validate(mesh);
+                EXPECT_EQ(report.problem, "");
+                EXPECT_EQ(report.vertices, before.vertices - before.unused_vertices);
+                EXPECT_EQ(report.triangles, before.triangles);
+                EXPECT_EQ(report.edges, before.edges) << "seams are open";
+                EXPECT_EQ(mesh.vertex_bound(), report.vertices) << "free ids after a merge";
+                EXPECT_EQ(mesh.triangle_bound(), report.triangles + 1);
+                EXPECT_EQ(locked_places(), locked);
+                data.expect_in_place(mesh);
+                submeshes.list.resize(1); // another number of submeshes next
+            }
+        }
+    }
+}
+
+TEST(CopiedSubmeshes, MapSharedVerticesToOneVertex) {
+    auto mesh = random_mesh(1, 0.03);
+    const auto original = mesh.vertices;
+    CopiedSubmeshes<double> submeshes;
+    create_submeshes(mesh, {.submeshes = 7}, submeshes);
+    std::map<std::uint32_t, std::uint32_t> copies; // of shared vertices
+    std::uint64_t inserted = 0;
+    for (const auto& submesh : submeshes.list) {
+        for (std::uint32_t v = 0; v < submesh->complex.vertex_bound(); ++v) {
+            const std::uint32_t shared = submesh->shared[v];
+            EXPECT_EQ(submesh->region().owns(v, 0, 0), shared == no_id);
+            if (shared == no_id) {
+                ++inserted;
+                continue;
+            }
+            ++copies[shared];
+            EXPECT_EQ(submeshes.owner[shared], CopiedSubmeshes<double>::several);
+            EXPECT_EQ(submesh->complex.vertices[v].x, original[shared].x);
+            EXPECT_EQ(submesh->complex.vertices[v].y, original[shared].y);
+        }
+    }
+    EXPECT_GT(copies.size(), 100U);
+    for (const auto& [v, count] : copies) {
+        EXPECT_GE(count, 2U) << "vertex " << v << " is on no submesh boundary";
+    }
+    merge_submeshes(submeshes, mesh);
+    EXPECT_EQ(mesh.vertex_count(), inserted + copies.size());
+    for (const auto& submesh : submeshes.list) {
+        for (std::uint32_t v = 0; v < submesh->complex.vertex_bound(); ++v) {
+            if (submesh->shared[v] != no_id) {
+                EXPECT_EQ(submesh->merged[v], submeshes.merged[submesh->shared[v]]);
+            }
+        }
+    }
+    for (std::uint32_t v = 0; v < original.size(); ++v) {
+        const auto& record = mesh.vertices.at(submeshes.merged_vertex(v));
+        EXPECT_EQ(record.x, original[v].x);
+        EXPECT_EQ(record.y, original[v].y);
+    }
+}
+
+TEST(CopiedSubmeshes, HaveEqualSharesInTheOrderOfTheNormal) {
+    const auto mesh = random_mesh(2, 0.03);
+    const std::uint32_t n = 7;
+    const std::size_t share = mesh.triangle_count() / n;
+    ASSERT_NE(mesh.triangle_count() % n, 0U) << "choose a mesh that has triangles over";
+    CopiedSubmeshes<double> red;
+    create_submeshes(mesh, {n, 0, 1, RedBlack::red}, red);
+    double highest = -1;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::size_t more = i < mesh.triangle_count() % n ? 1 : 0;
+        EXPECT_EQ(red.list[i]->complex.triangle_count(), share + more) << "submesh " << i;
+        double low = 4;
+        double high = -1;
+        for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
+            if (red.number[t] == i) {
+                double y = 0;
+                for (const Vertex v : mesh.vertices_of(Triangle{t})) {
+                    y += mesh.vertices[v.id].y;
+                }
+                low = std::min(low, y);
+                high = std::max(high, y);
+            }
+        }
+        EXPECT_LE(highest, low + 1e-12) << "submesh " << i;
+        highest = high;
+    }
+    // Black: the ends are one submesh [8.5], and what red locked is free.
+    CopiedSubmeshes<double> black;
+    create_submeshes(mesh, {n, 0, 1, RedBlack::black}, black);
+    ASSERT_EQ(black.list.size(), n);
+    std::uint32_t sum = 0;
+    for (const auto& submesh : black.list) {
+        EXPECT_NEAR(submesh->complex.triangle_count(), static_cast<double>(share), 1);
+        sum += submesh->complex.triangle_count();
+    }
+    EXPECT_EQ(sum, mesh.triangle_count());
+    EXPECT_EQ(validate(black.list[0]->complex).components, 2U) << "bottom and top of the mesh";
+    for (std::uint32_t v = 0; v < mesh.vertex_bound(); ++v) {
+        EXPECT_FALSE(red.owner[v] == CopiedSubmeshes<double>::several &&
+                     black.owner[v] == CopiedSubmeshes<double>::several)
+            << "vertex " << v << " is locked for both colours";
+    }
+}
+
+TEST(CopiedSubmeshes, MayBeEmptyWhereTrianglesAreFew) {
+    const std::array<Point<double>, 4> points{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    const std::array<std::array<std::uint32_t, 3>, 2> triangles{{{0, 1, 2}, {0, 2, 3}}};
+    const std::array<Phase, 2> phases{1, 2};
+    auto mesh = make_complex<double>(points, triangles, phases);
+    const std::uint64_t hash = mesh_hash(mesh);
+    CopiedSubmeshes<double> submeshes;
+    for (const RedBlack colour : {RedBlack::red, RedBlack::black}) {
+        create_submeshes(mesh, {5, 1, 0, colour}, submeshes);
+        merge_submeshes(submeshes, mesh);
+        EXPECT_EQ(validate(mesh).problem, "");
+        EXPECT_EQ(mesh_hash(mesh), hash);
+        EXPECT_EQ(mesh.vertex_count(), 4U);
+    }
+    Complex<double> empty;
+    create_submeshes(empty, {.submeshes = 3}, submeshes);
+    merge_submeshes(submeshes, empty);
+    EXPECT_EQ(validate(empty).problem, "");
+    EXPECT_EQ(empty.triangle_count(), 0U);
+}
+
+TEST(CopiedSubmeshes, RefuseAMeshWhoseIdsAreLent) {
+    auto mesh = test::disc_complex<double>(0.1);
+    CopiedSubmeshes<double> submeshes;
+    mesh.lent_vertices = 3;
+    EXPECT_THROW(create_submeshes(mesh, {}, submeshes), InputError);
+    mesh.lent_vertices = 0;
+    mesh.lent_triangles = 1;
+    EXPECT_THROW(create_submeshes(mesh, {}, submeshes), InputError);
+}
+
+} // namespace
+} // namespace dsc

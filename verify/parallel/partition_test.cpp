@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: MIT
+// What holds of every partition: each colour covers the plane without overlap, submeshes that share
+// a place wait for each other, and the same interface is divided in the same way.
+#include "dsc/parallel/partition/partition.h"
+
+#include "support/random_scene.h"
+#include "support/random_submeshes.h"
+
+#include "dsc/passes/interface_list.h"
+#include "dsc/base/error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using test::Dice;
+using test::Divided;
+using test::Division;
+using test::random_divided;
+
+constexpr double infinity = Region::infinity;
+
+// Points in and about the mesh, far away, and on the cuts.
+std::vector<Point<double>> sample_points(Dice& dice, const Divided& divided) {
+    std::vector<Point<double>> points;
+    for (int i = 0; i < 300; ++i) {
+        points.emplace_back(dice.in(-0.5, 1.5), dice.in(-0.5, 1.5));
+    }
+    for (std::size_t i = 0; i < divided.interface.size(); i += 3) {
+        points.push_back(divided.position(i));
+    }
+    for (const double far : {1e3, 1e12, 1e300}) {
+        for (int i = 0; i < 8; ++i) {
+            const double angle = dice.in(0.0, 6.3);
+            points.emplace_back(far * std::cos(angle), far * std::sin(angle));
+        }
+        points.insert(points.end(), {{far, 0}, {-far, 0}, {0, far}, {0, -far}});
+    }
+    for (const Colour& colour : divided.partition.colours) {
+        for (const Region& region : colour.regions) {
+            if (region.kind != Region::Kind::box) {
+                continue;
+            }
+            const Point<double> normal(region.normal_x, region.normal_y);
+            const Point<double> side(-region.normal_y, region.normal_x);
+            for (const double u : {region.low, region.high}) {
+                if (std::isfinite(u)) {
+                    points.emplace_back(u * normal + dice.in(-1.0, 2.0) * side);
+                    for (const double w : {region.side_low, region.side_high}) {
+                        if (std::isfinite(w)) {
+                            points.emplace_back(u * normal + w * side); // a corner
+                        }
+                    }
+                }
+            }
+            for (const double w : {region.side_low, region.side_high}) {
+                if (std::isfinite(w)) {
+                    points.emplace_back(dice.in(-1.0, 2.0) * normal + w * side);
+                }
+            }
+        }
+    }
+    return points;
+}
+
+class EveryPartition : public testing::TestWithParam<Division> {};
+
+TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
+    std::size_t several = 0;
+    constexpr std::uint64_t seeds = 30;
+    for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
+        Dice dice(seed);
+        Divided divided = random_divided(dice, seed % 3 == 0);
+        std::ostringstream words;
+        words << "seed " << seed;
+        const auto partitioner = test::random_partitioner<double>(dice, GetParam(), words);
+        SCOPED_TRACE(words.str());
+        divided.divide(*partitioner);
+        const auto first = divided.regions(0).size();
+        several += first >= 3 ? 1 : 0;
+        if (seed % 2 == 0) {
+            divided.divide(*partitioner, Recut::later); // may be asked for at any time
+            ASSERT_EQ(divided.regions(0).size(), first);
+        }
+        const auto& colours = divided.partition.colours;
+        for (const auto& p : sample_points(dice, divided)) {
+            std::vector<std::size_t> owners;
+            for (const Colour& colour : colours) {
+                ASSERT_GE(colour.regions.size(), 1U);
+                const auto owns = [&](const Region& r) { return r.owns(no_id, p.x(), p.y()); };
+                ASSERT_EQ(std::ranges::count_if(colour.regions, owns), 1)
+                    << p.x() << ' ' << p.y() << ", colour " << &colour - colours.data();
+                owners.push_back(colour.locate(no_id, p.x(), p.y()));
+                EXPECT_TRUE(owns(colour.regions.at(owners.back())));
+                const auto hint = test::number_in(dice, 0, 40);
+                EXPECT_EQ(colour.locate(no_id, p.x(), p.y(), hint), owners.back());
+            }
+            // Who shares a place must wait for each other.
+            for (std::size_t c = 1; c < owners.size(); ++c) {
+                const Region& one = colours[c - 1].regions[owners[c - 1]];
+                const Region& other = colours[c].regions[owners[c]];
+                EXPECT_TRUE(one.may_meet(other) && other.may_meet(one))
+                    << p.x() << ' ' << p.y() << ", colours " << c - 1 << " and " << c;
+            }
+        }
+        // Not all wait for all: boxes of one colour know that they do not meet.
+        for (const Colour& colour : colours) {
+            for (const Region& a : colour.regions) {
+                for (const Region& b : colour.regions) {
+                    EXPECT_TRUE(&a == &b || GetParam() == Division::voronoi || !a.may_meet(b));
+                }
+            }
+        }
+    }
+    EXPECT_GE(several, seeds / 2) << "there was little to divide";
+}
+
+// Of the same input, whoever asks, however often: nothing is left from before.
+TEST_P(EveryPartition, IsTheSameForTheSameInterface) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        Dice dice(seed);
+        Divided divided = random_divided(dice, seed % 3 == 0);
+        Divided other = random_divided(dice, false);
+        std::ostringstream words;
+        Dice again = dice;
+        const auto used = test::random_partitioner<double>(dice, GetParam(), words);
+        const auto fresh = test::random_partitioner<double>(again, GetParam(), words);
+        other.divide(*used);
+        divided.divide(*used);
+        const auto expected = divided.partition;
+        std::vector<std::size_t> places;
+        const auto points = sample_points(dice, divided);
+        for (const Colour& colour : expected.colours) {
+            for (const auto& p : points) {
+                places.push_back(colour.locate(no_id, p.x(), p.y()));
+            }
+        }
+        divided.divide(*fresh);
+        ASSERT_EQ(divided.partition.colours.size(), expected.colours.size()) << words.str();
+        std::size_t i = 0;
+        for (const Colour& colour : divided.partition.colours) {
+            for (const auto& p : points) {
+                EXPECT_EQ(colour.locate(no_id, p.x(), p.y()), places.at(i++)) << words.str();
+            }
+        }
+    }
+}
+
+TEST_P(EveryPartition, DividesNothingWhereThereIsNoInterface) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        Dice dice(seed);
+        Divided divided(initial_complex<double>({}, {}, {.edge_length = 0.1}), 0.1);
+        divided.interface.clear();
+        divided.work.clear();
+        std::ostringstream words;
+        const auto partitioner = test::random_partitioner<double>(dice, GetParam(), words);
+        divided.divide(*partitioner);
+        for (const auto& p : sample_points(dice, divided)) {
+            for (const Colour& colour : divided.partition.colours) {
+                EXPECT_LT(colour.locate(no_id, p.x(), p.y()), colour.regions.size());
+            }
+        }
+    }
+}
+
+TEST_P(EveryPartition, IsDueAfterAsManySteps) {
+    Dice dice(1);
+    for (int round = 0; round < 20; ++round) {
+        std::ostringstream words;
+        const auto partitioner = test::random_partitioner<double>(dice, GetParam(), words);
+        std::uint64_t due = 0;
+        for (std::uint64_t steps = 1; steps <= 40 && due == 0; ++steps) {
+            const Recut recut = partitioner->is_due(
+                {.step = 100, .steps_since_all = steps, .interface_vertices = 9});
+            due = recut == Recut::all ? steps : 0;
+            EXPECT_TRUE(recut != Recut::later || GetParam() == Division::cells);
+        }
+        EXPECT_NE(words.str().find("recut " + std::to_string(due)), std::string::npos)
+            << due << " steps, with" << words.str();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Partitions, EveryPartition, testing::ValuesIn(test::all_divisions),
+                         [](const auto& one) { return std::string(to_string(one.param)); });
+
+// --- regions ------------------------------------------------------------------------------------
+
+// Boxes of a few places, so that they often touch, and round ones: what shares a point may meet,
+// and what does not is known not to, but for touching ones.
+TEST(Region, MayMeetWhatSharesAPlaceWithIt) {
+    Dice dice(1);
+    int meeting = 0;
+    int apart = 0;
+    for (int round = 0; round < 4000; ++round) {
+        const double angle = dice.in(0, 2);
+        const auto draw = [&] {
+            Region region;
+            region.kind = dice.chance(0.05) ? Region::Kind::whole : Region::Kind::box;
+            region.normal_x = std::cos(angle);
+            region.normal_y = std::sin(angle);
+            const auto cut = [&] { return dice.chance(0.2) ? infinity : dice.in(0, 5); };
+            region.low = -cut();
+            region.high = cut();
+            if (dice.chance(0.6)) {
+                region.low = dice.in(0, 5);
+                region.high = dice.in(0, 5); // below it: it goes round
+            }
+            region.side_low = -cut();
+            region.side_high = dice.chance(0.5) ? infinity : region.side_low + dice.in(1, 5);
+            return region;
+        };
+        const Region a = draw();
+        const Region b = draw();
+        bool shares = false;
+        for (double u = -8.5; u < 8; u += 1) {
+            for (double w = -8.5; w < 8; w += 1) {
+                const double x = u * a.normal_x - w * a.normal_y;
+                const double y = u * a.normal_y + w * a.normal_x;
+                shares = shares || (a.owns(no_id, x, y) && b.owns(no_id, x, y));
+            }
+        }
+        if (shares) {
+            ++meeting;
+            ASSERT_TRUE(a.may_meet(b) && b.may_meet(a)) << "round " << round;
+        } else if (!a.may_meet(b)) {
+            ++apart;
+        }
+        EXPECT_EQ(a.may_meet(b), b.may_meet(a));
+    }
+    EXPECT_GT(meeting, 1000);
+    EXPECT_GT(apart, 200);
+}
+
+// --- the order of the interface -----------------------------------------------------------------
+
+TEST(OrderInterface, PutsNeighboursNextToEachOther) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Dice dice(seed);
+        const bool patches = seed % 4 == 0;
+        Divided scene = random_divided(dice, patches);
+        std::vector<std::uint32_t> list = scene.interface;
+        const std::uint32_t first = list.front();
+        for (std::size_t i = list.size() - 1; i > 1; --i) { // all but the first
+            std::swap(list[i], list[1 + test::number_in(dice, 0, static_cast<int>(i) - 1)]);
+        }
+        order_interface(scene.complex, list, 5);
+        EXPECT_EQ(list.front(), first);
+        EXPECT_TRUE(std::ranges::is_permutation(list, scene.interface)) << "seed " << seed;
+        const auto breaks_of = [&](const std::vector<std::uint32_t>& ordered) {
+            std::size_t breaks = 0;
+            for (std::size_t i = 1; i < ordered.size(); ++i) {
+                const Edge e = scene.complex.find_edge(Vertex{ordered[i - 1]}, Vertex{ordered[i]});
+                breaks += e.id == no_id || !is_interface(scene.complex, e) ? 1U : 0U;
+            }
+            return breaks;
+        };
+        if (patches) {
+            // Junctions end curves wherever one comes from.
+            EXPECT_LT(breaks_of(list), list.size() / 8) << "seed " << seed;
+        } else {
+            EXPECT_EQ(breaks_of(list), breaks_of(scene.interface))
+                << "more breaks than there are curves, seed " << seed;
+        }
+    }
+}
+
+// --- options ------------------------------------------------------------------------------------
+
+template <class Options>
+struct Seeded {
+    const char* where;
+    std::function<void(Options&)> seed;
+};
+
+template <class Partitioner, class Options>
+void expect_refused(const std::vector<Seeded<Options>>& faults) {
+    const Partitioner good{Options{}};
+    for (const auto& fault : faults) {
+        Options options;
+        fault.seed(options);
+        try {
+            const Partitioner bad{options};
+            ADD_FAILURE() << "accepted: " << fault.where;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.where(), fault.where);
+        }
+    }
+}
+
+TEST(Partitioners, RefuseOptionsThatMakeNoSense) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    expect_refused<SlabPartitioner<double>, SlabOptions>(
+        {{"submeshes", [](SlabOptions& s) { s.submeshes = 0; }},
+         {"submeshes", [](SlabOptions& s) { s.submeshes = 65537; }},
+         {"degrees", [](SlabOptions& s) { s.degrees = nan; }},
+         {"degrees", [](SlabOptions& s) { s.degrees = infinity; }},
+         {"least_width", [](SlabOptions& s) { s.least_width = 1.9; }},
+         {"least_width", [](SlabOptions& s) { s.least_width = nan; }},
+         {"recut", [](SlabOptions& s) { s.recut = 0; }}});
+    expect_refused<BlockPartitioner<double>, BlockOptions>(
+        {{"submeshes", [](BlockOptions& s) { s.submeshes = 0; }},
+         {"submeshes", [](BlockOptions& s) { s.submeshes = 65537; }},
+         {"least_width", [](BlockOptions& s) { s.least_width = 1.9; }},
+         {"least_width", [](BlockOptions& s) { s.least_width = nan; }},
+         {"recut", [](BlockOptions& s) { s.recut = 0; }}});
+    expect_refused<CellPartitioner<double>, CellOptions>(
+        {{"submeshes", [](CellOptions& s) { s.submeshes = 65537; }},
+         {"least_width", [](CellOptions& s) { s.least_width = 1.9; }},
+         {"least_width", [](CellOptions& s) { s.least_width = nan; }},
+         {"least_width", [](CellOptions& s) { s.least_width = infinity; }},
+         {"band", [](CellOptions& s) { s.band = -1; }},
+         {"band", [](CellOptions& s) { s.band = nan; }},
+         {"band", [](CellOptions& s) { s.band = infinity; }},
+         {"recut", [](CellOptions& s) { s.recut = 0; }},
+         {"recut", [](CellOptions& s) { s.recut_later = 0; }}});
+}
+
+TEST(Partitioners, RefuseColoursThatMakeNoSense) {
+    using Colours = std::vector<PlaceColour>;
+    const auto none = [](double, double) { return 0U; };
+    EXPECT_THROW(PlacePartitioner<double>(nullptr), InputError);
+    EXPECT_THROW(PlacePartitioner<double>([](const auto&) { return Colours{}; }, 0), InputError);
+    for (const Colours& colours :
+         {Colours{}, Colours{{none, 0}}, Colours{{nullptr, 2}}, Colours{{none, 1}, {none, 0}}}) {
+        Divided disc(test::disc_complex<double>(0.1), 0.1);
+        PlacePartitioner<double> partitioner(
+            [&](const PartitionInput<double>&) { return colours; });
+        EXPECT_THROW(disc.divide(partitioner), InputError);
+        EXPECT_TRUE(disc.partition.colours.empty()) << "a refused partition was put in force";
+    }
+}
+
+} // namespace
+} // namespace dsc

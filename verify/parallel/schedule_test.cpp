@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+// Each task runs once, and never before those that it waits for have ended; what a task throws
+// comes out, and the schedule can be used again.
+#include "dsc/parallel/in_place/schedule.h"
+
+#include "support/random_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using test::Dice;
+
+constexpr std::array assignments{Assignment::fixed, Assignment::queue};
+
+const char* name_of(Assignment assignment) {
+    return assignment == Assignment::fixed ? "static" : "queue";
+}
+
+// Colours of up to `most` tasks; a task waits for some of the colours before, most often for a few
+// of the last one.
+void draw_graph(Dice& dice, TaskGraph& graph, int most) {
+    const int colours = dice.in(1, 4);
+    for (int colour = 0; colour < colours; ++colour) {
+        const int count = dice.in(1, most);
+        const auto first = static_cast<int>(graph.add_colour(static_cast<std::size_t>(count)));
+        for (int task = first; task < first + count && first > 0; ++task) {
+            const int least = dice.chance(0.8) ? std::max(0, first - 8) : 0;
+            std::vector<int> earlier;
+            for (int i = dice.in(0, 4); i > 0; --i) {
+                earlier.push_back(dice.in(least, first - 1));
+            }
+            std::sort(earlier.begin(), earlier.end());
+            earlier.erase(std::unique(earlier.begin(), earlier.end()), earlier.end());
+            for (const int i : earlier) {
+                graph.wait_for(static_cast<std::size_t>(task), static_cast<std::size_t>(i));
+            }
+        }
+    }
+}
+
+// What the tasks write, each a plain number made from those of its predecessors: wrong where one of
+// them had not ended, and a race for the thread sanitizer where the flags do not order the two.
+class Record {
+public:
+    explicit Record(const TaskGraph& graph)
+        : graph_(graph), values_(graph.size(), 0), threads_(graph.size(), 0),
+          runs_(std::make_unique<std::atomic<int>[]>(graph.size())) {}
+
+    void run(std::size_t task, int turns = 0) {
+        ++runs_[task];
+        volatile double spent = 1;
+        for (int i = 0; i < turns; ++i) {
+            spent = std::sqrt(spent + i);
+        }
+        threads_[task] = omp_get_thread_num();
+        values_[task] = value_of(task, values_);
+    }
+
+    [[nodiscard]] int runs(std::size_t task) const { return runs_[task]; }
+    [[nodiscard]] int thread(std::size_t task) const { return threads_[task]; }
+
+    void expect_all_once() const {
+        std::vector<std::uint64_t> expected(graph_.size(), 0);
+        for (std::size_t task = 0; task < graph_.size(); ++task) {
+            expected[task] = value_of(task, expected);
+            ASSERT_EQ(runs(task), 1) << "task " << task;
+            ASSERT_EQ(values_[task], expected[task])
+                << "task " << task << " began before its predecessors had ended";
+        }
+    }
+
+private:
+    [[nodiscard]] std::uint64_t value_of(std::size_t task,
+                                         const std::vector<std::uint64_t>& values) const {
+        std::uint64_t value = task + 1;
+        for (const std::uint32_t earlier : graph_.predecessors(task)) {
+            value = value * 1000003 + values[earlier];
+        }
+        return value;
+    }
+
+    const TaskGraph& graph_;
+    std::vector<std::uint64_t> values_;
+    std::vector<int> threads_;
+    std::unique_ptr<std::atomic<int>[]> runs_;
+};
+
+TEST(TaskGraph, KnowsWhoWaitsForWhom) {
+    TaskGraph graph;
+    EXPECT_EQ(graph.size(), 0U);
+    EXPECT_EQ(graph.add_colour(2), 0U);
+    EXPECT_EQ(graph.add_colour(3), 2U);
+    graph.wait_for(2, 1);
+    graph.wait_for(4, 0);
+    graph.wait_for(4, 1);
+    EXPECT_EQ(graph.add_colour(1), 5U);
+    graph.wait_for(5, 3);
+    const auto of = [&](std::size_t task) {
+        const auto list = graph.predecessors(task);
+        return std::vector<std::uint32_t>(list.begin(), list.end());
+    };
+    using List = std::vector<std::uint32_t>;
+    EXPECT_EQ(of(0), List());
+    EXPECT_EQ(of(1), List());
+    EXPECT_EQ(of(2), List({1}));
+    EXPECT_EQ(of(3), List());
+    EXPECT_EQ(of(4), List({0, 1}));
+    EXPECT_EQ(of(5), List({3}));
+    graph.clear();
+    EXPECT_EQ(graph.size(), 0U);
+    EXPECT_EQ(graph.add_colour(1), 0U);
+    EXPECT_EQ(of(0), List());
+}
+
+// Static assignment: neighbours in a colour are on the same thread, and the threads have the same
+// number of tasks of each colour, but for one.
+TEST(TaskGraph, SharesEachColourAmongTheThreads) {
+    for (const std::uint32_t tasks : {1U, 2U, 5U, 16U, 37U}) {
+        TaskGraph graph;
+        (void)graph.add_colour(3);
+        const std::size_t first = graph.add_colour(tasks);
+        for (const std::uint32_t threads : {1U, 2U, 3U, 6U, 64U}) {
+            std::vector<std::uint32_t> count(threads, 0);
+            std::uint32_t last = 0;
+            for (std::size_t i = 0; i < tasks; ++i) {
+                const std::uint32_t home = graph.home_of(first + i, threads);
+                ASSERT_LT(home, threads);
+                EXPECT_GE(home, last);
+                last = home;
+                ++count[home];
+            }
+            const auto [least, most] = std::minmax_element(count.begin(), count.end());
+            EXPECT_LE(*most - *least, 1U) << tasks << " tasks, " << threads << " threads";
+        }
+    }
+}
+
+TEST(Schedule, RunsEachTaskOnceAndAfterItsPredecessors) {
+    Dice dice(1);
+    Schedule schedule; // one for all graphs, larger and smaller ones
+    for (int round = 0; round < 60; ++round) {
+        schedule.tasks.clear();
+        draw_graph(dice, schedule.tasks, round % 3 == 0 ? 40 : 8);
+        for (std::uint32_t threads = 1; threads <= 6; ++threads) {
+            for (const Assignment assignment : assignments) {
+                SCOPED_TRACE("round " + std::to_string(round) + ", threads " +
+                             std::to_string(threads) + ", " + name_of(assignment));
+                Record record(schedule.tasks);
+                int granted = 1;
+                schedule.run(threads, assignment, [&](std::size_t task) {
+                    if (task == 0) {
+                        granted = omp_get_num_threads();
+                    }
+                    record.run(task);
+                });
+                record.expect_all_once();
+                if (assignment == Assignment::fixed) {
+                    for (std::size_t task = 0; task < schedule.tasks.size(); ++task) {
+                        EXPECT_EQ(static_cast<std::uint32_t>(record.thread(task)),
+                                  schedule.tasks.home_of(task, static_cast<std::uint32_t>(granted)))
+                            << "task " << task;
+                    }
+                }
+                if (HasFatalFailure()) {
+                    return;
+                }
+            }
+        }
+    }
+}
+
+TEST(Schedule, DoesNothingWhereThereIsNoTask) {
+    Schedule schedule;
+    for (const std::uint32_t threads : {1U, 3U}) {
+        schedule.run(threads, Assignment::queue, [](std::size_t) { ADD_FAILURE(); });
+    }
+}
+
+TEST(Schedule, CopesWithTasksOfVeryUnequalDuration) {
+    Dice dice(2);
+    Schedule schedule;
+    for (int round = 0; round < 10; ++round) {
+        schedule.tasks.clear();
+        draw_graph(dice, schedule.tasks, 12);
+        std::vector<int> turns;
+        for (std::size_t task = 0; task < schedule.tasks.size(); ++task) {
+            // Up to a millisecond or so: longer than anybody spins before he yields.
+            turns.push_back(dice.chance(0.2) ? dice.in(0, 200'000) : dice.in(0, 50));
+        }
+        for (std::uint32_t threads = 2; threads <= 6; ++threads) {
+            for (const Assignment assignment : assignments) {
+                SCOPED_TRACE("round " + std::to_string(round));
+                Record record(schedule.tasks);
+                schedule.run(threads, assignment,
+                             [&](std::size_t task) { record.run(task, turns[task]); });
+                record.expect_all_once();
+            }
+        }
+    }
+}
+
+// The first task of thread 0 does not end before all the others of thread 0 have run: somebody else
+// must take these over.
+TEST(Schedule, TakesOverWhatNobodyHasBegun) {
+    Schedule schedule;
+    constexpr std::size_t tasks = 8;
+    (void)schedule.tasks.add_colour(tasks);
+    std::atomic<int> others{0};
+    std::size_t mine = 0;
+    bool in_time = true;
+    schedule.run(2, Assignment::queue, [&](std::size_t task) {
+        if (schedule.tasks.home_of(task, 2) != 0) {
+            return;
+        }
+        if (task != 0) {
+            ++others;
+            return;
+        }
+        if (omp_get_num_threads() < 2) {
+            in_time = false;
+            return;
+        }
+        const auto begin = std::chrono::steady_clock::now();
+        while (others < static_cast<int>(tasks / 2 - 1) && in_time) {
+            in_time = std::chrono::steady_clock::now() - begin < std::chrono::seconds(60);
+            std::this_thread::yield();
+        }
+        ++mine;
+    });
+    EXPECT_TRUE(in_time) << "nobody took the tasks over";
+    EXPECT_EQ(mine, 1U);
+    EXPECT_EQ(others, static_cast<int>(tasks / 2 - 1));
+}
+
+struct Fault : std::runtime_error {
+    explicit Fault(std::size_t task)
+        : std::runtime_error("task " + std::to_string(task)), number(task) {}
+    std::size_t number;
+};
+
+TEST(Schedule, ThrowsOnWhatATaskThrewAndBeginsNoneOfThoseThatWaitForIt) {
+    Dice dice(3);
+    Schedule schedule;
+    std::size_t kept_from_running = 0;
+    for (int round = 0; round < 40; ++round) {
+        schedule.tasks.clear();
+        draw_graph(dice, schedule.tasks, 16);
+        const std::size_t size = schedule.tasks.size();
+        std::vector<std::uint8_t> is_faulty(size, 0);
+        for (int i = dice.in(1, 3); i > 0; --i) {
+            is_faulty[static_cast<std::size_t>(dice.in(0, static_cast<int>(size) - 1))] = 1;
+        }
+        for (std::uint32_t threads = 1; threads <= 6; ++threads) {
+            for (const Assignment assignment : assignments) {
+                SCOPED_TRACE("round " + std::to_string(round) + ", threads " +
+                             std::to_string(threads) + ", " + name_of(assignment));
+                Record record(schedule.tasks);
+                std::size_t thrown = size;
+                try {
+                    schedule.run(threads, assignment, [&](std::size_t task) {
+                        record.run(task);
+                        if (is_faulty[task] != 0) {
+                            throw Fault(task);
+                        }
+                    });
+                } catch (const Fault& fault) {
+                    thrown = fault.number;
+                }
+                ASSERT_LT(thrown, size) << "nothing came out";
+                EXPECT_NE(is_faulty[thrown], 0);
+                EXPECT_EQ(record.runs(thrown), 1);
+                std::vector<std::uint8_t> is_lost(is_faulty); // waits for one that did not end well
+                for (std::size_t task = 0; task < size; ++task) {
+                    ASSERT_LE(record.runs(task), 1);
+                    for (const std::uint32_t earlier : schedule.tasks.predecessors(task)) {
+                        if (is_lost[earlier] != 0) {
+                            is_lost[task] = 1;
+                            EXPECT_EQ(record.runs(task), 0) << "task " << task;
+                            ++kept_from_running;
+                        }
+                    }
+                    if (threads == 1) {
+                        EXPECT_EQ(record.runs(task), task <= thrown ? 1 : 0) << "task " << task;
+                    }
+                    if (record.runs(task) == 1 && is_faulty[task] != 0) {
+                        EXPECT_GE(task, thrown) << "the first one is to come out";
+                    }
+                }
+                // As if nothing had happened.
+                Record again(schedule.tasks);
+                schedule.run(threads, assignment, [&](std::size_t task) { again.run(task); });
+                again.expect_all_once();
+                if (HasFatalFailure()) {
+                    return;
+                }
+            }
+        }
+    }
+    EXPECT_GT(kept_from_running, 1000U) << "hardly anything waited for a faulty task";
+}
+
+} // namespace
+} // namespace dsc

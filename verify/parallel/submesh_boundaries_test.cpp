@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Nothing is left undone at the boundaries of submeshes, nobody is forgotten there, and no area is
+// lost.
+#include "support/submesh_executor_testing.h"
+
+#include "dsc/passes/interface_list.h"
+#include "dsc/initial/initial_complex.h"
+#include "dsc/quality/delaunay.h"
+#include "dsc/quality/measures.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using test::everywhere;
+using test::Growing;
+using test::Way;
+using test::ways_to_divide;
+
+// What is left to do in a mesh.
+struct Flaws {
+    double longest_interface = 0; ///< in edge lengths
+    double longest = 0;           ///< of the other edges
+    std::size_t non_delaunay = 0; ///< edges inside phases
+    std::size_t poor = 0;         ///< triangles
+
+    void add(const Complex<double>& complex, double h) {
+        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+            if (!complex.is_alive(Triangle{t})) {
+                continue;
+            }
+            poor += quality(complex, Triangle{t}) < 0.3 ? 1U : 0U;
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                const Corner c = corner_of(t, i);
+                const Edge e = complex.edge(c);
+                const auto [a, b] = complex.vertices_of(e);
+                const double length = (complex.position(a) - complex.position(b)).norm() / h;
+                const bool on_interface = is_interface(complex, e);
+                double& most = on_interface ? longest_interface : longest;
+                most = std::max(most, length);
+                if (e.id == c && !on_interface && !is_border(complex.twin(c))) {
+                    non_delaunay += is_delaunay(complex, c) ? 0U : 1U;
+                }
+            }
+        }
+    }
+};
+
+// The cuts stay where they are while the disc grows: what each colour puts off must be done by
+// another one.
+TEST(SubmeshExecutor, LeavesNothingUndoneAtTheBoundaries) {
+    constexpr std::uint32_t never = 1000;
+    auto ways = ways_to_divide(never);
+    ways.push_back(
+        {"one slab",
+         [] { return std::make_unique<SlabPartitioner<double>>(SlabOptions{.submeshes = 1}); }});
+    for (const Way& way : ways) {
+        SCOPED_TRACE(way.name);
+        Growing disc(way.make(), 2);
+        Flaws flaws;
+        for (int step = 0; step < 9; ++step) {
+            EXPECT_EQ(disc.simulation->step(disc.grow, 0, Growing::h).unreached, 0U);
+            flaws.add(disc.complex, Growing::h);
+        }
+        disc.expect_good();
+        // Upkeep splits at 1.4, and then the disc grows a little.
+        EXPECT_LT(flaws.longest_interface, 1.45);
+        EXPECT_LT(flaws.longest, 2.2);
+        EXPECT_LE(flaws.non_delaunay, 15U);
+        EXPECT_LE(flaws.poor, 6U);
+    }
+}
+
+// Who was put off by one submesh, until another one looks at him.
+class Waiting {
+public:
+    void add(const std::vector<std::uint32_t>& vertices, const Work<double>& by) {
+        for (const std::uint32_t v : vertices) {
+            waiting_[v] = &by;
+            ++added_;
+        }
+    }
+    void look_at(const std::vector<std::uint32_t>& vertices, const Work<double>& by) {
+        for (const std::uint32_t v : vertices) {
+            const auto at = waiting_.find(v);
+            if (at != waiting_.end() && at->second != &by) {
+                waiting_.erase(at);
+            }
+        }
+    }
+    [[nodiscard]] std::size_t added() const { return added_; }
+    // Starts anew.
+    std::size_t take_forgotten(const Complex<double>& complex) {
+        const auto count = std::ranges::count_if(
+            waiting_, [&](const auto& one) { return complex.is_alive(Vertex{one.first}); });
+        waiting_.clear();
+        return static_cast<std::size_t>(count);
+    }
+
+private:
+    std::map<std::uint32_t, const Work<double>*> waiting_;
+    std::size_t added_ = 0;
+};
+
+TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
+    for (const Way& way : ways_to_divide(4)) {
+        SCOPED_TRACE(way.name);
+        Waiting stars;
+        Waiting upkeep;
+        auto algorithm = default_algorithm<double>();
+        auto& first = algorithm.upkeep;
+        first.insert(first.begin(),
+                     {"before", [&](Work<double>& work) { upkeep.look_at(work.interface, work); }});
+        first.push_back(
+            {"after", [&](Work<double>& work) { upkeep.add(work.put_off_interface, work); }});
+        auto& motion = algorithm.motion;
+        motion.insert(motion.end() - 1,
+                      {"before", [&](Work<double>& work) { stars.look_at(work.active, work); }});
+        motion.push_back(
+            {"after", [&](Work<double>& work) { stars.add(work.put_off_active, work); }});
+        Growing disc(way.make(), 1, algorithm); // one thread: they may write to these
+        for (int step = 0; step < 12; ++step) {
+            const StepReport report = disc.simulation->step(disc.grow, 0, 0.5 * Growing::h);
+            ASSERT_EQ(report.sub_steps, 1U) << "the next one would hide what this one forgot";
+            EXPECT_EQ(stars.take_forgotten(disc.complex), 0U) << "step " << step;
+            EXPECT_EQ(upkeep.take_forgotten(disc.complex), 0U) << "step " << step;
+        }
+        EXPECT_GT(stars.added(), 100U);
+        EXPECT_GT(upkeep.added(), 5U);
+    }
+}
+
+// Whoever is moved to keep the area keeps it, in whichever submesh, and also where those that were
+// put off are done last, after everybody has been aimed.
+TEST(SubmeshExecutor, KeepsTheAreaWhereThatIsAskedFor) {
+    constexpr double h = 0.02;
+    std::vector<Point<double>> outline;
+    // Edges of 0.7, 0.2 and 0.85 edge lengths: of the ends of the second one, the first may go, and
+    // the other one, which is moved, may not.
+    for (int i = 0; i < 54; ++i) {
+        for (const double share : {0.0, 0.4, 0.4 + 0.2 / 1.75}) {
+            const double angle = 2 * M_PI * (i + share) / 54;
+            outline.emplace_back(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
+        }
+    }
+    const std::vector<Shape> shapes{{outline, 1}};
+    const auto area_inside = [](const Complex<double>& complex) {
+        double sum = 0;
+        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+            if (complex.is_alive(Triangle{t}) && complex.triangles[t].phase == 1) {
+                sum += area(complex, Triangle{t});
+            }
+        }
+        return sum;
+    };
+    for (const auto& way : ways_to_divide(1000)) {
+        SCOPED_TRACE(way.name);
+        auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
+        Options<double> options;
+        options.edge_length = h;
+        options.insertion = Insertion::linear;
+        options.interface.coarsening = Coarsening::area;
+        options.interface.shortest = 0.45;
+        Simulation<double> simulation(complex, options,
+                                      std::make_unique<SubmeshExecutor<double>>(
+                                          complex, options, default_algorithm<double>(), way.make(),
+                                          SubmeshOptions{.threads = 3, .vertices_per_thread = 1}));
+        const double before = area_inside(complex);
+        std::uint64_t collapses = 0;
+        for (int step = 0; step < 3; ++step) {
+            const auto report = simulation.step(everywhere(0.1, 0.05), 0, 0.1);
+            EXPECT_EQ(report.unreached, 0U);
+            collapses += report.operations.interface_collapses;
+        }
+        EXPECT_GT(collapses, 40U);
+        EXPECT_NEAR(area_inside(complex), before, 1e-13);
+    }
+}
+
+} // namespace
+} // namespace dsc

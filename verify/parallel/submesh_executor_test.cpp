@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+// The executor of submeshes: what one of them throws comes out, and the simulation goes on; threads
+// and the account of times.
+#include "dsc/parallel/in_place/submesh_executor.h"
+
+#include "support/submesh_executor_testing.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/passes/interface_list.h"
+#include "dsc/base/error.h"
+#include "dsc/complex/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using test::everywhere;
+using test::Growing;
+using test::Way;
+using test::ways_to_divide;
+
+// --- failures -----------------------------------------------------------------------------------
+
+struct Fault : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+TEST(SubmeshExecutor, PassesOnWhatAVelocityThrows) {
+    for (const Way& way : ways_to_divide(3)) {
+        for (const std::uint32_t threads : {1U, 2U, 4U}) {
+            for (const int good_steps : {0, 2}) { // before; two: it is just about to divide anew
+                SCOPED_TRACE(std::string(way.name) + ", threads " + std::to_string(threads));
+                Growing disc(way.make(), threads);
+                for (int step = 0; step < good_steps; ++step) {
+                    (void)disc.simulation->step(disc.grow, 0, Growing::h);
+                }
+                const Velocity<double> faulty = [&](std::span<const Point<double>> positions,
+                                                    double, std::span<Point<double>> velocities) {
+                    disc.grow(positions, 0, velocities);
+                    for (const auto& p : positions) {
+                        if (p.x() > 0.7) {
+                            throw Fault("no velocity here");
+                        }
+                    }
+                };
+                EXPECT_THROW((void)disc.simulation->step(faulty, 0, Growing::h), Fault);
+                EXPECT_GE(disc.seen->partition().colours.front().regions.size(), 3U);
+                disc.expect_to_go_on();
+            }
+        }
+    }
+}
+
+bool is_same(const Region& a, const Region& b) {
+    return a.kind == b.kind && a.low == b.low && a.high == b.high && a.side_low == b.side_low &&
+           a.side_high == b.side_high && a.place == b.place && a.context == b.context &&
+           a.label == b.label;
+}
+
+// A pass of the application throws in one submesh of some colour, or in what is serial, before
+// or after the other passes ran there, in a step that is not the first. The step is lost, the
+// simulation is not.
+TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
+    constexpr std::size_t serial = 99;
+    int serial_faults = 0;
+    for (const Way& way : ways_to_divide(3)) {
+        for (const bool in_upkeep : {true, false}) {
+            for (const bool before : {true, false}) {
+                for (const std::size_t colour : {std::size_t{0}, std::size_t{1}, serial}) {
+                    if (in_upkeep && colour == 1) {
+                        continue; // what the first colour puts off of it is done serially
+                    }
+                    SCOPED_TRACE(std::string(way.name) + (in_upkeep ? ", upkeep" : ", motion") +
+                                 (before ? ", first" : ", last") + ", colour " +
+                                 std::to_string(colour));
+                    std::atomic<bool> is_armed{false};
+                    std::atomic<bool> has_thrown{false};
+                    const SubmeshExecutor<double>* seen = nullptr;
+                    const auto is_meant = [&](const Region& region) {
+                        if (colour == serial) {
+                            return region.is_whole();
+                        }
+                        // Any but the first of them.
+                        const auto& regions = seen->partition().colours.at(colour).regions;
+                        return std::any_of(regions.begin() + 1, regions.end(),
+                                           [&](const auto& r) { return is_same(r, region); });
+                    };
+                    const Pass<double> fault{"fault", [&](Work<double>& work) {
+                                                 if (is_armed && is_meant(work.submesh.region)) {
+                                                     has_thrown = true;
+                                                     throw Fault("as seeded");
+                                                 }
+                                             }};
+                    auto algorithm = default_algorithm<double>();
+                    auto& passes = in_upkeep ? algorithm.upkeep : algorithm.motion;
+                    passes.insert(before ? passes.begin() : passes.end(), fault);
+                    Growing disc(way.make(), 3, algorithm);
+                    seen = disc.seen;
+                    (void)disc.simulation->step(disc.grow, 0, Growing::h);
+                    disc.expect_good();
+                    is_armed = true;
+                    bool came_out = false;
+                    for (int step = 0; step < 4 && !came_out; ++step) {
+                        try {
+                            (void)disc.simulation->step(disc.grow, 0, Growing::h);
+                        } catch (const Fault&) {
+                            came_out = true;
+                        }
+                    }
+                    EXPECT_EQ(came_out, has_thrown);
+                    if (colour != serial) {
+                        EXPECT_TRUE(has_thrown) << "nothing ran there";
+                    }
+                    serial_faults += colour == serial && has_thrown ? 1 : 0;
+                    is_armed = false;
+                    disc.expect_to_go_on();
+                }
+            }
+        }
+    }
+    EXPECT_GE(serial_faults, 2) << "nothing was ever left to be done serially";
+}
+
+// A partition of the application that does not cover the plane, or that throws.
+TEST(SubmeshExecutor, PassesOnWhatIsWrongWithAPartition) {
+    bool is_faulty = false;
+    Growing disc(std::make_unique<PlacePartitioner<double>>(
+                     [&](const PartitionInput<double>& input) {
+                         if (is_faulty) {
+                             throw Fault("no partition");
+                         }
+                         return voronoi_colours(input, 4);
+                     },
+                     2),
+                 2);
+    for (int step = 0; step < 5; ++step) {
+        is_faulty = step == 2;
+        if (is_faulty) {
+            EXPECT_THROW((void)disc.simulation->step(disc.grow, 0, Growing::h), Fault);
+        } else {
+            EXPECT_EQ(disc.simulation->step(disc.grow, 0, Growing::h).unreached, 0U);
+        }
+        disc.expect_good();
+    }
+    Growing gap(std::make_unique<PlacePartitioner<double>>([](const PartitionInput<double>&) {
+                    return std::vector<PlaceColour>{
+                        {[](double x, double) { return x < 0.5 ? 0U : 2U; }, 2}};
+                }),
+                2);
+    EXPECT_THROW((void)gap.simulation->step(gap.grow, 0, Growing::h), InvariantError);
+    EXPECT_EQ(validate(gap.complex).problem, "");
+}
+
+// --- options ------------------------------------------------------------------------------------
+
+TEST(SubmeshExecutor, RefusesOptionsThatMakeNoSense) {
+    auto complex = test::disc_complex<double>(0.05);
+    Options<double> options;
+    options.edge_length = 0.05;
+    const auto make = [&](bool with_partitioner, const SubmeshOptions& submeshes) {
+        std::unique_ptr<Partitioner<double>> partitioner;
+        if (with_partitioner) {
+            partitioner = std::make_unique<SlabPartitioner<double>>(SlabOptions{});
+        }
+        const SubmeshExecutor<double> executor(complex, options, default_algorithm<double>(),
+                                               std::move(partitioner), submeshes);
+    };
+    make(true, {});
+    EXPECT_THROW(make(false, {}), InputError);
+    struct Seeded {
+        const char* where;
+        SubmeshOptions options;
+    };
+    for (const Seeded& fault :
+         {Seeded{"threads", {.threads = 0}}, Seeded{"threads", {.threads = 5000}},
+          Seeded{"vertices_per_thread", {.vertices_per_thread = 0}}}) {
+        try {
+            make(true, fault.options);
+            ADD_FAILURE() << "accepted: " << fault.where;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.where(), fault.where);
+        }
+    }
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
+// --- threads and times --------------------------------------------------------------------------
+
+TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
+    constexpr double h = 0.02;
+    auto complex = test::disc_complex<double>(h);
+    Options<double> options;
+    options.edge_length = h;
+    const auto vertices = static_cast<std::uint32_t>(collect_interface(complex).size());
+    ASSERT_GT(vertices, 60U);
+    const auto threads_of = [&](std::uint32_t threads, std::uint32_t per_thread) {
+        auto executor = std::make_unique<SubmeshExecutor<double>>(
+            complex, options, default_algorithm<double>(),
+            std::make_unique<SlabPartitioner<double>>(
+                SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .least_width = 4}),
+            SubmeshOptions{.threads = threads, .vertices_per_thread = per_thread});
+        const SubmeshExecutor<double>& seen = *executor;
+        Simulation<double> simulation(complex, options, std::move(executor));
+        const Velocity<double> rest = [](std::span<const Point<double>>, double,
+                                         std::span<Point<double>> velocities) {
+            std::ranges::fill(velocities, Point<double>(0, 0));
+        };
+        (void)simulation.step(rest, 0, 1);
+        EXPECT_EQ(seen.partition().colours.front().regions.size(), 4U);
+        return seen.threads_used();
+    };
+    EXPECT_EQ(threads_of(1, 1), 1U);
+    EXPECT_EQ(threads_of(3, 1), 3U);
+    EXPECT_EQ(threads_of(9, 1), 4U) << "no more than submeshes";
+    EXPECT_EQ(threads_of(4, vertices / 2), 2U);
+    EXPECT_EQ(threads_of(4, 2 * vertices), 1U);
+}
+
+TEST(SubmeshExecutor, KeepsAccountOfTimesWhereAsked) {
+    constexpr double h = 0.02;
+    for (const bool profile : {false, true}) {
+        auto complex = test::disc_complex<double>(h);
+        Options<double> options;
+        options.edge_length = h;
+        auto executor = std::make_unique<SubmeshExecutor<double>>(
+            complex, options, default_algorithm<double>(),
+            std::make_unique<SlabPartitioner<double>>(
+                SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .least_width = 4}),
+            SubmeshOptions{.threads = 2, .vertices_per_thread = 1, .profile = profile});
+        const SubmeshExecutor<double>& seen = *executor;
+        Simulation<double> simulation(complex, options, std::move(executor));
+        const Velocity<double> grow = [](std::span<const Point<double>> positions, double,
+                                         std::span<Point<double>> velocities) {
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+                velocities[i] = positions[i] - Point<double>(0.5, 0.5);
+            }
+        };
+        for (int step = 0; step < 3; ++step) {
+            const StepReport report = simulation.step(grow, 0, 0.2);
+            ASSERT_GT(report.sub_steps, 1U);
+            ASSERT_EQ(seen.profile().sub_steps.size(), profile ? report.sub_steps : 0U);
+            for (const SubStepProfile& times : seen.profile().sub_steps) {
+                const auto& colours = seen.partition().colours;
+                ASSERT_EQ(colours.size(), 2U);
+                EXPECT_EQ(times.aim.size(), colours[0].regions.size());
+                EXPECT_EQ(times.move.size(), seen.tasks().size());
+                EXPECT_EQ(times.move.size(), colours[0].regions.size() + colours[1].regions.size());
+                EXPECT_EQ(times.motion_passes.size(), default_algorithm<double>().motion.size());
+                double aim = 0;
+                for (const double time : times.aim) {
+                    EXPECT_GT(time, 0);
+                    aim += time;
+                }
+                EXPECT_NEAR(times.upkeep + times.velocities, aim, 1e-9);
+                double move = 0;
+                for (const double time : times.move) {
+                    move += time;
+                }
+                double motion = 0;
+                for (const double time : times.motion_passes) {
+                    EXPECT_GT(time, 0);
+                    motion += time;
+                }
+                EXPECT_GT(times.later_colours, 0);
+                EXPECT_LE(motion + times.later_colours, move);
+                EXPECT_GT(times.aim_wall, 0);
+                EXPECT_GT(times.move_wall, 0);
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace dsc

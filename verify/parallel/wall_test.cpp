@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// The interface along the domain boundary, by every strategy; and its parts by hand.
+#include "hard/scene.h"
+#include "hard/watch.h"
+
+#include "dsc/passes/wall.h"
+#include "dsc/complex/mesh_functions.h"
+#include "dsc/complex/validate.h"
+#include "dsc/quality/ring_quality.h"
+#include "scenes/strategy.h"
+#include "flows/velocity.h"
+
+#include <gtest/gtest.h>
+
+namespace dsc {
+namespace {
+
+constexpr int columns = 40;
+constexpr double h = 2.0 / columns;
+const Rectangle domain{{0, 0}, {2, 1}};
+
+hard::Scene<double> strip(double left, double right) {
+    return hard::grid_scene(domain, columns, columns / 2, [=](const Point<double>& p) {
+        return p.x() > left && p.x() < right ? Phase{1} : exterior_phase;
+    });
+}
+
+class Wall : public testing::TestWithParam<scenes::Strategy> {};
+
+TEST_P(Wall, StripSlidesFromOneEndToTheOther) {
+    auto scene = strip(0.2, 0.5);
+    scenes::Submeshing submeshing;
+    submeshing.submeshes = 4;
+    submeshing.always_all_threads = true;
+    hard::HardResult result;
+    hard::Watch<double> watch(
+        scene.complex, scene.options, {.domain = domain}, result,
+        scenes::make_executor(scene.complex, scene.options, GetParam(), submeshing));
+    // 24 edges to the right: the walls before the strip vanish, and come up again behind it.
+    constexpr int steps = 60;
+    watch.run(scenes::Translation{{1.2, 0}}, 0, 1.0 / steps, steps);
+    hard::expect_sound(result, hard::Targets::reachable);
+    EXPECT_TRUE(result.holds()) << result.failures.front();
+    const scenes::Outline exact{{1.4, 0}, {1.7, 0}, {1.7, 1}, {1.4, 1}};
+    EXPECT_LT(hard::shape_error(scene.complex, 1, exact), 1e-12);
+    EXPECT_NEAR(hard::domain_area(scene.complex), 2, 1e-13);
+    std::uint32_t on_wall = 0;
+    for (std::uint32_t v = 0; v < scene.complex.vertex_bound(); ++v) {
+        if (scene.complex.is_alive(Vertex{v}) && is_boundary(scene.complex, Vertex{v})) {
+            ++on_wall;
+            const Point<double> p = scene.complex.position(Vertex{v});
+            EXPECT_TRUE(p.x() == 0 || p.x() == 2 || p.y() == 0 || p.y() == 1) << v;
+        }
+    }
+    // 120 at the start; edges between 0.4 and 1.6 h.
+    EXPECT_GT(on_wall, 75U);
+    EXPECT_LT(on_wall, 240U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Strategies, Wall,
+                         testing::Values(scenes::Strategy::sequential, scenes::Strategy::active,
+                                         scenes::Strategy::blocks, scenes::Strategy::cells),
+                         [](const auto& one) { return scenes::to_string(one.param); });
+
+TEST(WallMeeting, AnInterfaceThatMeetsTheWallIsNotInterpolatedAlongIt) {
+    // The strip's wall is an interface as well, and turns into its side by 35 degrees only: a cubic
+    // through both would bulge at the wall. By the slope the one or the other end of an edge sees
+    // it.
+    for (const double slope : {1.4, -1.4}) {
+        const auto lean = [slope](const Point<double>& p) {
+            return Point<double>(p.x() + slope * (p.y() - 0.5), p.y());
+        };
+        auto scene = hard::grid_scene(
+            domain, columns, columns / 2,
+            [slope](const Point<double>& p) {
+                const double x = p.x() - slope * (p.y() - 0.5);
+                return x > 0.8 && x < 1.1 ? Phase{1} : exterior_phase;
+            },
+            lean);
+        scene.options.edge_length = h / 2; // everything is split
+        hard::HardResult result;
+        hard::Watch<double> watch(scene.complex, scene.options, {.domain = {{-9, 0}, {9, 1}}},
+                                  result);
+        watch.run(scenes::Translation{{0.01, 0}}, 0, 0.01, 3);
+        hard::expect_sound(result, hard::Targets::reachable);
+        EXPECT_TRUE(result.holds()) << result.failures.front();
+        const scenes::Outline exact{lean({0.8003, 0}), lean({1.1003, 0}), lean({1.1003, 1}),
+                                    lean({0.8003, 1})};
+        EXPECT_LT(hard::shape_error(scene.complex, 1, exact), 1e-13) << slope;
+    }
+}
+
+// The vertex at a place.
+std::uint32_t vertex_at(const Complex<double>& complex, const Point<double>& p) {
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (complex.is_alive(Vertex{v}) && complex.position(Vertex{v}) == p) {
+            return v;
+        }
+    }
+    return no_id;
+}
+
+class WallParts : public testing::Test {
+protected:
+    hard::Scene<double> scene = hard::grid_scene(
+        {{0, 0}, {4, 2}}, 4, 2, [](const Point<double>&) { return exterior_phase; });
+    Work<double> work{scene.complex, scene.options};
+    Ring<double> ring;
+
+    void SetUp() override { work.epoch = 1; }
+    void gather_at(double x, double y) {
+        ASSERT_TRUE(gather(scene.complex, Region{}, vertex_at(scene.complex, {x, y}), ring));
+    }
+};
+
+TEST_F(WallParts, SpokesAreThoseOnTheBoundary) {
+    gather_at(2, 0);
+    EXPECT_EQ(ring.link_x(wall_spoke(ring, true).link), 3); // the domain on the left
+    EXPECT_EQ(ring.link_x(wall_spoke(ring, false).link), 1);
+    EXPECT_EQ(wall_spoke(ring, false).squared, 1);
+    gather_at(2, 2);
+    EXPECT_EQ(ring.link_x(wall_spoke(ring, true).link), 1);
+    EXPECT_EQ(ring.link_x(wall_spoke(ring, false).link), 3);
+}
+
+TEST_F(WallParts, LimitsAreKept) {
+    gather_at(2, 0);
+    EXPECT_FALSE(should_split_wall(ring, {1.01, 0.2, 0.1}));
+    EXPECT_TRUE(should_split_wall(ring, {0.99, 0.2, 0.1}));
+    EXPECT_FALSE(should_collapse_on_wall(ring, {4.1, 0.99, 0.1}));
+    EXPECT_TRUE(should_collapse_on_wall(ring, {4.1, 1.01, 0.1}));
+    EXPECT_TRUE(should_collapse_on_wall(ring, {4.1, 0.99, 0.1}, true));
+    EXPECT_FALSE(should_collapse_on_wall(ring, {3.9, 1.01, 0.1})) << "would make a long edge";
+    gather_at(2, 1);
+    EXPECT_FALSE(should_split_wall(ring, {0.01, 0.001, 0.1})) << "not on the wall";
+    EXPECT_FALSE(should_collapse_on_wall(ring, {99, 99, 0.1})) << "not on the wall";
+}
+
+TEST_F(WallParts, SplitsAtTheMiddleOfTheWall) {
+    gather_at(2, 0);
+    const SplitResult result = split_wall(work, ring);
+    ASSERT_EQ(result.verdict, Verdict::legal);
+    EXPECT_EQ(scene.complex.position(result.vertex), Point<double>(2.5, 0));
+    EXPECT_TRUE(is_boundary(scene.complex, result.vertex));
+    EXPECT_EQ(validate(scene.complex).problem, "");
+    EXPECT_EQ(work.active.size(), 4U);
+}
+
+TEST_F(WallParts, CollapsesAlongTheWallAndKeepsTheDomain) {
+    gather_at(2, 0);
+    const std::uint32_t v = ring.vertex;
+    ASSERT_TRUE(collapse_on_wall(work, ring, {99, 99, 0.0}));
+    EXPECT_FALSE(scene.complex.is_alive(Vertex{v}));
+    EXPECT_EQ(hard::domain_area(scene.complex), 8);
+    EXPECT_EQ(validate(scene.complex).problem, "");
+    // One quality after, as it was promised; a corner does not go.
+    gather_at(0, 0);
+    EXPECT_FALSE(collapse_on_wall(work, ring, {99, 99, 0.0}));
+}
+
+TEST_F(WallParts, QualityAfterACollapseIsThatOfTheTrianglesLeft) {
+    gather_at(2, 0);
+    const double promised = std::max(quality_after_wall_collapse(ring, 0),
+                                     quality_after_wall_collapse(ring, ring.size));
+    Ring<double> before = ring;
+    EXPECT_FALSE(collapse_on_wall(work, ring, {99, 99, promised * 1.001}));
+    ASSERT_TRUE(collapse_on_wall(work, ring, {99, 99, promised * 0.999}));
+    double worst = 1;
+    for (std::uint32_t i = 0; i < before.link_size(); ++i) {
+        Ring<double> star;
+        ASSERT_TRUE(gather(scene.complex, Region{}, before.link[i], star));
+        worst = std::min(worst, std::sqrt(worst_quality_squared(star, star.x0, star.y0)));
+    }
+    EXPECT_NEAR(worst, promised, 1e-12);
+}
+
+TEST_F(WallParts, AnObliqueMiddleThatRoundsOffTheWallIsNotTaken) {
+    // (0.1, 0.3) to (0.4, 0.7) and the like: some middles are off the line by rounding.
+    auto turned = hard::grid_scene(
+        {{0, 0}, {4, 2}}, 4, 2, [](const Point<double>&) { return exterior_phase; },
+        [](const Point<double>& p) {
+            return Point<double>(0.1 + 0.3 * p.x() - 0.4 * p.y(), 0.3 + 0.4 * p.x() + 0.3 * p.y());
+        });
+    Work<double> other(turned.complex, turned.options);
+    other.epoch = 1;
+    const std::uint32_t bound = turned.complex.vertex_bound();
+    int off = 0;
+    for (std::uint32_t v = 0; v < bound; ++v) {
+        if (!gather(turned.complex, Region{}, v, ring) || ring.closed) {
+            continue;
+        }
+        const Point<double> a(ring.x0, ring.y0);
+        const Point<double> b(ring.link_x(0), ring.link_y(0));
+        const bool is_on = orientation<double>(a, midpoint<double>(a, b), b) == 0;
+        off += is_on ? 0 : 1;
+        EXPECT_EQ(split_wall(other, ring).verdict, is_on ? Verdict::legal : Verdict::on_boundary);
+    }
+    EXPECT_GT(off, 0) << "the test has lost its point";
+}
+
+} // namespace
+} // namespace dsc

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: MIT
+// What an application chooses about the interface: which vertices may go, how long edges are, which
+// corners stay, and what the mesh beside short edges is like.
+#include "dsc/passes/interface_upkeep.h"
+
+#include "support/simulation_testing.h"
+
+#include "dsc/passes/interface_curve.h"
+#include "dsc/passes/interface_list.h"
+#include "dsc/base/error.h"
+#include "dsc/initial/initial_complex.h"
+#include "dsc/quality/ring_quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace dsc {
+namespace {
+
+using test::options_for;
+
+constexpr double h = 0.05;
+using Outline = std::vector<Point<double>>;
+
+Outline ellipse(double a, double b, int n) {
+    Outline outline;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        outline.emplace_back(0.5 + a * std::cos(angle), 0.5 + b * std::sin(angle));
+    }
+    return outline;
+}
+
+Complex<double> complex_of(const Outline& outline) {
+    const std::vector<Shape> shapes{{outline, 1}};
+    return initial_complex<double>({}, shapes, {.edge_length = h});
+}
+
+double area_inside(const Complex<double>& complex) {
+    double doubled = 0;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (complex.is_alive(Triangle{t}) && complex.triangles[t].phase == 1) {
+            const auto& v = complex.triangles[t].v;
+            const Point<double> a = complex.position(Vertex{v[0]});
+            const Point<double> b = complex.position(Vertex{v[1]}) - a;
+            const Point<double> c = complex.position(Vertex{v[2]}) - a;
+            doubled += b.x() * c.y() - b.y() * c.x();
+        }
+    }
+    return doubled / 2;
+}
+
+// One upkeep after the other, until nothing changes any more.
+struct Kept {
+    Complex<double> complex;
+    OperationCounts counts;
+    std::vector<std::uint32_t> interface;
+    bool ended = false;
+};
+
+Kept keep_up(const Outline& outline, const Options<double>& options) {
+    Kept kept{complex_of(outline), {}, {}, false};
+    mark_corners(kept.complex, collect_interface(kept.complex), options.interface.corner_degrees);
+    Work<double> work(kept.complex, options);
+    work.interface = collect_interface(kept.complex);
+    for (int round = 0; round < 60 && !kept.ended; ++round) {
+        work.counts = {};
+        upkeep_interface(work);
+        EXPECT_EQ(validate(kept.complex).problem, "");
+        kept.counts += work.counts;
+        kept.ended = work.counts.interface_splits + work.counts.interface_collapses == 0;
+    }
+    kept.interface = work.interface;
+    return kept;
+}
+
+Options<double> with(Coarsening coarsening) {
+    auto options = options_for<double>(h);
+    options.interface.coarsening = coarsening;
+    return options;
+}
+
+// Edges of a fifth of the edge length: far more vertices than the thresholds want.
+const Outline crowded = ellipse(0.3, 0.15, 148);
+
+TEST(Coarsening, NeverLeavesAllVertices) {
+    const Kept kept = keep_up(crowded, with(Coarsening::never));
+    EXPECT_TRUE(kept.ended);
+    EXPECT_EQ(kept.counts.interface_collapses, 0U);
+    EXPECT_GE(kept.interface.size(), crowded.size());
+}
+
+TEST(Coarsening, ByLengthTakesAllThatDeviationTakesAndMore) {
+    auto narrow = with(Coarsening::deviation);
+    narrow.interface.deviation = 4e-3;
+    const Kept deviation = keep_up(crowded, narrow);
+    const Kept length = keep_up(crowded, with(Coarsening::length));
+    EXPECT_TRUE(deviation.ended);
+    EXPECT_TRUE(length.ended);
+    EXPECT_GT(deviation.counts.interface_collapses, 10U);
+    EXPECT_GT(length.counts.interface_collapses, deviation.counts.interface_collapses * 6 / 5);
+}
+
+// Chords of the ellipse lose area; with survivors that move out, they do not.
+TEST(Coarsening, ByAreaKeepsTheArea) {
+    const double before = area_inside(complex_of(crowded));
+    auto options = with(Coarsening::length);
+    options.insertion = Insertion::linear; // it changes no area
+    const Kept length = keep_up(crowded, options);
+    options.interface.coarsening = Coarsening::area;
+    const Kept area = keep_up(crowded, options);
+    EXPECT_TRUE(area.ended);
+    EXPECT_GT(area.counts.interface_collapses, 40U);
+    EXPECT_GT(std::abs(area_inside(length.complex) - before), 1e-4);
+    EXPECT_NEAR(area_inside(area.complex), before, 1e-14);
+}
+
+// Off the curve by no more than the deviation, whichever way it is read.
+TEST(Coarsening, ByDeviationKeepsTheCurve) {
+    for (const Reading reading : {Reading::chords, Reading::cubic}) {
+        auto options = with(Coarsening::deviation);
+        options.interface.deviation = 2e-4;
+        options.interface.reading = reading;
+        const Kept kept = keep_up(crowded, options);
+        const double lost = std::abs(area_inside(kept.complex) - area_inside(complex_of(crowded)));
+        const double perimeter = 1.46;
+        if (reading == Reading::chords) {
+            EXPECT_LT(lost, 3 * options.interface.deviation * h * perimeter);
+            EXPECT_LT(kept.counts.interface_collapses, 20U);
+        } else {
+            // The cubic passes where the vertex was: it may go, though the chord does not.
+            EXPECT_GT(kept.counts.interface_collapses, 40U);
+        }
+    }
+}
+
+// The cubic is looked at where the vertex was, which need not be in the middle.
+TEST(Coarsening, ByDeviationFromTheCubicTakesUnevenVerticesToo) {
+    Outline uneven;
+    for (int i = 0; i < 240; ++i) {
+        const double angle = 2 * std::numbers::pi * (i + (i % 2 == 0 ? 0.0 : -0.5)) / 240;
+        uneven.emplace_back(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
+    }
+    auto options = with(Coarsening::deviation);
+    options.interface.deviation = 1e-4;
+    options.interface.reading = Reading::cubic;
+    EXPECT_GT(keep_up(uneven, options).counts.interface_collapses, 80U);
+    options.interface.reading = Reading::chords;
+    EXPECT_EQ(keep_up(uneven, options).counts.interface_collapses, 0U);
+}
+
+// A zigzag of a fiftieth of an edge is no shape that a mesh of these edges could carry.
+TEST(Coarsening, ByDeviationRemovesTheRemainsOfTips) {
+    Outline outline = ellipse(0.3, 0.2, 60);
+    const Point<double> along = (outline[10] - outline[9]).normalized();
+    outline.insert(outline.begin() + 10,
+                   outline[10] + 0.02 * h * (Point<double>(along.y(), -along.x()) - 0.1 * along));
+    auto options = with(Coarsening::deviation);
+    options.interface.corner_degrees = 180;
+    options.interface.deviation = 1e-3;
+    options.interface.degenerate = 0;
+    const Kept zigzag = keep_up(outline, options);
+    EXPECT_EQ(zigzag.counts.interface_collapses, 0U);
+    options.interface.degenerate = 50;
+    const Kept smooth = keep_up(outline, options);
+    EXPECT_EQ(smooth.counts.interface_collapses, 1U);
+}
+
+double largest_turn(const Complex<double>& complex, double shortest) {
+    double largest = 0;
+    Ring<double> ring;
+    for (const std::uint32_t v : collect_interface(complex)) {
+        EXPECT_TRUE(gather(complex, Region{}, v, ring));
+        const Spokes s = interface_spokes(ring);
+        const Point<double> p(ring.x0, ring.y0);
+        const Point<double> a = link_point(ring, s.first);
+        const Point<double> b = link_point(ring, s.second);
+        const double length = std::max((a - p).norm(), (b - p).norm());
+        if (length > shortest) {
+            largest = std::max(largest, std::abs(curvature<double>(a, p, b)) * length);
+        }
+    }
+    return largest * 180 / std::numbers::pi;
+}
+
+TEST(Sizes, FollowTheCurvature) {
+    const Outline outline = ellipse(0.3, 0.06, 36); // 300 at its tips: 14 degrees at 0.2 h / 2
+    auto options = with(Coarsening::never);
+    const Kept plain = keep_up(outline, options);
+    options.interface.turn_degrees = 20;
+    options.interface.corner_degrees = 180;
+    options.interface.finest = 0.02;
+    const Kept fine = keep_up(outline, options);
+    EXPECT_TRUE(fine.ended);
+    EXPECT_GT(largest_turn(plain.complex, 0), 30);
+    EXPECT_LT(largest_turn(fine.complex, 2 * 0.02 * h), 20.0001);
+    EXPECT_GT(fine.interface.size(), plain.interface.size());
+    // And no edge is split to less than the finest.
+    for (const std::uint32_t v : fine.interface) {
+        const Point<double> p = fine.complex.position(Vertex{v});
+        for (const std::uint32_t w : fine.interface) {
+            EXPECT_TRUE(v == w || (fine.complex.position(Vertex{w}) - p).norm() > 0.9 * 0.02 * h);
+        }
+    }
+}
+
+// A strip that is a quarter of an edge wide.
+TEST(Sizes, FollowTheGapToTheNextSheet) {
+    constexpr double width = 0.25 * h;
+    const Outline strip{{0.2, 0.475}, {0.8, 0.475}, {0.8, 0.525}, {0.2, 0.525}};
+    auto options = with(Coarsening::never);
+    for (const bool follows : {false, true}) {
+        options.interface.gap = follows ? 2 : 0;
+        auto complex = complex_of(strip);
+        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+            const Point<double> p = complex.position(Vertex{v});
+            complex.set_position(Vertex{v}, {p.x(), 0.5 + (p.y() - 0.5) * width / h});
+        }
+        Work<double> work(complex, options);
+        work.interface = collect_interface(complex);
+        mark_corners(complex, work.interface, options.interface.corner_degrees);
+        for (int round = 0; round < 10; ++round) {
+            upkeep_interface(work);
+        }
+        EXPECT_EQ(validate(complex).problem, "");
+        double longest = 0;
+        Ring<double> ring;
+        for (const std::uint32_t v : work.interface) {
+            ASSERT_TRUE(gather(complex, Region{}, v, ring));
+            const Spokes s = interface_spokes(ring);
+            const Point<double> p(ring.x0, ring.y0);
+            longest = std::max(longest, (link_point(ring, s.first) - p).norm());
+        }
+        if (follows) {
+            EXPECT_LE(longest, 2 * width * 1.0001);
+        } else {
+            EXPECT_GT(longest, 3 * width);
+        }
+    }
+}
+
+// The second edge of a curve is in the link where a triangle cuts a corner; it is no other sheet.
+TEST(Sizes, KnowNoGapToTheSameSheet) {
+    const Outline square{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
+    const Outline small{{0.5, 0.5}, {0.55, 0.5}, {0.55, 0.55}, {0.5, 0.55}};
+    std::size_t cut = 0;
+    for (const Outline& outline : {square, small, ellipse(0.3, 0.15, 40)}) {
+        const auto complex = complex_of(outline);
+        Ring<double> ring;
+        for (const std::uint32_t v : collect_interface(complex)) {
+            ASSERT_TRUE(gather(complex, Region{}, v, ring));
+            const Spokes spokes = interface_spokes(ring);
+            EXPECT_TRUE(std::isinf(squared_gap(complex, ring, spokes)));
+            for (std::uint32_t i = 0; i < ring.size; ++i) {
+                const bool is_beside = i == spokes.first || i == spokes.second ||
+                                       (i + 1) % ring.size == spokes.first ||
+                                       (i + 1) % ring.size == spokes.second;
+                const Phase across = complex.phase_at(complex.twin(ring.corner[i]));
+                cut += is_beside && across != ring.phase[i] ? 1U : 0U;
+            }
+        }
+    }
+    EXPECT_GT(cut, 0U);
+}
+
+TEST(Corners, AreMarkedOnceAndKept) {
+    const Outline square{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
+    const auto options = options_for<double>(h);
+    auto complex = complex_of(square);
+    Simulation<double> simulation(complex, options);
+    std::vector<std::uint32_t> corners;
+    for (const std::uint32_t v : simulation.interface()) {
+        if ((complex.vertices[v].flags & vertex_corner) != 0) {
+            corners.push_back(v);
+        }
+    }
+    ASSERT_EQ(corners.size(), 4U);
+    // A shear that opens two of them to 135 degrees and more, and back.
+    const auto shear = [](double speed) {
+        return test::pointwise<double>([=](const Point<double>& p, double) {
+            return Point<double>(speed * (p.y() - 0.5), 0);
+        });
+    };
+    for (int step = 0; step < 80; ++step) {
+        const auto report = simulation.step(shear(step < 40 ? 1 : -1), 0, 0.025);
+        ASSERT_EQ(report.unreached, 0U);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+        ASSERT_TRUE(complex.is_alive(Vertex{corners[i]}));
+        double nearest = 1;
+        for (const auto& p : square) {
+            nearest = std::min(nearest, (complex.position(Vertex{corners[i]}) - p).norm());
+        }
+        EXPECT_LT(nearest, 1e-13);
+    }
+    EXPECT_NEAR(area_inside(complex), 0.16, 1e-13);
+}
+
+double worst_quality_at(const Complex<double>& complex,
+                        const std::vector<std::uint32_t>& interface) {
+    double worst = 1;
+    Ring<double> ring;
+    for (const std::uint32_t v : interface) {
+        EXPECT_TRUE(gather(complex, Region{}, v, ring));
+        worst = std::min(worst, worst_quality_squared(ring, ring.x0, ring.y0));
+    }
+    return std::sqrt(worst);
+}
+
+// Edges of a fifth of the edge length that must stay.
+TEST(Grading, FillsTheMeshBesideShortEdges) {
+    std::array<double, 2> worst{};
+    for (const bool graded : {false, true}) {
+        auto options = with(Coarsening::never);
+        options.interface.grading = graded ? 3 : 0;
+        auto complex = complex_of(crowded);
+        Simulation<double> simulation(complex, options);
+        for (int step = 0; step < 15; ++step) {
+            const auto report = simulation.step(test::constant<double>(0.5, 0.1), 0, 0.02);
+            EXPECT_TRUE(!graded || report.unreached == 0);
+            ASSERT_EQ(validate(complex).problem, "");
+        }
+        worst[graded ? 1 : 0] = worst_quality_at(complex, simulation.interface());
+    }
+    EXPECT_LT(worst[0], 0.2);
+    EXPECT_GT(worst[1], 0.25);
+}
+
+TEST(InterfaceOptions, AreRefusedWhereTheyMakeNoSense) {
+    const auto refuses = [](auto change) {
+        auto options = options_for<double>(h);
+        change(options);
+        EXPECT_THROW(check_options(options), InputError);
+    };
+    refuses([](auto& o) { o.interface.turn_degrees = -1; });
+    refuses([](auto& o) { o.interface.turn_degrees = 0.1; });
+    refuses([](auto& o) { o.interface.gap = 0.01; });
+    refuses([](auto& o) { o.interface.finest = 0; });
+    refuses([](auto& o) { o.interface.finest = 1.8; });
+    refuses([](auto& o) { o.interface.grading = 1; });
+    refuses([](auto& o) { o.interface.degenerate = -0.5; });
+    refuses([](auto& o) { o.phases.crowded = 3; });
+    refuses([](auto& o) { o.tolerance = 0; });
+    refuses([](auto& o) { o.tolerance = std::numeric_limits<double>::quiet_NaN(); });
+    EXPECT_NO_THROW(check_options(options_for<double>(h)));
+}
+
+} // namespace
+} // namespace dsc

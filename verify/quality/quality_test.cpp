@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+// Measures [thesis 4.3] against trigonometry and the thesis's own figures, histograms, selection.
+#include "dsc/quality/histogram.h"
+#include "dsc/quality/measures.h"
+#include "dsc/quality/selection.h"
+
+#include "support/small_meshes.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/algebra.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace dsc {
+namespace {
+
+using test::grid;
+
+constexpr double pi = 3.14159265358979323846;
+
+template <class Real>
+class Measures : public testing::Test {
+protected:
+    using P = Point<Real>;
+    static constexpr double tolerance = sizeof(Real) == 8 ? 1e-13 : 2e-5;
+
+    // A triangle by two of its angles, at an arbitrary place, turned and scaled.
+    static std::array<P, 3> by_angles(double alpha_deg, double beta_deg, double scale = 1,
+                                      double turn = 0.7) {
+        const double a = alpha_deg * pi / 180;
+        const double b = beta_deg * pi / 180;
+        const double side = std::sin(b) / std::sin(a + b); // from the corner of alpha to the apex
+        const auto place = [&](double x, double y) {
+            return P(static_cast<Real>(scale * (x * std::cos(turn) - y * std::sin(turn))),
+                     static_cast<Real>(scale * (x * std::sin(turn) + y * std::cos(turn))));
+        };
+        return {place(0, 0), place(1, 0), place(side * std::cos(a), side * std::sin(a))};
+    }
+};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(Measures, Reals);
+
+TYPED_TEST(Measures, FigureFourEight) {
+    // Equation 4 for the smallest angles of figure 4.8: 60, 25, 30 and 52 degrees.
+    const auto q = [](double smallest, double other) {
+        const auto p = TestFixture::by_angles(smallest, other);
+        return static_cast<double>(quality(p[0], p[1], p[2]));
+    };
+    EXPECT_NEAR(q(60, 60), 1, TestFixture::tolerance);
+    EXPECT_NEAR(q(25, 100), 0.49, 0.005);
+    EXPECT_NEAR(q(30, 90), 0.58, 0.005);
+    EXPECT_NEAR(q(52, 60), 0.91, 0.005);
+}
+
+TYPED_TEST(Measures, AgreeWithTrigonometry) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> angle(2, 88);
+    for (int i = 0; i < 1000; ++i) {
+        const double alpha = angle(random);
+        const double beta = angle(random);
+        const double gamma = 180 - alpha - beta;
+        const double scale = std::pow(10.0, static_cast<double>(i % 13) - 6);
+        const auto p = TestFixture::by_angles(alpha, beta, scale, i);
+        const double smallest = std::min({alpha, beta, gamma});
+        const auto sine = [](double degrees) { return std::sin(degrees * pi / 180); };
+        const double a =
+            sine(alpha) / sine(gamma); // edges, with that of length 1 opposite to gamma
+        const double b = sine(beta) / sine(gamma);
+        const double size = 0.5 * sine(alpha) * b;
+        const auto near = [&](auto value, double expected) {
+            EXPECT_NEAR(static_cast<double>(value), expected,
+                        30 * TestFixture::tolerance * expected);
+        };
+        near(area(p[0], p[1], p[2]), size * scale * scale);
+        near(distance(p[0], p[1]), scale);
+        near(squared_distance(p[1], p[2]), a * a * scale * scale);
+        near(min_angle_deg(p[0], p[1], p[2]), smallest);
+        near(quality(p[0], p[1], p[2]), 2 / std::sqrt(3) * sine(smallest));
+        near(mean_ratio(p[0], p[1], p[2]), 4 * std::sqrt(3) * size / (a * a + b * b + 1));
+        const double longest = std::max({a, b, 1.0});
+        near(aspect_ratio(p[0], p[1], p[2]), 2 / std::sqrt(3) * (2 * size / longest) / longest);
+        const double inscribed = 2 * size / (a + b + 1);
+        const double circumscribed = a * b / (4 * size);
+        near(radius_ratio(p[0], p[1], p[2]), 2 * inscribed / circumscribed);
+    }
+}
+
+TYPED_TEST(Measures, DoNotDependOnTheFirstCornerAndChangeSignWithOrientation) {
+    const auto p = TestFixture::by_angles(31, 77);
+    const auto all = [](const auto& a, const auto& b, const auto& c) {
+        return std::array{quality(a, b, c), mean_ratio(a, b, c), aspect_ratio(a, b, c),
+                          radius_ratio(a, b, c), area(a, b, c)};
+    };
+    const auto first = all(p[0], p[1], p[2]);
+    const auto turned = all(p[1], p[2], p[0]);
+    const auto inverted = all(p[0], p[2], p[1]);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const double size = std::abs(static_cast<double>(first[i]));
+        EXPECT_NEAR(first[i], turned[i], 4 * TestFixture::tolerance * size);
+        EXPECT_NEAR(first[i], -inverted[i], 4 * TestFixture::tolerance * size);
+        EXPECT_GT(first[i], 0);
+    }
+    EXPECT_EQ(min_angle_deg(p[0], p[2], p[1]), min_angle_deg(p[0], p[1], p[2]));
+}
+
+TYPED_TEST(Measures, DegenerateTrianglesAreWorth0) {
+    using Q = typename TestFixture::P;
+    const std::vector<std::array<Q, 3>> list{
+        {Q(1, 1), Q(1, 1), Q(1, 1)}, {Q(0, 0), Q(1, 1), Q(2, 2)}, {Q(0, 0), Q(3, 1), Q(3, 1)}};
+    for (const auto& p : list) {
+        EXPECT_EQ(quality(p[0], p[1], p[2]), 0);
+        EXPECT_EQ(mean_ratio(p[0], p[1], p[2]), 0);
+        EXPECT_EQ(aspect_ratio(p[0], p[1], p[2]), 0);
+        EXPECT_EQ(radius_ratio(p[0], p[1], p[2]), 0);
+        EXPECT_EQ(min_angle_deg(p[0], p[1], p[2]), 0);
+    }
+}
+
+TYPED_TEST(Measures, SurviveExtremeScales) {
+    const double scale = sizeof(TypeParam) == 8 ? 1e-150 : 1e-17;
+    for (const double s : {scale, 1 / scale}) {
+        const auto p = TestFixture::by_angles(40, 60, s);
+        const double expected = 2 / std::sqrt(3) * std::sin(40 * pi / 180);
+        EXPECT_NEAR(quality(p[0], p[1], p[2]), expected, 10 * TestFixture::tolerance);
+        EXPECT_NEAR(min_angle_deg(p[0], p[1], p[2]), 40, 400 * TestFixture::tolerance);
+        EXPECT_GT(radius_ratio(p[0], p[1], p[2]), 0.5);
+    }
+}
+
+TYPED_TEST(Measures, OfSimplices) {
+    const auto complex = grid<TypeParam>(4, 0.15, 3);
+    const SimplexSet all = all_simplices(complex);
+    for (const Triangle t : all.triangles()) {
+        const auto v = complex.vertices_of(t);
+        const auto a = complex.position(v[0]);
+        const auto b = complex.position(v[1]);
+        const auto c = complex.position(v[2]);
+        EXPECT_EQ(area(complex, t), area(a, b, c));
+        EXPECT_EQ(quality(complex, t), quality(a, b, c));
+        EXPECT_EQ(min_angle_deg(complex, t), min_angle_deg(a, b, c));
+        EXPECT_EQ(mean_ratio(complex, t), mean_ratio(a, b, c));
+        EXPECT_EQ(aspect_ratio(complex, t), aspect_ratio(a, b, c));
+        EXPECT_EQ(radius_ratio(complex, t), radius_ratio(a, b, c));
+    }
+    for (const Edge e : all.edges()) {
+        const auto v = complex.vertices_of(e);
+        EXPECT_EQ(length(complex, e), (complex.position(v[1]) - complex.position(v[0])).norm());
+        EXPECT_EQ(squared_length(complex, e),
+                  squared_distance(complex.position(v[0]), complex.position(v[1])));
+    }
+    EXPECT_EQ(vertex_distance(complex, Vertex{0}, Point<TypeParam>(3, 4)), 5);
+}
+
+// --- histograms
+// -----------------------------------------------------------------------------------------
+
+TEST(Histograms, PutValuesIntoBins) {
+    const std::vector<double> values{-5, 0, 0.1, 0.25, 0.4999, 0.5, 0.75, 1, 99};
+    const Histogram h = make_histogram(values, uniform_edges(0, 1, 4));
+    EXPECT_EQ(h.edges, (std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
+    EXPECT_EQ(h.counts, (std::vector<std::uint64_t>{3, 2, 1, 3}));
+    EXPECT_EQ(h.total(), values.size());
+    EXPECT_EQ(make_histogram(values, {0, 1}).counts, (std::vector<std::uint64_t>{9}));
+}
+
+TEST(Histograms, RefuseBadBins) {
+    const std::vector<double> values{1};
+    const double nan = std::nan("");
+    EXPECT_THROW((void)uniform_edges(0, 1, 0), InputError);
+    EXPECT_THROW((void)uniform_edges(1, 1, 3), InputError);
+    EXPECT_THROW((void)uniform_edges(2, 1, 3), InputError);
+    EXPECT_THROW((void)uniform_edges(nan, 1, 3), InputError);
+    EXPECT_THROW((void)uniform_edges(0, INFINITY, 3), InputError);
+    EXPECT_THROW((void)make_histogram(values, {0}), InputError);
+    EXPECT_THROW((void)make_histogram(values, {0, 0, 1}), InputError);
+    EXPECT_THROW((void)make_histogram(values, {0, nan, 1}), InputError);
+    EXPECT_THROW((void)make_histogram(std::vector<double>{nan}, {0, 1}), InputError);
+}
+
+TEST(Histograms, DistanceIsTheLargestDifferenceOfDistributions) {
+    const auto h = [](std::vector<std::uint64_t> counts) {
+        return Histogram{uniform_edges(0, 1, counts.size()), counts};
+    };
+    EXPECT_EQ(histogram_distance(h({1, 2, 1}), h({2, 4, 2})), 0);
+    EXPECT_EQ(histogram_distance(h({4, 0, 0}), h({0, 0, 7})), 1);
+    EXPECT_DOUBLE_EQ(histogram_distance(h({1, 1, 2}), h({2, 1, 1})), 0.25);
+    EXPECT_DOUBLE_EQ(histogram_distance(h({3, 0, 1}), h({1, 2, 1})), 0.5);
+    EXPECT_THROW((void)histogram_distance(h({1, 2}), h({1, 2, 3})), InputError);
+    EXPECT_THROW((void)histogram_distance(h({0, 0}), h({1, 2})), InputError);
+}
+
+TYPED_TEST(Measures, HistogramsOfAMesh) {
+    const auto complex = grid<TypeParam>(10, 0.15, 3, 3);
+    const HistogramOptions inside{.bins = 10, .phase = 1};
+    const HistogramOptions outside{.bins = 10, .phase = 0};
+    for (const auto& histogram : {area_histogram<TypeParam>, quality_histogram<TypeParam>,
+                                  min_angle_histogram<TypeParam>}) {
+        const Histogram all = histogram(complex, {.bins = 10, .high = 60.0});
+        const Histogram in = histogram(complex, {.bins = 10, .high = 60.0, .phase = 1});
+        const Histogram out = histogram(complex, {.bins = 10, .high = 60.0, .phase = 0});
+        EXPECT_EQ(all.total(), 200U);
+        EXPECT_GT(in.total(), 20U);
+        for (std::size_t i = 0; i < 10; ++i) {
+            EXPECT_EQ(all.counts[i], in.counts[i] + out.counts[i]);
+        }
+    }
+    EXPECT_EQ(quality_histogram(complex, inside).edges.back(), 1);
+    EXPECT_EQ(min_angle_histogram(complex, outside).edges.back(), 60);
+    const Histogram areas = area_histogram(complex);
+    double largest = 0;
+    for (const Triangle t : all_simplices(complex).triangles()) {
+        largest = std::max(largest, static_cast<double>(area(complex, t)));
+    }
+    EXPECT_EQ(areas.edges.back(), largest);
+    EXPECT_GT(areas.counts.back(), 0U);
+    // The regular grid has one quality alone; the jittered one is spread out.
+    const auto regular = quality_histogram(grid<TypeParam>(10), {.bins = 50});
+    const auto spread = quality_histogram(complex, {.bins = 50});
+    EXPECT_EQ(*std::max_element(regular.counts.begin(), regular.counts.end()), 200U);
+    EXPECT_GT(histogram_distance(regular, spread), 0.3);
+    EXPECT_EQ(histogram_distance(spread, spread), 0);
+}
+
+// --- selection
+// ------------------------------------------------------------------------------------------
+
+template <class Simplex>
+std::vector<Simplex> handles(std::size_t count) {
+    std::vector<Simplex> list;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        list.push_back({i});
+    }
+    return list;
+}
+
+template <class Simplex>
+class Selecting : public testing::Test {};
+using Simplices = testing::Types<Vertex, Edge, Triangle>;
+TYPED_TEST_SUITE(Selecting, Simplices);
+
+TYPED_TEST(Selecting, AgreesWithASortedListWhateverTheOrder) {
+    std::mt19937 random(8);
+    for (int round = 0; round < 50; ++round) {
+        auto list = handles<TypeParam>(100);
+        std::vector<double> value(100);
+        for (double& v : value) {
+            v = static_cast<double>(random() % 20);
+        } // many ties
+        const QualityFunction<TypeParam> quality = [&](TypeParam s) { return value[s.id]; };
+        auto expected = list;
+        std::stable_sort(expected.begin(), expected.end(),
+                         [&](TypeParam a, TypeParam b) { return value[a.id] < value[b.id]; });
+        std::shuffle(list.begin(), list.end(), random);
+        for (const std::size_t n : {0U, 1U, 17U, 99U, 100U, 1000U}) {
+            const auto end = expected.begin() + static_cast<long>(std::min<std::size_t>(n, 100));
+            EXPECT_EQ(n_worst<TypeParam>(n)(list, quality),
+                      std::vector<TypeParam>(expected.begin(), end));
+        }
+        for (const double threshold : {-1.0, 0.0, 5.0, 7.5, 20.0}) {
+            const auto end = std::find_if(expected.begin(), expected.end(),
+                                          [&](TypeParam s) { return value[s.id] >= threshold; });
+            EXPECT_EQ(below<TypeParam>(threshold)(list, quality),
+                      std::vector<TypeParam>(expected.begin(), end));
+        }
+    }
+}
+
+TYPED_TEST(Selecting, NaNComesFirst) {
+    const auto list = handles<TypeParam>(5);
+    const QualityFunction<TypeParam> quality = [](TypeParam s) {
+        return s.id % 2 == 1 ? std::nan("") : static_cast<double>(s.id);
+    };
+    const std::vector<TypeParam> expected{{1}, {3}, {0}};
+    EXPECT_EQ(n_worst<TypeParam>(3)(list, quality), expected);
+    EXPECT_EQ(below<TypeParam>(1)(list, quality), expected);
+}
+
+TYPED_TEST(Selecting, HasNextAndGetNext) {
+    const auto list = handles<TypeParam>(6);
+    const QualityFunction<TypeParam> quality = [](TypeParam s) { return -1.0 * s.id; };
+    Selection<TypeParam> selection(list, quality, n_worst<TypeParam>(3));
+    EXPECT_EQ(selection.size(), 3U);
+    std::vector<std::uint32_t> ids;
+    while (selection.has_next()) {
+        ids.push_back(selection.get_next().id);
+    }
+    EXPECT_EQ(ids, (std::vector<std::uint32_t>{5, 4, 3}));
+    EXPECT_THROW(selection.get_next(), InvariantError);
+    // A strategy of the application's own.
+    const SelectionStrategy<TypeParam> even = [](std::span<const TypeParam> candidates,
+                                                 const QualityFunction<TypeParam>&) {
+        std::vector<TypeParam> chosen;
+        for (const TypeParam s : candidates) {
+            if (s.id % 2 == 0) {
+                chosen.push_back(s);
+            }
+        }
+        return chosen;
+    };
+    EXPECT_EQ(Selection<TypeParam>(list, quality, even).size(), 3U);
+}
+
+TYPED_TEST(Measures, SelectTheWorstTrianglesOfAMesh) {
+    const auto complex = grid<TypeParam>(8, 0.19, 3);
+    const auto triangles = all_simplices(complex).triangles();
+    const QualityFunction<Triangle> measure = [&](Triangle t) {
+        return static_cast<double>(quality(complex, t));
+    };
+    const auto worst = n_worst<Triangle>(10)(triangles, measure);
+    ASSERT_EQ(worst.size(), 10U);
+    const auto all = below<Triangle>(measure(worst.back()))(triangles, measure);
+    EXPECT_EQ(all,
+              std::vector<Triangle>(worst.begin(), worst.begin() + static_cast<long>(all.size())));
+    EXPECT_LT(measure(worst.front()), measure(worst.back()));
+}
+
+} // namespace
+} // namespace dsc

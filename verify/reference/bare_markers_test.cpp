@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The polygon of markers: what its parts do, and the floor that it sets in the single vortex.
+#include "reference/bare_markers.h"
+
+#include "dsc/base/error.h"
+#include "flows/exact.h"
+#include "measures/symmetric_difference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using namespace dsc;
+using reference::MarkerOptions;
+using reference::Markers;
+
+constexpr double period = 8;
+const Point<double> centre(0.5, 0.75);
+constexpr double radius = 0.15;
+
+const scenes::Outline& exact_half() {
+    static const scenes::Outline outline =
+        scenes::advected_shape(scenes::circle_curve(centre, radius),
+                               scenes::steady(scenes::Swirl{1.0, period}), period / 2)
+            .outlines.front();
+    return outline;
+}
+
+struct Errors {
+    double area_loss = 0; ///< over the first polygon's area
+    double last = 0;      ///< symmetric difference, absolute
+    double half = 0;
+};
+
+// There and back with 8 / L steps.
+Errors errors_of(double length, const MarkerOptions& options, int parts = 1) {
+    Markers markers = scenes::circle(centre, radius, length);
+    const double first_area = scenes::signed_area(markers);
+    const int steps = static_cast<int>(std::lround(period / length));
+    const double dt = period / steps;
+    Errors errors;
+    for (int step = 1; step <= steps; ++step) {
+        reference::move_markers(markers, scenes::Swirl{1.0, period}, (step - 1) * dt, dt);
+        reference::space_markers(markers, options);
+        if (2 * step == steps) {
+            errors.half = scenes::symmetric_difference(reference::read_as_cubic(markers, parts),
+                                                       exact_half());
+        }
+    }
+    errors.area_loss = 1 - scenes::signed_area(markers) / first_area;
+    errors.last =
+        scenes::symmetric_difference(reference::read_as_cubic(markers, parts),
+                                     scenes::exact_circle(centre, radius).outlines.front());
+    return errors;
+}
+
+// The figures of reference/published/marker_floor.json, of a program written apart from this one.
+// With removal the result hangs on every decision on the way: a tenth is what such runs agree to.
+TEST(BareMarkers, ReproduceTheFloorWithLinearInsertion) {
+    struct Row {
+        double length, area_loss, last;
+    };
+    for (const Row& row : {Row{1.0 / 32, 2.3e-2, 2.2e-3}, Row{1.0 / 64, 6.0e-3, 5.7e-4},
+                           Row{1.0 / 128, 1.6e-3, 1.5e-4}}) {
+        const Errors errors = errors_of(row.length, {.longest = row.length,
+                                                     .shortest = 0.3 * row.length,
+                                                     .insertion = &reference::linear_point});
+        EXPECT_NEAR(errors.area_loss, row.area_loss, 0.1 * row.area_loss) << row.length;
+        EXPECT_NEAR(errors.last, row.last, 0.1 * row.last) << row.length;
+    }
+}
+
+TEST(BareMarkers, ReproduceTheFloorWithCubicInsertion) {
+    struct Row {
+        double length, area_loss, last, half;
+    };
+    for (const Row& row :
+         {Row{1.0 / 32, -3.6e-3, 2.4e-4, 1.06e-3}, Row{1.0 / 64, -1.2e-3, 5.3e-5, 2.6e-4},
+          Row{1.0 / 128, -1.4e-4, 2.2e-5, 7.1e-5}}) {
+        const Errors errors =
+            errors_of(row.length, {.longest = row.length, .shortest = 0.3 * row.length});
+        EXPECT_NEAR(errors.area_loss, row.area_loss, 0.1 * std::abs(row.area_loss)) << row.length;
+        EXPECT_NEAR(errors.last, row.last, 0.1 * row.last) << row.length;
+        EXPECT_NEAR(errors.half, row.half, 0.1 * row.half) << row.length;
+    }
+}
+
+TEST(BareMarkers, NeverRemovedTheyAreReadAtFourthOrder) {
+    const auto at = [](double length, int parts) {
+        return errors_of(length, {.longest = length}, parts);
+    };
+    EXPECT_NEAR(at(1.0 / 128, 1).last, 3.1e-6, 0.1 * 3.1e-6);
+    const double coarse = at(1.0 / 128, 16).last;
+    EXPECT_NEAR(coarse, 1.3e-6, 0.1 * 1.3e-6);
+    const double fine = at(1.0 / 256, 16).last;
+    EXPECT_NEAR(fine, 4.8e-8, 0.1 * 4.8e-8);
+    EXPECT_GT(std::log2(coarse / fine), 3.8);
+}
+
+TEST(BareMarkers, AreMovedByTheClassicalRungeKuttaMethod) {
+    // dx/dt = 5 t^4: one step of RK4 integrates with Simpson's rule, 5 (0 + 4/16 + 1) / 6.
+    Markers one{{2, 3}};
+    reference::move_markers(
+        one,
+        [](auto, double t, auto v) {
+            v[0] = {5 * std::pow(t, 4), 0};
+        },
+        0, 1);
+    EXPECT_NEAR(one[0].x(), 2 + 6.25 / 6, 1e-15);
+    // dx/dt = x: the first five terms of the exponential.
+    one = {{1, 0}};
+    reference::move_markers(
+        one, [](auto p, double, auto v) { v[0] = p[0]; }, 0, 1);
+    EXPECT_NEAR(one[0].x(), 1 + 1 + 1.0 / 2 + 1.0 / 6 + 1.0 / 24, 1e-15);
+}
+
+TEST(BareMarkers, LongEdgesAreHalvedAndShortOnesLoseAMarker) {
+    Markers markers =
+        scenes::polygon(std::vector<Point<double>>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 1);
+    ASSERT_EQ(markers.size(), 16u);
+    markers[1] = {0.1, 0}; // edges of 0.1 and 1.9
+    const auto counts = reference::space_markers(
+        markers, {.longest = 1.5, .shortest = 0.3, .insertion = &reference::linear_point});
+    EXPECT_EQ(counts.inserted, 1u);
+    EXPECT_EQ(counts.removed, 1u);
+    EXPECT_EQ(markers.size(), 16u);
+    EXPECT_EQ(markers[0], Point<double>(0.1, 0));
+    EXPECT_EQ(markers[1], Point<double>(1.05, 0));
+}
+
+TEST(BareMarkers, OfAFewNoneIsRemoved) {
+    Markers few = scenes::circle({0, 0}, 1e-3, 1.0);
+    ASSERT_EQ(few.size(), 8u);
+    const auto counts = reference::space_markers(few, {.longest = 1, .shortest = 0.3});
+    EXPECT_EQ(counts.removed, 0u);
+    EXPECT_EQ(few.size(), 8u);
+}
+
+TEST(BareMarkers, AreReadAsACubicExactly) {
+    // On a line with equal steps the parameter is the place: points of a line stay on it, in order.
+    const Markers square =
+        scenes::polygon(std::vector<Point<double>>{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, 1);
+    const Markers read = reference::read_as_cubic(square, 4);
+    ASSERT_EQ(read.size(), 4 * square.size());
+    EXPECT_NEAR((read[4 * 3 + 1] - Point<double>(3.25, 0)).norm(), 0, 1e-14);
+    EXPECT_EQ(reference::read_as_cubic(square, 1), square);
+    // On a circle it is better than chords by orders.
+    const double exact = 3.14159265358979323846;
+    const Markers circle = scenes::circle({0, 0}, 1, 0.1);
+    EXPECT_GT(exact - scenes::signed_area(circle), 1e-3);
+    EXPECT_NEAR(scenes::signed_area(reference::read_as_cubic(circle, 64)), exact, 2e-5);
+}
+
+TEST(BareMarkers, RefuseWhatMakesNoSense) {
+    Markers three{{0, 0}, {1, 0}, {0, 1}};
+    EXPECT_THROW(reference::space_markers(three, {}), InputError);
+    EXPECT_THROW((void)reference::read_as_cubic(three, 4), InputError);
+    Markers circle = scenes::circle({0, 0}, 1, 0.1);
+    EXPECT_THROW((void)reference::read_as_cubic(circle, 0), InputError);
+    EXPECT_THROW(reference::space_markers(circle, {.longest = 1, .shortest = 0.5}), InputError);
+    EXPECT_THROW(reference::space_markers(circle, {.longest = 1, .shortest = -1}), InputError);
+}
+
+} // namespace

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+// The literal method of reference/ at work: quality measures and selection, movement, integrators,
+// interpolators, and short runs of algorithm 5.1.
+#include "support/reference_testing.h"
+
+#include "dsc/base/error.h"
+#include "reference/dsc.h"
+#include "reference/selection.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+namespace dsc::reference {
+namespace {
+
+// --- quality measures [4.3] and selection [8.8]
+// -----------------------------------------------------
+
+TEST(ReferenceQuality, MeasuresOfEquations1To4) {
+    const Complex K = make({{0, 0}, {3, 0}, {3, 4}}, {{0, 1, 2}});
+    EXPECT_EQ(distance(K.coord(0_v), K.coord(2_v)), 5);
+    EXPECT_EQ(length(K, E(1, 2)), 4);
+    EXPECT_EQ(area(K, T(0, 1, 2)), 6);
+    EXPECT_NEAR(quality(K, T(0, 1, 2)), 2 / std::sqrt(3.0) * 0.6, 1e-15);
+    EXPECT_EQ(ring_quality(K, 1_v), quality(K, T(0, 1, 2)));
+    // Figure 4.8: the smallest angles are 60, 25, 30 and 52 degrees.
+    for (const auto& [degrees, expected] : {std::pair{60, 1.0}, {25, .49}, {30, .58}, {52, .91}}) {
+        const double angle = degrees * std::numbers::pi / 180;
+        EXPECT_NEAR(quality({0, 0}, {1, 0}, {std::cos(angle), std::sin(angle)}), expected, .005);
+    }
+    EXPECT_EQ(quality({0, 0}, {1, 0}, {2, 0}), 0);
+    EXPECT_EQ(quality({1, 1}, {1, 1}, {1, 1}), 0);
+}
+
+TEST(ReferenceQuality, DelaunayConditionHasTheSignOfInCircle) { // figure 4.2
+    for (const double y : {0.2, 0.9, 1.1, 5.0}) {
+        const Complex K = make({{0, 0}, {1, -1}, {2, 0}, {1, y}}, {{0, 1, 2}, {0, 2, 3}});
+        EXPECT_EQ(delaunay(K, E(0, 2)) < 0, y < 1) << y;
+    }
+    EXPECT_NEAR(delaunay(square(), E(0, 2)), 0, 1e-15);
+    EXPECT_EQ(delaunay(square(), E(0, 1)), 1);
+}
+
+TEST(ReferenceSelection, BelowThresholdMeasuresAgainAndWorstNDoesNot) {
+    Complex K = grid(2);
+    std::map<Vertex, double> q;
+    for (Vertex v : K.vertices())
+        q[v] = 9 - v.id;
+    const Measure<Vertex> Q = [&](const Vertex& v) { return q[v]; };
+    const auto record = [&](auto&& selection) {
+        std::vector<std::uint32_t> taken;
+        mesh_update(
+            std::move(selection),
+            [&](Vertex v, Complex& k) {
+                taken.push_back(v.id);
+                if (v == 8_v) {
+                    k.remove(7_v); // gone
+                    q[6_v] = 100;  // mended
+                }
+                return Verdict::legal;
+            },
+            K);
+        return taken;
+    };
+    const std::vector<Vertex> sigma{4_v, 5_v, 6_v, 7_v, 8_v, 0_v};
+    BelowThreshold<Vertex> below(sigma, Q, 4.5, K);
+    WorstN<Vertex> worst(sigma, Q, 4, K);
+    EXPECT_EQ(record(std::move(below)), (std::vector<std::uint32_t>{8, 5}));
+    EXPECT_EQ(record(std::move(worst)), (std::vector<std::uint32_t>{8, 6, 5}));
+}
+
+// --- movement [5.1], integrators, interpolators [8.9]
+// -----------------------------------------------
+
+TEST(ReferenceMovement, GoesAsFarAsNoTriangleInverts) { // figure 5.2
+    Complex K = fan();
+    EXPECT_TRUE(move_vertex(0_v, {0.3, 0.1}, K));
+    EXPECT_EQ(K.coord(0_v), Point<double>(0.3, 0.1));
+    Destinations under_way{{0_v, {3, 0}}};
+    movement(under_way, K);
+    EXPECT_EQ(under_way.size(), 1U);
+    EXPECT_GT(K.coord(0_v).x(), 0.8);
+    expect_valid(K);
+    for (int i = 0; i < 200; ++i)
+        movement(under_way, K);
+    expect_valid(K); // ever closer to the wall, never through it
+    K.set_coord(0_v, {0, 0});
+    // The edge from 1 to 2 has length 1 and distance sqrt(3/4): all but 0.02 of that may go.
+    const double s = std::sqrt(0.75);
+    EXPECT_NEAR(movable_fraction(K, 0_v, {2 * s * s, 2 * s * .5}), (1 - least_altitude / s) / 2,
+                1e-12);
+    EXPECT_EQ(movable_fraction(K, 0_v, {0.1, 0}), 1);
+}
+
+TEST(ReferenceIntegrators, HaveTheirOrders) {
+    const Velocity turn = [](const Point<double>& p, double) {
+        return Point<double>(-p.y(), p.x());
+    };
+    const auto error = [&](Integrator integrator, double dt) {
+        return (advect(turn, {1, 0}, 0, dt, integrator) - Point<double>(std::cos(dt), std::sin(dt)))
+            .norm();
+    };
+    for (const auto& [integrator, order] :
+         {std::pair{Integrator::euler, 1}, {Integrator::midpoint, 2}, {Integrator::rk4, 4}}) {
+        EXPECT_NEAR(std::log2(error(integrator, 0.2) / error(integrator, 0.1)), order + 1, 0.1);
+    }
+    const Velocity clock = [](const Point<double>&, double t) { return Point<double>(t, t * t); };
+    const Point<double> p = advect(clock, {0, 0}, 1, 1, Integrator::rk4);
+    EXPECT_NEAR(p.x(), 1.5, 1e-15);
+    EXPECT_NEAR(p.y(), 7.0 / 3, 1e-15);
+}
+
+TEST(ReferenceInterpolators, CubicFollowsACurveAndStopsAtCorners) {
+    const auto at = [](double a) { return Point<double>(std::cos(a), std::sin(a)); };
+    EXPECT_NEAR(cubic_point(at(-.3), at(-.1), at(.1), at(.3)).x(), 1, 4e-5); // .09 * .01 / 24
+    EXPECT_NEAR(cubic_point({0, 0}, {1, 1}, {4, 4}, {5, 5}).x(), 2.5, 1e-14);
+    EXPECT_EQ(cubic_point({0, 1}, {0, 0}, {1, 0}, {2, 0}), Point<double>(.5, 0));
+    EXPECT_EQ(cubic_point({0, 0}, {0, 0}, {1, 0}, {2, 0}), Point<double>(.5, 0));
+    EXPECT_EQ(linear_point({9, 9}, {0, 0}, {1, 0}, {2, 7}), Point<double>(.5, 0));
+}
+
+// --- the mesh updates of algorithm 5.1
+// --------------------------------------------------------------
+
+// The upper half of a grid: the interface runs along y = 2 from vertex 10 to 14, and around the
+// wall.
+Complex half_full() {
+    return grid(4, {16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31});
+}
+
+PassOptions with_edge_length_only(double h) {
+    PassOptions options;
+    options.edge_length = h;
+    return options;
+}
+
+TEST(ReferencePasses, ShortInterfaceEdgesVanishWhereTheCurveStays) {
+    const PassOptions options = with_edge_length_only(1);
+    PassCounts counts;
+    Complex K = half_full();
+    K.set_coord(11_v, {1.6, 2}); // without 11, the edge from 10 to 12 would be too long
+    interface_coarsening(K, K.interface(), options, counts);
+    EXPECT_EQ(counts.collapses, 1U);
+    EXPECT_TRUE(K.is_interface(E(11, 13)));
+    expect_valid(K);
+    Complex bent = half_full();
+    bent.set_coord(11_v, {1.6, 2.1}); // both ends stand off the line of their neighbours
+    interface_coarsening(bent, bent.interface(), options, counts);
+    EXPECT_EQ(counts.collapses, 1U);
+}
+
+TEST(ReferencePasses, LongInterfaceEdgesAreSplitWhereTheApplicationSays) {
+    PassOptions options = with_edge_length_only(.6);
+    options.interface_point = [](const Point<double>&, const Point<double>& p1,
+                                 const Point<double>& p2, const Point<double>&) {
+        return Point<double>(.5 * (p1 + p2) + Point<double>(0, .1));
+    };
+    Complex K = half_full();
+    PassCounts counts;
+    interface_refinement(K, K.interface(), options, counts);
+    EXPECT_EQ(counts.splits, 12U);
+    EXPECT_EQ(std::ranges::count_if(K.vertices(), [&](Vertex v) { return K.coord(v).y() == 2.1; }),
+              4);
+    EXPECT_EQ(std::ranges::count_if(K.vertices(), [&](Vertex v) { return K.coord(v).y() == 4; }),
+              9);
+    expect_valid(K);
+}
+
+TEST(ReferencePasses, PhasesKeepTheirSizes) {
+    Complex K = grid(8);
+    PassCounts counts;
+    phase_coarsening(K, *phases(K).begin(), with_edge_length_only(4), counts);
+    EXPECT_GT(counts.retriangulations, 0U);
+    EXPECT_LT(K.vertices().size(), 81U);
+    Complex coarse = half_full();
+    phase_refinement(coarse, *phases(coarse).rbegin(), with_edge_length_only(.5), counts);
+    EXPECT_GT(counts.subdivisions, 0U);
+    EXPECT_GT(counts.splits, 0U); // at the interface, where a subdivision is illegal
+    PassOptions by_phase = with_edge_length_only(.5);
+    by_phase.phase_edge_length = [](Phase phase, const Point<double>&) {
+        return phase == 1 ? 9. : .5;
+    };
+    PassCounts none;
+    coarse = half_full();
+    phase_refinement(coarse, *phases(coarse).rbegin(), by_phase, none);
+    EXPECT_EQ(none.subdivisions + none.splits, 0U);
+    expect_valid(K);
+    expect_valid(coarse);
+}
+
+TEST(ReferencePasses, FlipsAndSmoothingRaiseTheQuality) {
+    Complex K = fan();
+    K.set_coord(0_v, {.7, .2});
+    Complex flat = make({{0, 0}, {3, -.5}, {6, 0}, {3, .5}}, {{0, 1, 2}, {0, 2, 3}});
+    PassCounts counts;
+    smoothing(K, {}, counts);
+    optimization(flat, {}, counts);
+    EXPECT_EQ(counts.smoothed, 1U);
+    EXPECT_EQ(counts.flips, 1U);
+    EXPECT_NEAR(worst_quality(K), 1, 1e-12);
+    EXPECT_TRUE(flat.is_valid_simplex(E(1, 3)));
+}
+
+// --- the algorithm [5.6]
+// ----------------------------------------------------------------------------
+
+struct Summary {
+    std::size_t unreached = 0;
+    double worst = 1;
+    StepCounts last;
+};
+
+Summary run(Complex& K, const Velocity& velocity, double dt, int steps, const Options& options) {
+    Summary result;
+    for (int i = 0; i < steps; ++i) {
+        result.last = step(K, velocity, i * dt, dt, options);
+        result.unreached += result.last.unreached;
+        result.worst = std::min(result.worst, worst_quality(K));
+    }
+    expect_valid(K);
+    return result;
+}
+
+Options with_edge_length(double h) {
+    Options options;
+    options.passes.edge_length = h;
+    return options;
+}
+
+const Velocity swirl = [](const Point<double>& p, double) {
+    const Point<double> a = std::numbers::pi * p;
+    const double sx = std::sin(a.x());
+    const double sy = std::sin(a.y());
+    return Point<double>(sx * sx * std::sin(2 * a.y()), -sy * sy * std::sin(2 * a.x()));
+};
+
+TEST(ReferenceDsc, CircleGrows) {
+    const Point<double> centre(.5, .5);
+    Complex K = circle_in_square(27, centre, .1);
+    const Velocity grow = [&](const Point<double>& p, double) {
+        return Point<double>(.012 * (p - centre).normalized());
+    };
+    const Summary result = run(K, grow, 1, 30, with_edge_length(.04)); // to r = 0.46
+    EXPECT_EQ(result.unreached, 0U);
+    EXPECT_GT(result.worst, 0.15);
+    EXPECT_NEAR(total_area(K, 1) / (.46 * .46 * std::numbers::pi), 1, .02); // chords
+    EXPECT_NEAR(total_area(K, 0) + total_area(K, 1), 1, 1e-12);
+}
+
+TEST(ReferenceDsc, CircleSwirls) {
+    Complex K = circle_in_square(36, {.5, .75}, .15);
+    const double first = total_area(K, 1);
+    Options options = with_edge_length(.03);
+    options.passes.interface_point = cubic_point;
+    const Summary result = run(K, swirl, .01, 100, options);
+    EXPECT_EQ(result.unreached, 0U);
+    EXPECT_GT(result.worst, 0.15);
+    EXPECT_NEAR(total_area(K, 1) / first, 1, 2e-3);
+}
+
+TEST(ReferenceDsc, FarStepsAreDivided) {
+    Complex K = circle_in_square(20, {.3, .5}, .15);
+    const Velocity wind = [](const Point<double>&, double) { return Point<double>(.4, 0); };
+    const Summary result = run(K, wind, 1, 1, with_edge_length(.05)); // 8 h
+    EXPECT_EQ(result.unreached, 0U);
+    EXPECT_GE(result.last.substeps, 16U);
+    EXPECT_LE(result.last.substeps, 17U);
+    EXPECT_NEAR(total_area(K, 1), .15 * .15 * std::numbers::pi, 3e-3);
+    for (Vertex v : K.interface().vertices) {
+        EXPECT_NEAR((K.coord(v) - Point<double>(.7, .5)).norm(), .15, 3e-3);
+    }
+    EXPECT_THROW(step(K, wind, 0, 1e9, with_edge_length(.05)), InputError);
+    EXPECT_THROW(step(K, wind, 0, std::nan(""), with_edge_length(.05)), InputError);
+    EXPECT_THROW(step(K, wind, 0, 1, with_edge_length(0)), InputError);
+}
+
+TEST(ReferenceDsc, InteriorMovesAlongWhereAsked) { // the second test of 9.1
+    Complex K = circle_in_square(20, {.4, .5}, .2);
+    Options options = with_edge_length(.05);
+    const Velocity still = [](const Point<double>&, double) { return Point<double>(0, 0); };
+    run(K, still, 1, 5, options);
+    options.moving = Moving::interior_too;
+    const auto inside = [&] { return phases(K).at(1).size(); };
+    const std::size_t before = inside();
+    const Velocity wind = [](const Point<double>&, double) { return Point<double>(.01, 0); };
+    EXPECT_EQ(run(K, wind, 1, 15, options).unreached, 0U);
+    EXPECT_EQ(inside(), before);
+}
+
+TEST(ReferenceDsc, HoldsWhatHasNoVelocityOrIsLocked) {
+    Complex K = circle_in_square(20, {.5, .5}, .2);
+    const std::set<Vertex> I = K.interface().vertices;
+    const Vertex odd = *I.begin();
+    const Point<double> place = K.coord(odd);
+    const Velocity torn = [&](const Point<double>& p, double) {
+        return p == place ? Point<double>(std::nan(""), 0) : Point<double>(.001, 0);
+    };
+    EXPECT_EQ(step(K, torn, 0, 1, with_edge_length(.05)).unreached, 1U);
+    EXPECT_EQ(K.coord(odd), place);
+    K.locked = {odd};
+    EXPECT_EQ(step(K, torn, 0, 1, with_edge_length(.05)).unreached, 0U);
+    EXPECT_EQ(K.coord(odd), place);
+}
+
+TEST(ReferenceDsc, EndsWhereTheWallEnds) {
+    Complex K = circle_in_square(20, {.5, .5}, .3);
+    const Velocity wind = [](const Point<double>&, double) { return Point<double>(.05, 0); };
+    Options options = with_edge_length(.05);
+    options.max_iterations = 4;
+    EXPECT_GT(run(K, wind, 1, 8, options).unreached, 0U);
+    EXPECT_NEAR(total_area(K, 0) + total_area(K, 1), 1, 1e-12);
+    // Figure 8.3: the water's edge at the wall slides along it, and the corners stay.
+    Complex water = grid(4, {0, 1, 2, 3, 4, 5, 6, 7});
+    const Velocity up = [](const Point<double>&, double) { return Point<double>(.3, .3); };
+    EXPECT_EQ(run(water, up, 1, 1, with_edge_length(1)).unreached, 0U);
+    EXPECT_EQ(water.coord(0_v), Point<double>(0, 0));
+    EXPECT_EQ(water.coord(5_v), Point<double>(0, 1.3));
+    EXPECT_NEAR(total_area(water, 0) + total_area(water, 1), 16, 1e-12);
+}
+
+} // namespace
+} // namespace dsc::reference

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// What the tests of the initial complex look at: loops of the interface, sizes, phases.
+#pragma once
+
+#include "dsc/base/tolerances.h"
+#include "dsc/initial/initial_complex.h"
+#include "dsc/quality/measures.h"
+#include "shapes/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace dsc::testing {
+
+struct Scenery {
+    Rectangle domain{};
+    std::vector<Shape> shapes;
+    double edge_length = 0.05;
+};
+
+/// An interface vertex's successor along the loop that has `corner`'s triangle on its left.
+/// `corner` is opposite to an interface edge; so is the result.
+template <class Real>
+Corner next_along_interface(const Complex<Real>& complex, Corner corner) {
+    Corner c = next(corner);
+    while (complex.phase_at(c) == complex.phase_at(complex.twin(c))) {
+        c = next(complex.twin(c));
+    }
+    return c;
+}
+
+/// The vertices of the loop from the half-edge opposite to `corner` on.
+template <class Real>
+std::vector<std::uint32_t> loop_from(const Complex<Real>& complex, Corner corner) {
+    std::vector<std::uint32_t> loop;
+    Corner c = corner;
+    do {
+        loop.push_back(complex.vertex(next(c)));
+        c = next_along_interface(complex, c);
+    } while (c != corner && loop.size() <= complex.vertex_count());
+    return loop;
+}
+
+/// Where each point lies; two vertices never lie on the same.
+template <class Real>
+std::map<std::pair<Real, Real>, std::uint32_t> vertices_by_position(const Complex<Real>& complex) {
+    std::map<std::pair<Real, Real>, std::uint32_t> result;
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (complex.is_alive(Vertex{v})) {
+            result[{complex.vertices[v].x, complex.vertices[v].y}] = v;
+        }
+    }
+    return result;
+}
+
+template <class Real>
+std::size_t interface_edge_count(const Complex<Real>& complex) {
+    std::size_t count = 0;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        for (std::uint32_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
+            const Corner other = complex.twin(corner_of(t, i));
+            count += !is_border(other) && complex.triangles[t].phase < complex.phase_at(other);
+        }
+    }
+    return count;
+}
+
+/// The sine of the sum of the angles opposite to the edge is not below the slack. Unlike the test
+/// that flips go by, this one is relative to the lengths, so that rectangles pass it.
+template <class Real>
+bool is_locally_delaunay(const Complex<Real>& complex, Corner corner) {
+    const auto at = [&](Corner c) -> Point<double> {
+        return complex.position(Vertex{complex.vertex(c)}).template cast<double>();
+    };
+    const Point<double> b = at(next(corner));
+    const Point<double> w = at(prev(corner));
+    const auto sine_cosine = [&](const Point<double>& apex) -> Point<double> {
+        const Point<double> p = b - apex;
+        const Point<double> q = w - apex;
+        const double lengths = p.norm() * q.norm();
+        return Point<double>(std::abs(p.x() * q.y() - p.y() * q.x()), p.dot(q)) / lengths;
+    };
+    const Point<double> one = sine_cosine(at(corner));
+    const Point<double> other = sine_cosine(at(complex.twin(corner)));
+    return one.x() * other.y() + one.y() * other.x() >= -static_cast<double>(delaunay_slack<Real>);
+}
+
+struct Sizes {
+    double worst_quality = 2;
+    double median_quality = 0;
+    double shortest = 1e300;
+    double longest = 0;
+    double area = 0;
+    std::size_t not_delaunay = 0;
+};
+
+template <class Real>
+Sizes sizes_of(const Complex<Real>& complex) {
+    Sizes sizes;
+    std::vector<double> qualities;
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t})) {
+            continue;
+        }
+        std::array<Point<double>, 3> p;
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            p[i] = complex.position(Vertex{complex.triangles[t].v[i]}).template cast<double>();
+        }
+        qualities.push_back(quality<double>(p[0], p[1], p[2]));
+        sizes.area += area<double>(p[0], p[1], p[2]);
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const double length = (p[(i + 1) % 3] - p[(i + 2) % 3]).norm();
+            sizes.shortest = std::min(sizes.shortest, length);
+            sizes.longest = std::max(sizes.longest, length);
+            const Corner c = corner_of(t, i);
+            if (complex.phase_at(c) == complex.phase_at(complex.twin(c))) {
+                sizes.not_delaunay += is_locally_delaunay(complex, c) ? 0U : 1U;
+            }
+        }
+    }
+    std::sort(qualities.begin(), qualities.end());
+    sizes.worst_quality = qualities.front();
+    sizes.median_quality = qualities[qualities.size() / 2];
+    return sizes;
+}
+
+/// Even-odd, in plain doubles: for points that are not near the outline.
+inline bool is_inside(const std::vector<Point<double>>& outline, const Point<double>& p) {
+    bool inside = false;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Point<double>& a = outline[i];
+        const Point<double>& b = outline[i + 1 < outline.size() ? i + 1 : 0];
+        if ((a.y() > p.y()) != (b.y() > p.y()) &&
+            p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+/// The phase of the smallest shape around a point.
+inline Phase innermost_phase(const std::vector<Shape>& shapes, const Point<double>& p) {
+    Phase phase = exterior_phase;
+    double least = 1e300;
+    for (const Shape& shape : shapes) {
+        const double size = std::abs(scenes::signed_area(shape.outline));
+        if (size < least && is_inside(shape.outline, p)) {
+            least = size;
+            phase = shape.phase;
+        }
+    }
+    return phase;
+}
+
+} // namespace dsc::testing

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Random ways to divide a complex into submeshes. Everything is drawn before the number of threads
+// is looked at: the same seed gives the same division for any number of them.
+#pragma once
+
+#include "random_scene.h"
+
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/interface_list.h"
+#include "dsc/parallel/partition/blocks.h"
+#include "dsc/parallel/partition/cells.h"
+#include "dsc/parallel/partition/places.h"
+#include "dsc/parallel/partition/slabs.h"
+#include "dsc/parallel/in_place/submesh_executor.h"
+
+#include <array>
+#include <memory>
+#include <ostream>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace dsc::test {
+
+/// A family of partitions: one partitioner, or one way of its own to choose the cuts.
+enum class Division : std::uint8_t { fixed, counting, active, blocks, cells, voronoi };
+
+inline constexpr std::array all_divisions{Division::fixed,  Division::counting, Division::active,
+                                          Division::blocks, Division::cells,    Division::voronoi};
+
+[[nodiscard]] constexpr std::string_view to_string(Division division) {
+    switch (division) {
+    case Division::fixed: return "fixed";
+    case Division::counting: return "counting";
+    case Division::active: return "active";
+    case Division::blocks: return "blocks";
+    case Division::cells: return "cells";
+    case Division::voronoi: return "voronoi";
+    }
+    return "unknown";
+}
+
+inline std::uint32_t number_in(Dice& dice, int low, int high) {
+    return static_cast<std::uint32_t>(dice.in(low, high));
+}
+
+/// A partitioner of this family, with small least widths, so that small scenes have many submeshes,
+/// and divided anew after a few steps; `words` get what was drawn.
+template <class Real>
+std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, Division division,
+                                                      std::ostream& words) {
+    words << ", " << to_string(division);
+    const double least_width = dice.in(2.0, 8.0);
+    const std::uint32_t recut = number_in(dice, 1, 8);
+    words << " least width " << least_width << " recut " << recut;
+    switch (division) {
+    case Division::fixed:
+    case Division::counting:
+    case Division::active: {
+        SlabOptions slabs;
+        slabs.slabbing = division == Division::fixed      ? Slabbing::fixed
+                         : division == Division::counting ? Slabbing::counting
+                                                          : Slabbing::active;
+        slabs.submeshes = number_in(dice, 1, 9);
+        // Upright slabs have code of their own.
+        slabs.degrees = dice.chance(0.3) ? 90 * dice.in(0, 3) : dice.in(-400.0, 400.0);
+        slabs.follow_shape = dice.chance(0.25);
+        slabs.least_width = least_width;
+        slabs.recut = recut;
+        words << " slabs " << slabs.submeshes << " degrees " << slabs.degrees
+              << (slabs.follow_shape ? " follow shape" : "");
+        return std::make_unique<SlabPartitioner<Real>>(slabs);
+    }
+    case Division::blocks: {
+        BlockOptions blocks;
+        blocks.submeshes = number_in(dice, 1, 36);
+        blocks.least_width = least_width;
+        blocks.recut = recut;
+        words << " submeshes " << blocks.submeshes;
+        return std::make_unique<BlockPartitioner<Real>>(blocks);
+    }
+    case Division::cells: {
+        CellOptions cells;
+        cells.submeshes = dice.chance(0.3) ? 0 : number_in(dice, 2, 12);
+        cells.least_vertices = number_in(dice, 3, 12);
+        cells.band = dice.in(0.0, 5.0);
+        cells.least_width = least_width;
+        cells.recut = recut;
+        cells.recut_later = number_in(dice, 1, 4);
+        words << " submeshes " << cells.submeshes << " least vertices " << cells.least_vertices
+              << " band " << cells.band << " recut later " << cells.recut_later;
+        return std::make_unique<CellPartitioner<Real>>(cells);
+    }
+    case Division::voronoi: {
+        const std::uint32_t submeshes = number_in(dice, 1, 10);
+        const int rounds = dice.in(0, 8);
+        words << " submeshes " << submeshes << " rounds " << rounds;
+        return std::make_unique<PlacePartitioner<Real>>(
+            [=](const PartitionInput<Real>& input) {
+                return voronoi_colours(input, submeshes, rounds);
+            },
+            recut);
+    }
+    }
+    return nullptr;
+}
+
+/// Always all threads that are asked for, however little there is to do.
+inline SubmeshOptions random_submesh_options(Dice& dice, std::uint32_t threads,
+                                             std::ostream& words) {
+    SubmeshOptions options;
+    options.assignment = dice.chance(0.5) ? Assignment::queue : Assignment::fixed;
+    options.vertices_per_thread = 1;
+    options.threads = threads;
+    words << (options.assignment == Assignment::queue ? ", queue" : ", static") << ", threads "
+          << threads;
+    return options;
+}
+
+/// An executor with a division of the family.
+template <class Real>
+std::unique_ptr<SubmeshExecutor<Real>>
+random_executor(Dice& dice, Division division, Complex<Real>& complex, const Options<Real>& options,
+                std::uint32_t threads, std::ostream& words, bool profile = false) {
+    auto partitioner = random_partitioner<Real>(dice, division, words);
+    SubmeshOptions submeshes = random_submesh_options(dice, threads, words);
+    submeshes.profile = profile;
+    return std::make_unique<SubmeshExecutor<Real>>(complex, options, default_algorithm<Real>(),
+                                                   std::move(partitioner), submeshes);
+}
+
+/// The same with a family that is drawn as well.
+template <class Real>
+std::unique_ptr<SubmeshExecutor<Real>> random_executor(Dice& dice, Complex<Real>& complex,
+                                                       const Options<Real>& options,
+                                                       std::uint32_t threads, std::ostream& words) {
+    const Division division = all_divisions.at(number_in(dice, 0, all_divisions.size() - 1));
+    return random_executor(dice, division, complex, options, threads, words);
+}
+
+/// A complex and what a partitioner gets to see of it.
+struct Divided {
+    Divided(Complex<double> mesh, double edge_length)
+        : complex(std::move(mesh)), h(edge_length), interface(collect_interface(complex)),
+          work(interface.size(), 1.0F) {}
+
+    void divide(Partitioner<double>& partitioner, Recut recut = Recut::all) {
+        partitioner.divide({complex, interface, work, h}, recut, partition);
+    }
+    [[nodiscard]] Point<double> position(std::size_t i) const {
+        return complex.position(Vertex{interface[i]});
+    }
+    [[nodiscard]] const std::vector<Region>& regions(std::size_t colour) const {
+        return partition.colours.at(colour).regions;
+    }
+
+    Complex<double> complex;
+    double h;
+    std::vector<std::uint32_t> interface;
+    std::vector<float> work;
+    Partition partition;
+};
+
+inline Divided random_divided(Dice& dice, bool patches) {
+    const double h = dice.in(0.015, 0.04);
+    Divided divided(patches ? random_patches<double>(dice, h, 12) : random_shapes<double>(dice, h),
+                    h);
+    if (dice.chance(0.5)) {
+        for (float& work : divided.work) {
+            work = static_cast<float>(dice.in(1.0, 9.0));
+        }
+    }
+    return divided;
+}
+
+} // namespace dsc::test

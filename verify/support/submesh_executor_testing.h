@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// What the tests of the executor of submeshes share: a disc that grows, and ways to divide it.
+#pragma once
+
+#include "random_scene.h"
+#include "random_submeshes.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/complex/validate.h"
+#include "dsc/parallel/in_place/submesh_executor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace dsc::test {
+
+inline Velocity<double> everywhere(double x, double y) {
+    return [=](std::span<const Point<double>>, double, std::span<Point<double>> velocities) {
+        std::ranges::fill(velocities, Point<double>(x, y));
+    };
+}
+
+// A disc that grows, in submeshes of a partitioner; `seen` is where the partition is.
+struct Growing {
+    static constexpr double h = 0.02;
+
+    explicit Growing(std::unique_ptr<Partitioner<double>> partitioner, std::uint32_t threads,
+                     Algorithm<double> algorithm = default_algorithm<double>())
+        : complex(disc_complex<double>(h)) {
+        options.edge_length = h;
+        auto made = std::make_unique<SubmeshExecutor<double>>(
+            complex, options, std::move(algorithm), std::move(partitioner),
+            SubmeshOptions{.threads = threads, .vertices_per_thread = 1});
+        seen = made.get();
+        simulation = std::make_unique<Simulation<double>>(complex, options, std::move(made));
+    }
+
+    void expect_good() {
+        EXPECT_EQ(validate(complex).problem, "");
+        EXPECT_EQ(interface_fault(complex, simulation->interface()), "");
+    }
+    // What was on its way when a step was lost must not arrive in a later one.
+    void expect_to_go_on() {
+        expect_good();
+        EXPECT_EQ(simulation->step(everywhere(0, 0), 0, 1).operations.moves, 0U);
+        for (int step = 0; step < 6; ++step) {
+            EXPECT_EQ(simulation->step(grow, 0, h).unreached, 0U);
+            expect_good();
+        }
+    }
+
+    Velocity<double> grow = [](std::span<const Point<double>> positions, double,
+                               std::span<Point<double>> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = (positions[i] - Point<double>(0.5, 0.5)).normalized();
+        }
+    };
+    Complex<double> complex;
+    Options<double> options;
+    const SubmeshExecutor<double>* seen = nullptr;
+    std::unique_ptr<Simulation<double>> simulation;
+};
+
+struct Way {
+    const char* name;
+    std::function<std::unique_ptr<Partitioner<double>>()> make;
+};
+
+// Into small submeshes.
+inline std::vector<Way> ways_to_divide(std::uint32_t recut) {
+    return {
+        {"slabs",
+         [=] {
+             return std::make_unique<SlabPartitioner<double>>(
+                 SlabOptions{.slabbing = Slabbing::active,
+                             .submeshes = 4,
+                             .degrees = 20,
+                             .least_width = 3,
+                             .recut = recut});
+         }},
+        {"blocks",
+         [=] {
+             return std::make_unique<BlockPartitioner<double>>(
+                 BlockOptions{.submeshes = 9, .least_width = 4, .recut = recut});
+         }},
+        {"cells",
+         [=] {
+             return std::make_unique<CellPartitioner<double>>(CellOptions{
+                 .submeshes = 4, .least_vertices = 8, .recut = recut, .recut_later = 1});
+         }},
+        {"Voronoi regions",
+         [=] {
+             return std::make_unique<PlacePartitioner<double>>(
+                 [](const PartitionInput<double>& input) { return voronoi_colours(input, 5); },
+                 recut);
+         }},
+    };
+}
+
+} // namespace dsc::test
