@@ -10,6 +10,7 @@
 
 #include "dsc/complex/algebra.h"
 #include "dsc/complex/complex.h"
+#include "dsc/complex/edit_log.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/mesh_functions.h"
 #include "dsc/complex/numbering.h"
@@ -21,6 +22,7 @@
 #include "dsc/operations/edge_split.h"
 #include "dsc/operations/local_retriangulation.h"
 #include "dsc/operations/loop_subdivision.h"
+#include "dsc/operations/replay.h"
 #include "dsc/operations/smoothing.h"
 
 #include "dsc/quality/histogram.h"
@@ -46,6 +48,8 @@
 #include "dsc/parallel/partition/places.h"
 #include "dsc/parallel/partition/slabs.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/parallel/parallel.h"
 
+#include "dsc/io/edit_file.h"
 #include "dsc/io/svg.h"
 #include "dsc/io/vtu.h"

@@ -83,7 +83,7 @@ public:
                 pass.run(work);
             }
         }
-        moved += work.counts.moves;
+        moved += work.log.counts.moves;
         put_off += work.put_off_movers.size();
         // Everyone is accounted for: arrived, on the way, or put off; only the dead are not.
         EXPECT_LE(work.put_off_movers.size() + work.movers.size(), listed);

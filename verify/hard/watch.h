@@ -35,6 +35,10 @@ public:
     WatchingExecutor(const Complex<Real>& complex, const Rectangle& domain,
                      std::unique_ptr<Executor<Real>> inner, Sighting& sighting);
 
+    void set_options(const Options<Real>& options) override { inner_->set_options(options); }
+    void absorb(std::span<const Edit> edits) override { inner_->absorb(edits); }
+    void keep_edits(bool keep) override { inner_->keep_edits(keep); }
+    [[nodiscard]] std::vector<Edit> take_edits() override { return inner_->take_edits(); }
     void begin_step() override { inner_->begin_step(); }
     AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
     Again aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;

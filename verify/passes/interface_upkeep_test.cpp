@@ -66,11 +66,11 @@ Kept keep_up(const Outline& outline, const Options<double>& options) {
     Work<double> work(kept.complex, options);
     work.interface = collect_interface(kept.complex);
     for (int round = 0; round < 60 && !kept.ended; ++round) {
-        work.counts = {};
+        work.log.counts = {};
         upkeep_interface(work);
         EXPECT_EQ(validate(kept.complex).problem, "");
-        kept.counts += work.counts;
-        kept.ended = work.counts.interface_splits + work.counts.interface_collapses == 0;
+        kept.counts += work.log.counts;
+        kept.ended = work.log.counts.interface_splits + work.log.counts.interface_collapses == 0;
     }
     kept.interface = work.interface;
     return kept;

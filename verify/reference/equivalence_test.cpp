@@ -127,7 +127,7 @@ public:
                  const std::function<Verdict(reference::Complex&)>& literal) {
         Complex<Real> complex = given_.complex;
         const std::string before = snapshot(complex);
-        const Verdict verdict = library(complex, Submesh{given_.region, &complex.ids});
+        const Verdict verdict = library(complex, Submesh{given_.region, &complex.ids, &complex.journal});
         reference::Complex copied = given_.copied;
         Verdict expected = literal(copied);
         if (expected == Verdict::not_a_simplex) {

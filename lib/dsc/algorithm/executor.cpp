@@ -2,6 +2,7 @@
 #include "dsc/algorithm/executor.h"
 
 #include "dsc/passes/interface_list.h"
+#include "dsc/passes/readers.h"
 
 #include <algorithm>
 #include <utility>
@@ -23,7 +24,7 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
     while (static_cast<int>(done) < work.options.max_passes) {
         work.progressed = 0;
         for (const auto& pass : passes) {
-            pass.run(work);
+            run_pass(work, pass);
         }
         work.epoch = ++next_epoch;
         ++done;
@@ -56,7 +57,7 @@ template <class Real>
 AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkeep,
                           const Velocity<Real>& velocity, Real time, Real dt) {
     for (const auto& pass : upkeep) {
-        pass.run(work);
+        run_pass(work, pass);
     }
     // Alone on the complex, nothing is put off.
     work.put_off_interface.clear();
@@ -66,15 +67,48 @@ AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkee
 }
 
 template <class Real>
+void absorb_edits(Work<Real>& work, std::span<const Edit> edits) {
+    Complex<Real>& complex = work.complex;
+    const std::span<const Edit> after = edits_after_renumbering(edits);
+    if (after.size() != edits.size()) {
+        work.active.clear();
+        work.interface = collect_interface(complex, work.options.shuffle_seed);
+    }
+    const std::vector<std::uint32_t> changed = interface_changes(complex, after);
+    take_off(work.interface, changed);
+    const std::vector<std::uint32_t> on = on_interface(complex, changed);
+    work.interface.insert(work.interface.end(), on.begin(), on.end());
+    wake(work, after);
+}
+
+void append_edits(EditLog& log, std::vector<Edit>& edits) {
+    edits.insert(edits.end(), log.records.begin(), log.records.end());
+    log.records.clear();
+}
+
+template <class Real>
 SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Options<Real>& options,
                                              Algorithm<Real> algorithm)
-    : algorithm_(std::move(algorithm)), work_(complex, options) {
+    : options_(options), algorithm_(std::move(algorithm)), work_(complex, options_) {
     // Stamps of an earlier run must not look like this one's.
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
     }
     work_.epoch = ++epoch_;
     work_.interface = collect_interface(complex, options.shuffle_seed);
+}
+
+template <class Real>
+void SequentialExecutor<Real>::set_options(const Options<Real>& options) {
+    options_ = options;
+    work_.find_past();
+}
+
+template <class Real>
+std::vector<Edit> SequentialExecutor<Real>::take_edits() {
+    std::vector<Edit> edits;
+    append_edits(work_.log, edits);
+    return edits;
 }
 
 template <class Real>
@@ -119,7 +153,7 @@ void SequentialExecutor<Real>::append_interface(std::vector<std::uint32_t>& list
 
 template <class Real>
 OperationCounts SequentialExecutor<Real>::take_counts() {
-    return std::exchange(work_.counts, {});
+    return std::exchange(work_.log.counts, {});
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
@@ -128,6 +162,7 @@ OperationCounts SequentialExecutor<Real>::take_counts() {
     template std::uint64_t give_up_movers(Work<Real>&);                                            \
     template AimReport<Real> aim_whole(Work<Real>&, const std::vector<Pass<Real>>&,                \
                                        const Velocity<Real>&, Real, Real);                         \
+    template void absorb_edits(Work<Real>&, std::span<const Edit>);                                \
     template class SequentialExecutor<Real>;
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

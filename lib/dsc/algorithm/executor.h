@@ -29,6 +29,16 @@ public:
     Executor(Executor&&) = delete;
     Executor& operator=(Executor&&) = delete;
 
+    /// Takes options that have been checked, as a whole, between two steps.
+    virtual void set_options(const Options<Real>& options) = 0;
+    /// Takes up what the application did to the complex since the step before: its interface, and
+    /// the stars to be looked at. O(edits and interface vertices); O(mesh) after a `renumber`.
+    virtual void absorb(std::span<const Edit> edits) = 0;
+    /// Whether records of edits are to be kept for `take_edits`.
+    virtual void keep_edits(bool keep) = 0;
+    /// The records since the last call, in an order in which they can be replayed.
+    [[nodiscard]] virtual std::vector<Edit> take_edits() = 0;
+
     virtual void begin_step() {}
     /// Interface upkeep; then velocities at `time` and targets at time + dt. `dt` is what the
     /// driver expects to do; the velocities may make it change its mind.
@@ -72,6 +82,13 @@ template <class Real>
 std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,
                          std::uint32_t& next_epoch);
 
+/// What a work that has the complex for itself does with the edits of the application.
+template <class Real>
+void absorb_edits(Work<Real>& work, std::span<const Edit> edits);
+
+/// Appends the records of a log to `edits`, and empties it.
+void append_edits(EditLog& log, std::vector<Edit>& edits);
+
 /// One work for the whole complex: the thesis's sequential DSC.
 template <class Real>
 class SequentialExecutor final : public Executor<Real> {
@@ -79,6 +96,10 @@ public:
     SequentialExecutor(Complex<Real>& complex, const Options<Real>& options,
                        Algorithm<Real> algorithm);
 
+    void set_options(const Options<Real>& options) override;
+    void absorb(std::span<const Edit> edits) override { absorb_edits(work_, edits); }
+    void keep_edits(bool keep) override { work_.log.readers = keep ? 1 : 0; }
+    [[nodiscard]] std::vector<Edit> take_edits() override;
     void begin_step() override;
     AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
     Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
@@ -89,6 +110,7 @@ public:
     [[nodiscard]] OperationCounts take_counts() override;
 
 private:
+    Options<Real> options_;
     Algorithm<Real> algorithm_;
     Work<Real> work_;
     std::uint32_t epoch_ = 0;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/simulation.h"
 
-#include "dsc/passes/interface_list.h"
 #include "dsc/base/error.h"
+#include "dsc/passes/interface_list.h"
+#include "dsc/passes/readers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +20,84 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
                              std::unique_ptr<Executor<Real>> executor)
     : complex_(complex), options_(options), executor_(std::move(executor)) {
     check_options(options);
-    if (!executor_) {
+    if (executor_) {
+        executor_->set_options(options);
+    } else {
         executor_ =
             std::make_unique<SequentialExecutor<Real>>(complex, options, default_algorithm<Real>());
     }
     mark_corners(complex, interface(), options.interface.corner_degrees);
+    ++complex.journal.readers;
+    absorbed_ = complex.journal.records.size();
+}
+
+template <class Real>
+Simulation<Real>::~Simulation() {
+    if (--complex_.journal.readers == 0) {
+        complex_.journal.records.clear();
+    }
+}
+
+template <class Real>
+void Simulation<Real>::set_options(const Options<Real>& options) {
+    check_options(options);
+    const bool is_another = options.integrator != options_.integrator;
+    options_ = options;
+    executor_->set_options(options);
+    if (is_another) {
+        forget();
+    }
+}
+
+template <class Real>
+void Simulation<Real>::add_listener(EditListener listener) {
+    listeners_.push_back(std::move(listener));
+    executor_->keep_edits(true);
+}
+
+template <class Real>
+void Simulation<Real>::tell(std::span<const Edit> edits) {
+    if (edits.empty()) {
+        return;
+    }
+    for (const EditListener& listener : listeners_) {
+        listener(edits);
+    }
+}
+
+// What the application did since the last step. O(its edits).
+template <class Real>
+void Simulation<Real>::absorb() {
+    EditLog& journal = complex_.journal;
+    if (absorbed_ == journal.records.size()) {
+        return;
+    }
+    const auto edits = std::span<const Edit>(journal.records).subspan(absorbed_);
+    tell(edits);
+    executor_->absorb(edits);
+    const auto after = edits_after_renumbering(edits);
+    // An edge that has become an interface may turn sharply: that is a corner from now on.
+    mark_corners(complex_, on_interface(complex_, interface_changes(complex_, after)),
+                 options_.interface.corner_degrees);
+    for (const Edit& edit : after) {
+        if (edit.kind == EditKind::move && complex_.is_alive(edit.vertex)) {
+            forget_vertex(edit.vertex);
+        }
+    }
+    absorbed_ = journal.records.size();
+    if (journal.readers == 1) {
+        journal.records.clear();
+        absorbed_ = 0;
+    }
+}
+
+// It has been put elsewhere: whatever was known of its way there is void.
+template <class Real>
+void Simulation<Real>::forget_vertex(Vertex v) {
+    complex_.vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_contact);
+    if (options_.integrator == Integrator::centred) {
+        past_of(complex_)[v] = {};
+    }
 }
 
 template <class Real>
@@ -41,10 +115,18 @@ StepReport Simulation<Real>::step(const Velocity<Real>& velocity, Real time, Rea
                          "a finite time and a step of 0 or more");
     }
     StepReport report;
+    absorb();
     executor_->begin_step();
     Real remaining = dt;
     try {
         while (remaining > 0 && sub_step(velocity, time, remaining, report)) {
+            if (!listeners_.empty()) {
+                tell(executor_->take_edits());
+            }
+            if (remaining > 0 && interrupted_ != nullptr && interrupted_->load()) {
+                report.gave_up = GiveUp::interrupted;
+                break;
+            }
         }
     } catch (...) {
         // The velocity, or a pass of the application: the complex is valid, only not yet there.
@@ -54,6 +136,7 @@ StepReport Simulation<Real>::step(const Velocity<Real>& velocity, Real time, Rea
     }
     executor_->end_step();
     report.operations = executor_->take_counts();
+    report.reached = static_cast<double>(time);
     report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());
     return report;
 }

@@ -2,6 +2,7 @@
 #include "dsc/complex/complex.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"
 
 #include <algorithm>
@@ -83,6 +84,16 @@ typename Complex<Real>::Positions Complex<Real>::positions() {
     return Positions(vertices.empty() ? nullptr : &vertices.front().x, 2,
                      static_cast<Eigen::Index>(vertices.size()),
                      Eigen::OuterStride<>(sizeof(VertexRecord<Real>) / sizeof(Real)));
+}
+
+template <class Real>
+void Complex<Real>::set_position(Vertex v, const Point<Real>& p) {
+    rewire::move(*this, journal, v.id, p.x(), p.y(), MoveReason::application);
+}
+
+template <class Real>
+void Complex<Real>::set_phase(Triangle t, Phase phase) {
+    rewire::relabel(*this, journal, t, phase);
 }
 
 template <class Real>

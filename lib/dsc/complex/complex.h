@@ -9,6 +9,7 @@
 #include "dsc/base/types.h"
 #include "dsc/complex/attributes.h"
 #include "dsc/complex/corner.h"
+#include "dsc/complex/edit_log.h"
 
 #include <array>
 #include <span>
@@ -119,15 +120,15 @@ public:
     [[nodiscard]] Point<Real> position(Vertex v) const {
         return {vertices[v.id].x, vertices[v.id].y};
     }
-    void set_position(Vertex v, const Point<Real>& p) {
-        vertices[v.id].x = p.x();
-        vertices[v.id].y = p.y();
-    }
+    /// Does not ask whether a triangle turns over. Noted in `journal`.
+    void set_position(Vertex v, const Point<Real>& p);
     /// All positions as a 2 x vertex_bound() matrix, without a copy; free ids hold stale values.
+    /// What is written through it is noted nowhere.
     using Positions = Eigen::Map<Eigen::Matrix<Real, 2, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
     [[nodiscard]] Positions positions();
     [[nodiscard]] Phase phase(Triangle t) const { return triangles[t.id].phase; }
-    void set_phase(Triangle t, Phase phase) { triangles[t.id].phase = phase; }
+    /// Noted in `journal`.
+    void set_phase(Triangle t, Phase phase);
     [[nodiscard]] bool is_locked(Vertex v) const {
         return (vertices[v.id].flags & vertex_locked) != 0;
     }
@@ -143,6 +144,10 @@ public:
 
     // --- attributes ---------------------------------------------------------------------------
     AttributeSet attributes; ///< data of the application; follows every operation
+
+    /// What was done to the complex as a whole, rather than to a submesh: the edits of the
+    /// application, which a simulation under way reads before its next step.
+    EditLog journal;
 
     // --- the records themselves: for algorithms of the library --------------------------------
     std::vector<VertexRecord<Real>> vertices;

@@ -2,8 +2,10 @@
 #include "dsc/complex/mesh_functions.h"
 
 #include "dsc/base/error.h"
-#include "dsc/geometry/predicates.h"
 #include "dsc/complex/algebra.h"
+#include "dsc/complex/interface_pair.h"
+#include "dsc/complex/rewire.h"
+#include "dsc/geometry/predicates.h"
 
 #include <algorithm>
 #include <array>
@@ -18,9 +20,7 @@ namespace {
 
 template <class Real>
 bool is_interface_corner(const Complex<Real>& complex, Corner c) {
-    const Corner across = complex.twin(c);
-    const Phase here = complex.phase_at(c);
-    return is_border(across) ? here != exterior_phase : here != complex.phase_at(across);
+    return is_interface_pair(complex.phase_at(c), complex.phase_at(complex.twin(c)));
 }
 
 // True if `test(corner)` holds for one of the edges at `v`, each named by a corner opposite to it.
@@ -99,7 +99,14 @@ Vertex insert_vertex(Complex<Real>& complex, const Point<Real>& p) {
                          "a pool with free ids, or one that may grow");
     }
     complex.attributes.reset_vertex(id);
-    complex.set_position(Vertex{id}, p);
+    complex.vertices[id].x = p.x();
+    complex.vertices[id].y = p.y();
+    rewire::note(complex.journal, [&] {
+        return Edit{.kind = EditKind::insert_vertex,
+                    .vertex = Vertex{id},
+                    .x = static_cast<double>(p.x()),
+                    .y = static_cast<double>(p.y())};
+    });
     return Vertex{id};
 }
 
@@ -147,6 +154,13 @@ Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, P
             complex.vertices[v[i]].corner = here;
         }
     }
+    rewire::note(complex.journal, [&] {
+        return Edit{.kind = EditKind::insert_triangle,
+                    .corner = corner_of(id, 0),
+                    .ends = {Vertex{v[0]}, Vertex{v[1]}},
+                    .apexes = {Vertex{v[2]}, Vertex{}},
+                    .made = {phase, no_id}};
+    });
     return Triangle{id};
 }
 
@@ -238,6 +252,13 @@ std::size_t remove(Complex<Real>& complex, const SimplexSet& set) {
     const std::vector<Triangle> doomed = doomed_triangles(complex, set);
     std::vector<std::uint32_t> orphans;
     for (const Triangle t : doomed) {
+        rewire::note(complex.journal, [&] {
+            const auto& v = complex.triangles[t.id].v;
+            return Edit{.kind = EditKind::remove_triangle,
+                        .corner = corner_of(t.id, 0),
+                        .ends = {Vertex{v[0]}, Vertex{v[1]}},
+                        .apexes = {Vertex{v[2]}, Vertex{}}};
+        });
         unlink(complex, t, orphans);
         complex.give_triangle(complex.ids, t.id);
     }
@@ -248,6 +269,8 @@ std::size_t remove(Complex<Real>& complex, const SimplexSet& set) {
     for (const Vertex v : set.vertices()) {
         if (complex.is_alive(v)) {
             complex.give_vertex(complex.ids, v.id);
+            rewire::note(complex.journal,
+                         [&] { return Edit{.kind = EditKind::remove_vertex, .vertex = v}; });
         }
     }
     return doomed.size();

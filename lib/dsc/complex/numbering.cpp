@@ -2,6 +2,7 @@
 #include "dsc/complex/numbering.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/rewire.h"
 
 #include <algorithm>
 #include <limits>
@@ -201,7 +202,9 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y) {
 
 template <class Real>
 Renumbering renumber(Complex<Real>& complex) {
-    if (complex.lent_vertices != 0 || complex.lent_triangles != 0) {
+    // A simulation that reads the journal hears of it, and lends its submeshes new ids.
+    const bool is_heard = complex.journal.readers > 0;
+    if (!is_heard && (complex.lent_vertices != 0 || complex.lent_triangles != 0)) {
         throw InputError("submeshes hold free ids of the complex", "renumber",
                          std::to_string(complex.lent_vertices) + " vertices and " +
                              std::to_string(complex.lent_triangles) + " triangles",
@@ -243,6 +246,9 @@ Renumbering renumber(Complex<Real>& complex) {
     }
     complex.ids.vertices.clear();
     complex.ids.triangles.clear();
+    complex.lent_vertices = 0;
+    complex.lent_triangles = 0;
+    rewire::note(complex.journal, [] { return Edit{.kind = EditKind::renumber}; });
     return result;
 }
 

@@ -27,8 +27,10 @@ struct Renumbering {
 /// 2; attributes are permuted with their simplices. All handles and corners from before are void.
 /// The new order depends on the old one only where vertices coincide or triangles begin at another
 /// of their corners. O(n log n); works in place, with 16 bytes a vertex and 8 a triangle beside
-/// (and the copy of one attribute at a time). Throws InputError where submeshes hold ids of the
-/// complex.
+/// (and the copy of one attribute at a time). Noted in the
+/// journal: a simulation of this complex takes up the new ids before its next step; not to be
+/// called while a step is under way. Throws InputError where submeshes hold ids of the complex and
+/// nobody reads its journal.
 template <class Real>
 Renumbering renumber(Complex<Real>& complex);
 

@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The four changes of connectivity that every mesh operation is made of. No guards and no geometry
-// here: lib/dsc/operations decides what is legal. Each is O(1), collapse O(degree). Thread-safe for
-// submeshes that own disjoint regions: a triangle that straddles two of them is never rewritten,
-// but for the neighbour slot that faces the submesh that calls.
+// The one door: every change of connectivity, positions and phases of a complex under way goes
+// through a function of this file, which changes the complex, tells its attributes and notes the
+// edit in a log. No guards here: lib/dsc/operations decides what is legal. Each is O(1), collapse
+// O(degree). Thread-safe for submeshes that own disjoint regions, each with a log of its own: a
+// triangle that straddles two of them is never rewritten, but for the neighbour slot that faces the
+// submesh that calls.
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/complex/interface_pair.h"
+#include "dsc/complex/shared.h"
 
 namespace dsc::rewire {
+
+/// Appends the record that `edit()` makes, where the log keeps records.
+template <class MakeEdit>
+void note(EditLog& log, MakeEdit edit) {
+    if (log.readers > 0) [[unlikely]] {
+        log.records.push_back(edit());
+    }
+}
 
 template <class Real>
 void link(Complex<Real>& complex, Corner a, Corner b) {
@@ -23,7 +35,7 @@ void link(Complex<Real>& complex, Corner a, Corner b) {
 /// Flips the edge opposite to `c`, which has two triangles. Before: t = (a, b, w) with a at c, and
 /// u = (d, w, b). After: t = (a, b, d), u = (d, w, a). Returns nothing; a stays at c.
 template <class Real>
-void flip(Complex<Real>& complex, Corner c) {
+void flip(Complex<Real>& complex, EditLog& log, Corner c) {
     const Corner o = complex.twin(c);
     const std::uint32_t t = triangle_of(c);
     const std::uint32_t u = triangle_of(o);
@@ -52,13 +64,22 @@ void flip(Complex<Real>& complex, Corner c) {
     complex.attributes.copy_edge(o, tb);
     complex.attributes.reset_edge(tb);
     complex.attributes.reset_edge(uw);
+    ++log.counts.flips;
+    note(log, [&] {
+        return Edit{.kind = EditKind::flip,
+                    .corner = c,
+                    .ends = {Vertex{b}, Vertex{w}},
+                    .apexes = {Vertex{a}, Vertex{d}}};
+    });
 }
 
 /// Splits the edge opposite to `c` at the new vertex `m`. `t2` and `u2` are new triangles; `u2` is
 /// not used where the edge is on the domain boundary. Before: t = (a, b, w), u = (d, w, b). After:
-/// t = (a, b, m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b).
+/// t = (a, b, m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex attributes are blended at
+/// the midpoint.
 template <class Real>
-void split(Complex<Real>& complex, Corner c, std::uint32_t m, std::uint32_t t2, std::uint32_t u2) {
+void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
+           const Point<Real>& place, std::uint32_t t2, std::uint32_t u2) {
     const Corner o = complex.twin(c);
     const std::uint32_t t = triangle_of(c);
     const Corner tb = next(c);
@@ -69,6 +90,24 @@ void split(Complex<Real>& complex, Corner c, std::uint32_t m, std::uint32_t t2, 
     const std::uint32_t b = tr.v[index_of(tb)];
     const std::uint32_t w = tr.v[index_of(tw)];
     const Corner wa = tr.n[index_of(tb)];
+    const bool on_interface = is_interface_pair(tr.phase, complex.phase_at(o));
+    complex.vertices[m].x = place.x();
+    complex.vertices[m].y = place.y();
+    const auto note_split = [&](std::uint32_t d) {
+        attributes.blend_vertex(m, b, w, 0.5);
+        ++(on_interface ? log.counts.interface_splits : log.counts.splits);
+        note(log, [&] {
+            return Edit{.kind = EditKind::split,
+                        .on_interface = on_interface,
+                        .corner = c,
+                        .vertex = Vertex{m},
+                        .ends = {Vertex{b}, Vertex{w}},
+                        .apexes = {Vertex{a}, Vertex{d}},
+                        .made = {t2, is_border(o) ? no_id : u2},
+                        .x = static_cast<double>(place.x()),
+                        .y = static_cast<double>(place.y())};
+        });
+    };
     auto& t2r = complex.triangles[t2];
     t2r = {{a, m, w}, {border_corner, border_corner, border_corner}, tr.phase, 0};
     attributes.copy_triangle(t2, t);
@@ -84,6 +123,7 @@ void split(Complex<Real>& complex, Corner c, std::uint32_t m, std::uint32_t t2, 
     complex.vertices[w].corner = corner_of(t2, 2);
     complex.vertices[b].corner = tb;
     if (is_border(o)) {
+        note_split(no_id);
         return;
     }
     const std::uint32_t u = triangle_of(o);
@@ -107,6 +147,7 @@ void split(Complex<Real>& complex, Corner c, std::uint32_t m, std::uint32_t t2, 
     u2r.n[0] = c;
     t2r.n[0] = o;
     ur.n[index_of(o)] = corner_of(t2, 0);
+    note_split(d);
 }
 
 /// What is left where a triangle at the collapsed edge vanishes: its two outer neighbours meet.
@@ -134,13 +175,24 @@ enum class Vanishing : std::uint8_t { next, prev };
 /// the one or two triangles at the edge and v itself go back to the pool. v must lie inside the
 /// domain, or the edge on its boundary.
 template <class Real>
-void collapse(Complex<Real>& complex, Corner c, Vanishing end, IdPool& pool) {
+void collapse(Complex<Real>& complex, EditLog& log, Corner c, Vanishing end, IdPool& pool) {
     const Corner o = complex.twin(c);
     const bool ccw = end == Vanishing::next;
     const std::uint32_t v = complex.vertex(ccw ? next(c) : prev(c));
     const std::uint32_t keep = complex.vertex(ccw ? prev(c) : next(c));
     const std::uint32_t t = triangle_of(c);
     const std::uint32_t u = triangle_of(o);
+    const bool on_interface = is_interface_pair(complex.phase_at(c), complex.phase_at(o));
+    ++(on_interface ? log.counts.interface_collapses : log.counts.collapses);
+    note(log, [&] {
+        return Edit{.kind = EditKind::collapse,
+                    .on_interface = on_interface,
+                    .corner = c,
+                    .vertex = Vertex{v},
+                    .ends = {Vertex{v}, Vertex{keep}},
+                    .apexes = {Vertex{complex.vertex(c)},
+                               Vertex{is_border(o) ? no_id : complex.vertex(o)}}};
+    });
     // From t about v, away from the edge, up to the other triangle at the edge or the border.
     for (Corner across = complex.twin(ccw ? prev(c) : next(c));
          !is_border(across) && triangle_of(across) != u;) {
@@ -164,6 +216,40 @@ void collapse(Complex<Real>& complex, Corner c, Vanishing end, IdPool& pool) {
     }
     complex.give_triangle(pool, t);
     complex.give_vertex(pool, v);
+}
+
+/// Puts a vertex elsewhere; another submesh may be reading its place.
+template <class Real>
+void move(Complex<Real>& complex, EditLog& log, std::uint32_t v, Real x, Real y,
+          MoveReason reason) {
+    auto& record = complex.vertices[v];
+    write_shared(record.x, x);
+    write_shared(record.y, y);
+    if (reason == MoveReason::flow) {
+        ++log.counts.moves;
+    } else if (reason == MoveReason::smoothing) {
+        ++log.counts.smoothed;
+    }
+    note(log, [&] {
+        return Edit{.kind = EditKind::move,
+                    .reason = reason,
+                    .vertex = Vertex{v},
+                    .x = static_cast<double>(x),
+                    .y = static_cast<double>(y)};
+    });
+}
+
+/// Gives a triangle another phase.
+template <class Real>
+void relabel(Complex<Real>& complex, EditLog& log, Triangle t, Phase phase) {
+    auto& record = complex.triangles[t.id];
+    const Phase before = record.phase;
+    record.phase = phase;
+    ++log.counts.relabelled;
+    note(log, [&] {
+        return Edit{
+            .kind = EditKind::relabel, .corner = corner_of(t.id, 0), .made = {before, phase}};
+    });
 }
 
 } // namespace dsc::rewire

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/complex/shared.h"
 
-#include <atomic>
 #include <limits>
 
 namespace dsc {
@@ -79,26 +79,17 @@ struct Region {
     }
 };
 
-/// A region and the ids that its operations draw from. `K.whole()`-style calls use `whole_submesh`.
+/// A region, the ids that its operations draw from, and the log that notes them. Neither pointer
+/// may be null.
 struct Submesh {
     Region region;
-    IdPool* pool = nullptr;
+    IdPool* pool;
+    EditLog* log;
 };
 
 template <class Real>
 Submesh whole_submesh(Complex<Real>& complex) {
-    return Submesh{Region{}, &complex.ids};
-}
-
-/// Coordinates of a vertex that another submesh may be moving at this moment: it can only fail the
-/// test of ownership, so the order does not matter, but the read must not tear.
-template <class Real>
-Real read_shared(const Real& value) {
-    return std::atomic_ref<Real>(const_cast<Real&>(value)).load(std::memory_order_relaxed);
-}
-template <class Real>
-void write_shared(Real& value, Real next) {
-    std::atomic_ref<Real>(value).store(next, std::memory_order_relaxed);
+    return Submesh{Region{}, &complex.ids, &complex.journal};
 }
 
 template <class Real>

@@ -2,8 +2,8 @@
 #include "dsc/complex/validate.h"
 
 #include "dsc/base/error.h"
-#include "dsc/geometry/predicates.h"
 #include "dsc/complex/embedding.h"
+#include "dsc/geometry/predicates.h"
 
 #include <algorithm>
 #include <cmath>

@@ -86,12 +86,11 @@ std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
     const std::uint32_t m = complex.take_vertex(complex.ids);
     const std::uint32_t t2 = complex.take_triangle(complex.ids);
     const std::uint32_t u2 = is_border(other) ? no_id : complex.take_triangle(complex.ids);
-    complex.set_position(Vertex{m}, point);
-    rewire::split(complex, corner, m, t2, u2);
+    rewire::split(complex, complex.journal, corner, m, point, t2, u2);
     if (location.place == Place::triangle) {
         // One into three: split an edge as if m were on it, then flip the edge from m into the
         // triangle beyond back to where it was. That triangle is u2 now, and u on this side.
-        rewire::flip(complex, next(other));
+        rewire::flip(complex, complex.journal, next(other));
         complex.triangles[triangle_of(other)].phase = complex.phase_at(corner);
     }
     legalise_star(complex, m, stack);

@@ -3,10 +3,11 @@
 // star triangle is linear in the fraction travelled, so the limit is a division per triangle.
 #pragma once
 
-#include "dsc/geometry/predicates.h"
 #include "dsc/base/tolerances.h"
 #include "dsc/base/verdict.h"
+#include "dsc/complex/rewire.h"
 #include "dsc/complex/ring.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/quality/ring_quality.h"
 
 namespace dsc {
@@ -71,7 +72,8 @@ inline constexpr double least_fraction = 1e-3;
 
 /// Moves the ring's vertex towards (x, y). The ring's own centre is updated. O(degree).
 template <class Real>
-MoveOutcome move_vertex(Complex<Real>& complex, Ring<Real>& ring, Real x, Real y) {
+MoveOutcome move_vertex(Complex<Real>& complex, const Submesh& submesh, Ring<Real>& ring, Real x,
+                        Real y) {
     Real fraction = move_limit(ring, x, y);
     for (int attempt = 0; attempt < 4; ++attempt, fraction *= Real(0.5)) {
         if (!(fraction >= static_cast<Real>(least_fraction))) {
@@ -81,9 +83,7 @@ MoveOutcome move_vertex(Complex<Real>& complex, Ring<Real>& ring, Real x, Real y
         const Real px = whole ? x : ring.x0 + fraction * (x - ring.x0);
         const Real py = whole ? y : ring.y0 + fraction * (y - ring.y0);
         if (all_positive(ring, px, py)) {
-            auto& record = complex.vertices[ring.vertex];
-            write_shared(record.x, px);
-            write_shared(record.y, py);
+            rewire::move(complex, *submesh.log, ring.vertex, px, py, MoveReason::flow);
             ring.x0 = px;
             ring.y0 = py;
             return whole ? MoveOutcome::reached : MoveOutcome::partly;

@@ -107,7 +107,7 @@ Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Corner cor
                       rewire::Vanishing end) {
     const Verdict verdict = edge_collapse_guard(complex, submesh.region, corner, end);
     if (verdict == Verdict::legal) {
-        rewire::collapse(complex, corner, end, *submesh.pool);
+        rewire::collapse(complex, *submesh.log, corner, end, *submesh.pool);
     }
     return verdict;
 }

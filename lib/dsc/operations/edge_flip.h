@@ -2,10 +2,10 @@
 // Edge flip [4.2, 7.1]: the other diagonal of the two triangles at an edge.
 #pragma once
 
-#include "dsc/geometry/predicates.h"
 #include "dsc/base/verdict.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/submesh.h"
+#include "dsc/geometry/predicates.h"
 
 namespace dsc {
 
@@ -39,7 +39,7 @@ template <class Real>
 Verdict edge_flip(Complex<Real>& complex, const Submesh& submesh, Corner corner) {
     const Verdict verdict = edge_flip_guard(complex, submesh.region, corner);
     if (verdict == Verdict::legal) {
-        rewire::flip(complex, corner);
+        rewire::flip(complex, *submesh.log, corner);
     }
     return verdict;
 }

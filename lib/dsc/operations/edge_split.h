@@ -2,10 +2,10 @@
 // Edge split [4.2, 7.4]: a new vertex on an edge, and its one or two triangles cut in two.
 #pragma once
 
-#include "dsc/geometry/predicates.h"
 #include "dsc/base/verdict.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/submesh.h"
+#include "dsc/geometry/predicates.h"
 
 namespace dsc {
 
@@ -55,15 +55,10 @@ SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner co
     if (!pool.may_grow && (pool.vertices.empty() || pool.triangles.size() < needed)) {
         return {Verdict::out_of_ids, {}};
     }
-    const std::uint32_t a = complex.vertex(next(corner));
-    const std::uint32_t b = complex.vertex(prev(corner));
     const std::uint32_t m = complex.take_vertex(pool);
     const std::uint32_t t2 = complex.take_triangle(pool);
     const std::uint32_t u2 = is_border(complex.twin(corner)) ? no_id : complex.take_triangle(pool);
-    complex.vertices[m].x = point.x();
-    complex.vertices[m].y = point.y();
-    rewire::split(complex, corner, m, t2, u2);
-    complex.attributes.blend_vertex(m, a, b, 0.5);
+    rewire::split(complex, *submesh.log, corner, m, point, t2, u2);
     return {Verdict::legal, Vertex{m}};
 }
 

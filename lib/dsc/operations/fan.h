@@ -3,6 +3,7 @@
 // owns the whole star, and how many interface edges meet. Any degree; nothing is gathered.
 #pragma once
 
+#include "dsc/complex/interface_pair.h"
 #include "dsc/complex/submesh.h"
 
 namespace dsc {
@@ -53,12 +54,6 @@ Fan turn(const Complex<Real>& complex, std::uint32_t vertex, Visit visit) {
         }
     }
     return fan;
-}
-
-/// Whether an edge between these two phases is an interface edge [8.6]; `across` may be the
-/// border's.
-constexpr bool is_interface_pair(Phase inside, Phase across) {
-    return across == border_phase ? inside != exterior_phase : inside != across;
 }
 
 /// Calls `visit(vertex at the other end)` for each interface edge at the vertex. O(degree).

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/operations/local_retriangulation.h"
 
-#include "dsc/geometry/predicates.h"
 #include "dsc/complex/rewire.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/operations/ear_clipping.h"
 #include "dsc/operations/fan.h"
 
@@ -229,7 +229,7 @@ void carry_edge_data(Complex<Real>& complex, Plan<Real>& plan) {
 
 // Lawson's flips on the edges between the new triangles. Strict and exact, so they come to an end.
 template <class Real>
-void make_delaunay(Complex<Real>& complex, Plan<Real>& plan) {
+void make_delaunay(Complex<Real>& complex, EditLog& log, Plan<Real>& plan) {
     auto& ids = plan.region;
     ids.resize(plan.ears.triangles.size());
     std::sort(ids.begin(), ids.end());
@@ -242,7 +242,7 @@ void make_delaunay(Complex<Real>& complex, Plan<Real>& plan) {
                 const Corner other = complex.twin(c);
                 if (other > c && std::binary_search(ids.begin(), ids.end(), triangle_of(other)) &&
                     in_circle<Real>(at(c), at(next(c)), at(prev(c)), at(other)) > 0) {
-                    rewire::flip(complex, c);
+                    rewire::flip(complex, log, c);
                     flipped = true;
                 }
             }
@@ -267,6 +267,11 @@ RetriangulationResult local_retriangulation(Complex<Real>& complex, const Submes
     if (result.verdict != Verdict::legal) {
         return result;
     }
+    EditLog& log = *submesh.log;
+    ++log.counts.retriangulations;
+    rewire::note(log, [&] {
+        return Edit{.kind = EditKind::retriangulate, .corner = corner_of(triangle.id, 0)};
+    });
     write_triangles(complex, plan);
     carry_edge_data(complex, plan);
     // n - 2 new triangles: there were two more for each vertex inside the polygon.
@@ -277,11 +282,14 @@ RetriangulationResult local_retriangulation(Complex<Real>& complex, const Submes
     for (std::size_t i = 0; i < 3; ++i) {
         if (plan.vanishes[i]) {
             complex.give_vertex(*submesh.pool, plan.vertex[i]);
+            rewire::note(log, [&] {
+                return Edit{.kind = EditKind::remove_vertex, .vertex = Vertex{plan.vertex[i]}};
+            });
             ++result.vertices_removed;
         }
     }
     if (method == RetriangulationMethod::delaunay) {
-        make_delaunay(complex, plan);
+        make_delaunay(complex, *submesh.log, plan);
     }
     return result;
 }

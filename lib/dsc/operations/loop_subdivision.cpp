@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/operations/loop_subdivision.h"
 
-#include "dsc/geometry/predicates.h"
 #include "dsc/complex/rewire.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/operations/fan.h"
 
@@ -79,25 +79,22 @@ LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, const Submesh& su
     const auto m = midpoints(complex, triangle);
     LoopSubdivisionResult result;
     const auto split = [&](Corner c, std::uint32_t i) {
-        const std::uint32_t from = complex.vertex(next(c));
-        const std::uint32_t to = complex.vertex(prev(c));
         const Vertex added{complex.take_vertex(pool)};
         const std::uint32_t t2 = complex.take_triangle(pool);
         const bool border = is_border(complex.twin(c));
         const std::uint32_t u2 = border ? no_id : complex.take_triangle(pool);
-        complex.set_position(added, m[i]);
-        rewire::split(complex, c, added.id, t2, u2);
-        complex.attributes.blend_vertex(added.id, from, to, 0.5);
+        rewire::split(complex, *submesh.log, c, added.id, m[i], t2, u2);
         result.vertices[i] = added;
         return t2;
     };
     // Three splits and a flip; only the last state is one whose geometry was tested. See rewire.h
     // for which corner a new vertex takes.
     const std::uint32_t t = triangle.id;
-    const std::uint32_t r = split(corner_of(t, 0), 0); // t = (A, B, a), r = (A, a, C)
-    split(corner_of(r, 1), 1);                         // r = (b, a, C), and (a, b, A)
-    split(corner_of(t, 2), 2);                         // t = (A, c, a), and (a, c, B)
-    rewire::flip(complex, corner_of(t, 1));            // t = (b, c, a), and (b, A, c)
+    const std::uint32_t r = split(corner_of(t, 0), 0);    // t = (A, B, a), r = (A, a, C)
+    split(corner_of(r, 1), 1);                            // r = (b, a, C), and (a, b, A)
+    split(corner_of(t, 2), 2);                            // t = (A, c, a), and (a, c, B)
+    rewire::flip(complex, *submesh.log, corner_of(t, 1)); // t = (b, c, a), and (b, A, c)
+    ++submesh.log->counts.subdivisions;
     return result;
 }
 

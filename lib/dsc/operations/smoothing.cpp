@@ -2,6 +2,7 @@
 #include "dsc/operations/smoothing.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/fan.h"
 
@@ -50,11 +51,12 @@ Real sine_squared(const Point<Real>& a, const Point<Real>& b, const Point<Real>&
 
 // Moves the vertex to `target` if its star allows and gains.
 template <class Real>
-Verdict move_if_better(Complex<Real>& complex, const Region& region, Vertex vertex,
+Verdict move_if_better(Complex<Real>& complex, const Submesh& submesh, Vertex vertex,
                        const Point<Real>& target) {
     // A vertex must not walk out of its submesh while others run. Between owned neighbours it
     // cannot, as long as regions are convex, but for rounding.
-    if (!region.owns(vertex.id, static_cast<double>(target.x()), static_cast<double>(target.y()))) {
+    if (!submesh.region.owns(vertex.id, static_cast<double>(target.x()),
+                             static_cast<double>(target.y()))) {
         return Verdict::on_submesh_boundary;
     }
     const Point<Real> here = complex.position(vertex);
@@ -74,9 +76,7 @@ Verdict move_if_better(Complex<Real>& complex, const Region& region, Vertex vert
     if (!(after > before)) {
         return Verdict::no_gain;
     }
-    auto& record = complex.vertices[vertex.id];
-    write_shared(record.x, target.x());
-    write_shared(record.y, target.y());
+    rewire::move(complex, *submesh.log, vertex.id, target.x(), target.y(), MoveReason::smoothing);
     return Verdict::legal;
 }
 
@@ -180,8 +180,7 @@ Verdict laplacian_smoothing(Complex<Real>& complex, const Submesh& submesh, Vert
     if (count == 0) {
         return Verdict::no_gain;
     }
-    return move_if_better<Real>(complex, submesh.region, vertex,
-                                here + sum / static_cast<Real>(count));
+    return move_if_better<Real>(complex, submesh, vertex, here + sum / static_cast<Real>(count));
 }
 
 template <class Real>
@@ -236,7 +235,7 @@ Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vert
     const std::span<const Point<Real>> curve(points.data(), size);
     const std::span<const Real> at(knots.data(), size);
     const Real knot = equalising_knot(curve, at) * static_cast<Real>(options.step);
-    return move_if_better<Real>(complex, submesh.region, vertex, on_curve(curve, at, knot));
+    return move_if_better<Real>(complex, submesh, vertex, on_curve(curve, at, knot));
 }
 
 template Verdict laplacian_smoothing(Complex<double>&, const Submesh&, Vertex);

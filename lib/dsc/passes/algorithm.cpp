@@ -9,8 +9,9 @@ namespace dsc {
 
 template <class Real>
 Algorithm<Real> default_algorithm() {
-    return {.upkeep = {{"interface upkeep", &upkeep_interface<Real>}},
-            .motion = {{"movement", &move_vertices<Real>}, {"mesh update", &update_mesh<Real>}}};
+    return {.upkeep = {{"interface upkeep", &upkeep_interface<Real>, true}},
+            .motion = {{"movement", &move_vertices<Real>, true},
+                       {"mesh update", &update_mesh<Real>, true}}};
 }
 
 template Algorithm<double> default_algorithm();

@@ -11,12 +11,17 @@
 
 namespace dsc {
 
-/// One pass over the work of one submesh. Must only change what the submesh owns, which every
-/// operation sees to by itself, and must not keep state between calls.
+/// One pass over the work of one submesh: candidates, guard, edit. It edits by the operations of
+/// lib/dsc/operations with `work.submesh`, which refuse what the submesh does not own, and must not
+/// keep state between calls. Vertices whose stars it changed are looked at by the passes after it,
+/// and the list of the interface is brought up to date: both are read from the log of its edits.
 template <class Real>
 struct Pass {
     std::string name;
     std::function<void(Work<Real>&)> run;
+    /// True for a pass that sees to the active set and to the interface list by itself as it goes,
+    /// by the functions of edits.h; its log is then not read.
+    bool attends = false;
 };
 
 template <class Real>

@@ -3,6 +3,7 @@
 // where it goes on smoothly, how it bends, and how near its next sheet is.
 #pragma once
 
+#include "dsc/complex/interface_pair.h"
 #include "dsc/complex/ring.h"
 #include "dsc/motion/interpolation.h"
 
@@ -21,16 +22,6 @@ struct Spokes {
         return first == spoke ? second : first;
     }
 };
-
-inline bool is_interface_pair(Phase before, Phase after) {
-    if (before == after) {
-        return false;
-    }
-    if (before == border_phase) {
-        return after != exterior_phase;
-    }
-    return after != border_phase || before != exterior_phase;
-}
 
 template <class Real>
 Spokes interface_spokes(const Ring<Real>& ring) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/interface_upkeep.h"
 
+#include "dsc/motion/movement.h"
+#include "dsc/passes/edits.h"
 #include "dsc/passes/interface_curve.h"
 #include "dsc/passes/wall.h"
-#include "dsc/motion/movement.h"
-#include "dsc/operations/edge_collapse.h"
-#include "dsc/operations/edge_split.h"
 #include "dsc/quality/ring_quality.h"
 
 #include <cmath>
@@ -92,21 +91,18 @@ private:
     // True if the ring is stale, and what is to be kept in the list was put there.
     bool keep_wall(std::uint32_t v, const Ring<Real>& ring) {
         if (should_collapse_on_wall(ring, wall_) && collapse_on_wall(work_, ring, wall_)) {
-            ++work_.counts.interface_collapses;
             return true;
         }
         if (ring.phase[0] == exterior_phase || !should_split_wall(ring, wall_)) {
             return false;
         }
         const SplitResult result = split_wall(work_, ring);
-        if (result.verdict == Verdict::out_of_ids ||
-            result.verdict == Verdict::on_submesh_boundary) {
+        if (is_put_off(result.verdict)) {
             work_.put_off_interface.push_back(v);
         }
         if (result.verdict != Verdict::legal) {
             return false;
         }
-        ++work_.counts.interface_splits;
         work_.interface_next.push_back(v);
         work_.interface_next.push_back(result.vertex.id);
         return true;
@@ -187,12 +183,8 @@ private:
             if (moves && !keeps_area(ring, i, spokes.other(i), place)) {
                 continue;
             }
-            if (edge_collapse(complex_, work_.submesh, prev(ring.corner[i]),
-                              rewire::Vanishing::next) == Verdict::legal) {
-                ++work_.counts.interface_collapses;
-                for (std::uint32_t j = 0; j < ring.size; ++j) {
-                    work_.activate(ring.link[j]);
-                }
+            if (collapse_centre(work_, ring, prev(ring.corner[i]), rewire::Vanishing::next) ==
+                Verdict::legal) {
                 if (moves) {
                     move_survivor(ring.link[i], place);
                 }
@@ -245,12 +237,8 @@ private:
         Ring<Real>& star = work_.other_ring;
         if (gather(complex_, work_.submesh.region, v, star) && star.owned &&
             all_positive(star, place.x(), place.y())) {
-            auto& record = complex_.vertices[v];
-            write_shared(record.x, place.x());
-            write_shared(record.y, place.y());
-            for (std::uint32_t i = 0; i < star.size; ++i) {
-                work_.activate(star.link[i]);
-            }
+            rewire::move(complex_, work_.log, v, place.x(), place.y(), MoveReason::coarsening);
+            activate_link(work_, star);
         }
     }
 
@@ -333,24 +321,18 @@ private:
                 return false;
             }
         }
-        SplitResult result = edge_split(complex_, work_.submesh, prev(ring.corner[i]), point);
+        const Corner corner = prev(ring.corner[i]);
+        SplitResult result = dsc::split(work_, corner, point, Wake::all);
         if (result.verdict == Verdict::inverts) {
             point = midpoint<Real>(curve.p1, curve.p2);
-            result = edge_split(complex_, work_.submesh, prev(ring.corner[i]), point);
+            result = dsc::split(work_, corner, point, Wake::all);
         }
         if (result.verdict == Verdict::out_of_ids) {
             return false;
         }
-        if (result.verdict != Verdict::legal) {
-            return true;
+        if (result.verdict == Verdict::legal) {
+            newest_ = result.vertex.id;
         }
-        newest_ = result.vertex.id;
-        ++work_.counts.interface_splits;
-        work_.activate(newest_);
-        work_.activate(v);
-        work_.activate(ring.link[i]);
-        work_.activate(ring.link[i + 1]);
-        work_.activate(ring.link[i == 0 ? ring.size - 1 : i - 1]);
         return true;
     }
 

@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/mesh_update.h"
 
-#include "dsc/passes/wall.h"
 #include "dsc/motion/movement.h"
-#include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
-#include "dsc/operations/edge_split.h"
+#include "dsc/passes/wall.h"
 #include "dsc/quality/delaunay.h"
 #include "dsc/quality/ring_quality.h"
 
 namespace dsc {
-
-OperationCounts& OperationCounts::operator+=(const OperationCounts& other) {
-    moves += other.moves;
-    flips += other.flips;
-    interface_splits += other.interface_splits;
-    interface_collapses += other.interface_collapses;
-    splits += other.splits;
-    collapses += other.collapses;
-    smoothed += other.smoothed;
-    subdivisions += other.subdivisions;
-    retriangulations += other.retriangulations;
-    examined += other.examined;
-    return *this;
-}
 
 namespace {
 
@@ -86,7 +70,7 @@ private:
             if (!gather_star(v)) {
                 return;
             }
-            ++work_.counts.examined;
+            ++work_.log.counts.examined;
             const StarReport<Real> star = examine(ring_);
             if (star.delaunay < 0 && flip_spokes()) {
                 continue;
@@ -127,7 +111,7 @@ private:
 
     // --- flips --------------------------------------------------------------------------------
     bool flip_spokes() {
-        const std::uint64_t before = work_.counts.flips;
+        const std::uint64_t before = work_.log.counts.flips;
         work_.suspects.clear();
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             if (is_non_delaunay_spoke(ring_, i)) {
@@ -135,7 +119,7 @@ private:
             }
         }
         drain();
-        return work_.counts.flips != before;
+        return work_.log.counts.flips != before;
     }
 
     // The edges of the ring's triangles, after its centre moved: what the ring knows is not looked
@@ -191,7 +175,8 @@ private:
             }
             // All four vertices are owned: nothing is left to ask the region.
             if (flips >= max_flips_at_once ||
-                edge_flip(complex_, Submesh{Region{}, work_.submesh.pool}, c) != Verdict::legal) {
+                edge_flip(complex_, Submesh{Region{}, work_.submesh.pool, &work_.log}, c) !=
+                    Verdict::legal) {
                 continue;
             }
             ++flips;
@@ -200,7 +185,6 @@ private:
             suspects.push_back(o);
             suspects.push_back(prev(o));
         }
-        work_.counts.flips += flips;
     }
 
     // --- coarsening ---------------------------------------------------------------------------
@@ -265,15 +249,9 @@ private:
     }
 
     bool finish_collapse(std::uint32_t i) {
-        if (star_collapse_guard(complex_, ring_, i) != Verdict::legal) {
-            return false;
-        }
-        rewire::collapse(complex_, prev(ring_.corner[i]), rewire::Vanishing::next,
-                         *work_.submesh.pool);
-        ++work_.counts.collapses;
         const std::uint32_t target = ring_.link[i];
-        for (std::uint32_t j = 0; j < ring_.size; ++j) {
-            work_.activate(ring_.link[j]);
+        if (collapse_star(work_, ring_, i) != Verdict::legal) {
+            return false;
         }
         // Delaunay again, about the vertex that took the star.
         Ring<Real>& star = work_.other_ring;
@@ -296,18 +274,15 @@ private:
         const WallLimits<Real> wall{limit.longest, limit.shortest,
                                     std::sqrt(std::clamp(star.quality, Real(0), limit.collapse))};
         if (should_collapse_on_wall(ring_, wall, is_poor) && collapse_on_wall(work_, ring_, wall)) {
-            ++work_.counts.collapses;
             return WallUpkeep::gone;
         }
         if (!should_split_wall(ring_, wall)) {
             return WallUpkeep::none;
         }
         const SplitResult result = split_wall(work_, ring_);
-        if (result.verdict == Verdict::out_of_ids ||
-            result.verdict == Verdict::on_submesh_boundary) {
+        if (is_put_off(result.verdict)) {
             work_.put_off_active.push_back(v);
         }
-        work_.counts.splits += result.verdict == Verdict::legal ? 1U : 0U;
         return result.verdict == Verdict::legal ? WallUpkeep::split : WallUpkeep::none;
     }
 
@@ -342,12 +317,9 @@ private:
             work_.put_off_active.push_back(v);
             return false;
         }
-        auto& record = complex_.vertices[v];
-        write_shared(record.x, best_x);
-        write_shared(record.y, best_y);
+        rewire::move(complex_, work_.log, v, best_x, best_y, MoveReason::smoothing);
         ring_.x0 = best_x;
         ring_.y0 = best_y;
-        ++work_.counts.smoothed;
         return true;
     }
 
@@ -415,18 +387,11 @@ private:
             work_.put_off_active.push_back(ring_.vertex);
             return false;
         }
-        const SplitResult result =
-            edge_split(complex_, work_.submesh, prev(ring_.corner[spoke]), middle);
+        const SplitResult result = dsc::split(work_, prev(ring_.corner[spoke]), middle, Wake::far_end);
         if (result.verdict == Verdict::out_of_ids) {
             work_.put_off_active.push_back(ring_.vertex);
         }
-        if (result.verdict != Verdict::legal) {
-            return false;
-        }
-        ++work_.counts.splits;
-        work_.activate(result.vertex.id);
-        work_.activate(ring_.link[spoke]);
-        return true;
+        return result.verdict == Verdict::legal;
     }
 
     /// Of a triangle with a base of 1 and legs of the grading; squared.

@@ -2,6 +2,7 @@
 #include "dsc/passes/move_vertices.h"
 
 #include "dsc/motion/movement.h"
+#include "dsc/passes/edits.h"
 
 namespace dsc {
 
@@ -56,15 +57,12 @@ void move_vertices(Work<Real>& work) {
             work.put_off_movers.push_back(mover);
             continue;
         }
-        const MoveOutcome outcome = move_vertex(work.complex, ring, x, y);
+        const MoveOutcome outcome = move_vertex(work.complex, work.submesh, ring, x, y);
         if (outcome != MoveOutcome::blocked) {
             ++work.progressed;
-            ++work.counts.moves;
         }
         work.activate(mover.vertex);
-        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-            work.activate(ring.link[i]);
-        }
+        activate_link(work, ring);
         if (outcome != MoveOutcome::reached) {
             work.movers[kept++] = mover;
         } else {

@@ -68,14 +68,14 @@ template <class Real>
 struct Options {
     Real edge_length = 0; ///< target length of edges, in units of the domain; must be positive
 
-    PhaseThresholds phases;                 ///< of every phase that has none of its own
-    std::vector<PhaseThresholds> per_phase; ///< by phase number; may be shorter than the phases
-    InterfaceThresholds interface;
+    PhaseThresholds phases = {};                 ///< of every phase that has none of its own
+    std::vector<PhaseThresholds> per_phase = {}; ///< by phase number; may be shorter
+    InterfaceThresholds interface = {};
 
     Integrator integrator = Integrator::rk4;
     double tolerance = 1e-4; ///< of `adaptive`: error of a sub-step, in edge lengths
     Insertion insertion = Insertion::cubic;
-    InsertionFunction<Real> insertion_function; ///< replaces `insertion` where set
+    InsertionFunction<Real> insertion_function = {}; ///< replaces `insertion` where set
 
     std::uint64_t shuffle_seed =
         0; ///< not 0: work through the interface in another order in each step

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/thesis_algorithm.h"
 
-#include "dsc/passes/interface_upkeep.h"
-#include "dsc/passes/mesh_update.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/local_retriangulation.h"
 #include "dsc/operations/loop_subdivision.h"
 #include "dsc/operations/smoothing.h"
+#include "dsc/passes/interface_upkeep.h"
+#include "dsc/passes/mesh_update.h"
 #include "dsc/quality/delaunay.h"
 #include "dsc/quality/measures.h"
 #include "dsc/quality/ring_quality.h"
@@ -58,7 +58,6 @@ void smooth_interface(Work<Real>& work) {
     for (const std::uint32_t v : work.interface) {
         if (work.complex.is_alive(Vertex{v}) &&
             interface_smoothing(work.complex, work.submesh, Vertex{v}) == Verdict::legal) {
-            ++work.counts.smoothed;
             work.activate(v);
         }
     }
@@ -93,7 +92,7 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
 
     Algorithm<Real> algorithm = default_algorithm<Real>();
     if (thresholds.smooth_interface) {
-        algorithm.upkeep.push_back({"interface smoothing", &smooth_interface<Real>});
+        algorithm.upkeep.push_back({"interface smoothing", &smooth_interface<Real>, true});
     }
     const Pass<Real> last = algorithm.motion.back();
     algorithm.motion.pop_back();
@@ -107,7 +106,6 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
                                                            RetriangulationMethod::delaunay)
                                          .verdict;
              if (verdict == Verdict::legal) {
-                 ++work.counts.retriangulations;
                  for (const Vertex v : corners) {
                      if (work.complex.is_alive(v)) {
                          work.activate(v.id);
@@ -125,7 +123,6 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
              [](Work<Real>& work, Triangle t) {
                  const Verdict verdict = loop_subdivision(work.complex, work.submesh, t).verdict;
                  if (verdict == Verdict::legal) {
-                     ++work.counts.subdivisions;
                      activate_triangle(work, t);
                  }
                  return verdict;
@@ -144,9 +141,7 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
                  if (is_border(work.complex.twin(e.id)) || is_delaunay(work.complex, e.id)) {
                      return Verdict::no_gain;
                  }
-                 const Verdict verdict = edge_flip(work.complex, work.submesh, e);
-                 work.counts.flips += verdict == Verdict::legal ? 1U : 0U;
-                 return verdict;
+                 return edge_flip(work.complex, work.submesh, e);
              }}));
     algorithm.motion.push_back(mesh_update_pass<Real, Vertex>(
         {.name = "smoothing: Laplacian",
@@ -163,9 +158,7 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
          .select = below<Vertex>(thresholds.smooth_quality),
          .operation =
              [](Work<Real>& work, Vertex v) {
-                 const Verdict verdict = laplacian_smoothing(work.complex, work.submesh, v);
-                 work.counts.smoothed += verdict == Verdict::legal ? 1U : 0U;
-                 return verdict;
+                 return laplacian_smoothing(work.complex, work.submesh, v);
              }}));
     algorithm.motion.push_back(last);
     return algorithm;

@@ -4,8 +4,8 @@
 // the active set, so that a pass costs what changed and runs in submeshes as it is.
 #pragma once
 
-#include "dsc/passes/algorithm.h"
 #include "dsc/base/verdict.h"
+#include "dsc/passes/algorithm.h"
 #include "dsc/quality/selection.h"
 
 namespace dsc {

@@ -6,9 +6,7 @@
 // and its upkeep.
 #pragma once
 
-#include "dsc/passes/work.h"
-#include "dsc/operations/edge_collapse.h"
-#include "dsc/operations/edge_split.h"
+#include "dsc/passes/edits.h"
 #include "dsc/quality/measures.h"
 
 #include <algorithm>
@@ -91,10 +89,7 @@ bool collapse_on_wall(Work<Real>& work, const Ring<Real>& ring, const WallLimits
             return false; // the other one is worse
         }
         const WallSpoke<Real> spoke = wall_spoke(ring, is_first);
-        if (edge_collapse(work.complex, work.submesh, spoke.corner, spoke.end) == Verdict::legal) {
-            for (std::uint32_t j = 0; j < ring.link_size(); ++j) {
-                work.activate(ring.link[j]);
-            }
+        if (collapse_centre(work, ring, spoke.corner, spoke.end) == Verdict::legal) {
             return true;
         }
     }
@@ -115,15 +110,7 @@ SplitResult split_wall(Work<Real>& work, const Ring<Real>& ring) {
     if (!owns_place(work.submesh.region, middle)) {
         return {Verdict::on_submesh_boundary, {}};
     }
-    const SplitResult result =
-        edge_split(work.complex, work.submesh, wall_spoke(ring, true).corner, middle);
-    if (result.verdict == Verdict::legal) {
-        work.activate(result.vertex.id);
-        work.activate(ring.vertex);
-        work.activate(ring.link[0]);
-        work.activate(ring.link[1]);
-    }
-    return result;
+    return split(work, wall_spoke(ring, true).corner, middle, Wake::all);
 }
 
 } // namespace dsc

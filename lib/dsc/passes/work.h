@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What a pass works on: a submesh, the interface vertices that lie in it, and the active set, that
-// is the vertices whose star changed. The sequential driver has one, the parallel driver one for
-// each submesh. Nothing here grows with the mesh.
+// What a pass works on: a submesh, the interface vertices that lie in it, the active set, that is
+// the vertices whose star changed, and the log of its edits. The sequential driver has one, the
+// parallel driver one for each submesh. Nothing here grows with the mesh.
 #pragma once
 
-#include "dsc/passes/options.h"
 #include "dsc/complex/ring.h"
+#include "dsc/passes/options.h"
 
 #include <vector>
 
 namespace dsc {
-
-/// What was done. Sums over submeshes are independent of the number of threads.
-struct OperationCounts {
-    std::uint64_t moves = 0; ///< vertices moved, wholly or partly
-    std::uint64_t flips = 0;
-    std::uint64_t interface_splits = 0;
-    std::uint64_t interface_collapses = 0;
-    std::uint64_t splits = 0;    ///< inside phases
-    std::uint64_t collapses = 0; ///< inside phases
-    std::uint64_t smoothed = 0;
-    std::uint64_t subdivisions = 0;
-    std::uint64_t retriangulations = 0;
-    std::uint64_t examined = 0; ///< stars that were gathered for the mesh update
-
-    OperationCounts& operator+=(const OperationCounts& other);
-};
 
 /// A vertex on its way.
 template <class Real>
@@ -52,14 +36,22 @@ Attribute<Past<Real>>& past_of(Complex<Real>& complex);
 
 template <class Real>
 struct Work {
+    /// Refers to both: the executor that owns the work keeps a copy of the options.
     Work(Complex<Real>& complex_in, const Options<Real>& options_in)
-        : complex(complex_in), options(options_in), submesh{Region{}, &complex_in.ids},
-          past(options_in.integrator == Integrator::centred ? &past_of(complex_in) : nullptr) {}
+        : complex(complex_in), options(options_in), submesh{Region{}, &complex_in.ids, &log} {
+        find_past();
+    }
+    ~Work() = default;
+    Work(const Work&) = delete;
+    Work& operator=(const Work&) = delete;
+    Work(Work&&) = delete;
+    Work& operator=(Work&&) = delete;
 
     Complex<Real>& complex;
     const Options<Real>& options;
-    Submesh submesh;
-    Attribute<Past<Real>>* past; ///< of `Integrator::centred`; no other has one
+    EditLog log;                           ///< what was done here
+    Submesh submesh;                       ///< notes in `log`
+    Attribute<Past<Real>>* past = nullptr; ///< of `Integrator::centred`; no other has one
 
     std::vector<std::uint32_t> interface; ///< interface vertices, about in the order of the curve
     Aim<Real> aim;                        ///< of the interface vertices
@@ -72,8 +64,10 @@ struct Work {
     std::vector<std::uint32_t> put_off_active;
     std::vector<std::uint32_t> put_off_interface;
 
+    /// What passes of an application changed of the interface: see `run_pass`.
+    std::vector<std::uint32_t> changed_interface;
+
     std::size_t progressed = 0; ///< movers that got any further in the last movement pass
-    OperationCounts counts;
 
     // Scratch, kept so that nothing is allocated from step to step.
     Ring<Real> ring;
@@ -88,6 +82,10 @@ struct Work {
             record.stamp = epoch;
             active.push_back(vertex);
         }
+    }
+    /// To be called when the options have changed.
+    void find_past() {
+        past = options.integrator == Integrator::centred ? &past_of(complex) : nullptr;
     }
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/copied/copy_executor.h"
 
-#include "dsc/passes/interface_list.h"
 #include "dsc/base/require.h"
 #include "dsc/parallel/timer.h"
+#include "dsc/passes/interface_list.h"
 
 #include <algorithm>
 #include <utility>
@@ -32,7 +32,7 @@ template <class Real>
 CopyExecutor<Real>::CopyExecutor(Complex<Real>& complex, const Options<Real>& options,
                                  Algorithm<Real> algorithm, const CopyOptions& copy)
     : complex_(complex), options_(options), algorithm_(std::move(algorithm)), copy_(copy),
-      whole_(complex, options) {
+      whole_(complex, options_) {
     check_division({copy.submeshes, copy.normal_x, copy.normal_y});
     require(copy.threads >= 1 && copy.threads <= 1024, "threads", copy.threads, "1 to 1024");
     // Stamps of an earlier run must not look like this one's.
@@ -41,6 +41,26 @@ CopyExecutor<Real>::CopyExecutor(Complex<Real>& complex, const Options<Real>& op
     }
     whole_.epoch = ++epoch_;
     whole_.interface = collect_interface(complex, options.shuffle_seed);
+}
+
+template <class Real>
+void CopyExecutor<Real>::set_options(const Options<Real>& options) {
+    options_ = options;
+    whole_.find_past();
+    for (const auto& task : tasks_) {
+        task->work.find_past();
+    }
+}
+
+template <class Real>
+void CopyExecutor<Real>::keep_edits(bool keep) {
+    whole_.log.readers = keep ? 1 : 0;
+}
+
+template <class Real>
+std::vector<Edit> CopyExecutor<Real>::take_edits() {
+    append_edits(whole_.log, edits_);
+    return std::exchange(edits_, {});
 }
 
 template <class Real>
@@ -87,6 +107,10 @@ bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
     run_tasks();
     costs_.run_s += timer.lap();
     merge_submeshes(submeshes_, complex_);
+    append_edits(whole_.log, edits_);
+    if (whole_.log.readers > 0) {
+        edits_.push_back({.kind = EditKind::rebuild});
+    }
     const bool is_put_off = take_back();
     costs_.merge_s += timer.lap();
     ++costs_.rounds;
@@ -250,9 +274,9 @@ void CopyExecutor<Real>::append_interface(std::vector<std::uint32_t>& list) cons
 
 template <class Real>
 OperationCounts CopyExecutor<Real>::take_counts() {
-    OperationCounts total = std::exchange(whole_.counts, {});
+    OperationCounts total = std::exchange(whole_.log.counts, {});
     for (const auto& task : tasks_) {
-        total += std::exchange(task->work.counts, {});
+        total += std::exchange(task->work.log.counts, {});
     }
     return total;
 }

@@ -46,6 +46,11 @@ public:
     CopyExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
                  const CopyOptions& copy);
 
+    void set_options(const Options<Real>& options) override;
+    void absorb(std::span<const Edit> edits) override { absorb_edits(whole_, edits); }
+    void keep_edits(bool keep) override;
+    /// Edits within submeshes name the ids of copies and are not told: each merge is one `rebuild`.
+    [[nodiscard]] std::vector<Edit> take_edits() override;
     void begin_step() override { ++costs_.steps; }
     AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
     Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
@@ -79,7 +84,7 @@ private:
     void recover();
 
     Complex<Real>& complex_;
-    const Options<Real>& options_;
+    Options<Real> options_;
     Algorithm<Real> algorithm_;
     CopyOptions copy_;
     CopiedSubmeshes<Real> submeshes_;
@@ -91,6 +96,7 @@ private:
     std::uint32_t epoch_ = 0;
     bool under_way_ = false; ///< still true at the end of a step: something threw
     CopyCosts costs_;
+    std::vector<Edit> edits_;
 };
 
 } // namespace dsc

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/in_place/submesh_part.h"
 
-#include "dsc/passes/interface_list.h"
 #include "dsc/base/require.h"
+#include "dsc/passes/interface_list.h"
 
 #include <algorithm>
 #include <string>
@@ -31,7 +31,7 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
                                        std::unique_ptr<Partitioner<Real>> partitioner,
                                        const SubmeshOptions& submeshes)
     : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
-      partitioner_(std::move(partitioner)), submeshes_(submeshes), whole_(complex, options) {
+      partitioner_(std::move(partitioner)), submeshes_(submeshes), whole_(complex, options_) {
     check(submeshes);
     if (!partitioner_) {
         throw InputError("no partitioner", "SubmeshExecutor", "null", "an object");
@@ -175,6 +175,7 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
     while (parts_.size() < wanted) {
         parts_.push_back(std::make_unique<Part>(complex_, options_));
         keep_times(*parts_.back());
+        parts_.back()->work.log.readers = keeps_edits_ ? 1 : 0;
     }
     first_colour_ = partition_.colours.front().regions.size();
     std::size_t number = 0;
@@ -271,7 +272,9 @@ void SubmeshExecutor<Real>::recover() {
         part->work.movers.clear();
         part->work.active.clear();
         part->work.interface.clear();
+        part->work.changed_interface.clear();
     }
+    whole_.changed_interface.clear();
     whole_.movers.clear();
     whole_.active.clear();
     whole_.put_off_active.clear();
@@ -317,10 +320,10 @@ void SubmeshExecutor<Real>::append_interface(std::vector<std::uint32_t>& list) c
 
 template <class Real>
 OperationCounts SubmeshExecutor<Real>::take_counts() {
-    OperationCounts total = std::exchange(whole_.counts, {});
+    OperationCounts total = std::exchange(whole_.log.counts, {});
     for (auto& part : parts_) {
-        part->examined += part->work.counts.examined;
-        total += std::exchange(part->work.counts, {});
+        part->examined += part->work.log.counts.examined;
+        total += std::exchange(part->work.log.counts, {});
     }
     return total;
 }

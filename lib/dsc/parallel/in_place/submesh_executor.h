@@ -7,9 +7,9 @@
 #pragma once
 
 #include "dsc/algorithm/executor.h"
-#include "dsc/parallel/partition/partition.h"
 #include "dsc/parallel/in_place/schedule.h"
 #include "dsc/parallel/in_place/step_profile.h"
+#include "dsc/parallel/partition/partition.h"
 
 namespace dsc {
 
@@ -36,6 +36,10 @@ public:
     SubmeshExecutor(SubmeshExecutor&&) = delete;
     SubmeshExecutor& operator=(SubmeshExecutor&&) = delete;
 
+    void set_options(const Options<Real>& options) override;
+    void absorb(std::span<const Edit> edits) override;
+    void keep_edits(bool keep) override;
+    [[nodiscard]] std::vector<Edit> take_edits() override;
     void begin_step() override;
     AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
     Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
@@ -78,12 +82,16 @@ private:
     void unlist(std::uint32_t vertex);
     void clean_up(MoveReport& report);
     void recover();
+    void collect_edits();
+    void collect_changes();
+    void change_interface(std::span<const std::uint32_t> changed);
+    void forget_ids();
     [[nodiscard]] Part& owner_of(std::uint32_t vertex);
     [[nodiscard]] Point<double> place_of(std::uint32_t vertex) const;
     [[nodiscard]] std::vector<float> work_of(const std::vector<std::uint32_t>& list) const;
 
     Complex<Real>& complex_;
-    const Options<Real>& options_;
+    Options<Real> options_;
     Algorithm<Real> algorithm_;
     std::unique_ptr<Partitioner<Real>> partitioner_;
     SubmeshOptions submeshes_;
@@ -101,6 +109,8 @@ private:
     std::uint32_t epoch_ = 0;
     bool under_way_ = false; // still true at the end of a step: something threw
     StepProfile profile_;
+    bool keeps_edits_ = false;
+    std::vector<Edit> edits_; // in the order of the sections, and there of the submeshes
 };
 
 } // namespace dsc

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The step itself: what the submeshes do, what they hand on, and what is left in the end.
 #include "dsc/parallel/in_place/submesh_part.h"
+#include "dsc/passes/readers.h"
 
 #include <algorithm>
 
@@ -68,7 +69,7 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Velocit
         begin_part(part);
     }
     if (pass < algorithm_.upkeep.size()) {
-        algorithm_.upkeep[pass].run(work);
+        run_pass(work, algorithm_.upkeep[pass]);
     }
     part.upkeep_s += timer.lap();
     if (pass + 1 >= algorithm_.upkeep.size()) {
@@ -161,11 +162,13 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>& velocity, Real 
                     std::cref(task)); // by reference: no allocation
     }
     const double wall = timer.lap();
+    collect_edits();
     AimReport<Real> report;
     for (std::size_t i = 0; i < first_colour_; ++i) {
         report += parts_[i]->aimed;
     }
     report += hand_over(velocity, time, dt);
+    collect_edits();
     if (submeshes_.profile) {
         SubStepProfile& profile = profile_.sub_steps.emplace_back();
         profile.set_up = set_up;
@@ -205,7 +208,7 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Velocity<Real>& velocity,
     }
     whole_.epoch = next_epochs();
     for (const auto& pass : algorithm_.upkeep) {
-        pass.run(whole_);
+        run_pass(whole_, pass);
     }
     whole_.put_off_interface.clear();
     // Who is left of those that are listed stays listed; the others are new somewhere. A vertex
@@ -301,10 +304,13 @@ MoveReport SubmeshExecutor<Real>::move() {
     const double hand_over = timer.lap();
     moving_.run(threads_, submeshes_.assignment, [&](std::size_t task) { move_part(task); });
     const double wall = timer.lap();
+    collect_edits();
     for (const auto& part : parts_) {
         report += part->moved;
     }
     clean_up(report);
+    collect_edits();
+    collect_changes();
     report.unreached += report.held;
     under_way_ = false;
     if (submeshes_.profile) {

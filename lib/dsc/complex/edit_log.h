@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// The log of edits. Connectivity, positions and phases change in one place (rewire.h), which notes
+// each change here: always by a count, and by a record where somebody wants to read it. Active
+// sets, interface lists, counts and the listeners of an application are readers of such logs.
+//
+// Each submesh has a log of its own, so that no two threads share one. The logs are read in the
+// order of the submeshes: what is read does not depend on threads.
+#pragma once
+
+#include "dsc/base/types.h"
+#include "dsc/complex/corner.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace dsc {
+
+enum class EditKind : std::uint8_t {
+    flip,            ///< an edge became the other diagonal of its two triangles
+    split,           ///< a new vertex on an edge
+    collapse,        ///< a vertex vanished into a neighbour
+    move,            ///< a vertex changed its position
+    relabel,         ///< a triangle changed its phase
+    retriangulate,   ///< the triangles around one were replaced; records of what vanished follow
+    insert_vertex,   ///< a vertex without triangles
+    remove_vertex,   ///< a vertex that no triangle uses any more
+    insert_triangle, ///< between three vertices
+    remove_triangle, ///< leaves its vertices behind
+    renumber,        ///< `renumber` was called: all ids are new, handles from before are void
+    rebuild,         ///< another mesh is in its place: all ids are new (create and merge)
+};
+inline constexpr int edit_kind_count = 12;
+
+[[nodiscard]] constexpr std::string_view to_string(EditKind kind) {
+    switch (kind) {
+    case EditKind::flip: return "flip";
+    case EditKind::split: return "split";
+    case EditKind::collapse: return "collapse";
+    case EditKind::move: return "move";
+    case EditKind::relabel: return "relabel";
+    case EditKind::retriangulate: return "retriangulate";
+    case EditKind::insert_vertex: return "insert_vertex";
+    case EditKind::remove_vertex: return "remove_vertex";
+    case EditKind::insert_triangle: return "insert_triangle";
+    case EditKind::remove_triangle: return "remove_triangle";
+    case EditKind::renumber: return "renumber";
+    case EditKind::rebuild: return "rebuild";
+    }
+    return "unknown";
+}
+
+/// Why a vertex moved.
+enum class MoveReason : std::uint8_t {
+    application, ///< somebody else's edit
+    flow,        ///< towards the target that the velocity gave it
+    smoothing,   ///< for the quality of its star
+    coarsening,  ///< to keep an area when its neighbour on the interface went
+};
+
+/// One edit. What does not belong to a kind is invalid (no_id).
+struct Edit {
+    EditKind kind = EditKind::flip;
+    MoveReason reason = MoveReason::application; ///< of a move
+    bool on_interface = false;                   ///< split, collapse: of an interface edge
+    /// flip, split, collapse: opposite to the edge, as a corner before the edit. relabel,
+    /// retriangulate, insert_triangle, remove_triangle: 4 * triangle.
+    Corner corner = no_id;
+    /// split: the new vertex; collapse: the one that vanished; move, insert_vertex, remove_vertex:
+    /// the one.
+    Vertex vertex = {};
+    /// flip: the ends of the edge before; split: the parents; collapse: the one that vanished, and
+    /// the one that it went into. insert_triangle, remove_triangle: its first two vertices.
+    std::array<Vertex, 2> ends = {};
+    /// flip: the ends of the edge after; split, collapse: the vertices opposite to the edge, the
+    /// second invalid on the domain boundary. insert_triangle, remove_triangle: the third vertex.
+    std::array<Vertex, 2> apexes = {};
+    /// split: the new triangles, the second invalid on the domain boundary. relabel: the phases
+    /// before and after. insert_triangle: its phase.
+    std::array<std::uint32_t, 2> made{no_id, no_id};
+    /// split, move, insert_vertex: the position after, in units of the domain.
+    double x = 0;
+    double y = 0;
+};
+static_assert(sizeof(Edit) == 56);
+
+/// How many edits of each sort there were. Sums over submeshes do not depend on threads.
+struct OperationCounts {
+    std::uint64_t moves = 0; ///< vertices moved by the flow, wholly or partly
+    std::uint64_t flips = 0;
+    std::uint64_t interface_splits = 0;
+    std::uint64_t interface_collapses = 0;
+    std::uint64_t splits = 0;    ///< of other edges
+    std::uint64_t collapses = 0; ///< along other edges
+    std::uint64_t smoothed = 0;
+    std::uint64_t subdivisions = 0; ///< whose splits and flips count as well
+    std::uint64_t retriangulations = 0;
+    std::uint64_t relabelled = 0; ///< triangles that changed their phase
+    std::uint64_t examined = 0;   ///< stars that were gathered for the mesh update
+
+    OperationCounts& operator+=(const OperationCounts& other);
+};
+
+/// Hears edits, some at a time, in an order that does not depend on threads. The handles are those
+/// of the moment of the edit: a vertex of one record may have vanished by a later one. Called by
+/// the thread that calls `Simulation::step`, between sub-steps; must not change the complex.
+using EditListener = std::function<void(std::span<const Edit> edits)>;
+
+/// Counts edits, and keeps their records while somebody reads them. A copy is empty and has no
+/// reader: whoever reads the log of a complex does not read that of its copies.
+class EditLog {
+public:
+    EditLog() = default;
+    EditLog(const EditLog& /*other*/) {}
+    EditLog& operator=(const EditLog& other) {
+        if (this != &other) {
+            *this = EditLog{};
+        }
+        return *this;
+    }
+    EditLog(EditLog&&) noexcept = default;
+    EditLog& operator=(EditLog&&) noexcept = default;
+    ~EditLog() = default;
+
+    OperationCounts counts;
+    std::vector<Edit> records;
+    std::uint32_t readers = 0; ///< records are kept while there are any
+};
+
+} // namespace dsc

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Logs of edits as text files: one record a line, and at the end how many there are. With the
+// complex that a run began with, such a file is the run (operations/replay.h).
+#pragma once
+
+#include "dsc/complex/edit_log.h"
+#include "dsc/io/part_file.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dsc {
+
+/// A file that edits are written to as they are heard:
+///
+///     EditFile file("run.edits");
+///     simulation.add_listener([&](std::span<const Edit> edits) { file.write(edits); });
+///     ...
+///     file.commit();
+///
+/// Until `commit` it is written beside its place. Throws FileError.
+class EditFile {
+public:
+    explicit EditFile(std::string path);
+    void write(std::span<const Edit> edits);
+    void commit();
+
+private:
+    PartFile file_;
+    std::uint64_t count_ = 0;
+};
+
+void write_edits(const std::string& path, std::span<const Edit> edits);
+
+/// Throws FileError where the file is missing, is no such file, has a line that is no record (with
+/// the number of the line), or ends before its end.
+[[nodiscard]] std::vector<Edit> read_edits(const std::string& path);
+
+} // namespace dsc

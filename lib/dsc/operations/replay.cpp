@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/operations/replay.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/mesh_functions.h"
+#include "dsc/complex/numbering.h"
+#include "dsc/complex/rewire.h"
+#include "dsc/operations/local_retriangulation.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+template <class Real>
+class Replay {
+public:
+    explicit Replay(Complex<Real>& complex) : complex_(complex) {}
+
+    bool play(const Edit& edit) {
+        switch (edit.kind) {
+        case EditKind::flip: return flip(edit);
+        case EditKind::split: return split(edit);
+        case EditKind::collapse: return collapse(edit);
+        case EditKind::move: return move(edit);
+        case EditKind::relabel: return relabel(edit);
+        case EditKind::insert_vertex: return insert_vertex(edit);
+        case EditKind::remove_vertex: return remove_vertex(edit);
+        case EditKind::renumber:
+            gather_free_ids();
+            renumber(complex_);
+            return true;
+        case EditKind::retriangulate: return retriangulate(edit);
+        case EditKind::insert_triangle: return insert_triangle(edit);
+        case EditKind::remove_triangle: return remove_triangle(edit);
+        case EditKind::rebuild:
+            throw InputError("what create and merge did to copies is not in a log", "replay",
+                             std::string(to_string(edit.kind)), "records of any other kind");
+        }
+        return false;
+    }
+
+    // The pool of the complex: every id that is not alive.
+    void gather_free_ids() {
+        complex_.ids.vertices.clear();
+        complex_.ids.triangles.clear();
+        for (std::uint32_t v = complex_.vertex_bound(); v-- > 0;) {
+            if (!complex_.is_alive(Vertex{v})) {
+                complex_.ids.vertices.push_back(v);
+            }
+        }
+        for (std::uint32_t t = complex_.triangle_bound(); t-- > 1;) {
+            if (!complex_.is_alive(Triangle{t})) {
+                complex_.ids.triangles.push_back(t);
+            }
+        }
+        complex_.lent_vertices = 0;
+        complex_.lent_triangles = 0;
+    }
+
+private:
+    // Whether the edge opposite to the corner is the one that the record means.
+    [[nodiscard]] bool is_edge(const Edit& edit) const {
+        const Corner c = edit.corner;
+        if (index_of(c) > 2 || !complex_.is_alive(Triangle{triangle_of(c)})) {
+            return false;
+        }
+        const Corner across = complex_.twin(c);
+        const std::array<std::uint32_t, 2> ends{complex_.vertex(next(c)), complex_.vertex(prev(c))};
+        const bool same = ends[0] == edit.ends[0].id && ends[1] == edit.ends[1].id;
+        const bool turned = ends[1] == edit.ends[0].id && ends[0] == edit.ends[1].id;
+        return (same || turned) && complex_.vertex(c) == edit.apexes[0].id &&
+               (is_border(across) ? !edit.apexes[1].is_valid()
+                                  : complex_.vertex(across) == edit.apexes[1].id);
+    }
+
+    // Makes room for an id that a submesh had of its own.
+    void have_vertex(std::uint32_t id) {
+        while (complex_.vertex_bound() <= id) {
+            const std::uint32_t added = complex_.take_vertex(fresh_);
+            complex_.vertices[added].flags = vertex_dead;
+        }
+    }
+    void have_triangle(std::uint32_t id) {
+        while (complex_.triangle_bound() <= id) {
+            const std::uint32_t added = complex_.take_triangle(fresh_);
+            complex_.triangles[added].v = {no_id, no_id, no_id};
+        }
+    }
+
+    bool flip(const Edit& edit) {
+        if (!is_edge(edit) || is_border(complex_.twin(edit.corner))) {
+            return false;
+        }
+        rewire::flip(complex_, silent_, edit.corner);
+        return true;
+    }
+
+    bool split(const Edit& edit) {
+        if (!is_edge(edit)) {
+            return false;
+        }
+        const bool border = is_border(complex_.twin(edit.corner));
+        have_vertex(edit.vertex.id);
+        have_triangle(edit.made[0]);
+        if (!border) {
+            have_triangle(edit.made[1]);
+        }
+        if (complex_.is_alive(edit.vertex) || complex_.is_alive(Triangle{edit.made[0]}) ||
+            (!border && complex_.is_alive(Triangle{edit.made[1]}))) {
+            return false;
+        }
+        complex_.vertices[edit.vertex.id] = VertexRecord<Real>{0, 0, no_id, 0, 0, no_id};
+        rewire::split(complex_, silent_, edit.corner, edit.vertex.id, place(edit), edit.made[0],
+                      border ? no_id : edit.made[1]);
+        return true;
+    }
+
+    bool collapse(const Edit& edit) {
+        if (!is_edge(edit)) {
+            return false;
+        }
+        const bool is_next = complex_.vertex(next(edit.corner)) == edit.vertex.id;
+        rewire::collapse(complex_, silent_, edit.corner,
+                         is_next ? rewire::Vanishing::next : rewire::Vanishing::prev, freed_);
+        return true;
+    }
+
+    bool move(const Edit& edit) {
+        if (!complex_.is_alive(edit.vertex)) {
+            return false;
+        }
+        const Point<Real> to = place(edit);
+        rewire::move(complex_, silent_, edit.vertex.id, to.x(), to.y(), edit.reason);
+        return true;
+    }
+
+    bool relabel(const Edit& edit) {
+        const Triangle t{triangle_of(edit.corner)};
+        if (!complex_.is_alive(t) || complex_.phase(t) != edit.made[0]) {
+            return false;
+        }
+        rewire::relabel(complex_, silent_, t, edit.made[1]);
+        return true;
+    }
+
+    bool insert_vertex(const Edit& edit) {
+        have_vertex(edit.vertex.id);
+        if (complex_.is_alive(edit.vertex)) {
+            return false;
+        }
+        const Point<Real> at = place(edit);
+        complex_.vertices[edit.vertex.id] = VertexRecord<Real>{at.x(), at.y(), no_id, 0, 0, no_id};
+        complex_.attributes.reset_vertex(edit.vertex.id);
+        return true;
+    }
+
+    bool remove_vertex(const Edit& edit) {
+        if (!complex_.is_alive(edit.vertex)) {
+            return true; // with the retriangulation before it
+        }
+        if (complex_.vertices[edit.vertex.id].corner != no_id) {
+            return false;
+        }
+        complex_.give_vertex(freed_, edit.vertex.id);
+        return true;
+    }
+
+    // By ears alone: the flips after it have records of their own.
+    bool retriangulate(const Edit& edit) {
+        const Triangle t{triangle_of(edit.corner)};
+        return complex_.is_alive(t) &&
+               local_retriangulation(complex_, Submesh{Region{}, &freed_, &silent_}, t).verdict ==
+                   Verdict::legal;
+    }
+
+    [[nodiscard]] static std::array<Vertex, 3> corners_of(const Edit& edit) {
+        return {edit.ends[0], edit.ends[1], edit.apexes[0]};
+    }
+
+    bool insert_triangle(const Edit& edit) {
+        const std::uint32_t id = triangle_of(edit.corner);
+        const auto v = corners_of(edit);
+        have_triangle(id);
+        if (complex_.is_alive(Triangle{id}) ||
+            !std::ranges::all_of(v, [&](Vertex one) { return complex_.is_alive(one); })) {
+            return false;
+        }
+        complex_.ids.triangles.assign(1, id);
+        try {
+            dsc::insert_triangle(complex_, v[0], v[1], v[2], edit.made[0]);
+        } catch (const InputError&) {
+            return false; // it has no place without the records that were left out
+        }
+        return true;
+    }
+
+    bool remove_triangle(const Edit& edit) {
+        const Triangle t{triangle_of(edit.corner)};
+        if (!complex_.is_alive(t) || complex_.vertices_of(t) != corners_of(edit)) {
+            return false;
+        }
+        dsc::remove(complex_, SimplexSet({}, {}, {t}));
+        return true;
+    }
+
+    static Point<Real> place(const Edit& edit) {
+        return {static_cast<Real>(edit.x), static_cast<Real>(edit.y)};
+    }
+
+    Complex<Real>& complex_;
+    EditLog silent_;
+    IdPool fresh_; // always empty: an id that is asked for is a new one
+    IdPool freed_; // not looked at: the records say which id comes next
+};
+
+} // namespace
+
+template <class Real>
+ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits) {
+    const std::uint32_t readers = std::exchange(complex.journal.readers, 0U);
+    Replay<Real> again(complex);
+    ReplayReport report;
+    for (const Edit& edit : edits) {
+        ++(again.play(edit) ? report.done : report.skipped);
+    }
+    again.gather_free_ids();
+    complex.journal.readers = readers;
+    return report;
+}
+
+template <class Real>
+std::vector<Edit> cut_down(const Complex<Real>& first, std::vector<Edit> edits,
+                           const std::function<bool(const Complex<Real>& replayed)>& fails) {
+    const auto still_fails = [&](const std::vector<Edit>& some) {
+        Complex<Real> complex = first;
+        replay<Real>(complex, some);
+        return fails(complex);
+    };
+    if (!still_fails(edits)) {
+        return edits;
+    }
+    for (std::size_t piece = (edits.size() + 1) / 2; piece > 0; piece /= 2) {
+        // From the end: what comes late depends on what came before.
+        for (std::size_t end = edits.size(); end > 0;) {
+            const std::size_t begin = end > piece ? end - piece : 0;
+            std::vector<Edit> fewer(edits.begin(),
+                                    edits.begin() + static_cast<std::ptrdiff_t>(begin));
+            fewer.insert(fewer.end(), edits.begin() + static_cast<std::ptrdiff_t>(end),
+                         edits.end());
+            if (still_fails(fewer)) {
+                edits = std::move(fewer);
+            }
+            end = begin;
+        }
+    }
+    return edits;
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template ReplayReport replay(Complex<Real>&, std::span<const Edit>);                           \
+    template std::vector<Edit> cut_down(const Complex<Real>&, std::vector<Edit>,                   \
+                                        const std::function<bool(const Complex<Real>&)>&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

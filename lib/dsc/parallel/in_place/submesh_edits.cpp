@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Edits in and out: what the submeshes did, for listeners; and what the application did between two
+// steps, for the submeshes.
+#include "dsc/parallel/in_place/submesh_part.h"
+#include "dsc/passes/interface_list.h"
+#include "dsc/passes/readers.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dsc {
+
+template <class Real>
+void SubmeshExecutor<Real>::set_options(const Options<Real>& options) {
+    options_ = options;
+    whole_.find_past();
+    for (const auto& part : parts_) {
+        part->work.find_past();
+    }
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::keep_edits(bool keep) {
+    keeps_edits_ = keep;
+    whole_.log.readers = keep ? 1 : 0;
+    for (const auto& part : parts_) {
+        part->work.log.readers = keep ? 1 : 0;
+    }
+}
+
+// To be called between the sections of a sub-step. The submeshes of one section do not touch what
+// others own, and each of a later colour comes after those that it waited for, so that their edits
+// can be replayed submesh by submesh.
+template <class Real>
+void SubmeshExecutor<Real>::collect_edits() {
+    if (!keeps_edits_) {
+        return;
+    }
+    for (const auto& part : parts_) {
+        append_edits(part->work.log, edits_);
+    }
+    append_edits(whole_.log, edits_);
+}
+
+template <class Real>
+std::vector<Edit> SubmeshExecutor<Real>::take_edits() {
+    collect_edits();
+    return std::exchange(edits_, {});
+}
+
+// Passes of an application may have changed the interface where the list of another submesh has it.
+template <class Real>
+void SubmeshExecutor<Real>::collect_changes() {
+    std::vector<std::uint32_t> changed;
+    const auto take = [&](Work<Real>& work) {
+        changed.insert(changed.end(), work.changed_interface.begin(), work.changed_interface.end());
+        work.changed_interface.clear();
+    };
+    for (const auto& part : parts_) {
+        take(part->work);
+    }
+    take(whole_);
+    if (changed.empty()) {
+        return;
+    }
+    std::ranges::sort(changed);
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for (std::size_t i = first_colour_; i < parts_.size(); ++i) {
+        parts_[i]->work.interface.clear();
+    }
+    whole_.interface.clear();
+    change_interface(changed);
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::change_interface(std::span<const std::uint32_t> changed) {
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        take_off(parts_[i]->work.interface, changed);
+    }
+    take_off(whole_.interface, changed);
+    for (const std::uint32_t v : on_interface(complex_, changed)) {
+        (parts_.empty() ? whole_ : owner_of(v).work).interface.push_back(v);
+    }
+}
+
+// After a renumbering the ids that the submeshes hold are those of others.
+template <class Real>
+void SubmeshExecutor<Real>::forget_ids() {
+    for (const auto& part : parts_) {
+        part->pool.vertices.clear();
+        part->pool.triangles.clear();
+        part->forget_put_off();
+        part->work.active.clear();
+        part->work.interface.clear();
+    }
+    whole_.active.clear();
+    whole_.interface.clear();
+    std::vector<std::uint32_t> list = collect_interface(complex_, options_.shuffle_seed);
+    if (parts_.empty()) {
+        whole_.interface = std::move(list);
+    } else {
+        hand_out(std::move(list));
+    }
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::absorb(std::span<const Edit> edits) {
+    const auto after = edits_after_renumbering(edits);
+    if (after.size() != edits.size()) {
+        forget_ids();
+    }
+    if (const auto changed = interface_changes(complex_, after); !changed.empty()) {
+        change_interface(changed);
+    }
+    // They are looked at when the submeshes have done their part.
+    whole_.epoch = next_epochs();
+    wake(whole_, after);
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template void SubmeshExecutor<Real>::set_options(const Options<Real>&);                        \
+    template void SubmeshExecutor<Real>::keep_edits(bool);                                         \
+    template void SubmeshExecutor<Real>::collect_edits();                                          \
+    template void SubmeshExecutor<Real>::collect_changes();                                        \
+    template std::vector<Edit> SubmeshExecutor<Real>::take_edits();                                \
+    template void SubmeshExecutor<Real>::absorb(std::span<const Edit>);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What the passes edit with: an operation with its guard, and after it the vertices whose stars are
+// to be looked at. A pass is then candidates, guard, edit. Passes of an application may use the
+// public operations instead, with `work.submesh`: what they did is read from the log (readers.h).
+#pragma once
+
+#include "dsc/operations/edge_collapse.h"
+#include "dsc/operations/edge_split.h"
+#include "dsc/passes/work.h"
+
+namespace dsc {
+
+/// Puts the link of the centre into the active set, counter-clockwise. O(degree).
+template <class Real>
+void activate_link(Work<Real>& work, const Ring<Real>& ring) {
+    for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+        work.activate(ring.link[i]);
+    }
+}
+
+/// Collapses the edge opposite to `corner`, at whose vanishing end the centre of the ring is, and
+/// activates the link.
+template <class Real>
+Verdict collapse_centre(Work<Real>& work, const Ring<Real>& ring, Corner corner,
+                        rewire::Vanishing end) {
+    const Verdict verdict = edge_collapse(work.complex, work.submesh, corner, end);
+    if (verdict == Verdict::legal) {
+        activate_link(work, ring);
+    }
+    return verdict;
+}
+
+/// The same for a centre inside one phase with its star owned as a whole, into link vertex i: only
+/// inversion can stop it (`star_collapse_guard`).
+template <class Real>
+Verdict collapse_star(Work<Real>& work, const Ring<Real>& ring, std::uint32_t i) {
+    const Verdict verdict = star_collapse_guard(work.complex, ring, i);
+    if (verdict == Verdict::legal) {
+        rewire::collapse(work.complex, work.log, prev(ring.corner[i]), rewire::Vanishing::next,
+                         *work.submesh.pool);
+        activate_link(work, ring);
+    }
+    return verdict;
+}
+
+/// Whose stars are to be looked at after a split.
+enum class Wake : std::uint8_t {
+    far_end, ///< the new vertex, and the end of the edge that is not being looked at already
+    all,     ///< the new vertex, and those of the two triangles
+};
+
+/// Splits the edge opposite to `corner` at `point`. The vertex at next(corner) is the one that is
+/// being looked at.
+template <class Real>
+SplitResult split(Work<Real>& work, Corner corner, const Point<Real>& point, Wake wake) {
+    const Complex<Real>& complex = work.complex;
+    const Corner across = complex.twin(corner);
+    const std::uint32_t near = complex.vertex(next(corner));
+    const std::uint32_t far = complex.vertex(prev(corner));
+    const std::uint32_t left = complex.vertex(corner);
+    const std::uint32_t right = is_border(across) ? no_id : complex.vertex(across);
+    const SplitResult result = edge_split(work.complex, work.submesh, corner, point);
+    if (result.verdict != Verdict::legal) {
+        return result;
+    }
+    work.activate(result.vertex.id);
+    if (wake == Wake::all) {
+        work.activate(near);
+    }
+    work.activate(far);
+    if (wake == Wake::all) {
+        work.activate(left);
+        if (right != no_id) {
+            work.activate(right);
+        }
+    }
+    return result;
+}
+
+/// Whether an edit that was refused so is one for another submesh, or for a later colour.
+constexpr bool is_put_off(Verdict verdict) {
+    return verdict == Verdict::out_of_ids || verdict == Verdict::on_submesh_boundary;
+}
+
+} // namespace dsc

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/passes/readers.h"
+
+#include "dsc/complex/mesh_functions.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+namespace {
+
+template <class Real>
+void wake_vertex(Work<Real>& work, Vertex v) {
+    if (work.complex.is_alive(v)) {
+        work.activate(v.id);
+    }
+}
+
+// The vertex and its link, counter-clockwise.
+template <class Real>
+void wake_star(Work<Real>& work, Vertex v) {
+    wake_vertex(work, v);
+    if (work.complex.is_alive(v) && gather(work.complex, work.submesh.region, v.id, work.ring)) {
+        for (std::uint32_t i = 0; i < work.ring.link_size(); ++i) {
+            work.activate(work.ring.link[i]);
+        }
+    }
+}
+
+template <class Real>
+void wake_triangle(Work<Real>& work, Triangle t) {
+    if (work.complex.is_alive(t)) {
+        for (const Vertex v : work.complex.vertices_of(t)) {
+            work.activate(v.id);
+        }
+    }
+}
+
+template <class Real>
+void wake_edit(Work<Real>& work, const Edit& edit) {
+    switch (edit.kind) {
+    case EditKind::collapse: wake_star(work, edit.ends[1]); break;
+    case EditKind::move: wake_star(work, edit.vertex); break;
+    case EditKind::relabel:
+    case EditKind::retriangulate: wake_triangle(work, Triangle{triangle_of(edit.corner)}); break;
+    case EditKind::renumber:
+    case EditKind::rebuild: break;
+    case EditKind::flip:
+    case EditKind::split:
+    case EditKind::insert_vertex:
+    case EditKind::remove_vertex:
+    case EditKind::insert_triangle:
+    case EditKind::remove_triangle:
+        for (const Vertex v :
+             {edit.vertex, edit.ends[0], edit.ends[1], edit.apexes[0], edit.apexes[1]}) {
+            wake_vertex(work, v);
+        }
+        break;
+    }
+}
+
+} // namespace
+
+std::span<const Edit> edits_after_renumbering(std::span<const Edit> edits) {
+    for (std::size_t i = edits.size(); i > 0; --i) {
+        const EditKind kind = edits[i - 1].kind;
+        if (kind == EditKind::renumber || kind == EditKind::rebuild) {
+            return edits.subspan(i);
+        }
+    }
+    return edits;
+}
+
+template <class Real>
+void wake(Work<Real>& work, std::span<const Edit> edits) {
+    for (const Edit& edit : edits) {
+        wake_edit(work, edit);
+    }
+}
+
+template <class Real>
+std::vector<std::uint32_t> interface_changes(const Complex<Real>& complex,
+                                             std::span<const Edit> edits) {
+    std::vector<std::uint32_t> changed;
+    const auto add = [&](std::initializer_list<Vertex> vertices) {
+        for (const Vertex v : vertices) {
+            if (v.is_valid()) {
+                changed.push_back(v.id);
+            }
+        }
+    };
+    for (const Edit& edit : edits) {
+        switch (edit.kind) {
+        case EditKind::split:
+            // Its id may have been that of an interface vertex before.
+            add({edit.vertex});
+            break;
+        case EditKind::collapse: add({edit.ends[0], edit.ends[1]}); break;
+        case EditKind::relabel: {
+            const Triangle t{triangle_of(edit.corner)};
+            if (complex.is_alive(t)) {
+                const auto v = complex.vertices_of(t);
+                add({v[0], v[1], v[2]});
+            }
+            break;
+        }
+        case EditKind::insert_vertex:
+        case EditKind::remove_vertex: add({edit.vertex}); break;
+        case EditKind::insert_triangle:
+        case EditKind::remove_triangle: add({edit.ends[0], edit.ends[1], edit.apexes[0]}); break;
+        case EditKind::flip:
+        case EditKind::move:
+        case EditKind::retriangulate:
+        case EditKind::renumber:
+        case EditKind::rebuild: break;
+        }
+    }
+    std::ranges::sort(changed);
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    return changed;
+}
+
+void take_off(std::vector<std::uint32_t>& list, std::span<const std::uint32_t> changed) {
+    std::erase_if(list, [&](std::uint32_t v) { return std::ranges::binary_search(changed, v); });
+}
+
+template <class Real>
+std::vector<std::uint32_t> on_interface(const Complex<Real>& complex,
+                                        std::span<const std::uint32_t> changed) {
+    std::vector<std::uint32_t> on;
+    for (const std::uint32_t v : changed) {
+        if (complex.is_alive(Vertex{v}) && complex.vertices[v].corner != no_id &&
+            is_interface(complex, Vertex{v})) {
+            on.push_back(v);
+        }
+    }
+    return on;
+}
+
+namespace {
+
+// Has the log keep records for a while, whatever happens.
+class LogReader {
+public:
+    explicit LogReader(EditLog& log) : log_(log), from_(log.records.size()) { ++log_.readers; }
+    ~LogReader() {
+        --log_.readers;
+        if (log_.readers == 0) {
+            log_.records.resize(from_);
+        }
+    }
+    LogReader(const LogReader&) = delete;
+    LogReader& operator=(const LogReader&) = delete;
+    LogReader(LogReader&&) = delete;
+    LogReader& operator=(LogReader&&) = delete;
+
+    [[nodiscard]] std::span<const Edit> edits() const {
+        return std::span<const Edit>(log_.records).subspan(from_);
+    }
+
+private:
+    EditLog& log_;
+    std::size_t from_;
+};
+
+} // namespace
+
+template <class Real>
+void run_pass(Work<Real>& work, const Pass<Real>& pass) {
+    if (pass.attends) {
+        pass.run(work);
+        return;
+    }
+    const LogReader reading(work.log);
+    pass.run(work);
+    if (reading.edits().empty()) {
+        return;
+    }
+    wake(work, reading.edits());
+    const std::vector<std::uint32_t> changed = interface_changes(work.complex, reading.edits());
+    if (changed.empty()) {
+        return;
+    }
+    take_off(work.interface, changed);
+    const std::vector<std::uint32_t> on = on_interface(work.complex, changed);
+    work.interface.insert(work.interface.end(), on.begin(), on.end());
+    work.changed_interface.insert(work.changed_interface.end(), changed.begin(), changed.end());
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template void wake(Work<Real>&, std::span<const Edit>);                                        \
+    template std::vector<std::uint32_t> interface_changes(const Complex<Real>&,                    \
+                                                          std::span<const Edit>);                  \
+    template std::vector<std::uint32_t> on_interface(const Complex<Real>&,                         \
+                                                     std::span<const std::uint32_t>);              \
+    template void run_pass(Work<Real>&, const Pass<Real>&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

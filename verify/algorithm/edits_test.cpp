@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: MIT
+// Edits in and out of a simulation: listeners, replay, and what the application does between steps
+// and in passes of its own.
+#include "support/random_scene.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/hash.h"
+#include "dsc/complex/numbering.h"
+#include "dsc/complex/validate.h"
+#include "dsc/operations/edge_collapse.h"
+#include "dsc/operations/edge_split.h"
+#include "dsc/operations/replay.h"
+#include "dsc/parallel/parallel.h"
+#include "dsc/passes/thesis_algorithm.h"
+#include "dsc/quality/measures.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+constexpr double h = 0.03;
+
+// Which of the ways to run: no division is the sequential one.
+struct Way {
+    const char* name;
+    std::optional<Division> division;
+    std::uint32_t threads = 1;
+};
+
+std::unique_ptr<Simulation<double>> make(Complex<double>& complex, const Options<double>& options,
+                                         const Way& way) {
+    if (!way.division) {
+        return std::make_unique<Simulation<double>>(complex, options);
+    }
+    return std::make_unique<Simulation<double>>(
+        complex, options,
+        Parallel{.threads = way.threads, .division = *way.division, .always_all_threads = true});
+}
+
+const Velocity<double> swirl = [](std::span<const Point<double>> positions, double,
+                                  std::span<Point<double>> velocities) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const double x = std::numbers::pi * positions[i].x();
+        const double y = std::numbers::pi * positions[i].y();
+        velocities[i] = {std::pow(std::sin(x), 2) * std::sin(2 * y),
+                         -std::pow(std::sin(y), 2) * std::sin(2 * x)};
+    }
+};
+
+const Velocity<double> still = [](std::span<const Point<double>>, double,
+                                  std::span<Point<double>> velocities) {
+    std::ranges::fill(velocities, Point<double>::Zero());
+};
+
+Complex<double> disc() { return test::disc_complex<double>(h, {0.5, 0.7}, 0.2); }
+
+void expect_sound(const Complex<double>& complex, const Simulation<double>& simulation) {
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
+}
+
+bool same(const Edit& a, const Edit& b) {
+    return a.kind == b.kind && a.reason == b.reason && a.on_interface == b.on_interface &&
+           a.corner == b.corner && a.vertex == b.vertex && a.ends == b.ends &&
+           a.apexes == b.apexes && a.made == b.made && a.x == b.x && a.y == b.y;
+}
+
+class Edits : public testing::TestWithParam<Way> {};
+class EditsInPlace : public testing::TestWithParam<Way> {};
+
+// --- out -------------------------------------------------------------------------------------
+
+struct Heard {
+    std::vector<Edit> edits;
+    OperationCounts counts;
+    std::uint64_t hash = 0;
+};
+
+Heard hear(const Way& way, int steps, Integrator integrator = Integrator::rk4) {
+    Complex<double> complex = disc();
+    Heard heard;
+    auto simulation = make(complex, {.edge_length = h, .integrator = integrator}, way);
+    simulation->add_listener([&](std::span<const Edit> edits) {
+        heard.edits.insert(heard.edits.end(), edits.begin(), edits.end());
+    });
+    for (int step = 0; step < steps; ++step) {
+        heard.counts += simulation->step(swirl, 0.04 * step, 0.04).operations;
+    }
+    heard.hash = mesh_hash(complex);
+    return heard;
+}
+
+TEST_P(EditsInPlace, AreReplayedToTheSameBits) {
+    const Heard heard = hear(GetParam(), 25);
+    Complex<double> complex = disc();
+    const ReplayReport report = replay<double>(complex, heard.edits);
+    EXPECT_EQ(report.skipped, 0U);
+    EXPECT_EQ(report.done, heard.edits.size());
+    EXPECT_EQ(mesh_hash(complex), heard.hash);
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
+TEST_P(EditsInPlace, AreAsManyAsTheCountsSay) {
+    const Heard heard = hear(GetParam(), 25);
+    std::map<EditKind, std::uint64_t> kinds;
+    std::map<MoveReason, std::uint64_t> reasons;
+    std::uint64_t on_interface = 0;
+    for (const Edit& edit : heard.edits) {
+        ++kinds[edit.kind];
+        if (edit.kind == EditKind::move) {
+            ++reasons[edit.reason];
+        }
+        on_interface += edit.kind == EditKind::split && edit.on_interface ? 1U : 0U;
+    }
+    EXPECT_GT(on_interface, 20U);
+    EXPECT_EQ(on_interface, heard.counts.interface_splits);
+    EXPECT_EQ(kinds[EditKind::split], heard.counts.interface_splits + heard.counts.splits);
+    EXPECT_EQ(kinds[EditKind::collapse], heard.counts.interface_collapses + heard.counts.collapses);
+    EXPECT_EQ(kinds[EditKind::flip], heard.counts.flips);
+    EXPECT_EQ(reasons[MoveReason::flow], heard.counts.moves);
+    EXPECT_EQ(reasons[MoveReason::smoothing], heard.counts.smoothed);
+}
+
+TEST_P(EditsInPlace, AreTheSameForAnyNumberOfThreads) {
+    if (!GetParam().division) {
+        GTEST_SKIP() << "one thread by its nature";
+    }
+    const Heard one = hear(GetParam(), 12);
+    Way way = GetParam();
+    way.threads = 2;
+    const Heard two = hear(way, 12);
+    ASSERT_EQ(one.edits.size(), two.edits.size());
+    for (std::size_t i = 0; i < one.edits.size(); ++i) {
+        ASSERT_TRUE(same(one.edits[i], two.edits[i])) << "record " << i;
+    }
+}
+
+TEST(EditLogs, OfRetriangulationAndSubdivisionAreReplayed) {
+    Complex<double> complex = disc();
+    const Complex<double> first = complex;
+    const Options<double> options{.edge_length = 0.8 * h};
+    std::vector<Edit> edits;
+    Simulation<double> simulation(
+        complex, options,
+        std::make_unique<SequentialExecutor<double>>(
+            complex, options,
+            thesis_algorithm<double>(options, {.small_area = 0.6, .smooth_interface = true})));
+    simulation.add_listener(
+        [&](std::span<const Edit> some) { edits.insert(edits.end(), some.begin(), some.end()); });
+    OperationCounts counts;
+    for (int step = 0; step < 12; ++step) {
+        counts += simulation.step(swirl, 0.04 * step, 0.04).operations;
+    }
+    EXPECT_GT(counts.subdivisions, 0U);
+    EXPECT_GT(counts.retriangulations, 0U);
+    Complex<double> again = first;
+    EXPECT_EQ(replay<double>(again, edits).skipped, 0U);
+    EXPECT_EQ(mesh_hash(again), mesh_hash(complex));
+}
+
+TEST(EditLogs, OfCreateAndMergeSayThatAllIdsAreNew) {
+    const Heard heard = hear({"copy", Division::copy}, 2);
+    const auto rebuilds = std::ranges::count(heard.edits, EditKind::rebuild, &Edit::kind);
+    EXPECT_GE(rebuilds, 4); // red and black in each step
+    Complex<double> complex = disc();
+    EXPECT_THROW(replay<double>(complex, heard.edits), InputError);
+}
+
+TEST(EditLogs, AreCutDownToThoseThatFail) {
+    const Heard heard = hear({"sequential", {}}, 4);
+    // What fails: a certain vertex is somewhere else than in the beginning.
+    const Complex<double> first = disc();
+    const auto moved = std::ranges::find(heard.edits, EditKind::move, &Edit::kind);
+    ASSERT_NE(moved, heard.edits.end());
+    const Vertex v = moved->vertex;
+    const auto fails = [&](const Complex<double>& complex) {
+        return complex.is_alive(v) && complex.position(v) != first.position(v);
+    };
+    const std::vector<Edit> few = cut_down<double>(first, heard.edits, fails);
+    ASSERT_EQ(few.size(), 1U);
+    EXPECT_EQ(few.front().vertex, v);
+    EXPECT_EQ(cut_down<double>(first, heard.edits, [](const auto&) { return false; }).size(),
+              heard.edits.size());
+}
+
+// --- in --------------------------------------------------------------------------------------
+
+TEST_P(Edits, OfTheApplicationBetweenStepsAreTakenUp) {
+    Complex<double> complex = disc();
+    auto simulation = make(complex, {.edge_length = h}, GetParam());
+    simulation->step(swirl, 0, 0.02);
+    expect_sound(complex, *simulation);
+
+    // An interface edge is split, another one collapsed.
+    const std::vector<std::uint32_t> list = simulation->interface();
+    const auto interface_edge = [&](std::uint32_t v) {
+        for (const std::uint32_t w : list) {
+            const Edge e = complex.find_edge(Vertex{v}, Vertex{w});
+            if (e.is_valid() && is_interface(complex, e)) {
+                return e;
+            }
+        }
+        return Edge{};
+    };
+    EXPECT_EQ(edge_split(complex, interface_edge(list[0])).verdict, Verdict::legal);
+    EXPECT_EQ(edge_collapse(complex, interface_edge(list[list.size() / 2])), Verdict::legal);
+    // A triangle beside the interface changes its phase, and becomes a bump of the disc.
+    const Edge base = interface_edge(list[list.size() / 4]);
+    const Triangle beside{triangle_of(base.id)};
+    const Triangle other{triangle_of(complex.twin(base.id))};
+    const Triangle outer = complex.phase(beside) == exterior_phase ? beside : other;
+    complex.set_phase(outer, 1);
+    simulation->step(still, 0.02, 0.001);
+    expect_sound(complex, *simulation);
+
+    // A disc of its own, far from the first.
+    Triangle seed;
+    for (std::uint32_t t = 1; t < complex.triangle_bound() && !seed.is_valid(); ++t) {
+        if (complex.is_alive(Triangle{t}) &&
+            (complex.position(complex.vertices_of(Triangle{t})[0]) - Point<double>(0.8, 0.2))
+                    .norm() < h) {
+            seed = Triangle{t};
+        }
+    }
+    ASSERT_TRUE(seed.is_valid());
+    complex.set_phase(seed, 2);
+    const std::size_t before = simulation->interface_size();
+    simulation->step(swirl, 0.03, 0.02);
+    expect_sound(complex, *simulation);
+    EXPECT_GE(simulation->interface_size(), before + 3);
+
+    renumber(complex);
+    const double area = phase_area(complex, 2);
+    for (int step = 0; step < 3; ++step) {
+        const StepReport report = simulation->step(swirl, 0.05 + 0.02 * step, 0.02);
+        EXPECT_EQ(report.unreached, 0U);
+        expect_sound(complex, *simulation);
+    }
+    EXPECT_NEAR(phase_area(complex, 2), area, 0.3 * area);
+}
+
+// Stars that the application spoilt are mended by the next step.
+TEST_P(Edits, OfTheApplicationAreLookedAtByTheMeshUpdate) {
+    Complex<double> complex = disc();
+    auto simulation = make(complex, {.edge_length = h}, GetParam());
+    simulation->step(swirl, 0, 0.01);
+    Vertex victim;
+    for (std::uint32_t v = 0; v < complex.vertex_bound() && !victim.is_valid(); ++v) {
+        if (complex.is_alive(Vertex{v}) &&
+            (complex.position(Vertex{v}) - Point<double>(0.75, 0.25)).norm() < h) {
+            victim = Vertex{v};
+        }
+    }
+    ASSERT_TRUE(victim.is_valid());
+    Ring<double> ring;
+    ASSERT_TRUE(gather(complex, Region{}, victim.id, ring));
+    // Nearly on one of its neighbours.
+    const Point<double> near(ring.x[0], ring.y[0]);
+    complex.set_position(victim, near + 0.06 * (complex.position(victim) - near));
+    ASSERT_EQ(validate(complex).problem, "");
+    const auto worst = [&] {
+        double quality = 1;
+        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+            if (complex.is_alive(Triangle{t})) {
+                const auto v = complex.vertices_of(Triangle{t});
+                quality = std::min(quality, dsc::quality<double>(complex.position(v[0]),
+                                                                 complex.position(v[1]),
+                                                                 complex.position(v[2])));
+            }
+        }
+        return quality;
+    };
+    const double spoilt = worst();
+    ASSERT_LT(spoilt, 0.2);
+    simulation->step(swirl, 0.01, 0.001);
+    EXPECT_GT(worst(), 2 * spoilt);
+    expect_sound(complex, *simulation);
+}
+
+TEST_P(Edits, OfAPassOfTheApplicationNeedNoBookkeeping) {
+    Complex<double> complex = disc();
+    const Options<double> options{.edge_length = h};
+    Algorithm<double> algorithm = default_algorithm<double>();
+    // Triangles of the exterior that lie deep in a box become phase 2: a new interface.
+    algorithm.motion.insert(
+        algorithm.motion.begin(),
+        {"freeze", [](Work<double>& work) {
+             Complex<double>& mesh = work.complex;
+             std::vector<Triangle> doomed;
+             for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
+                 if (!mesh.is_alive(Triangle{t}) || mesh.phase(Triangle{t}) != exterior_phase ||
+                     !owns_triangle(mesh, work.submesh.region, t)) {
+                     continue;
+                 }
+                 const auto v = mesh.vertices_of(Triangle{t});
+                 if (std::ranges::all_of(v, [&](Vertex one) {
+                         const Point<double> p = mesh.position(one);
+                         return p.x() > 0.55 && p.x() < 0.9 && p.y() > 0.1 && p.y() < 0.4;
+                     })) {
+                     doomed.push_back(Triangle{t});
+                 }
+             }
+             for (const Triangle t : doomed) {
+                 rewire::relabel(mesh, *work.submesh.log, t, 2);
+             }
+         }});
+    const Way way = GetParam();
+    std::unique_ptr<Executor<double>> executor;
+    if (way.division) {
+        executor = make_executor(complex, options, Parallel{.division = *way.division}, algorithm);
+    } else {
+        executor = std::make_unique<SequentialExecutor<double>>(complex, options, algorithm);
+    }
+    Simulation<double> simulation(complex, options, std::move(executor));
+    for (int step = 0; step < 4; ++step) {
+        simulation.step(swirl, 0.02 * step, 0.02);
+        expect_sound(complex, simulation);
+    }
+    EXPECT_GT(phase_area(complex, 2), 0.04);
+}
+
+// --- options ---------------------------------------------------------------------------------
+
+TEST(SimulationOptions, AreCopied) {
+    Complex<double> complex = disc();
+    Complex<double> other = complex;
+    auto options = std::make_unique<Options<double>>();
+    options->edge_length = h;
+    Simulation<double> simulation(complex, *options);
+    Simulation<double> temporary(other, {.edge_length = h});
+    *options = {}; // an edge length of 0 would be refused, or worse
+    options.reset();
+    for (int step = 0; step < 3; ++step) {
+        simulation.step(swirl, 0.02 * step, 0.02);
+        temporary.step(swirl, 0.02 * step, 0.02);
+    }
+    EXPECT_EQ(mesh_hash(complex), mesh_hash(other));
+    expect_sound(complex, simulation);
+}
+
+TEST_P(Edits, SetOptionsTakesThemAsAWhole) {
+    Complex<double> complex = disc();
+    auto simulation = make(complex, {.edge_length = h}, GetParam());
+    simulation->step(swirl, 0, 0.02);
+    Options<double> wrong = simulation->options();
+    wrong.sub_step = -1;
+    wrong.edge_length = h / 2;
+    EXPECT_THROW(simulation->set_options(wrong), InputError);
+    EXPECT_EQ(simulation->options().edge_length, h);
+
+    // A memory that begins with the switch: the first step of `centred` is one of `midpoint`.
+    Options<double> centred = simulation->options();
+    centred.integrator = Integrator::centred;
+    simulation->set_options(centred);
+    Options<double> finer = centred;
+    simulation->step(swirl, 0.02, 0.02);
+    simulation->step(swirl, 0.04, 0.02);
+    finer.edge_length = h / 2;
+    finer.integrator = Integrator::rk4;
+    simulation->set_options(finer);
+    const std::size_t before = simulation->interface_size();
+    simulation->step(swirl, 0.06, 0.02);
+    EXPECT_GT(simulation->interface_size(), before * 3 / 2);
+    expect_sound(complex, *simulation);
+}
+
+TEST(SimulationOptions, AStepEndsWhereItIsInterrupted) {
+    Complex<double> complex = disc();
+    Simulation<double> simulation(complex, {.edge_length = h});
+    std::atomic<bool> flag = false;
+    simulation.interrupt_by(&flag);
+    int calls = 0;
+    const Velocity<double> velocity = [&](auto positions, double time, auto velocities) {
+        swirl(positions, time, velocities);
+        flag = ++calls > 12;
+    };
+    const StepReport report = simulation.step(velocity, 0, 1);
+    EXPECT_EQ(report.gave_up, GiveUp::interrupted);
+    EXPECT_GT(report.reached, 0);
+    EXPECT_LT(report.reached, 0.5);
+    expect_sound(complex, simulation);
+    flag = false;
+    const Velocity<double> rest = swirl;
+    EXPECT_EQ(simulation.step(rest, report.reached, 0.1).gave_up, GiveUp::none);
+}
+
+TEST(SimulationOptions, TheJournalOfACopyIsItsOwn) {
+    Complex<double> complex = disc();
+    Simulation<double> simulation(complex, {.edge_length = h});
+    Complex<double> copy = complex;
+    copy.set_phase(Triangle{1}, 3);
+    EXPECT_TRUE(copy.journal.records.empty());
+    EXPECT_TRUE(complex.journal.records.empty());
+    complex.set_phase(Triangle{1}, 3);
+    EXPECT_EQ(complex.journal.records.size(), 1U);
+}
+
+const std::vector<Way> in_place{
+    {"sequential", {}},           {"fixed", Division::fixed},   {"counting", Division::counting},
+    {"active", Division::active}, {"blocks", Division::blocks}, {"cells", Division::cells}};
+const std::vector<Way> all_ways{{"sequential", {}},
+                                {"active", Division::active},
+                                {"blocks", Division::blocks},
+                                {"cells", Division::cells},
+                                {"copy", Division::copy}};
+
+const auto name = [](const auto& one) { return std::string(one.param.name); };
+INSTANTIATE_TEST_SUITE_P(Ways, EditsInPlace, testing::ValuesIn(in_place), name);
+INSTANTIATE_TEST_SUITE_P(Ways, Edits, testing::ValuesIn(all_ways), name);
+
+} // namespace
+} // namespace dsc
