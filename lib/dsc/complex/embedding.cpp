@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/complex/embedding.h"
 
+#include "dsc/complex/circulate.h"
 #include "dsc/geometry/predicates.h"
 
 #include <algorithm>
@@ -71,11 +72,7 @@ std::vector<std::uint32_t> label_components(const Complex<Real>& complex, std::u
 // The boundary edge that starts where the one opposite to `c` ends.
 template <class Real>
 Corner next_on_boundary(const Complex<Real>& complex, Corner c) {
-    Corner at = prev(c);
-    while (!is_border(complex.twin(prev(at)))) {
-        at = prev(complex.twin(prev(at)));
-    }
-    return prev(at);
+    return next_along(complex, c, [&](Corner at) { return is_border(complex.twin(at)); });
 }
 
 template <class Real>
