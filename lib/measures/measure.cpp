@@ -68,12 +68,10 @@ namespace {
 
 template <class Real, class Visit>
 void for_triangles(const Complex<Real>& complex, Visit visit) {
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            const auto& v = complex.triangles[t].v;
-            visit(complex.position(Vertex{v[0]}), complex.position(Vertex{v[1]}),
-                  complex.position(Vertex{v[2]}));
-        }
+    for (const Triangle t : triangles(complex)) {
+        const auto& v = complex.triangles[t.id].v;
+        visit(complex.position(Vertex{v[0]}), complex.position(Vertex{v[1]}),
+              complex.position(Vertex{v[2]}));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/embedding.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
 
 #include <algorithm>
@@ -84,25 +85,22 @@ bool is_corner_of_living(const Complex<Real>& complex, Corner c) {
 
 template <class Real>
 Problem check_vertices(const Complex<Real>& complex, ValidationReport& report) {
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        const auto& record = complex.vertices[v];
-        if (!complex.is_alive(Vertex{v})) {
-            continue;
-        }
+    for (const Vertex v : vertices(complex)) {
+        const auto& record = complex.vertices[v.id];
         ++report.vertices;
         if (!std::isfinite(record.x) || !std::isfinite(record.y)) {
-            return name_vertex(complex, v) + ": a coordinate is not finite";
+            return name_vertex(complex, v.id) + ": a coordinate is not finite";
         }
         if (record.corner == no_id) {
             ++report.unused_vertices;
             continue;
         }
         if (!is_corner_of_living(complex, record.corner)) {
-            return name_vertex(complex, v) + ": its corner (" + name_corner(record.corner) +
+            return name_vertex(complex, v.id) + ": its corner (" + name_corner(record.corner) +
                    ") does not live";
         }
-        if (complex.vertex(record.corner) != v) {
-            return name_vertex(complex, v) + ": its corner (" + name_corner(record.corner) +
+        if (complex.vertex(record.corner) != v.id) {
+            return name_vertex(complex, v.id) + ": its corner (" + name_corner(record.corner) +
                    ") is at vertex " + std::to_string(complex.vertex(record.corner));
         }
     }
@@ -178,11 +176,9 @@ Problem check_orientation(const Complex<Real>& complex, std::uint32_t t) {
 // neighbours, and shall be named first.
 template <class Real, class Check>
 Problem check_triangles(const Complex<Real>& complex, Check check) {
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            if (Problem problem = check(t); !problem.empty()) {
-                return problem;
-            }
+    for (const Triangle t : triangles(complex)) {
+        if (Problem problem = check(t.id); !problem.empty()) {
+            return problem;
         }
     }
     return {};
@@ -262,9 +258,9 @@ Problem check_fan(const Complex<Real>& complex, std::uint32_t v, std::uint32_t e
 template <class Real>
 Problem check_fans(const Complex<Real>& complex) {
     std::vector<std::uint32_t> named(complex.vertex_bound(), 0);
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        for (std::size_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
-            ++named[complex.triangles[t].v[i]];
+    for (const Triangle t : triangles(complex)) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            ++named[complex.triangles[t.id].v[i]];
         }
     }
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {

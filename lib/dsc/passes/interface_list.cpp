@@ -2,6 +2,7 @@
 #include "dsc/passes/interface_list.h"
 
 #include "dsc/complex/circulate.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/passes/interface_curve.h"
 
 #include <cmath>
@@ -40,12 +41,9 @@ std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::
                            [&](Corner at) { return complex.phase_at(complex.twin(at)) != inside; });
         }
     };
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
+    for (const Triangle t : triangles(complex)) {
         for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t, i);
+            const Corner c = corner_of(t.id, i);
             const Phase inside = complex.phase_at(c);
             const Phase across = complex.phase_at(complex.twin(c));
             const bool canonical =
