@@ -10,6 +10,7 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/numbering.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/ring.h"
 #include "dsc/complex/validate.h"
 #include "dsc/operations/edge_collapse.h"
@@ -163,18 +164,14 @@ void for_each(const Complex<double>& k, Edge, Visit visit) {
 }
 template <class Visit>
 void for_each(const Complex<double>& k, Triangle, Visit visit) {
-    for (std::uint32_t t = 1; t < k.triangle_bound(); ++t) {
-        if (k.is_alive(Triangle{t})) {
-            visit(Triangle{t});
-        }
+    for (const Triangle t : triangles(k)) {
+        visit(t);
     }
 }
 template <class Visit>
 void for_each(const Complex<double>& k, Vertex, Visit visit) {
-    for (std::uint32_t v = 0; v < k.vertex_bound(); ++v) {
-        if (k.is_alive(Vertex{v})) {
-            visit(Vertex{v});
-        }
+    for (const Vertex v : vertices(k)) {
+        visit(v);
     }
 }
 
@@ -276,8 +273,8 @@ void measure_kernel(benchmark::State& state, Run run, Check check) {
 std::uint64_t gather_all(const Complex<double>& complex) {
     static Ring<double> ring;
     std::uint64_t corners = 0;
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v}) && gather(complex, Region{}, v, ring)) {
+    for (const Vertex v : vertices(complex)) {
+        if (gather(complex, Region{}, v.id, ring)) {
             corners += ring.size;
         }
     }

@@ -9,11 +9,15 @@
 #include "dsc/base/verdict.h"
 
 #include "dsc/complex/algebra.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/edit_log.h"
 #include "dsc/complex/hash.h"
+#include "dsc/complex/locate.h"
 #include "dsc/complex/mesh_functions.h"
 #include "dsc/complex/numbering.h"
+#include "dsc/complex/outlines.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/complex/validate.h"
 

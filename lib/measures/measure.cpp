@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "measures/measure.h"
 
-#include "dsc/passes/interface_curve.h"
+#include "dsc/complex/outlines.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/passes/interface_curve.h"
 #include "dsc/quality/measures.h"
 
 #include <algorithm>
@@ -10,41 +11,6 @@
 namespace dsc::scenes {
 
 namespace {
-
-bool is_inside(Phase phase) { return phase != exterior_phase && phase != border_phase; }
-
-/// The closed curves of interface_outlines as lists of vertices.
-template <class Real>
-std::vector<std::vector<Vertex>> interface_loops(const Complex<Real>& complex) {
-    std::vector<std::vector<Vertex>> loops;
-    std::vector<std::uint8_t> done(4 * static_cast<std::size_t>(complex.triangle_bound()), 0);
-    const auto is_edge = [&](Corner c) {
-        return is_inside(complex.phase_at(c)) && !is_inside(complex.phase_at(complex.twin(c)));
-    };
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t}) || !is_inside(complex.triangles[t].phase)) {
-            continue;
-        }
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            Corner c = corner_of(t, i);
-            if (done[c] != 0 || !is_edge(c)) {
-                continue;
-            }
-            std::vector<Vertex> loop;
-            while (done[c] == 0) {
-                done[c] = 1;
-                loop.push_back(Vertex{complex.vertex(next(c))});
-                // On about the end of this half-edge, inside, to the next edge of the interface.
-                c = next(c);
-                while (!is_edge(c)) {
-                    c = next(complex.twin(c));
-                }
-            }
-            loops.push_back(std::move(loop));
-        }
-    }
-    return loops;
-}
 
 /// Whether a cubic goes through this vertex of a loop, between its neighbours. On the domain
 /// boundary the curve ends.
@@ -65,7 +31,8 @@ std::vector<Outline> interface_outlines(const Complex<Real>& complex, Reading re
     const int pieces = reading == Reading::chords ? 1 : samples;
     std::vector<Outline> outlines;
     Ring<Real> ring;
-    for (const auto& loop : interface_loops(complex)) {
+    const auto is_inside = [](Phase phase) { return phase != exterior_phase; };
+    for (const VertexLoop& loop : outlines_where(complex, is_inside)) {
         const std::size_t n = loop.size();
         std::vector<std::uint8_t> smooth(n, 0);
         for (std::size_t i = 0; i < n && pieces > 1; ++i) {
@@ -101,12 +68,10 @@ namespace {
 
 template <class Real, class Visit>
 void for_triangles(const Complex<Real>& complex, Visit visit) {
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            const auto& v = complex.triangles[t].v;
-            visit(complex.position(Vertex{v[0]}), complex.position(Vertex{v[1]}),
-                  complex.position(Vertex{v[2]}));
-        }
+    for (const Triangle t : triangles(complex)) {
+        const auto& v = complex.triangles[t.id].v;
+        visit(complex.position(Vertex{v[0]}), complex.position(Vertex{v[1]}),
+              complex.position(Vertex{v[2]}));
     }
 }
 

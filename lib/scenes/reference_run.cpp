@@ -2,6 +2,7 @@
 #include "scenes/reference_run.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
 #include "measures/measure.h"
 
 #include <map>
@@ -13,18 +14,16 @@ reference::Complex to_reference(const Complex<double>& complex) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<Phase> phases;
     std::vector<std::uint32_t> number(complex.vertex_bound(), no_id);
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v}) && complex.vertices[v].corner != no_id) {
-            number[v] = static_cast<std::uint32_t>(points.size());
-            points.push_back(complex.position(Vertex{v}));
+    for (const Vertex v : vertices(complex)) {
+        if (complex.vertices[v.id].corner != no_id) {
+            number[v.id] = static_cast<std::uint32_t>(points.size());
+            points.push_back(complex.position(v));
         }
     }
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            const auto& v = complex.triangles[t].v;
-            triangles.push_back({number[v[0]], number[v[1]], number[v[2]]});
-            phases.push_back(complex.triangles[t].phase);
-        }
+    for (const Triangle t : dsc::triangles(complex)) {
+        const auto& v = complex.triangles[t.id].v;
+        triangles.push_back({number[v[0]], number[v[1]], number[v[2]]});
+        phases.push_back(complex.phase(t));
     }
     return reference::make_complex(points, triangles, phases);
 }

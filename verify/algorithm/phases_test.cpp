@@ -4,6 +4,8 @@
 
 #include "support/simulation_testing.h"
 
+#include "dsc/complex/ranges.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -28,16 +30,14 @@ TYPED_TEST_SUITE(Phases, Reals);
 template <class Real>
 Complex<Real> three_phases(double h) {
     auto complex = initial_complex<Real>({}, {}, {.edge_length = h});
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            Point<Real> middle = Point<Real>::Zero();
-            for (const Vertex v : complex.vertices_of(Triangle{t})) {
-                middle += complex.position(v) / Real(3);
-            }
-            const double angle = std::atan2(static_cast<double>(middle.y()) - 0.5,
-                                            static_cast<double>(middle.x()) - 0.5);
-            complex.set_phase(Triangle{t}, angle < -1 ? 0 : (angle < 1 ? 1 : 2));
+    for (const Triangle t : triangles(complex)) {
+        Point<Real> middle = Point<Real>::Zero();
+        for (const Vertex v : complex.vertices_of(t)) {
+            middle += complex.position(v) / Real(3);
         }
+        const double angle = std::atan2(static_cast<double>(middle.y()) - 0.5,
+                                        static_cast<double>(middle.x()) - 0.5);
+        complex.set_phase(t, angle < -1 ? 0 : (angle < 1 ? 1 : 2));
     }
     return complex;
 }
@@ -63,14 +63,12 @@ TYPED_TEST(Phases, CarriesAJunctionOfThreePhases) {
     }
     EXPECT_EQ(unreached, 0U);
     std::array<double, 3> areas{};
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            const auto [a, b, c] = complex.vertices_of(Triangle{t});
-            const Point<double> p = complex.position(a).template cast<double>();
-            const Point<double> u = complex.position(b).template cast<double>() - p;
-            const Point<double> w = complex.position(c).template cast<double>() - p;
-            areas.at(complex.phase(Triangle{t})) += (u.x() * w.y() - u.y() * w.x()) / 2;
-        }
+    for (const Triangle t : triangles(complex)) {
+        const auto [a, b, c] = complex.vertices_of(t);
+        const Point<double> p = complex.position(a).template cast<double>();
+        const Point<double> u = complex.position(b).template cast<double>() - p;
+        const Point<double> w = complex.position(c).template cast<double>() - p;
+        areas.at(complex.phase(t)) += (u.x() * w.y() - u.y() * w.x()) / 2;
     }
     for (const double area : areas) {
         EXPECT_GT(area, 0.2);
@@ -90,11 +88,9 @@ TYPED_TEST(Phases, StopsAtTheSideOfTheDomain) {
         expect_sound(complex, simulation);
     }
     EXPECT_GT(unreached, 0U);
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v})) {
-            const Point<Real> p = complex.position(Vertex{v});
-            EXPECT_TRUE(p.minCoeff() >= 0 && p.maxCoeff() <= 1);
-        }
+    for (const Vertex v : vertices(complex)) {
+        const Point<Real> p = complex.position(v);
+        EXPECT_TRUE(p.minCoeff() >= 0 && p.maxCoeff() <= 1);
     }
 }
 
@@ -102,15 +98,13 @@ TYPED_TEST(Phases, StopsAtTheSideOfTheDomain) {
 TYPED_TEST(Phases, SlidesAlongTheSideOfTheDomain) {
     using Real = TypeParam;
     auto complex = initial_complex<Real>({}, {}, {.edge_length = coarse});
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            bool inside = true;
-            for (const Vertex v : complex.vertices_of(Triangle{t})) {
-                const Point<double> p = complex.position(v).template cast<double>();
-                inside = inside && (p - Point<double>(0.4, 0)).norm() < 0.25;
-            }
-            complex.set_phase(Triangle{t}, inside ? 1 : 0);
+    for (const Triangle t : triangles(complex)) {
+        bool inside = true;
+        for (const Vertex v : complex.vertices_of(t)) {
+            const Point<double> p = complex.position(v).template cast<double>();
+            inside = inside && (p - Point<double>(0.4, 0)).norm() < 0.25;
         }
+        complex.set_phase(t, inside ? 1 : 0);
     }
     const auto options = options_for<Real>(coarse);
     Simulation<Real> simulation(complex, options);
@@ -120,14 +114,12 @@ TYPED_TEST(Phases, SlidesAlongTheSideOfTheDomain) {
         expect_sound(complex, simulation);
     }
     double area = 0;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            const auto [a, b, c] = complex.vertices_of(Triangle{t});
-            const Point<double> p = complex.position(a).template cast<double>();
-            const Point<double> u = complex.position(b).template cast<double>() - p;
-            const Point<double> w = complex.position(c).template cast<double>() - p;
-            area += (u.x() * w.y() - u.y() * w.x()) / 2;
-        }
+    for (const Triangle t : triangles(complex)) {
+        const auto [a, b, c] = complex.vertices_of(t);
+        const Point<double> p = complex.position(a).template cast<double>();
+        const Point<double> u = complex.position(b).template cast<double>() - p;
+        const Point<double> w = complex.position(c).template cast<double>() - p;
+        area += (u.x() * w.y() - u.y() * w.x()) / 2;
     }
     EXPECT_NEAR(area, 1, 1e-6) << "the domain keeps its shape";
 }

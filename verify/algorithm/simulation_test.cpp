@@ -5,11 +5,12 @@
 
 #include "support/simulation_testing.h"
 
+#include "dsc/base/error.h"
+#include "dsc/complex/hash.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/passes/interface_list.h"
 #include "dsc/passes/mesh_update.h"
 #include "dsc/passes/move_vertices.h"
-#include "dsc/base/error.h"
-#include "dsc/complex/hash.h"
 
 #include <gtest/gtest.h>
 
@@ -363,11 +364,7 @@ TYPED_TEST(Driver, TakesThresholdsForEachPhase) {
     options.per_phase[1].shortest = 0.2;
     Simulation<Real> simulation(complex, options);
     const auto triangles_of = [&](Phase phase) {
-        int count = 0;
-        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-            count += complex.is_alive(Triangle{t}) && complex.phase(Triangle{t}) == phase ? 1 : 0;
-        }
-        return count;
+        return static_cast<int>(std::ranges::distance(triangles(complex, phase)));
     };
     const int inside = triangles_of(1);
     const int outside = triangles_of(0);

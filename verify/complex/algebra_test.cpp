@@ -8,6 +8,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/mesh_functions.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/validate.h"
 
 #include <gtest/gtest.h>
@@ -126,9 +127,9 @@ TYPED_TEST(Algebra, RelationsAreTheirDefinitionsWhereIdsAreFree) {
     ASSERT_EQ(validate(complex).problem, "");
     // The corner's vertex may be left without triangles: it is its own star then.
     SimplexSet unused;
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v}) && complex.vertices[v].corner == no_id) {
-            unused.insert(Vertex{v});
+    for (const Vertex v : vertices(complex)) {
+        if (complex.vertices[v.id].corner == no_id) {
+            unused.insert(v);
         }
     }
     for (const Vertex v : unused.vertices()) {

@@ -5,10 +5,11 @@
 #include "watch.h"
 
 #include "dsc/complex/mesh_functions.h"
+#include "dsc/complex/ranges.h"
 #include "flows/exact.h"
+#include "flows/velocity.h"
 #include "measures/measure.h"
 #include "shapes/shapes.h"
-#include "flows/velocity.h"
 
 #include <cmath>
 #include <limits>
@@ -44,15 +45,15 @@ struct DiscVertices {
     void update(const Complex<double>& complex) {
         positions.clear();
         phases.clear();
-        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-            if (!complex.is_alive(Triangle{t}) || complex.triangles[t].phase == exterior_phase) {
+        for (const Triangle t : triangles(complex)) {
+            if (complex.phase(t) == exterior_phase) {
                 continue;
             }
             for (std::uint32_t i = 0; i < 3; ++i) {
-                const Corner c = corner_of(t, i);
+                const Corner c = corner_of(t.id, i);
                 if (complex.phase_at(complex.twin(c)) == exterior_phase) {
                     positions.push_back(complex.position(Vertex{complex.vertex(next(c))}));
-                    phases.push_back(complex.triangles[t].phase);
+                    phases.push_back(complex.phase(t));
                 }
             }
         }
@@ -111,9 +112,8 @@ HardResult pressed_case(double edges_a_step, int steps, const std::string& how) 
         }
     }
     std::uint64_t in_contact = 0;
-    for (std::uint32_t v = 0; v < scene.complex.vertex_bound(); ++v) {
-        in_contact +=
-            scene.complex.is_alive(Vertex{v}) && is_in_contact(scene.complex.vertices[v]) ? 1U : 0U;
+    for (const Vertex v : dsc::vertices(scene.complex)) {
+        in_contact += is_in_contact(scene.complex.vertices[v.id]) ? 1U : 0U;
     }
     const double mean_passes = static_cast<double>(passes_late) / (steps - steps / 2 - 1);
     result.values = {
@@ -149,11 +149,8 @@ struct WallEdges {
 WallEdges wall_edges(const Scene<double>& scene) {
     WallEdges wall;
     const auto& complex = scene.complex;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
-        for (const Edge e : complex.edges_of(Triangle{t})) {
+    for (const Triangle t : triangles(complex)) {
+        for (const Edge e : complex.edges_of(t)) {
             if (!is_boundary(complex, e)) {
                 continue;
             }

@@ -2,6 +2,7 @@
 #include "scene.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/initial/unit_box.h"
 #include "measures/measure.h"
 #include "measures/symmetric_difference.h"
@@ -83,9 +84,9 @@ Scene<double> grid_scene(const Rectangle& domain, int columns, int rows,
 template <class Real>
 std::vector<scenes::Outline> outlines_of(const Complex<Real>& complex, Phase phase) {
     Complex<Real> alone = complex;
-    for (std::uint32_t t = 1; t < alone.triangle_bound(); ++t) {
-        if (alone.is_alive(Triangle{t}) && alone.triangles[t].phase != phase) {
-            alone.triangles[t].phase = exterior_phase;
+    for (const Triangle t : triangles(alone)) {
+        if (alone.phase(t) != phase) {
+            alone.set_phase(t, exterior_phase);
         }
     }
     return scenes::interface_outlines(alone);
@@ -116,13 +117,11 @@ std::vector<scenes::Outline> mapped(std::span<const scenes::Outline> outlines,
 
 double domain_area(const Complex<double>& complex) {
     double sum = 0;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            const auto v = complex.vertices_of(Triangle{t});
-            const Point<double> a = complex.position(v[1]) - complex.position(v[0]);
-            const Point<double> b = complex.position(v[2]) - complex.position(v[0]);
-            sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
-        }
+    for (const Triangle t : triangles(complex)) {
+        const auto v = complex.vertices_of(t);
+        const Point<double> a = complex.position(v[1]) - complex.position(v[0]);
+        const Point<double> b = complex.position(v[2]) - complex.position(v[0]);
+        sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
     }
     return sum;
 }

@@ -3,8 +3,9 @@
 
 #include "support/random_scene.h"
 
-#include "dsc/geometry/predicates.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/validate.h"
+#include "dsc/geometry/predicates.h"
 
 #include <cmath>
 #include <limits>
@@ -165,15 +166,13 @@ bool Watch<Real>::step(const Velocity<Real>& velocity, double time, double dt) {
 
 template <class Real>
 void Watch<Real>::look() {
-    for (std::uint32_t t = 1; t < complex_.triangle_bound(); ++t) {
-        if (complex_.is_alive(Triangle{t})) {
-            const auto& v = complex_.triangles[t].v;
-            result_.inverted +=
-                orientation(complex_.position(Vertex{v[0]}), complex_.position(Vertex{v[1]}),
-                            complex_.position(Vertex{v[2]})) > 0
-                    ? 0U
-                    : 1U;
-        }
+    for (const Triangle t : triangles(complex_)) {
+        const auto& v = complex_.triangles[t.id].v;
+        result_.inverted +=
+            orientation(complex_.position(Vertex{v[0]}), complex_.position(Vertex{v[1]}),
+                        complex_.position(Vertex{v[2]})) > 0
+                ? 0U
+                : 1U;
     }
     if (result_.steps % static_cast<std::uint64_t>(watch_.thorough_every) != 0) {
         return;

@@ -2,12 +2,13 @@
 // The initial complex: every shape comes out as it went in, on a valid, constrained Delaunay
 // complex of good triangles of the size that was asked for.
 #include "dsc/complex/hash.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/validate.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/initial/lattice.h"
-#include "support/initial_testing.h"
-#include "shapes/shapes.h"
 #include "measures/symmetric_difference.h"
+#include "shapes/shapes.h"
+#include "support/initial_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -142,9 +143,9 @@ std::size_t expect_outline(const Complex<Real>& complex, const Scenery& scenery,
     }
     // The interface edge out of the first vertex that has the inside on its left.
     Corner start = dsc::no_id;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        for (std::uint32_t i = 0; i < 3 && complex.is_alive(dsc::Triangle{t}); ++i) {
-            const Corner c = dsc::corner_of(t, i);
+    for (const dsc::Triangle t : dsc::triangles(complex)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = dsc::corner_of(t.id, i);
             if (complex.vertex(dsc::next(c)) == first && complex.phase_at(c) == shape.phase &&
                 complex.phase_at(complex.twin(c)) != shape.phase) {
                 start = c;

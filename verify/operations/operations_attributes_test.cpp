@@ -6,6 +6,7 @@
 #include "support/operations_testing.h"
 #include "support/random_complex.h"
 
+#include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
@@ -64,20 +65,15 @@ template <class Real>
 Data read(Complex<Real>& K) {
     const Fields<Real> fields = fields_of(K);
     Data data;
-    for (std::uint32_t v = 0; v < K.vertex_bound(); ++v) {
-        if (K.is_alive(Vertex{v})) {
-            data.vertices[v] = fields.vertex[Vertex{v}];
-        }
+    for (const Vertex v : vertices(K)) {
+        data.vertices[v.id] = fields.vertex[v];
     }
-    for (std::uint32_t t = 1; t < K.triangle_bound(); ++t) {
-        if (!K.is_alive(Triangle{t})) {
-            continue;
-        }
-        const double value = fields.triangle[Triangle{t}];
-        data.triangles[t] = {sorted(K.triangles[t].v), value};
-        data.placed[sorted(K.triangles[t].v)] = value;
+    for (const Triangle t : triangles(K)) {
+        const double value = fields.triangle[t];
+        data.triangles[t.id] = {sorted(K.triangles[t.id].v), value};
+        data.placed[sorted(K.triangles[t.id].v)] = value;
         for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t, i);
+            const Corner c = corner_of(t.id, i);
             const Pair key = sorted(K.vertex(next(c)), K.vertex(prev(c)));
             const double here = fields.edge.at_corner(c);
             if (is_border(K.twin(c))) {
@@ -104,9 +100,9 @@ void write(Complex<Real>& K, double& counter) {
             fields.edge.at_corner(corner_of(t, i)) = ++counter; // garbage in free ids, too
         }
     }
-    for (std::uint32_t t = 1; t < K.triangle_bound(); ++t) {
-        for (std::uint32_t i = 0; i < 3 && K.is_alive(Triangle{t}); ++i) {
-            const Corner c = corner_of(t, i);
+    for (const Triangle t : triangles(K)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t.id, i);
             fields.edge.at_corner(c) = fields.edge[K.edge(c)];
         }
     }

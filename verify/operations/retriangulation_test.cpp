@@ -3,6 +3,7 @@
 #include "support/operations_testing.h"
 #include "support/small_meshes.h"
 
+#include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/ear_clipping.h"
 #include "dsc/operations/local_retriangulation.h"
@@ -196,12 +197,9 @@ TYPED_TEST(Retriangulation, AnyDegree) {
 template <class Real>
 double smallest_sine(const Complex<Real>& K) {
     double least = 2;
-    for (std::uint32_t t = 1; t < K.triangle_bound(); ++t) {
-        if (!K.is_alive(Triangle{t})) {
-            continue;
-        }
+    for (const Triangle t : triangles(K)) {
         for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t, i);
+            const Corner c = corner_of(t.id, i);
             const auto at = [&](Corner k) {
                 return K.position(Vertex{K.vertex(k)}).template cast<double>().eval();
             };
@@ -226,13 +224,13 @@ TYPED_TEST(Retriangulation, DelaunayIsDelaunayAndBetter) {
     expect_valid(K);
     expect_valid(D);
     EXPECT_GT(smallest_sine(D), 1.5 * smallest_sine(K));
-    for (std::uint32_t t = 1; t < D.triangle_bound(); ++t) {
+    for (const Triangle t : triangles(D)) {
         for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t, i);
-            if (!D.is_alive(Triangle{t}) || is_border(D.twin(c))) {
+            const Corner c = corner_of(t.id, i);
+            if (is_border(D.twin(c))) {
                 continue;
             }
-            const auto [a, b, w] = D.vertices_of(Triangle{t});
+            const auto [a, b, w] = D.vertices_of(t);
             EXPECT_LE(in_circle<TypeParam>(D.position(a), D.position(b), D.position(w),
                                            D.position(Vertex{D.vertex(D.twin(c))})),
                       0);

@@ -7,6 +7,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/validate.h"
 
 #include <gtest/gtest.h>
@@ -52,10 +53,10 @@ struct Data {
         for (std::uint32_t v = 0; v < mesh.vertex_bound(); ++v) {
             of_vertices[Vertex{v}] = datum(mesh, Vertex{v});
         }
-        for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
-            for (std::uint32_t i = 0; i < 3 && mesh.is_alive(Triangle{t}); ++i) {
-                of_triangles[Triangle{t}] = datum(mesh, Triangle{t});
-                of_edges.at_corner(corner_of(t, i)) = datum(mesh, corner_of(t, i));
+        for (const Triangle t : triangles(mesh)) {
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                of_triangles[t] = datum(mesh, t);
+                of_edges.at_corner(corner_of(t.id, i)) = datum(mesh, corner_of(t.id, i));
             }
         }
     }

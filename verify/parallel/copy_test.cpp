@@ -10,6 +10,7 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/validate.h"
 #include "dsc/quality/measures.h"
 
@@ -41,10 +42,8 @@ auto counts_of(const OperationCounts& c) {
 template <class Real>
 std::map<Phase, double> areas_of(const Complex<Real>& complex) {
     std::map<Phase, double> areas;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            areas[complex.phase(Triangle{t})] += static_cast<double>(area(complex, Triangle{t}));
-        }
+    for (const Triangle t : triangles(complex)) {
+        areas[complex.phase(t)] += static_cast<double>(area(complex, t));
     }
     return areas;
 }
@@ -302,21 +301,19 @@ TEST(CopyExecutor, CarriesDataLocksAndOrderThroughSteps) {
     EXPECT_GT(counts.flips + counts.splits + counts.collapses, 100U);
     ASSERT_EQ(validate(complex).problem, "");
     int locked = 0;
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v})) {
-            ASSERT_EQ(place[Vertex{v}], 1);
-            if (complex.is_locked(Vertex{v})) {
-                ++locked;
-                EXPECT_EQ(complex.position(Vertex{v}), pin);
-            }
+    for (const Vertex v : vertices(complex)) {
+        ASSERT_EQ(place[v], 1);
+        if (complex.is_locked(v)) {
+            ++locked;
+            EXPECT_EQ(complex.position(v), pin);
         }
     }
     EXPECT_EQ(locked, 1);
     int marked = 0;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        for (std::uint32_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
-            ASSERT_EQ(phases[Triangle{t}], complex.phase(Triangle{t}));
-            const Corner c = corner_of(t, i);
+    for (const Triangle t : triangles(complex)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            ASSERT_EQ(phases[t], complex.phase(t));
+            const Corner c = corner_of(t.id, i);
             const bool expected = is_interface(complex, complex.edge(c));
             ASSERT_EQ(edges.at_corner(c), expected ? 1 : 0) << "corner " << c;
             marked += edges.at_corner(c);

@@ -7,9 +7,10 @@
 #include "support/random_submeshes.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/passes/interface_list.h"
 #include "dsc/complex/hash.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/validate.h"
+#include "dsc/passes/interface_list.h"
 #include "dsc/quality/measures.h"
 
 #include <gtest/gtest.h>
@@ -89,27 +90,25 @@ public:
         for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
             of_vertices_[Vertex{v}] = place_of(v);
         }
-        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-            for (std::uint32_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
-                const Corner c = corner_of(t, i);
+        for (const Triangle t : triangles(complex)) {
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                const Corner c = corner_of(t.id, i);
                 of_edges_.at_corner(c) =
                     place_of(complex.vertex(next(c))) + place_of(complex.vertex(prev(c)));
-                of_triangles_[Triangle{t}] = 3 * place_of(complex.vertex(c));
+                of_triangles_[t] = 3 * place_of(complex.vertex(c));
             }
         }
     }
 
     [[nodiscard]] std::uint64_t hash() const {
         Hash hash;
-        for (std::uint32_t v = 0; v < complex_.vertex_bound(); ++v) {
-            if (complex_.is_alive(Vertex{v})) {
-                hash.add_real(of_vertices_[Vertex{v}]);
-            }
+        for (const Vertex v : vertices(complex_)) {
+            hash.add_real(of_vertices_[v]);
         }
-        for (std::uint32_t t = 1; t < complex_.triangle_bound(); ++t) {
-            for (std::uint32_t i = 0; i < 3 && complex_.is_alive(Triangle{t}); ++i) {
-                hash.add_real(of_edges_.at_corner(corner_of(t, i)));
-                hash.add_real(of_triangles_[Triangle{t}]);
+        for (const Triangle t : triangles(complex_)) {
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                hash.add_real(of_edges_.at_corner(corner_of(t.id, i)));
+                hash.add_real(of_triangles_[t]);
             }
         }
         return hash.value();
@@ -225,11 +224,8 @@ Outcome simulate(const Scene& scene, const MakeExecutor<Real>& make) {
             outcome.most_threads = std::max(outcome.most_threads, seen->threads_used());
         }
     }
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            outcome.areas[complex.phase(Triangle{t})] +=
-                static_cast<double>(area(complex, Triangle{t}));
-        }
+    for (const Triangle t : triangles(complex)) {
+        outcome.areas[complex.phase(t)] += static_cast<double>(area(complex, t));
     }
     return outcome;
 }

@@ -6,6 +6,8 @@
 #include "support/random_scene.h"
 #include "support/random_submeshes.h"
 
+#include "dsc/complex/ranges.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -177,12 +179,10 @@ TEST(Slabs, ShareTheWork) {
         disc.divide(counting);
         std::vector<int> count(5, 0);
         int total = 0;
-        for (std::uint32_t v = 0; v < disc.complex.vertex_bound(); ++v) {
-            const Point<double> p = disc.complex.position(Vertex{v});
-            if (disc.complex.is_alive(Vertex{v})) {
-                ++count.at(disc.partition.colours[0].locate(v, p.x(), p.y()));
-                ++total;
-            }
+        for (const Vertex v : vertices(disc.complex)) {
+            const Point<double> p = disc.complex.position(v);
+            ++count.at(disc.partition.colours[0].locate(v.id, p.x(), p.y()));
+            ++total;
         }
         for (const int held : count) {
             EXPECT_NEAR(held, total / 5.0, 0.02 * total) << degrees << " degrees";

@@ -3,8 +3,9 @@
 // lost.
 #include "support/submesh_executor_testing.h"
 
-#include "dsc/passes/interface_list.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
+#include "dsc/passes/interface_list.h"
 #include "dsc/quality/delaunay.h"
 #include "dsc/quality/measures.h"
 
@@ -34,13 +35,10 @@ struct Flaws {
     std::size_t poor = 0;         ///< triangles
 
     void add(const Complex<double>& complex, double h) {
-        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-            if (!complex.is_alive(Triangle{t})) {
-                continue;
-            }
-            poor += quality(complex, Triangle{t}) < 0.3 ? 1U : 0U;
+        for (const Triangle t : triangles(complex)) {
+            poor += quality(complex, t) < 0.3 ? 1U : 0U;
             for (std::uint32_t i = 0; i < 3; ++i) {
-                const Corner c = corner_of(t, i);
+                const Corner c = corner_of(t.id, i);
                 const Edge e = complex.edge(c);
                 const auto [a, b] = complex.vertices_of(e);
                 const double length = (complex.position(a) - complex.position(b)).norm() / h;
@@ -155,10 +153,8 @@ TEST(SubmeshExecutor, KeepsTheAreaWhereThatIsAskedFor) {
     const std::vector<Shape> shapes{{outline, 1}};
     const auto area_inside = [](const Complex<double>& complex) {
         double sum = 0;
-        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-            if (complex.is_alive(Triangle{t}) && complex.triangles[t].phase == 1) {
-                sum += area(complex, Triangle{t});
-            }
+        for (const Triangle t : triangles(complex, 1)) {
+            sum += area(complex, t);
         }
         return sum;
     };

@@ -3,12 +3,13 @@
 #include "hard/scene.h"
 #include "hard/watch.h"
 
-#include "dsc/passes/wall.h"
 #include "dsc/complex/mesh_functions.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/validate.h"
+#include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
-#include "scenes/strategy.h"
 #include "flows/velocity.h"
+#include "scenes/strategy.h"
 
 #include <gtest/gtest.h>
 
@@ -45,11 +46,11 @@ TEST_P(Wall, StripSlidesFromOneEndToTheOther) {
     EXPECT_LT(hard::shape_error(scene.complex, 1, exact), 1e-12);
     EXPECT_NEAR(hard::domain_area(scene.complex), 2, 1e-13);
     std::uint32_t on_wall = 0;
-    for (std::uint32_t v = 0; v < scene.complex.vertex_bound(); ++v) {
-        if (scene.complex.is_alive(Vertex{v}) && is_boundary(scene.complex, Vertex{v})) {
+    for (const Vertex v : vertices(scene.complex)) {
+        if (is_boundary(scene.complex, v)) {
             ++on_wall;
-            const Point<double> p = scene.complex.position(Vertex{v});
-            EXPECT_TRUE(p.x() == 0 || p.x() == 2 || p.y() == 0 || p.y() == 1) << v;
+            const Point<double> p = scene.complex.position(v);
+            EXPECT_TRUE(p.x() == 0 || p.x() == 2 || p.y() == 0 || p.y() == 1) << v.id;
         }
     }
     // 120 at the start; edges between 0.4 and 1.6 h.
@@ -92,9 +93,9 @@ TEST(WallMeeting, AnInterfaceThatMeetsTheWallIsNotInterpolatedAlongIt) {
 
 // The vertex at a place.
 std::uint32_t vertex_at(const Complex<double>& complex, const Point<double>& p) {
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v}) && complex.position(Vertex{v}) == p) {
-            return v;
+    for (const Vertex v : vertices(complex)) {
+        if (complex.position(v) == p) {
+            return v.id;
         }
     }
     return no_id;

@@ -5,10 +5,11 @@
 
 #include "support/simulation_testing.h"
 
+#include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/initial/initial_complex.h"
 #include "dsc/passes/interface_curve.h"
 #include "dsc/passes/interface_list.h"
-#include "dsc/base/error.h"
-#include "dsc/initial/initial_complex.h"
 #include "dsc/quality/ring_quality.h"
 
 #include <gtest/gtest.h>
@@ -40,14 +41,12 @@ Complex<double> complex_of(const Outline& outline) {
 
 double area_inside(const Complex<double>& complex) {
     double doubled = 0;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t}) && complex.triangles[t].phase == 1) {
-            const auto& v = complex.triangles[t].v;
-            const Point<double> a = complex.position(Vertex{v[0]});
-            const Point<double> b = complex.position(Vertex{v[1]}) - a;
-            const Point<double> c = complex.position(Vertex{v[2]}) - a;
-            doubled += b.x() * c.y() - b.y() * c.x();
-        }
+    for (const Triangle t : triangles(complex, 1)) {
+        const auto v = complex.vertices_of(t);
+        const Point<double> a = complex.position(v[0]);
+        const Point<double> b = complex.position(v[1]) - a;
+        const Point<double> c = complex.position(v[2]) - a;
+        doubled += b.x() * c.y() - b.y() * c.x();
     }
     return doubled / 2;
 }

@@ -6,6 +6,7 @@
 #include "support/snapshot.h"
 
 #include "dsc/complex/mesh_functions.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/validate.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
@@ -69,16 +70,16 @@ reference::Complex copy_out(const Complex<Real>& complex, const Region& region) 
         K.insert(complex.position(Vertex{v}).template cast<double>());
     }
     std::vector<bool> in_use(complex.vertex_bound(), region.is_whole());
-    for (std::uint32_t id = 1; id < complex.triangle_bound(); ++id) {
-        if (!complex.is_alive(Triangle{id}) || !owns_triangle(complex, region, id)) {
+    for (const Triangle t : triangles(complex)) {
+        if (!owns_triangle(complex, region, t.id)) {
             continue;
         }
-        const auto [a, b, c] = complex.vertices_of(Triangle{id});
-        K.set_phase(K.insert(a, b, c), complex.phase(Triangle{id}));
+        const auto [a, b, c] = complex.vertices_of(t);
+        K.set_phase(K.insert(a, b, c), complex.phase(t));
         for (const Vertex v : {a, b, c}) {
             in_use[v.id] = true;
         }
-        for (const Edge e : complex.edges_of(Triangle{id})) {
+        for (const Edge e : complex.edges_of(t)) {
             if (is_submesh_boundary(complex, region, e)) {
                 const auto [p, q] = complex.vertices_of(e);
                 K.submesh_boundary_edges.insert(reference::edge_key(p, q));
@@ -264,21 +265,17 @@ template <class Real>
 void compare_all(const Case<Real>& given, Tally& tally, bool exact_middle, bool with_smoothing) {
     const Complex<Real>& K = given.complex;
     Equivalence<Real> equivalence(given, tally);
-    for (std::uint32_t id = 1; id < K.triangle_bound(); ++id) {
-        if (!K.is_alive(Triangle{id})) {
-            continue;
-        }
-        compare_triangle(equivalence, K, Triangle{id}, exact_middle);
+    for (const Triangle t : triangles(K)) {
+        compare_triangle(equivalence, K, t, exact_middle);
         for (std::uint32_t i = 0; i < 3; ++i) {
-            if (K.is_alive(Edge{corner_of(id, i)})) {
-                compare_edge(equivalence, K, Edge{corner_of(id, i)}, exact_middle);
+            if (K.is_alive(Edge{corner_of(t.id, i)})) {
+                compare_edge(equivalence, K, Edge{corner_of(t.id, i)}, exact_middle);
             }
         }
     }
     if (with_smoothing) {
-        for (std::uint32_t id = 0; id < K.vertex_bound(); ++id) {
-            const Vertex v{id};
-            if (K.is_alive(v) && K.vertices[id].corner != no_id) {
+        for (const Vertex v : vertices(K)) {
+            if (K.vertices[v.id].corner != no_id) {
                 equivalence.compare(
                     Operation::smoothing, {v},
                     [&](Complex<Real>& complex, const Submesh& submesh) {
@@ -309,10 +306,10 @@ void compare_many(std::uint64_t first_seed, int count, Tally& tally) {
             given.region.label = 1;
         }
         given.copied = copy_out(given.complex, given.region);
-        for (std::uint32_t v = 0; v < given.complex.vertex_bound(); ++v) {
-            if (given.complex.is_alive(Vertex{v}) && is_boundary(given.complex, Vertex{v}) &&
-                is_submesh_boundary(given.complex, given.region, Vertex{v})) {
-                given.half_seen.insert(Vertex{v});
+        for (const Vertex v : vertices(given.complex)) {
+            if (is_boundary(given.complex, v) &&
+                is_submesh_boundary(given.complex, given.region, v)) {
+                given.half_seen.insert(v);
             }
         }
         const bool is_double = std::is_same_v<Real, double>;

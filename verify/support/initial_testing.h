@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/base/tolerances.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/quality/measures.h"
 #include "shapes/outline.h"
@@ -48,10 +49,8 @@ std::vector<std::uint32_t> loop_from(const Complex<Real>& complex, Corner corner
 template <class Real>
 std::map<std::pair<Real, Real>, std::uint32_t> vertices_by_position(const Complex<Real>& complex) {
     std::map<std::pair<Real, Real>, std::uint32_t> result;
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v})) {
-            result[{complex.vertices[v].x, complex.vertices[v].y}] = v;
-        }
+    for (const Vertex v : vertices(complex)) {
+        result[{complex.vertices[v.id].x, complex.vertices[v.id].y}] = v.id;
     }
     return result;
 }
@@ -59,10 +58,10 @@ std::map<std::pair<Real, Real>, std::uint32_t> vertices_by_position(const Comple
 template <class Real>
 std::size_t interface_edge_count(const Complex<Real>& complex) {
     std::size_t count = 0;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        for (std::uint32_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
-            const Corner other = complex.twin(corner_of(t, i));
-            count += !is_border(other) && complex.triangles[t].phase < complex.phase_at(other);
+    for (const Triangle t : triangles(complex)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner other = complex.twin(corner_of(t.id, i));
+            count += !is_border(other) && complex.phase(t) < complex.phase_at(other);
         }
     }
     return count;
@@ -101,13 +100,10 @@ template <class Real>
 Sizes sizes_of(const Complex<Real>& complex) {
     Sizes sizes;
     std::vector<double> qualities;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
+    for (const Triangle t : triangles(complex)) {
         std::array<Point<double>, 3> p;
         for (std::uint32_t i = 0; i < 3; ++i) {
-            p[i] = complex.position(Vertex{complex.triangles[t].v[i]}).template cast<double>();
+            p[i] = complex.position(Vertex{complex.triangles[t.id].v[i]}).template cast<double>();
         }
         qualities.push_back(quality<double>(p[0], p[1], p[2]));
         sizes.area += area<double>(p[0], p[1], p[2]);
@@ -115,7 +111,7 @@ Sizes sizes_of(const Complex<Real>& complex) {
             const double length = (p[(i + 1) % 3] - p[(i + 2) % 3]).norm();
             sizes.shortest = std::min(sizes.shortest, length);
             sizes.longest = std::max(sizes.longest, length);
-            const Corner c = corner_of(t, i);
+            const Corner c = corner_of(t.id, i);
             if (complex.phase_at(c) == complex.phase_at(complex.twin(c))) {
                 sizes.not_delaunay += is_locally_delaunay(complex, c) ? 0U : 1U;
             }

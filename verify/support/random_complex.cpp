@@ -2,6 +2,7 @@
 #include "random_complex.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
@@ -164,10 +165,7 @@ void give_phases(Random& random, Complex<Real>& complex, const RandomComplexOpti
         const double x = origin + size * random.unit();
         seeds.push_back({x, origin + size * random.unit(), random.below(options.phases)});
     }
-    for (std::uint32_t id = 1; id < complex.triangle_bound(); ++id) {
-        if (!complex.is_alive(Triangle{id})) {
-            continue;
-        }
+    for (const Triangle t : triangles(complex)) {
         Phase phase = exterior_phase;
         switch (options.pattern) {
         case PhasePattern::exterior: break;
@@ -175,7 +173,7 @@ void give_phases(Random& random, Complex<Real>& complex, const RandomComplexOpti
         case PhasePattern::salt: phase = random.below(options.phases); break;
         case PhasePattern::clustered: {
             double nearest = std::numeric_limits<double>::max();
-            const auto [a, b, c] = complex.vertices_of(Triangle{id});
+            const auto [a, b, c] = complex.vertices_of(t);
             const Point<double> centre =
                 (complex.position(a) + complex.position(b) + complex.position(c))
                     .template cast<double>() /
@@ -190,7 +188,7 @@ void give_phases(Random& random, Complex<Real>& complex, const RandomComplexOpti
             break;
         }
         }
-        complex.set_phase(Triangle{id}, phase);
+        complex.set_phase(t, phase);
     }
 }
 
@@ -222,9 +220,9 @@ Complex<Real> random_complex(std::uint64_t seed, const RandomComplexOptions& opt
     Complex<Real> complex = build(named, triangles);
     scramble(random, complex, options.scramble);
     give_phases(random, complex, options);
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v}) && random.chance(options.locked)) {
-            complex.set_locked(Vertex{v}, true);
+    for (const Vertex v : vertices(complex)) {
+        if (random.chance(options.locked)) {
+            complex.set_locked(v, true);
         }
     }
     return complex;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/complex/mesh_functions.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/motion/integrator.h"
 
@@ -93,12 +94,9 @@ Complex<Real> random_patches(Dice& dice, double h, int patches) {
         seeds.emplace_back(dice.in(0.0, 1.0), dice.in(0.0, 1.0));
         phases.push_back(static_cast<Phase>(dice.in(0, 3)));
     }
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
+    for (const Triangle t : triangles(complex)) {
         Point<double> middle = Point<double>::Zero();
-        for (const Vertex v : complex.vertices_of(Triangle{t})) {
+        for (const Vertex v : complex.vertices_of(t)) {
             middle += complex.position(v).template cast<double>() / 3;
         }
         std::size_t nearest = 0;
@@ -107,7 +105,7 @@ Complex<Real> random_patches(Dice& dice, double h, int patches) {
                 nearest = i;
             }
         }
-        complex.set_phase(Triangle{t}, phases[nearest]);
+        complex.set_phase(t, phases[nearest]);
     }
     return complex;
 }
@@ -195,11 +193,8 @@ private:
 template <class Real>
 std::vector<std::uint8_t> on_interface(const Complex<Real>& complex) {
     std::vector<std::uint8_t> on(complex.vertex_bound(), 0);
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
-        for (const Edge e : complex.edges_of(Triangle{t})) {
+    for (const Triangle t : triangles(complex)) {
+        for (const Edge e : complex.edges_of(t)) {
             if (is_interface(complex, e)) {
                 for (const Vertex v : complex.vertices_of(e)) {
                     on[v.id] = 1;

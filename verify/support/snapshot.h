@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/complex/ranges.h"
 
 #include <algorithm>
 #include <array>
@@ -55,14 +56,14 @@ inline PlacedTriangle placed(std::array<std::array<double, 2>, 3> at, Phase phas
 template <class Real, class Wanted>
 std::vector<PlacedTriangle> placed_triangles(const Complex<Real>& complex, Wanted wanted) {
     std::vector<PlacedTriangle> list;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t}) && wanted(t)) {
+    for (const Triangle t : triangles(complex)) {
+        if (wanted(t.id)) {
             std::array<std::array<double, 2>, 3> at;
             for (std::uint32_t i = 0; i < 3; ++i) {
-                const auto p = complex.position(Vertex{complex.triangles[t].v[i]});
+                const auto p = complex.position(Vertex{complex.triangles[t.id].v[i]});
                 at[i] = {static_cast<double>(p.x()), static_cast<double>(p.y())};
             }
-            list.push_back(placed(at, complex.triangles[t].phase));
+            list.push_back(placed(at, complex.phase(t)));
         }
     }
     std::sort(list.begin(), list.end());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/complex/algebra.h"
 
+#include "dsc/complex/ranges.h"
+
 #include <utility>
 
 namespace dsc {
@@ -233,22 +235,14 @@ SimplexSet link(const Complex<Real>& complex, const SimplexSet& set) {
 template <class Real>
 SimplexSet all_simplices(const Complex<Real>& complex) {
     Collector out;
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v})) {
-            out.vertices.push_back(Vertex{v});
-        }
+    for (const Vertex v : vertices(complex)) {
+        out.vertices.push_back(v);
     }
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
-        out.triangles.push_back(Triangle{t});
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t, i);
-            if (complex.edge(c).id == c) {
-                out.edges.push_back(Edge{c});
-            }
-        }
+    for (const Edge e : edges(complex)) {
+        out.edges.push_back(e);
+    }
+    for (const Triangle t : triangles(complex)) {
+        out.triangles.push_back(t);
     }
     return out.take();
 }

@@ -9,41 +9,10 @@
 // simplices collected for a set.
 #pragma once
 
-#include "dsc/complex/complex.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/simplex_set.h"
 
 namespace dsc {
-
-/// Calls `visit(corner)` for each corner at `v`: counter-clockwise, and at a vertex of the domain
-/// boundary from its first triangle to its last. O(d), no allocation.
-template <class Real, class Visit>
-void for_each_corner(const Complex<Real>& complex, Vertex v, Visit visit) {
-    const Corner start = complex.vertices[v.id].corner;
-    if (start == no_id) {
-        return;
-    }
-    // Clockwise to the first triangle, or once around.
-    Corner first = start;
-    while (true) {
-        const Corner across = complex.twin(prev(first));
-        if (is_border(across)) {
-            break;
-        }
-        first = prev(across);
-        if (first == start) {
-            break;
-        }
-    }
-    Corner c = first;
-    do {
-        const Corner across = complex.twin(next(c));
-        visit(c);
-        if (is_border(across)) {
-            return;
-        }
-        c = next(across);
-    } while (c != first);
-}
 
 /// The simplices that have one dimension less and are faces [figure 3.3]: of an edge its two
 /// vertices, of a triangle its three edges, of a vertex nothing. O(1).

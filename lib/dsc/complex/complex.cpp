@@ -2,6 +2,7 @@
 #include "dsc/complex/complex.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"
 
@@ -40,33 +41,8 @@ std::uint32_t Complex<Real>::triangle_count() const {
 
 template <class Real>
 Corner Complex<Real>::find_half_edge(Vertex a, Vertex b) const {
-    const Corner start = vertices[a.id].corner;
-    if (start == no_id) {
-        return no_id;
-    }
-    // Counter-clockwise around a; if the domain ends, clockwise from the start as well.
-    Corner c = start;
-    do {
-        if (vertex(next(c)) == b.id) {
-            return prev(c);
-        }
-        const Corner across = twin(next(c));
-        if (is_border(across)) {
-            c = start;
-            while (true) {
-                const Corner back = twin(prev(c));
-                if (is_border(back)) {
-                    return no_id;
-                }
-                c = prev(back);
-                if (vertex(next(c)) == b.id) {
-                    return prev(c);
-                }
-            }
-        }
-        c = next(across);
-    } while (c != start);
-    return no_id;
+    const Corner c = find_corner(*this, a, [&](Corner at) { return vertex(next(at)) == b.id; });
+    return c == no_id ? no_id : prev(c);
 }
 
 template <class Real>
@@ -215,36 +191,11 @@ void check_manifold(const Complex<Real>& complex) {
         }
     }
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        const Corner start = complex.vertices[v].corner;
-        if (start == no_id) {
+        if (complex.vertices[v].corner == no_id) {
             continue;
         }
         std::uint32_t met = 0;
-        Corner c = start;
-        bool closed = false;
-        while (true) {
-            ++met;
-            const Corner across = complex.twin(next(c));
-            if (is_border(across)) {
-                break;
-            }
-            c = next(across);
-            if (c == start) {
-                closed = true;
-                break;
-            }
-        }
-        if (!closed) {
-            c = start;
-            while (true) {
-                const Corner back = complex.twin(prev(c));
-                if (is_border(back)) {
-                    break;
-                }
-                c = prev(back);
-                ++met;
-            }
-        }
+        for_each_corner(complex, Vertex{v}, [&](Corner) { ++met; });
         if (met != named[v]) {
             refuse("a vertex is not manifold", "vertex " + std::to_string(v),
                    "triangles that form one disc or half disc about it");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/complex/embedding.h"
 
+#include "dsc/complex/circulate.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
 
 #include <algorithm>
@@ -46,13 +48,13 @@ template <class Real>
 std::vector<std::uint32_t> label_components(const Complex<Real>& complex, std::uint64_t& count) {
     std::vector<std::uint32_t> label(complex.triangle_bound(), no_id);
     std::vector<std::uint32_t> stack;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (label[t] != no_id || !complex.is_alive(Triangle{t})) {
+    for (const Triangle t : triangles(complex)) {
+        if (label[t.id] != no_id) {
             continue;
         }
         const auto number = static_cast<std::uint32_t>(count++);
-        label[t] = number;
-        stack.push_back(t);
+        label[t.id] = number;
+        stack.push_back(t.id);
         while (!stack.empty()) {
             const std::uint32_t at = stack.back();
             stack.pop_back();
@@ -71,11 +73,7 @@ std::vector<std::uint32_t> label_components(const Complex<Real>& complex, std::u
 // The boundary edge that starts where the one opposite to `c` ends.
 template <class Real>
 Corner next_on_boundary(const Complex<Real>& complex, Corner c) {
-    Corner at = prev(c);
-    while (!is_border(complex.twin(prev(at)))) {
-        at = prev(complex.twin(prev(at)));
-    }
-    return prev(at);
+    return next_along(complex, c, [&](Corner at) { return is_border(complex.twin(at)); });
 }
 
 template <class Real>
@@ -89,9 +87,9 @@ Boundary<Real> collect_boundary(const Complex<Real>& complex,
                                 const std::vector<std::uint32_t>& component) {
     Boundary<Real> boundary;
     std::vector<std::uint8_t> seen(4 * std::size_t{complex.triangle_bound()}, 0);
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        for (std::uint32_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
-            Corner c = corner_of(t, i);
+    for (const Triangle t : triangles(complex)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            Corner c = corner_of(t.id, i);
             if (!is_border(complex.twin(c)) || seen[c] != 0) {
                 continue;
             }
@@ -101,7 +99,7 @@ Boundary<Real> collect_boundary(const Complex<Real>& complex,
                 const Vertex a{complex.vertex(next(c))};
                 const Vertex b{complex.vertex(prev(c))};
                 boundary.segments.push_back(
-                    {complex.position(a), complex.position(b), a.id, b.id, component[t]});
+                    {complex.position(a), complex.position(b), a.id, b.id, component[t.id]});
                 c = next_on_boundary(complex, c);
             }
             boundary.loops.push_back(boundary.segments[first]);

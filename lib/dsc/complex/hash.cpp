@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/complex/hash.h"
 
+#include "dsc/complex/ranges.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -28,17 +30,14 @@ std::uint64_t bits_of(double value) {
 template <class Real>
 std::uint64_t mesh_hash(const Complex<Real>& complex) {
     std::uint64_t sum = 0; // commutative, so that the order of triangles does not matter
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
+    for (const Triangle t : triangles(complex)) {
         std::array<std::array<double, 2>, 3> p{};
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto& vertex = complex.vertices[complex.triangles[t].v[i]];
+            const auto& vertex = complex.vertices[complex.triangles[t.id].v[i]];
             p[i] = {static_cast<double>(vertex.x), static_cast<double>(vertex.y)};
         }
         std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
-        std::uint64_t hash = mix(complex.triangles[t].phase);
+        std::uint64_t hash = mix(complex.phase(t));
         for (const auto& corner : p) {
             hash = mix(hash ^ bits_of(corner[0]));
             hash = mix(hash ^ bits_of(corner[1]));

@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/algebra.h"
 #include "dsc/complex/interface_pair.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"
 
@@ -186,13 +187,10 @@ std::vector<Triangle> doomed_triangles(const Complex<Real>& complex, const Simpl
         }
     }
     if (!set.vertices().empty()) {
-        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-            if (!complex.is_alive(Triangle{t})) {
-                continue;
-            }
-            for (const std::uint32_t v : complex.triangles[t].v) {
+        for (const Triangle t : triangles(complex)) {
+            for (const std::uint32_t v : complex.triangles[t.id].v) {
                 if (set.contains(Vertex{v})) {
-                    doomed.push_back(Triangle{t});
+                    doomed.push_back(t);
                     break;
                 }
             }
@@ -232,14 +230,11 @@ void unlink(Complex<Real>& complex, Triangle t, std::vector<std::uint32_t>& orph
 // A vertex that lost the fan it knew of may have another one.
 template <class Real>
 void adopt(Complex<Real>& complex) {
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
+    for (const Triangle t : triangles(complex)) {
         for (std::uint32_t i = 0; i < 3; ++i) {
-            auto& vertex = complex.vertices[complex.triangles[t].v[i]];
+            auto& vertex = complex.vertices[complex.triangles[t.id].v[i]];
             if (vertex.corner == no_id) {
-                vertex.corner = corner_of(t, i);
+                vertex.corner = corner_of(t.id, i);
             }
         }
     }
@@ -348,31 +343,22 @@ bool is_submesh_boundary(const Complex<Real>& complex, const Region& region, Edg
 template <class Real>
 SimplexSet interface_of(const Complex<Real>& complex) {
     std::vector<Vertex> vertices;
-    std::vector<Edge> edges;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t, i);
-            if (complex.edge(c).id == c && is_interface_corner(complex, c)) {
-                edges.push_back(Edge{c});
-                vertices.push_back(Vertex{complex.vertex(next(c))});
-                vertices.push_back(Vertex{complex.vertex(prev(c))});
-            }
+    std::vector<Edge> found;
+    for (const Edge e : edges(complex)) {
+        if (is_interface(complex, e)) {
+            found.push_back(e);
+            const auto ends = complex.vertices_of(e);
+            vertices.insert(vertices.end(), ends.begin(), ends.end());
         }
     }
-    return SimplexSet(std::move(vertices), std::move(edges), {});
+    return SimplexSet(std::move(vertices), std::move(found), {});
 }
 
 template <class Real>
 std::vector<Phase> phases(const Complex<Real>& complex) {
     std::vector<Phase> found;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
-        const Phase phase = complex.triangles[t].phase;
+    for (const Triangle t : triangles(complex)) {
+        const Phase phase = complex.phase(t);
         const auto place = std::lower_bound(found.begin(), found.end(), phase);
         if (place == found.end() || *place != phase) {
             found.insert(place, phase);
@@ -386,11 +372,8 @@ double phase_area(const Complex<Real>& complex, Phase phase) {
     // Neumaier's sum: what each addition rounds away is gathered apart.
     double sum = 0;
     double lost = 0;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t}) || complex.triangles[t].phase != phase) {
-            continue;
-        }
-        const auto v = complex.vertices_of(Triangle{t});
+    for (const Triangle t : triangles(complex, phase)) {
+        const auto v = complex.vertices_of(t);
         const Point<double> a = complex.position(v[0]).template cast<double>();
         const Point<double> b = complex.position(v[1]).template cast<double>();
         const Point<double> c = complex.position(v[2]).template cast<double>();

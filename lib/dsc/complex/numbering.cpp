@@ -2,6 +2,7 @@
 #include "dsc/complex/numbering.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/complex/rewire.h"
 
 #include <algorithm>
@@ -28,14 +29,12 @@ public:
         double high_y = high_x;
         low_x_ = -high_x;
         low_y_ = -high_x;
-        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-            if (complex.is_alive(Vertex{v})) {
-                const auto& record = complex.vertices[v];
-                low_x_ = std::min(low_x_, static_cast<double>(record.x));
-                low_y_ = std::min(low_y_, static_cast<double>(record.y));
-                high_x = std::max(high_x, static_cast<double>(record.x));
-                high_y = std::max(high_y, static_cast<double>(record.y));
-            }
+        for (const Vertex v : vertices(complex)) {
+            const auto& record = complex.vertices[v.id];
+            low_x_ = std::min(low_x_, static_cast<double>(record.x));
+            low_y_ = std::min(low_y_, static_cast<double>(record.y));
+            high_x = std::max(high_x, static_cast<double>(record.x));
+            high_y = std::max(high_y, static_cast<double>(record.y));
         }
         // Halves, so that an extent near the largest double does not overflow.
         const double half = std::max(high_x / 2 - low_x_ / 2, high_y / 2 - low_y_ / 2);
@@ -65,12 +64,10 @@ std::vector<std::uint32_t> order_vertices(const Complex<Real>& complex) {
     const Grid<Real> grid(complex);
     std::vector<Keyed> keyed;
     keyed.reserve(complex.vertex_count());
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v})) {
-            const auto& record = complex.vertices[v];
-            keyed.push_back(
-                {grid.key(static_cast<double>(record.x), static_cast<double>(record.y)), v});
-        }
+    for (const Vertex v : vertices(complex)) {
+        const auto& record = complex.vertices[v.id];
+        keyed.push_back(
+            {grid.key(static_cast<double>(record.x), static_cast<double>(record.y)), v.id});
     }
     std::sort(keyed.begin(), keyed.end(), [&](const Keyed& a, const Keyed& b) {
         if (a.key != b.key) {
@@ -97,19 +94,15 @@ std::vector<std::uint32_t> order_triangles(const Complex<Real>& complex) {
         return std::min({v[0], v[1], v[2]});
     };
     std::vector<std::uint32_t> begin(complex.vertices.size() + 1, 0);
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            ++begin[smallest(t) + 1];
-        }
+    for (const Triangle t : triangles(complex)) {
+        ++begin[smallest(t.id) + 1];
     }
     for (std::size_t v = 1; v < begin.size(); ++v) {
         begin[v] += begin[v - 1];
     }
     std::vector<std::uint32_t> order(1 + std::size_t{begin.back()}, border_triangle);
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            order[1 + begin[smallest(t)]++] = t; // begin[v] ends as the end of bucket v
-        }
+    for (const Triangle t : triangles(complex)) {
+        order[1 + begin[smallest(t.id)]++] = t.id; // begin[v] ends as the end of bucket v
     }
     const auto sorted = [&](std::uint32_t t) {
         auto v = complex.triangles[t].v;
@@ -217,11 +210,9 @@ Renumbering renumber(Complex<Real>& complex) {
         complex.attributes.permute(SimplexKind::vertex, order);
         permute(complex.vertices, order, result.vertices);
     }
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            for (std::uint32_t& v : complex.triangles[t].v) {
-                v = result.vertices[v];
-            }
+    for (const Triangle t : triangles(complex)) {
+        for (std::uint32_t& v : complex.triangles[t.id].v) {
+            v = result.vertices[v];
         }
     }
     {

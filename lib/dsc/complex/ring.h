@@ -4,6 +4,7 @@
 // reduced across lanes; the result does not depend on their order.
 #pragma once
 
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/submesh.h"
 
 #include <algorithm>
@@ -149,6 +150,8 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
         }
     };
 
+    // Not `circulate`: most stars are closed, so this sets out at once and begins again where the
+    // domain turns out to end, and it reads each triangle's record once.
     Corner first = start;
     std::uint32_t n = 0;
     Corner c = start;
@@ -167,13 +170,7 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
             if (closed) {
                 // The domain ends here: begin again from the clockwise end.
                 closed = false;
-                while (true) {
-                    const Corner back = complex.twin(prev(first));
-                    if (is_border(back)) {
-                        break;
-                    }
-                    first = prev(back);
-                }
+                first = first_corner(complex, start);
                 if (first != start) {
                     n = 0;
                     differing = 0;

@@ -2,7 +2,9 @@
 #include "dsc/complex/validate.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/embedding.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
 
 #include <algorithm>
@@ -83,25 +85,22 @@ bool is_corner_of_living(const Complex<Real>& complex, Corner c) {
 
 template <class Real>
 Problem check_vertices(const Complex<Real>& complex, ValidationReport& report) {
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        const auto& record = complex.vertices[v];
-        if (!complex.is_alive(Vertex{v})) {
-            continue;
-        }
+    for (const Vertex v : vertices(complex)) {
+        const auto& record = complex.vertices[v.id];
         ++report.vertices;
         if (!std::isfinite(record.x) || !std::isfinite(record.y)) {
-            return name_vertex(complex, v) + ": a coordinate is not finite";
+            return name_vertex(complex, v.id) + ": a coordinate is not finite";
         }
         if (record.corner == no_id) {
             ++report.unused_vertices;
             continue;
         }
         if (!is_corner_of_living(complex, record.corner)) {
-            return name_vertex(complex, v) + ": its corner (" + name_corner(record.corner) +
+            return name_vertex(complex, v.id) + ": its corner (" + name_corner(record.corner) +
                    ") does not live";
         }
-        if (complex.vertex(record.corner) != v) {
-            return name_vertex(complex, v) + ": its corner (" + name_corner(record.corner) +
+        if (complex.vertex(record.corner) != v.id) {
+            return name_vertex(complex, v.id) + ": its corner (" + name_corner(record.corner) +
                    ") is at vertex " + std::to_string(complex.vertex(record.corner));
         }
     }
@@ -177,11 +176,9 @@ Problem check_orientation(const Complex<Real>& complex, std::uint32_t t) {
 // neighbours, and shall be named first.
 template <class Real, class Check>
 Problem check_triangles(const Complex<Real>& complex, Check check) {
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            if (Problem problem = check(t); !problem.empty()) {
-                return problem;
-            }
+    for (const Triangle t : triangles(complex)) {
+        if (Problem problem = check(t.id); !problem.empty()) {
+            return problem;
         }
     }
     return {};
@@ -228,30 +225,18 @@ bool is_upper(const Point<Real>& centre, const Point<Real>& p) {
     return p.y() > centre.y() || (p.y() == centre.y() && p.x() > centre.x());
 }
 
-// Rotates about v from its first triangle; `expected` triangles name it, which bounds the loops.
+// Rotates about v; the links are known to be right, so that this ends. `expected` triangles name
+// it.
 template <class Real>
 Problem check_fan(const Complex<Real>& complex, std::uint32_t v, std::uint32_t expected) {
-    const Corner start = complex.vertices[v].corner;
-    Corner first = start;
-    bool closed = false;
-    for (std::uint32_t i = 0; i <= expected; ++i) {
-        const Corner across = complex.twin(prev(first));
-        if (is_border(across)) {
-            break;
-        }
-        first = prev(across);
-        closed = first == start;
-        if (closed) {
-            break;
-        }
-    }
+    const Corner first = first_corner(complex, complex.vertices[v].corner);
+    const bool closed = !is_border(corner_cw(complex, first));
     const Point<Real> centre = complex.position(Vertex{v});
     const Point<Real> begin = complex.position(Vertex{complex.vertex(next(first))});
     std::uint32_t met = 0;
     std::uint32_t rounds = 0;  // of a closed fan: how often it passes direction 0
     bool begins_again = false; // an open fan that comes back to where it began
-    Corner c = first;
-    while (met <= expected) {
+    circulate(complex, first, [&](Corner c) {
         ++met;
         const Point<Real> from = complex.position(Vertex{complex.vertex(next(c))});
         const Point<Real> to = complex.position(Vertex{complex.vertex(prev(c))});
@@ -259,16 +244,10 @@ Problem check_fan(const Complex<Real>& complex, std::uint32_t v, std::uint32_t e
         begins_again =
             begins_again || (met > 1 && !closed && orientation(centre, from, begin) > 0 &&
                              orientation(centre, begin, to) >= 0);
-        const Corner across = complex.twin(next(c));
-        if (is_border(across) || next(across) == first) {
-            break;
-        }
-        c = next(across);
-    }
+    });
     if (met != expected) {
         return name_vertex(complex, v) + ": it is not manifold: " + std::to_string(expected) +
-               " triangles name it, rotating about it meets " +
-               (met > expected ? "more" : std::to_string(met));
+               " triangles name it, rotating about it meets " + std::to_string(met);
     }
     if ((closed && rounds != 1) || begins_again) {
         return name_vertex(complex, v) + ": the triangles go around it more than once";
@@ -279,9 +258,9 @@ Problem check_fan(const Complex<Real>& complex, std::uint32_t v, std::uint32_t e
 template <class Real>
 Problem check_fans(const Complex<Real>& complex) {
     std::vector<std::uint32_t> named(complex.vertex_bound(), 0);
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        for (std::size_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
-            ++named[complex.triangles[t].v[i]];
+    for (const Triangle t : triangles(complex)) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            ++named[complex.triangles[t.id].v[i]];
         }
     }
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {

@@ -4,8 +4,8 @@
 // the flips come to an end without a slack.
 #pragma once
 
+#include "dsc/complex/circulate.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/initial/star.h"
 #include "dsc/initial/zone.h"
 #include "dsc/operations/edge_flip.h"
 
@@ -83,7 +83,7 @@ void legalise(Complex<Real>& complex, std::vector<Corner>& stack) {
 /// Restores the Delaunay property after the star of a vertex has changed.
 template <class Real>
 void legalise_star(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack) {
-    visit_star(complex, vertex, [&](Corner c) {
+    for_each_corner(complex, Vertex{vertex}, [&](Corner c) {
         stack.push_back(c);
         stack.push_back(next(c));
         complex.vertices[complex.vertex(c)].slot = unsettled;

@@ -2,6 +2,7 @@
 #include "dsc/initial/insertion.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/walk.h"
 #include "dsc/initial/delaunay.h"
 #include "dsc/initial/star_quality.h"
 #include "dsc/operations/edge_collapse.h"
@@ -13,56 +14,15 @@ namespace dsc::initial {
 
 template <class Real>
 Location locate(const Complex<Real>& complex, std::uint32_t start, const Point<Real>& point) {
-    Corner here = corner_of(start, 0);
-    Corner entered = no_id; // the walk never steps back through the edge that it came by
-    std::uint32_t coin = 0x9e3779b9U;
-    const std::size_t limit = 8 * complex.triangles.size() + 64;
-    for (std::size_t step = 0; step < limit; ++step) {
-        coin = coin * 1664525U + 1013904223U;
-        Corner c = here;
-        for (std::uint32_t turn = (coin >> 16U) % 3; turn > 0; --turn) {
-            c = next(c);
-        }
-        Corner on_edge = no_id;
-        Corner on_second_edge = no_id;
-        Corner across = no_id;
-        for (int side = 0; side < 3; ++side, c = next(c)) {
-            if (c == entered) {
-                continue;
-            }
-            const auto a = complex.position(Vertex{complex.vertex(next(c))});
-            const auto b = complex.position(Vertex{complex.vertex(prev(c))});
-            const int sign = orientation<Real>(a, b, point);
-            if (sign < 0) {
-                across = c;
-                break;
-            }
-            if (sign == 0) {
-                on_second_edge = on_edge;
-                on_edge = c;
-            }
-        }
-        if (across != no_id) {
-            const Corner other = complex.twin(across);
-            if (complex.phase_at(across) != complex.phase_at(other)) {
-                return {Place::beyond, across};
-            }
-            here = other;
-            entered = other;
-            continue;
-        }
-        if (on_second_edge != no_id) {
-            // Two edges meet in the corner that is opposite to neither.
-            Corner at = here;
-            while (at == on_edge || at == on_second_edge) {
-                at = next(at);
-            }
-            return {Place::vertex, at};
-        }
-        if (on_edge != no_id) {
-            return {Place::edge, on_edge};
-        }
-        return {Place::triangle, here};
+    const WalkEnd end =
+        walk(complex, Triangle{start}, point, 8 * complex.triangles.size() + 64,
+             [&](Corner c) { return complex.phase_at(c) == complex.phase_at(complex.twin(c)); });
+    switch (end.kind) {
+    case WalkEnd::Kind::triangle: return {Place::triangle, end.corner};
+    case WalkEnd::Kind::edge: return {Place::edge, end.corner};
+    case WalkEnd::Kind::vertex: return {Place::vertex, end.corner};
+    case WalkEnd::Kind::stopped: return {Place::beyond, end.corner};
+    case WalkEnd::Kind::lost: break;
     }
     throw InvariantError("locate: the walk does not arrive");
 }

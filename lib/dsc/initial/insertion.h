@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Point location and insertion. Location walks from triangle to triangle, by exact signs and with a
-// reproducible coin against going in circles (O. Devillers, S. Pion, M. Teillaud, "Walking in a
-// triangulation", 2002). Insertion keeps the triangulation constrained Delaunay.
+// Point location inside one phase, and insertion, which keeps the triangulation constrained
+// Delaunay.
 #pragma once
 
 #include "dsc/complex/complex.h"

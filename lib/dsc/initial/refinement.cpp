@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/refinement.h"
 
+#include "dsc/complex/ranges.h"
 #include "dsc/initial/insertion.h"
 #include "dsc/initial/rounding.h"
-#include "dsc/initial/star.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/quality/measures.h"
 
@@ -92,11 +92,11 @@ std::uint32_t break_up(Complex<Real>& complex, std::uint32_t triangle, std::vect
 template <class Real>
 void push_poor(const Complex<Real>& complex, std::uint32_t vertex,
                std::vector<std::uint32_t>& queue) {
-    visit_star(complex, vertex, [&](Corner c) {
-        if (quality_of(complex, triangle_of(c)) < refine_below) {
-            queue.push_back(triangle_of(c));
+    for (const Triangle t : star_triangles(complex, Vertex{vertex})) {
+        if (quality_of(complex, t.id) < refine_below) {
+            queue.push_back(t.id);
         }
-    });
+    }
 }
 
 // Whether the edge could be split at its midpoint and was.
@@ -157,7 +157,7 @@ std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zo
         }
         Corner longest = no_id;
         double length = split_above * edge_length;
-        visit_star(complex, v, [&](Corner c) {
+        for_each_corner(complex, Vertex{v}, [&](Corner c) {
             // The spoke at the counter-clockwise side of the triangle, opposite to its next corner.
             const double candidate = (at(complex, complex.vertex(prev(c))) - at(complex, v)).norm();
             if (candidate > length && !is_constrained(complex, next(c))) {

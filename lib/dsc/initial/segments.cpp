@@ -2,8 +2,8 @@
 #include "dsc/initial/segments.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/initial/star.h"
 #include "dsc/operations/edge_flip.h"
 
 #include <array>
@@ -56,7 +56,7 @@ private:
     Crossings trace(std::uint32_t p, std::uint32_t q) const {
         Crossings crossings;
         Corner into = no_id;
-        visit_star(complex_, p, [&](Corner c) {
+        for_each_corner(complex_, Vertex{p}, [&](Corner c) {
             const std::uint32_t a = complex_.vertex(next(c));
             const std::uint32_t b = complex_.vertex(prev(c));
             for (const std::uint32_t v : {a, b}) {

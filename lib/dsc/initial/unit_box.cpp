@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/unit_box.h"
 
+#include "dsc/complex/ranges.h"
+
 namespace dsc {
 
 Rectangle to_unit(const UnitMap& map, const Rectangle& world) {
@@ -30,11 +32,9 @@ Complex<Real> initial_complex(const UnitMap& map, const Rectangle& domain,
 
 template <class Real>
 Complex<Real> to_world(const UnitMap& map, Complex<Real> complex) {
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v})) {
-            const Point<double> unit = complex.position(Vertex{v}).template cast<double>();
-            complex.set_position(Vertex{v}, to_world(map, unit).template cast<Real>());
-        }
+    for (const Vertex v : vertices(complex)) {
+        const Point<double> unit = complex.position(v).template cast<double>();
+        complex.set_position(v, to_world(map, unit).template cast<Real>());
     }
     return complex;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/zone.h"
 
-#include "dsc/initial/star.h"
+#include "dsc/complex/ranges.h"
 
 #include <algorithm>
 #include <limits>
@@ -19,10 +19,10 @@ template <class Real>
 bool is_fine(const Complex<Real>& complex, std::uint32_t vertex, double length) {
     double shortest = std::numeric_limits<double>::infinity();
     const Point<Real> centre = complex.position(Vertex{vertex});
-    visit_link(complex, vertex, [&](std::uint32_t w) {
-        const Point<Real> spoke = complex.position(Vertex{w}) - centre;
+    for (const Vertex w : link_vertices(complex, Vertex{vertex})) {
+        const Point<Real> spoke = complex.position(w) - centre;
         shortest = std::min(shortest, spoke.template cast<double>().norm());
-    });
+    }
     return shortest < fine_below * length;
 }
 
@@ -47,12 +47,12 @@ std::vector<std::uint32_t> find_zone(Complex<Real>& complex,
         if (ring >= rings && !is_fine(complex, v, edge_length)) {
             continue;
         }
-        visit_link(complex, v, [&](std::uint32_t w) {
-            if (complex.vertices[w].stamp == 0) {
-                complex.vertices[w].stamp = 1;
-                found.push_back(w);
+        for (const Vertex w : link_vertices(complex, Vertex{v})) {
+            if (complex.vertices[w.id].stamp == 0) {
+                complex.vertices[w.id].stamp = 1;
+                found.push_back(w.id);
             }
-        });
+        }
     }
     for (const std::uint32_t v : found) {
         complex.vertices[v].stamp = 0;

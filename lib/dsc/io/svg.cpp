@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/mesh_functions.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/io/part_file.h"
 
 #include <algorithm>
@@ -17,14 +18,12 @@ template <class Real>
 SvgBox box_of(const Complex<Real>& complex) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     SvgBox box{infinity, infinity, -infinity, -infinity};
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_alive(Vertex{v})) {
-            const Point<double> p = complex.position(Vertex{v}).template cast<double>();
-            box.low_x = std::min(box.low_x, p.x());
-            box.low_y = std::min(box.low_y, p.y());
-            box.high_x = std::max(box.high_x, p.x());
-            box.high_y = std::max(box.high_y, p.y());
-        }
+    for (const Vertex v : vertices(complex)) {
+        const Point<double> p = complex.position(v).template cast<double>();
+        box.low_x = std::min(box.low_x, p.x());
+        box.low_y = std::min(box.low_y, p.y());
+        box.high_x = std::max(box.high_x, p.x());
+        box.high_y = std::max(box.high_y, p.y());
     }
     return box.low_x <= box.high_x ? box : SvgBox{};
 }
@@ -111,11 +110,7 @@ void write_triangles(PartFile& file, const Complex<Real>& complex, const View& v
             file << escape_xml(colour_of(phase, options)) << "\" stroke-width=\"0.5";
         }
         file << "\" d=\"";
-        for (std::uint32_t id = 1; id < complex.triangle_bound(); ++id) {
-            const Triangle t{id};
-            if (!complex.is_alive(t) || complex.phase(t) != phase) {
-                continue;
-            }
+        for (const Triangle t : triangles(complex, phase)) {
             char command = 'M';
             for (const Vertex v : complex.vertices_of(t)) {
                 file << command;

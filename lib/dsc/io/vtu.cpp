@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/io/vtu.h"
 
+#include "dsc/complex/ranges.h"
 #include "dsc/io/part_file.h"
 
 #include <type_traits>
@@ -14,16 +15,12 @@ namespace {
 template <class Real>
 struct Numbers {
     explicit Numbers(const Complex<Real>& complex) : vertex_number(complex.vertex_bound(), no_id) {
-        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-            if (complex.is_alive(Vertex{v})) {
-                vertex_number[v] = static_cast<std::uint32_t>(vertices.size());
-                vertices.push_back(v);
-            }
+        for (const Vertex v : dsc::vertices(complex)) {
+            vertex_number[v.id] = static_cast<std::uint32_t>(vertices.size());
+            vertices.push_back(v.id);
         }
-        for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-            if (complex.is_alive(Triangle{t})) {
-                triangles.push_back(t);
-            }
+        for (const Triangle t : dsc::triangles(complex)) {
+            triangles.push_back(t.id);
         }
     }
 

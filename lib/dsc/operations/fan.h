@@ -3,6 +3,7 @@
 // owns the whole star, and how many interface edges meet. Any degree; nothing is gathered.
 #pragma once
 
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/interface_pair.h"
 #include "dsc/complex/submesh.h"
 
@@ -21,37 +22,16 @@ struct Fan {
 template <class Real, class Visit>
 Fan turn(const Complex<Real>& complex, std::uint32_t vertex, Visit visit) {
     Fan fan;
-    Corner start = complex.vertices[vertex].corner;
+    const Corner start = complex.vertices[vertex].corner;
     if (start == no_id) {
         return fan;
     }
-    Corner c = start;
-    // To the clockwise end, if there is one.
-    while (true) {
-        const Corner back = complex.twin(prev(c));
-        if (is_border(back)) {
-            fan.on_boundary = true;
-            start = c;
-            fan.first = complex.vertex(next(c));
-            break;
-        }
-        c = prev(back);
-        if (c == start) {
-            break;
-        }
-    }
-    c = start;
-    while (true) {
-        visit(c);
-        const Corner across = complex.twin(next(c));
-        if (is_border(across)) {
-            fan.last = complex.vertex(prev(c));
-            break;
-        }
-        c = next(across);
-        if (c == start) {
-            break;
-        }
+    const Corner first = first_corner(complex, start);
+    fan.on_boundary = is_border(complex.twin(prev(first)));
+    const Corner last = circulate(complex, first, visit);
+    if (fan.on_boundary) {
+        fan.first = complex.vertex(next(first));
+        fan.last = complex.vertex(prev(last));
     }
     return fan;
 }

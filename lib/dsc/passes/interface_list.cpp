@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/interface_list.h"
 
+#include "dsc/complex/circulate.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/passes/interface_curve.h"
 
 #include <cmath>
@@ -34,27 +36,14 @@ std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::
             }
             seen[v] = 1;
             list.push_back(v);
-            // The next interface edge about w = vertex(prev(c)), clockwise inside this phase.
-            Corner at = prev(c);
             const Phase inside = complex.phase_at(c);
-            while (true) {
-                // Half-edge that leaves w in this triangle is opposite to prev(at).
-                const Corner candidate = prev(at);
-                const Corner across = complex.twin(candidate);
-                if (complex.phase_at(across) != inside) {
-                    c = candidate;
-                    break;
-                }
-                at = prev(across);
-            }
+            c = next_along(complex, c,
+                           [&](Corner at) { return complex.phase_at(complex.twin(at)) != inside; });
         }
     };
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
-            continue;
-        }
+    for (const Triangle t : triangles(complex)) {
         for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t, i);
+            const Corner c = corner_of(t.id, i);
             const Phase inside = complex.phase_at(c);
             const Phase across = complex.phase_at(complex.twin(c));
             const bool canonical =

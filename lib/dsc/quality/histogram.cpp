@@ -2,6 +2,7 @@
 #include "dsc/quality/histogram.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/quality/measures.h"
 
 #include <algorithm>
@@ -19,9 +20,8 @@ template <class Real, class Measure>
 std::vector<double> collect(const Complex<Real>& complex, std::optional<Phase> phase,
                             Measure measure) {
     std::vector<double> values;
-    for (std::uint32_t id = 1; id < complex.triangle_bound(); ++id) {
-        const Triangle t{id};
-        if (complex.is_alive(t) && (!phase || complex.phase(t) == *phase)) {
+    for (const Triangle t : triangles(complex)) {
+        if (!phase || complex.phase(t) == *phase) {
             values.push_back(static_cast<double>(measure(t)));
         }
     }

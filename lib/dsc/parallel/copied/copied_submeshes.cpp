@@ -2,6 +2,7 @@
 #include "dsc/parallel/copied/copied_submeshes.h"
 
 #include "dsc/base/require.h"
+#include "dsc/complex/ranges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,17 +55,14 @@ void find_keys(const Complex<Real>& mesh, const CountingDivision& division,
     auto& keys = submeshes.keys;
     keys.clear();
     keys.reserve(mesh.triangle_count());
-    for (std::uint32_t t = 1; t < mesh.triangle_bound(); ++t) {
-        if (!mesh.is_alive(Triangle{t})) {
-            continue;
-        }
+    for (const Triangle t : triangles(mesh)) {
         double x = 0;
         double y = 0;
-        for (const std::uint32_t v : mesh.triangles[t].v) {
+        for (const std::uint32_t v : mesh.triangles[t.id].v) {
             x += static_cast<double>(mesh.vertices[v].x);
             y += static_cast<double>(mesh.vertices[v].y);
         }
-        keys.push_back({division.normal_x * x + division.normal_y * y, t});
+        keys.push_back({division.normal_x * x + division.normal_y * y, t.id});
     }
 }
 
@@ -220,24 +218,24 @@ void merge_vertices(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& subme
     const Complex<Real>& complex = submesh.complex;
     submesh.merged.assign(complex.vertex_bound(), no_id);
     submeshes.order.clear();
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        const auto& record = complex.vertices[v];
-        if (!complex.is_alive(Vertex{v}) || record.corner == no_id) {
+    for (const Vertex v : vertices(complex)) {
+        const auto& record = complex.vertices[v.id];
+        if (record.corner == no_id) {
             continue;
         }
-        const std::uint32_t original = submesh.shared[v];
+        const std::uint32_t original = submesh.shared[v.id];
         // A shared vertex is inserted by the first of its submeshes, as these come in order.
         if (original != no_id && submeshes.merged[original] != no_id) {
-            submesh.merged[v] = submeshes.merged[original];
+            submesh.merged[v.id] = submeshes.merged[original];
             continue;
         }
         const std::uint32_t id = fresh.vertex_bound();
-        submesh.merged[v] = id;
+        submesh.merged[v.id] = id;
         if (original != no_id) {
             submeshes.merged[original] = id;
         }
         fresh.vertices.push_back({record.x, record.y, no_id, record.flags, 0, no_id});
-        submeshes.order.push_back(v);
+        submeshes.order.push_back(v.id);
     }
     fresh.attributes.append(SimplexKind::vertex, complex.attributes, submeshes.order);
 }
@@ -263,11 +261,9 @@ void merge_triangles(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& subm
     submesh.merged_triangles.assign(complex.triangle_bound(), border_triangle);
     submeshes.order.clear();
     std::uint32_t id = fresh.triangle_bound();
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            submesh.merged_triangles[t] = id++;
-            submeshes.order.push_back(t);
-        }
+    for (const Triangle t : triangles(complex)) {
+        submesh.merged_triangles[t.id] = id++;
+        submeshes.order.push_back(t.id);
     }
     for (const std::uint32_t t : submeshes.order) {
         const TriangleRecord& record = complex.triangles[t];

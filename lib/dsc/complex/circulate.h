@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Circulating: from triangle to triangle about a vertex, and from edge to edge along a curve.
+#pragma once
+
+#include "dsc/complex/complex.h"
+
+namespace dsc {
+
+/// The corner at the same vertex in the next triangle, counter-clockwise. Where the domain ends it
+/// is one of the border, which `is_border` tells. O(1).
+template <class Real>
+[[nodiscard]] Corner corner_ccw(const Complex<Real>& complex, Corner c) {
+    return next(complex.twin(next(c)));
+}
+
+/// The same, clockwise. O(1).
+template <class Real>
+[[nodiscard]] Corner corner_cw(const Complex<Real>& complex, Corner c) {
+    return prev(complex.twin(prev(c)));
+}
+
+/// Where to begin so as to meet all triangles about the vertex of `start` counter-clockwise: at a
+/// vertex of the domain boundary the corner at the clockwise end, elsewhere `start`. O(degree).
+template <class Real>
+[[nodiscard]] Corner first_corner(const Complex<Real>& complex, Corner start) {
+    Corner first = start;
+    while (true) {
+        const Corner c = corner_cw(complex, first);
+        if (is_border(c)) {
+            return first;
+        }
+        if (c == start) {
+            return start;
+        }
+        first = c;
+    }
+}
+
+/// Calls `visit(corner)` from `first` on counter-clockwise, until the domain ends or `first` comes
+/// again, and returns the last corner visited. O(degree).
+template <class Real, class Visit>
+Corner circulate(const Complex<Real>& complex, Corner first, Visit visit) {
+    Corner c = first;
+    while (true) {
+        visit(c);
+        const Corner following = corner_ccw(complex, c);
+        if (is_border(following) || following == first) {
+            return c;
+        }
+        c = following;
+    }
+}
+
+/// Calls `visit(corner)` for each corner at `v`: counter-clockwise, and at a vertex of the domain
+/// boundary from its first triangle to its last. O(degree), no allocation.
+template <class Real, class Visit>
+void for_each_corner(const Complex<Real>& complex, Vertex v, Visit visit) {
+    const Corner start = complex.vertices[v.id].corner;
+    if (start != no_id) {
+        circulate(complex, first_corner(complex, start), visit);
+    }
+}
+
+/// A corner at `v` for which `test(corner)` holds, or no_id. They are met in no particular order,
+/// each once; the search ends with the first that passes. O(degree).
+template <class Real, class Test>
+[[nodiscard]] Corner find_corner(const Complex<Real>& complex, Vertex v, Test test) {
+    const Corner start = complex.vertices[v.id].corner;
+    if (start == no_id) {
+        return no_id;
+    }
+    Corner c = start;
+    do {
+        if (test(c)) {
+            return c;
+        }
+        c = corner_ccw(complex, c);
+    } while (!is_border(c) && c != start);
+    if (c == start) {
+        return no_id;
+    }
+    // The domain ends there: on from the start, clockwise.
+    for (c = corner_cw(complex, start); !is_border(c); c = corner_cw(complex, c)) {
+        if (test(c)) {
+            return c;
+        }
+    }
+    return no_id;
+}
+
+/// A half-edge is named by the corner opposite to it and runs from next(c) to prev(c), with its
+/// triangle on the left. From `c` about the end of its half-edge, clockwise, to the next half-edge
+/// that leaves it and for which `is_edge(corner)` holds: one step along the boundary of a region,
+/// if `is_edge` tells the half-edges that have the region on their left alone. Every half-edge of
+/// the domain boundary that is met must pass. O(degree).
+template <class Real, class IsEdge>
+[[nodiscard]] Corner next_along(const Complex<Real>& complex, Corner c, IsEdge is_edge) {
+    c = next(c);
+    while (!is_edge(c)) {
+        c = next(complex.twin(c));
+    }
+    return c;
+}
+
+/// The step back: to the previous half-edge, which ends where that of `c` begins. O(degree).
+template <class Real, class IsEdge>
+[[nodiscard]] Corner previous_along(const Complex<Real>& complex, Corner c, IsEdge is_edge) {
+    c = prev(c);
+    while (!is_edge(c)) {
+        c = prev(complex.twin(c));
+    }
+    return c;
+}
+
+} // namespace dsc

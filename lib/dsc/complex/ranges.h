@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// The living simplices of a complex as ranges of handles:
+//
+//     for (const Triangle t : triangles(complex, 1)) {
+//         for (const Vertex v : complex.vertices_of(t)) ...
+//
+// All are forward ranges and views, so that std::ranges and std::views take them. They allocate
+// nothing and cost what a loop over the ids costs. Iterators hold a pointer to the complex, which
+// must outlive them.
+//
+// Positions and phases may change during a loop. Over vertices, edges and triangles so may
+// connectivity, by the operations: what is reached is alive at that moment, and ids that did not
+// exist when the loop began are not met. The star and the link of a vertex must stay as they are.
+#pragma once
+
+#include "dsc/complex/circulate.h"
+
+#include <iterator>
+#include <ranges>
+
+namespace dsc {
+
+namespace detail {
+
+/// A forward iterator from a cursor: a small value with handle(), advance() and ==.
+template <class Cursor>
+class HandleIterator {
+public:
+    using iterator_concept = std::forward_iterator_tag;
+    using iterator_category = std::input_iterator_tag; // dereferencing gives a value
+    using value_type = decltype(Cursor().handle());
+    using difference_type = std::ptrdiff_t;
+    using reference = value_type;
+    using pointer = void;
+
+    HandleIterator() = default;
+    explicit HandleIterator(const Cursor& cursor) : cursor_(cursor) {}
+
+    [[nodiscard]] value_type operator*() const { return cursor_.handle(); }
+    HandleIterator& operator++() {
+        cursor_.advance();
+        return *this;
+    }
+    HandleIterator operator++(int) {
+        const HandleIterator before = *this;
+        cursor_.advance();
+        return before;
+    }
+    friend bool operator==(const HandleIterator&, const HandleIterator&) = default;
+
+    [[nodiscard]] const Cursor& cursor() const { return cursor_; }
+
+private:
+    Cursor cursor_;
+};
+
+} // namespace detail
+
+/// A range of handles that is walked by a cursor. It knows where it begins and ends, no more.
+template <class Cursor>
+class HandleRange : public std::ranges::view_base {
+public:
+    using iterator = detail::HandleIterator<Cursor>;
+
+    HandleRange() = default;
+    HandleRange(const Cursor& first, const Cursor& last)
+        : first_(iterator(first)), last_(iterator(last)) {}
+
+    [[nodiscard]] iterator begin() const { return first_; }
+    [[nodiscard]] iterator end() const { return last_; }
+    [[nodiscard]] bool empty() const { return first_ == last_; }
+
+private:
+    iterator first_;
+    iterator last_;
+};
+
+namespace detail {
+
+/// Ids from one on that live, up to the bound that there was at the beginning.
+template <class Real, class Handle>
+struct IdCursor {
+    const Complex<Real>* complex = nullptr;
+    std::uint32_t id = 0;
+    std::uint32_t bound = 0;
+
+    [[nodiscard]] Handle handle() const { return Handle{id}; }
+    void advance() {
+        ++id;
+        settle();
+    }
+    /// On to the first that lives, this one included.
+    void settle() {
+        while (id < bound && !complex->is_alive(Handle{id})) {
+            ++id;
+        }
+    }
+    friend bool operator==(const IdCursor& a, const IdCursor& b) { return a.id == b.id; }
+};
+
+/// The living triangles of one phase.
+template <class Real>
+struct PhaseCursor {
+    IdCursor<Real, Triangle> at;
+    Phase phase = 0;
+
+    [[nodiscard]] Triangle handle() const { return at.handle(); }
+    void advance() {
+        at.advance();
+        settle();
+    }
+    void settle() {
+        while (at.id < at.bound && at.complex->phase(at.handle()) != phase) {
+            at.advance();
+        }
+    }
+    friend bool operator==(const PhaseCursor& a, const PhaseCursor& b) { return a.at == b.at; }
+};
+
+/// Edges: each triangle's corners that name an edge, triangle by triangle.
+template <class Real>
+struct EdgeCursor {
+    IdCursor<Real, Triangle> at;
+    Corner corner = 0;
+
+    [[nodiscard]] Edge handle() const { return Edge{corner}; }
+    void advance() {
+        ++corner;
+        settle();
+    }
+    void settle() {
+        while (at.id < at.bound) {
+            for (; index_of(corner) < 3; ++corner) {
+                const Corner across = at.complex->twin(corner);
+                if ((is_border(across) || corner < across) && at.complex->is_alive(at.handle())) {
+                    return;
+                }
+            }
+            at.advance();
+            corner = corner_of(at.id, 0);
+        }
+    }
+    friend bool operator==(const EdgeCursor& a, const EdgeCursor& b) {
+        return a.corner == b.corner;
+    }
+};
+
+/// The corners at a vertex, counter-clockwise; no_id behind the last.
+template <class Real>
+struct CornerCursor {
+    const Complex<Real>* complex = nullptr;
+    Corner first = no_id;
+    Corner corner = no_id;
+
+    void advance() {
+        corner = corner_ccw(*complex, corner);
+        if (is_border(corner) || corner == first) {
+            corner = no_id;
+        }
+    }
+    friend bool operator==(const CornerCursor& a, const CornerCursor& b) {
+        return a.corner == b.corner;
+    }
+};
+
+template <class Real>
+struct StarCursor : CornerCursor<Real> {
+    [[nodiscard]] Triangle handle() const { return Triangle{triangle_of(this->corner)}; }
+};
+
+/// The vertex that follows in each triangle; behind the last triangle of an open star, also the one
+/// that closes it.
+template <class Real>
+struct LinkCursor : CornerCursor<Real> {
+    bool is_behind = false;
+
+    [[nodiscard]] Vertex handle() const {
+        return Vertex{this->complex->vertex(is_behind ? prev(this->corner) : next(this->corner))};
+    }
+    void advance() {
+        const Corner following = is_behind ? no_id : corner_ccw(*this->complex, this->corner);
+        is_behind = is_border(following);
+        if (!is_behind) {
+            this->corner = following == this->first ? no_id : following;
+        }
+    }
+    friend bool operator==(const LinkCursor&, const LinkCursor&) = default;
+};
+
+template <class Cursor>
+HandleRange<Cursor> settled(Cursor first, const Cursor& last) {
+    first.settle();
+    return {first, last};
+}
+
+template <class Real>
+CornerCursor<Real> corners_at(const Complex<Real>& complex, Vertex v) {
+    const Corner start = complex.vertices[v.id].corner;
+    const Corner first = start == no_id ? no_id : first_corner(complex, start);
+    return {&complex, first, first};
+}
+
+} // namespace detail
+
+/// The living vertices by ascending id, those without triangles included. Begins in O(1) but for
+/// free ids in front; O(ids) as a whole.
+template <class Real>
+[[nodiscard]] auto vertices(const Complex<Real>& complex) {
+    const std::uint32_t bound = complex.vertex_bound();
+    return detail::settled<detail::IdCursor<Real, Vertex>>({&complex, 0, bound},
+                                                           {&complex, bound, bound});
+}
+
+/// The living triangles by ascending id. O(ids) as a whole.
+template <class Real>
+[[nodiscard]] auto triangles(const Complex<Real>& complex) {
+    const std::uint32_t bound = complex.triangle_bound();
+    return detail::settled<detail::IdCursor<Real, Triangle>>({&complex, border_triangle + 1, bound},
+                                                             {&complex, bound, bound});
+}
+
+/// The living triangles of a phase by ascending id. O(ids) as a whole.
+template <class Real>
+[[nodiscard]] auto triangles(const Complex<Real>& complex, Phase phase) {
+    const auto all = triangles(complex);
+    return detail::settled<detail::PhaseCursor<Real>>({all.begin().cursor(), phase},
+                                                      {all.end().cursor(), phase});
+}
+
+/// The living edges by ascending id, the inner ones and those of the domain boundary. O(ids) as a
+/// whole.
+template <class Real>
+[[nodiscard]] auto edges(const Complex<Real>& complex) {
+    const auto first = triangles(complex).begin().cursor();
+    const auto last = triangles(complex).end().cursor();
+    return detail::settled<detail::EdgeCursor<Real>>({first, corner_of(first.id, 0)},
+                                                     {last, corner_of(last.id, 0)});
+}
+
+/// The triangles of the star of a living vertex, counter-clockwise; on the domain boundary from the
+/// clockwise end on. Empty where the vertex has no triangle. O(degree) as a whole. The star as a
+/// set of simplices is `star` in algebra.h.
+template <class Real>
+[[nodiscard]] auto star_triangles(const Complex<Real>& complex, Vertex v) {
+    using Cursor = detail::StarCursor<Real>;
+    return HandleRange<Cursor>(Cursor{detail::corners_at(complex, v)}, Cursor{});
+}
+
+/// The vertices of the link of a living vertex, that is, its neighbours, in the order of
+/// `star_triangles`; one more than triangles on the domain boundary. O(degree) as a whole. The link
+/// as a set of simplices is `link` in algebra.h.
+template <class Real>
+[[nodiscard]] auto link_vertices(const Complex<Real>& complex, Vertex v) {
+    using Cursor = detail::LinkCursor<Real>;
+    return HandleRange<Cursor>(Cursor{detail::corners_at(complex, v)}, Cursor{});
+}
+
+} // namespace dsc
+
+template <class Cursor>
+inline constexpr bool std::ranges::enable_borrowed_range<dsc::HandleRange<Cursor>> = true;

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Ranges over the living simplices, on meshes with free ids in front, in the middle and at the end.
+#include "dsc/complex/ranges.h"
+
+#include "support/small_meshes.h"
+
+#include "dsc/complex/algebra.h"
+#include "dsc/complex/mesh_functions.h"
+#include "dsc/operations/edge_split.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <type_traits>
+
+namespace dsc {
+namespace {
+
+using test::grid;
+using test::hexagon;
+
+template <class Range>
+constexpr bool is_range_of_handles() {
+    return std::ranges::forward_range<Range> && std::ranges::forward_range<const Range> &&
+           std::ranges::common_range<Range> && std::ranges::view<Range> &&
+           std::ranges::borrowed_range<Range>;
+}
+template <class Real>
+constexpr bool has_ranges() {
+    using Given = const Complex<Real>&;
+    return is_range_of_handles<decltype(vertices(std::declval<Given>()))>() &&
+           is_range_of_handles<decltype(edges(std::declval<Given>()))>() &&
+           is_range_of_handles<decltype(triangles(std::declval<Given>()))>() &&
+           is_range_of_handles<decltype(triangles(std::declval<Given>(), Phase()))>() &&
+           is_range_of_handles<decltype(star_triangles(std::declval<Given>(), Vertex()))>() &&
+           is_range_of_handles<decltype(link_vertices(std::declval<Given>(), Vertex()))>();
+}
+static_assert(has_ranges<double>() && has_ranges<float>());
+
+template <class Range>
+std::vector<std::uint32_t> ids(const Range& range) {
+    std::vector<std::uint32_t> result;
+    for (const auto handle : range) {
+        result.push_back(handle.id);
+    }
+    return result;
+}
+using Ids = std::vector<std::uint32_t>;
+
+template <class Real>
+class Ranges : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(Ranges, Reals);
+
+TYPED_TEST(Ranges, AreEmptyInAnEmptyComplex) {
+    const Complex<TypeParam> complex;
+    EXPECT_TRUE(vertices(complex).empty());
+    EXPECT_TRUE(edges(complex).empty());
+    EXPECT_TRUE(triangles(complex).empty());
+    EXPECT_TRUE(triangles(complex, border_phase).empty());
+    EXPECT_EQ(std::ranges::distance(triangles(complex)), 0);
+}
+
+TYPED_TEST(Ranges, MeetEverySimplexOnceByAscendingId) {
+    const auto complex = hexagon<TypeParam>();
+    EXPECT_EQ(ids(vertices(complex)), (Ids{0, 1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(ids(triangles(complex)), (Ids{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(ids(edges(complex)).size(), 12U);
+    EXPECT_TRUE(std::ranges::is_sorted(edges(complex)));
+}
+
+// The phases of a hexagon: 0, 1, 2, 0, 1, 2.
+TYPED_TEST(Ranges, OfAPhaseMeetItsTrianglesAlone) {
+    auto complex = hexagon<TypeParam>();
+    for (const Triangle t : triangles(complex)) {
+        complex.set_phase(t, (t.id - 1) % 3);
+    }
+    EXPECT_EQ(ids(triangles(complex, 0)), (Ids{1, 4}));
+    EXPECT_EQ(ids(triangles(complex, 1)), (Ids{2, 5}));
+    EXPECT_EQ(ids(triangles(complex, 2)), (Ids{3, 6}));
+    EXPECT_TRUE(triangles(complex, 3).empty());
+    remove(complex, SimplexSet({}, {}, {Triangle{1}, Triangle{6}}));
+    EXPECT_EQ(ids(triangles(complex, 0)), (Ids{4}));
+    EXPECT_EQ(ids(triangles(complex, 2)), (Ids{3}));
+}
+
+// Triangles 1, 3 and 6 go: the first id, one between others, and the last. Vertex 1 lies in 1 and 6
+// alone and stays behind without a triangle; vertex 4 goes with its star, which is 3 and 4.
+TYPED_TEST(Ranges, SkipFreeIds) {
+    auto complex = hexagon<TypeParam>();
+    remove(complex, SimplexSet({}, {}, {Triangle{1}, Triangle{6}}));
+    remove(complex, SimplexSet({Vertex{4}}, {}, {}));
+    ASSERT_EQ(complex.vertices[1].corner, no_id);
+    EXPECT_EQ(ids(vertices(complex)), (Ids{0, 1, 2, 3, 5, 6}));
+    EXPECT_EQ(ids(triangles(complex)), (Ids{2, 5}));
+    const SimplexSet all = all_simplices(complex);
+    EXPECT_TRUE(std::ranges::equal(edges(complex), all.edges()));
+    EXPECT_EQ(all.edges().size(), 6U);
+
+    remove(complex, SimplexSet({Vertex{0}, Vertex{6}}, {}, {}));
+    EXPECT_EQ(ids(vertices(complex)), (Ids{1, 2, 3, 5}));
+    EXPECT_TRUE(edges(complex).empty());
+    EXPECT_TRUE(triangles(complex).empty());
+}
+
+TYPED_TEST(Ranges, AgreeWithTheSetsOfALargerMesh) {
+    auto complex = grid<TypeParam>(8, 0.15, 3, 3);
+    remove(complex, SimplexSet({Vertex{0}, Vertex{40}, Vertex{80}}, {}, {}));
+    const SimplexSet all = all_simplices(complex);
+    EXPECT_TRUE(std::ranges::equal(vertices(complex), all.vertices()));
+    EXPECT_TRUE(std::ranges::equal(edges(complex), all.edges()));
+    EXPECT_TRUE(std::ranges::equal(triangles(complex), all.triangles()));
+    for (const Vertex v : vertices(complex)) {
+        std::vector<Triangle> star_of(star_triangles(complex, v).begin(),
+                                      star_triangles(complex, v).end());
+        std::ranges::sort(star_of);
+        EXPECT_EQ(star_of, star(complex, v).triangles());
+        std::vector<Vertex> link_of(link_vertices(complex, v).begin(),
+                                    link_vertices(complex, v).end());
+        std::ranges::sort(link_of);
+        EXPECT_EQ(link_of, link(complex, v).vertices());
+    }
+}
+
+TYPED_TEST(Ranges, OfAStarAndALinkGoRoundCounterClockwise) {
+    auto complex = hexagon<TypeParam>();
+    complex.vertices[0].corner = corner_of(3, 0);
+    EXPECT_EQ(ids(star_triangles(complex, Vertex{0})), (Ids{3, 4, 5, 6, 1, 2}));
+    EXPECT_EQ(ids(link_vertices(complex, Vertex{0})), (Ids{3, 4, 5, 6, 1, 2}));
+}
+
+// Without triangle 2 the star of the middle is open: from 3 round to 1, wherever its corner is.
+TYPED_TEST(Ranges, OfAStarAndALinkBeginAtTheDomainBoundary) {
+    auto complex = hexagon<TypeParam>();
+    remove(complex, SimplexSet({}, {}, {Triangle{2}}));
+    for (const std::uint32_t t : {1U, 3U, 5U}) {
+        complex.vertices[0].corner = corner_of(t, 0);
+        EXPECT_EQ(ids(star_triangles(complex, Vertex{0})), (Ids{3, 4, 5, 6, 1}));
+        EXPECT_EQ(ids(link_vertices(complex, Vertex{0})), (Ids{3, 4, 5, 6, 1, 2}));
+    }
+    // A vertex with a single triangle.
+    EXPECT_EQ(ids(star_triangles(complex, Vertex{3})), (Ids{3}));
+    EXPECT_EQ(ids(link_vertices(complex, Vertex{3})), (Ids{4, 0}));
+}
+
+TYPED_TEST(Ranges, OfAVertexWithoutTrianglesAreEmpty) {
+    Complex<TypeParam> complex;
+    const Vertex v = insert_vertex(complex, Point<TypeParam>(1, 2));
+    EXPECT_EQ(ids(vertices(complex)), (Ids{0}));
+    EXPECT_TRUE(star_triangles(complex, v).empty());
+    EXPECT_TRUE(link_vertices(complex, v).empty());
+}
+
+// Triangle 2 vanishes before it is reached; its id is taken again behind the loop, and id 7 beyond
+// its end. The records move meanwhile.
+TYPED_TEST(Ranges, AllowChangesOfConnectivity) {
+    auto complex = hexagon<TypeParam>();
+    Ids met;
+    for (const Triangle t : triangles(complex)) {
+        met.push_back(t.id);
+        if (t.id == 1) {
+            remove(complex, SimplexSet({}, {}, {Triangle{2}}));
+        } else if (t.id == 3 || t.id == 5) {
+            complex.reserve(100 * t.id, 100 * t.id);
+            ASSERT_EQ(edge_split(complex, complex.edges_of(t)[0]).verdict, Verdict::legal);
+        }
+    }
+    EXPECT_EQ(met, (Ids{1, 3, 4, 5, 6}));
+    EXPECT_EQ(ids(triangles(complex)), (Ids{1, 2, 3, 4, 5, 6, 7}));
+}
+
+TYPED_TEST(Ranges, AreWalkedMoreThanOnce) {
+    const auto complex = grid<TypeParam>(3);
+    const auto all = edges(complex);
+    const auto first = all.begin();
+    auto second = first;
+    EXPECT_EQ(second++, first);
+    EXPECT_NE(second, first);
+    EXPECT_EQ(*first, *all.begin());
+    EXPECT_EQ(ids(all), ids(all));
+    const auto link = link_vertices(complex, Vertex{0});
+    EXPECT_EQ(std::ranges::distance(link), std::ranges::distance(link));
+    EXPECT_NE(std::ranges::find(link, Vertex{1}), link.end());
+}
+
+} // namespace
+} // namespace dsc
