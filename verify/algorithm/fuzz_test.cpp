@@ -34,26 +34,75 @@ struct Drawn {
     std::uint64_t unreached = 0;
 };
 
+PhaseThresholds draw_phase(Dice& dice) {
+    PhaseThresholds thresholds;
+    thresholds.shortest = dice.in(0.0, 0.6);
+    // Shorter ones only make the mesh large.
+    thresholds.longest = std::max(0.8, 2.05 * thresholds.shortest) + dice.in(0.0, 1.5);
+    thresholds.crowded = dice.in(0.0, 2.0);
+    thresholds.collapse_quality = dice.in(0.0, 0.6);
+    thresholds.smooth_quality = dice.in(0.0, 1.0);
+    return thresholds;
+}
+
+// Numbers are drawn for some scenes only: most applications keep the defaults.
+InterfaceThresholds draw_interface(Dice& dice, std::ostream& words) {
+    InterfaceThresholds interface;
+    interface.coarsening = dice.one_of(coarsening_names);
+    interface.reading = dice.one_of(reading_names);
+    if (dice.chance(0.3)) {
+        interface.shortest = dice.in(0.0, 0.8);
+        interface.longest = 2.05 * interface.shortest + dice.in(0.1, 1.0);
+        interface.deviation = dice.in(0.0, 0.3);
+        interface.degenerate = dice.in(0.0, 10.0);
+    }
+    if (dice.chance(0.3)) {
+        interface.corner_degrees = dice.in(1.0, 180.0);
+    }
+    if (dice.chance(0.5)) {
+        interface.grading = dice.chance(0.3) ? 0.0 : dice.in(2.0, 8.0);
+        interface.turn_degrees = dice.chance(0.4) ? 0.0 : dice.in(1.0, 180.0);
+        interface.gap = dice.chance(0.4) ? 0.0 : dice.in(0.1, 4.0);
+        interface.finest = dice.in(0.05, 1.0);
+    }
+    words << ", coarsening " << to_string(interface.coarsening) << ", reading "
+          << to_string(interface.reading) << ", interface shortest " << interface.shortest
+          << " longest " << interface.longest << " deviation " << interface.deviation
+          << " degenerate " << interface.degenerate << " corner " << interface.corner_degrees
+          << " grading " << interface.grading << " turn " << interface.turn_degrees << " gap "
+          << interface.gap << " finest " << interface.finest;
+    return interface;
+}
+
+// Everything that an application can choose, each in the range that check_options allows.
 template <class Real>
-void draw_options(Dice& dice, Options<Real>& options) {
-    options.integrator = static_cast<Integrator>(dice.in(0, 2));
-    options.insertion = static_cast<Insertion>(dice.in(0, 1));
+Options<Real> draw_options(Dice& dice, double h, std::ostream& words) {
+    Options<Real> options;
+    options.edge_length = static_cast<Real>(h);
+    options.integrator = dice.one_of(integrator_names);
+    options.insertion = dice.one_of(insertion_names);
+    options.tolerance = std::pow(10.0, dice.in(-7.0, -1.0));
+    options.interface = draw_interface(dice, words);
     options.max_sub_steps = 60;
     if (dice.chance(0.3)) {
-        options.phases.shortest = dice.in(0.0, 0.6);
-        // Shorter ones only make the mesh large.
-        options.phases.longest = std::max(0.8, 2.05 * options.phases.shortest) + dice.in(0.0, 1.5);
-        options.phases.collapse_quality = dice.in(0.0, 0.6);
-        options.phases.smooth_quality = dice.in(0.0, 1.0);
-        options.interface.shortest = dice.in(0.0, 0.8);
-        options.interface.longest = 2.05 * options.interface.shortest + dice.in(0.1, 1.0);
-        options.interface.deviation = dice.in(0.0, 0.3);
-        options.interface.corner_degrees = dice.in(1.0, 180.0);
+        options.phases = draw_phase(dice);
+    }
+    if (dice.chance(0.2)) {
+        options.per_phase = {draw_phase(dice), draw_phase(dice)};
+    }
+    if (dice.chance(0.3)) {
         options.sub_step = dice.in(0.05, 2.0);
+        options.max_passes = dice.in(1, 32);
+        options.max_idle_passes = dice.in(1, 8);
     }
     if (dice.chance(0.3)) {
         options.shuffle_seed = 17;
     }
+    words << ", " << to_string(options.integrator) << " tolerance " << options.tolerance << ", "
+          << to_string(options.insertion) << ", sub-step " << options.sub_step << ", passes "
+          << options.max_passes << " idle " << options.max_idle_passes << ", shuffle "
+          << options.shuffle_seed;
+    return options;
 }
 
 template <class Real>
@@ -64,16 +113,14 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
     const double h = dice.in(0.03, 0.07);
     auto complex = patches ? test::random_patches<Real>(dice, h, dice.in(2, 400))
                            : test::random_shapes<Real>(dice, h);
-    Options<Real> options;
-    options.edge_length = static_cast<Real>(h);
-    draw_options(dice, options);
-    const auto wildness =
-        wild ? static_cast<Wildness>(dice.in(0, test::wildness_count - 1)) : Wildness::none;
+    const auto options = draw_options<Real>(dice, h, words);
+    const auto wildness = wild ? dice.one_of(test::wildness_names) : Wildness::none;
     const RandomFlow flow(dice, 1, wildness);
     const Velocity<Real> velocity = flow.velocity<Real>();
     // From a hundredth of an edge a step to eight.
     const double dt = h * std::pow(10.0, dice.in(-2.0, wild ? 0.9 : 0.0));
-    words << ", h " << h << ", dt " << dt << ", wildness " << static_cast<int>(wildness);
+    words << ", h " << h << ", dt " << dt << ", wildness "
+          << name_in(test::wildness_names, wildness);
     std::unique_ptr<Executor<Real>> executor; // none: sequential
     if (dice.chance(0.6)) {
         // parallel_test says that the number of threads makes no difference.

@@ -24,11 +24,9 @@ namespace {
 
 using test::Dice;
 
-constexpr std::array assignments{Assignment::fixed, Assignment::queue};
+constexpr std::array assignments = values_in(assignment_names);
 
-const char* name_of(Assignment assignment) {
-    return assignment == Assignment::fixed ? "static" : "queue";
-}
+std::string name_of(Assignment assignment) { return std::string(to_string(assignment)); }
 
 // Colours of up to `most` tasks; a task waits for some of the colours before, most often for a few
 // of the last one.

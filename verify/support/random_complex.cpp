@@ -234,7 +234,8 @@ RandomComplexOptions random_options(std::uint64_t seed, std::uint32_t most_point
     options.points = 3 + random.below(most_points - 2);
     options.grid = random.chance(0.5) ? 0 : 8U << random.below(3);
     options.at_resolution = options.grid > 0 && random.chance(0.2);
-    options.pattern = static_cast<PhasePattern>(random.below(4));
+    constexpr std::uint32_t patterns = phase_pattern_names.size();
+    options.pattern = phase_pattern_names.at(random.below(patterns)).value;
     options.phases = 2 + random.below(3);
     // A rounded midpoint of a boundary edge may lie outside, in a dent that is thinner than that.
     const bool convex = options.at_resolution || random.chance(0.5);

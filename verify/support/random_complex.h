@@ -3,6 +3,7 @@
 // with. The same seed gives the same complex on every machine.
 #pragma once
 
+#include "dsc/base/enum_table.h"
 #include "dsc/complex/complex.h"
 
 #include <cstdint>
@@ -31,6 +32,12 @@ enum class PhasePattern : std::uint8_t {
     interior,  ///< one other phase: the domain boundary is all interface
     clustered, ///< patches, as in a simulation
     salt,      ///< each triangle for itself: junctions everywhere
+};
+inline constexpr std::array phase_pattern_names{
+    Named{PhasePattern::exterior, "exterior"},
+    Named{PhasePattern::interior, "interior"},
+    Named{PhasePattern::clustered, "clustered"},
+    Named{PhasePattern::salt, "salt"},
 };
 
 struct RandomComplexOptions {

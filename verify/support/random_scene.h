@@ -3,6 +3,7 @@
 // scene on every machine.
 #pragma once
 
+#include "dsc/base/enum_table.h"
 #include "dsc/complex/mesh_functions.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
@@ -27,6 +28,11 @@ public:
         return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
     }
     bool chance(double probability) { return in(0.0, 1.0) < probability; }
+    /// One of the values of an enum.
+    template <class Enum, std::size_t n>
+    Enum one_of(const EnumTable<Enum, n>& table) {
+        return table[engine_() % n].value;
+    }
 
 private:
     std::mt19937_64 engine_;
@@ -120,7 +126,13 @@ enum class Wildness : std::uint8_t {
     sink,         ///< everything to one point
     noise,        ///< neighbours know nothing of each other
 };
-inline constexpr int wildness_count = 7;
+
+inline constexpr std::array wildness_names{
+    Named{Wildness::none, "none"},         Named{Wildness::not_a_number, "not_a_number"},
+    Named{Wildness::infinite, "infinite"}, Named{Wildness::absurd, "absurd"},
+    Named{Wildness::torn, "torn"},         Named{Wildness::sink, "sink"},
+    Named{Wildness::noise, "noise"},
+};
 
 /// A sum of waves: of a stream function, and a little of a potential, that change with time.
 class RandomFlow {

@@ -5,13 +5,13 @@
 
 #include "random_scene.h"
 
-#include "dsc/passes/algorithm.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/partition/blocks.h"
 #include "dsc/parallel/partition/cells.h"
 #include "dsc/parallel/partition/places.h"
 #include "dsc/parallel/partition/slabs.h"
-#include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/interface_list.h"
 
 #include <array>
 #include <memory>
@@ -25,19 +25,15 @@ namespace dsc::test {
 /// A family of partitions: one partitioner, or one way of its own to choose the cuts.
 enum class Division : std::uint8_t { fixed, counting, active, blocks, cells, voronoi };
 
-inline constexpr std::array all_divisions{Division::fixed,  Division::counting, Division::active,
-                                          Division::blocks, Division::cells,    Division::voronoi};
+inline constexpr std::array division_names{
+    Named{Division::fixed, "fixed"},   Named{Division::counting, "counting"},
+    Named{Division::active, "active"}, Named{Division::blocks, "blocks"},
+    Named{Division::cells, "cells"},   Named{Division::voronoi, "voronoi"},
+};
+inline constexpr std::array all_divisions = values_in(division_names);
 
 [[nodiscard]] constexpr std::string_view to_string(Division division) {
-    switch (division) {
-    case Division::fixed: return "fixed";
-    case Division::counting: return "counting";
-    case Division::active: return "active";
-    case Division::blocks: return "blocks";
-    case Division::cells: return "cells";
-    case Division::voronoi: return "voronoi";
-    }
-    return "unknown";
+    return name_in(division_names, division);
 }
 
 inline std::uint32_t number_in(Dice& dice, int low, int high) {
@@ -109,11 +105,10 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, Division divis
 inline SubmeshOptions random_submesh_options(Dice& dice, std::uint32_t threads,
                                              std::ostream& words) {
     SubmeshOptions options;
-    options.assignment = dice.chance(0.5) ? Assignment::queue : Assignment::fixed;
+    options.assignment = dice.one_of(assignment_names);
     options.vertices_per_thread = 1;
     options.threads = threads;
-    words << (options.assignment == Assignment::queue ? ", queue" : ", static") << ", threads "
-          << threads;
+    words << ", assignment " << to_string(options.assignment) << ", threads " << threads;
     return options;
 }
 
@@ -134,7 +129,7 @@ template <class Real>
 std::unique_ptr<SubmeshExecutor<Real>> random_executor(Dice& dice, Complex<Real>& complex,
                                                        const Options<Real>& options,
                                                        std::uint32_t threads, std::ostream& words) {
-    const Division division = all_divisions.at(number_in(dice, 0, all_divisions.size() - 1));
+    const Division division = dice.one_of(division_names);
     return random_executor(dice, division, complex, options, threads, words);
 }
 

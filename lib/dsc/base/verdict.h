@@ -2,6 +2,8 @@
 // What a guard answers: which restriction of thesis section 6.5 stops an operation.
 #pragma once
 
+#include "dsc/base/enum_table.h"
+
 #include <cstdint>
 #include <string_view>
 
@@ -23,23 +25,22 @@ enum class Verdict : std::uint8_t {
     out_of_ids,           ///< the pool of a submesh is used up; another colour takes it
 };
 
-inline constexpr int verdict_count = 11;
+inline constexpr std::array verdict_names{
+    Named{Verdict::legal, "legal"},
+    Named{Verdict::not_a_simplex, "not_a_simplex"},
+    Named{Verdict::on_boundary, "on_boundary"},
+    Named{Verdict::on_submesh_boundary, "on_submesh_boundary"},
+    Named{Verdict::on_interface, "on_interface"},
+    Named{Verdict::locked, "locked"},
+    Named{Verdict::changes_topology, "changes_topology"},
+    Named{Verdict::not_a_simple_polygon, "not_a_simple_polygon"},
+    Named{Verdict::inverts, "inverts"},
+    Named{Verdict::no_gain, "no_gain"},
+    Named{Verdict::out_of_ids, "out_of_ids"},
+};
 
 [[nodiscard]] constexpr std::string_view to_string(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::legal: return "legal";
-    case Verdict::not_a_simplex: return "not_a_simplex";
-    case Verdict::on_boundary: return "on_boundary";
-    case Verdict::on_submesh_boundary: return "on_submesh_boundary";
-    case Verdict::on_interface: return "on_interface";
-    case Verdict::locked: return "locked";
-    case Verdict::changes_topology: return "changes_topology";
-    case Verdict::not_a_simple_polygon: return "not_a_simple_polygon";
-    case Verdict::inverts: return "inverts";
-    case Verdict::no_gain: return "no_gain";
-    case Verdict::out_of_ids: return "out_of_ids";
-    }
-    return "unknown";
+    return name_in(verdict_names, verdict);
 }
 
 } // namespace dsc

@@ -3,6 +3,7 @@
 // so that a field pays its overhead once and can use all lanes.
 #pragma once
 
+#include "dsc/base/enum_table.h"
 #include "dsc/base/types.h"
 
 #include <functional>
@@ -27,15 +28,16 @@ enum class Integrator : std::uint8_t {
               ///< the same everywhere and changes in time only it does not see
 };
 
+inline constexpr std::array integrator_names{
+    Named{Integrator::euler, "euler"},
+    Named{Integrator::centred, "centred"},
+    Named{Integrator::midpoint, "midpoint"},
+    Named{Integrator::rk4, "rk4"},
+    Named{Integrator::adaptive, "adaptive"},
+};
+
 [[nodiscard]] constexpr std::string_view to_string(Integrator integrator) {
-    switch (integrator) {
-    case Integrator::euler: return "euler";
-    case Integrator::centred: return "centred";
-    case Integrator::midpoint: return "midpoint";
-    case Integrator::rk4: return "rk4";
-    case Integrator::adaptive: return "adaptive";
-    }
-    return "unknown";
+    return name_in(integrator_names, integrator);
 }
 
 /// What `centred` remembers of a vertex: its step before.

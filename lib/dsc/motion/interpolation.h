@@ -4,6 +4,7 @@
 // by chord length keeps the curve.
 #pragma once
 
+#include "dsc/base/enum_table.h"
 #include "dsc/base/types.h"
 
 #include <functional>
@@ -17,13 +18,14 @@ enum class Insertion : std::uint8_t {
     arc,    ///< on the circle of the mean curvature at the two ends: circles stay circles
 };
 
+inline constexpr std::array insertion_names{
+    Named{Insertion::linear, "linear"},
+    Named{Insertion::cubic, "cubic"},
+    Named{Insertion::arc, "arc"},
+};
+
 [[nodiscard]] constexpr std::string_view to_string(Insertion insertion) {
-    switch (insertion) {
-    case Insertion::linear: return "linear";
-    case Insertion::cubic: return "cubic";
-    case Insertion::arc: return "arc";
-    }
-    return "unknown";
+    return name_in(insertion_names, insertion);
 }
 
 /// What the interface is between its vertices.
@@ -32,8 +34,13 @@ enum class Reading : std::uint8_t {
     cubic,  ///< the 4-point Lagrange cubic by chord length: fourth order
 };
 
+inline constexpr std::array reading_names{
+    Named{Reading::chords, "chords"},
+    Named{Reading::cubic, "cubic"},
+};
+
 [[nodiscard]] constexpr std::string_view to_string(Reading reading) {
-    return reading == Reading::chords ? "chords" : "cubic";
+    return name_in(reading_names, reading);
 }
 
 /// Four consecutive points of the interface; what is asked for lies between p1 and p2. `has_first`

@@ -3,6 +3,7 @@
 // to stop. Lengths are relative to `edge_length`, qualities are those of equation 4 (0 to 1).
 #pragma once
 
+#include "dsc/base/enum_table.h"
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interpolation.h"
 
@@ -28,14 +29,15 @@ enum class Coarsening : std::uint8_t {
     never,     ///< none: the curve keeps all it ever knew, at the price of short edges
 };
 
+inline constexpr std::array coarsening_names{
+    Named{Coarsening::deviation, "deviation"},
+    Named{Coarsening::length, "length"},
+    Named{Coarsening::area, "area"},
+    Named{Coarsening::never, "never"},
+};
+
 [[nodiscard]] constexpr std::string_view to_string(Coarsening coarsening) {
-    switch (coarsening) {
-    case Coarsening::deviation: return "deviation";
-    case Coarsening::length: return "length";
-    case Coarsening::area: return "area";
-    case Coarsening::never: return "never";
-    }
-    return "unknown";
+    return name_in(coarsening_names, coarsening);
 }
 
 /// Thresholds of the interface.

@@ -4,6 +4,8 @@
 // Which thread runs a task never matters to what it does.
 #pragma once
 
+#include "dsc/base/enum_table.h"
+
 #include <atomic>
 #include <cstdint>
 #include <exception>
@@ -18,6 +20,15 @@ enum class Assignment : std::uint8_t {
     fixed, ///< each thread has its share of each colour, always the same: static assignment
     queue, ///< the same, but a thread that is done takes over what nobody has begun
 };
+
+inline constexpr std::array assignment_names{
+    Named{Assignment::fixed, "fixed"},
+    Named{Assignment::queue, "queue"},
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Assignment assignment) {
+    return name_in(assignment_names, assignment);
+}
 
 /// Tasks, and who waits for whom, in an order in which each comes after those it waits for.
 class TaskGraph {

@@ -4,6 +4,7 @@
 // one submesh.
 #pragma once
 
+#include "dsc/base/enum_table.h"
 #include "dsc/parallel/partition/partition.h"
 
 #include <string_view>
@@ -17,13 +18,14 @@ enum class Slabbing : std::uint8_t {
     active,   ///< equal shares of the work that was done
 };
 
+inline constexpr std::array slabbing_names{
+    Named{Slabbing::fixed, "fixed"},
+    Named{Slabbing::counting, "counting"},
+    Named{Slabbing::active, "active"},
+};
+
 [[nodiscard]] constexpr std::string_view to_string(Slabbing slabbing) {
-    switch (slabbing) {
-    case Slabbing::fixed: return "fixed";
-    case Slabbing::counting: return "counting";
-    case Slabbing::active: return "active";
-    }
-    return "unknown";
+    return name_in(slabbing_names, slabbing);
 }
 
 struct SlabOptions {

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The values of an enum with their names, as one table that stands beside the enum. What is
+// printed, parsed, listed in a help text or drawn by a test all comes from there.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace dsc {
+
+/// One value of an enum, and what it is called on command lines and in files.
+template <class Enum>
+struct Named {
+    Enum value;
+    std::string_view name;
+};
+template <class Enum>
+Named(Enum, const char*) -> Named<Enum>;
+
+/// All values of an enum, each once, in the order in which they are declared.
+template <class Enum, std::size_t n>
+using EnumTable = std::array<Named<Enum>, n>;
+
+template <class Enum, std::size_t n>
+[[nodiscard]] constexpr std::array<Enum, n> values_in(const EnumTable<Enum, n>& table) {
+    std::array<Enum, n> values{};
+    for (std::size_t i = 0; i < n; ++i) {
+        values[i] = table[i].value;
+    }
+    return values;
+}
+
+/// "unknown" for a number that is no value of the enum. O(n).
+template <class Enum, std::size_t n>
+[[nodiscard]] constexpr std::string_view name_in(const EnumTable<Enum, n>& table,
+                                                 std::type_identity_t<Enum> value) {
+    for (const auto& one : table) {
+        if (one.value == value) {
+            return one.name;
+        }
+    }
+    return "unknown";
+}
+
+/// None where no value has this name. O(n).
+template <class Enum, std::size_t n>
+[[nodiscard]] constexpr std::optional<Enum> value_in(const EnumTable<Enum, n>& table,
+                                                     std::string_view name) {
+    for (const auto& one : table) {
+        if (one.name == name) {
+            return one.value;
+        }
+    }
+    return std::nullopt;
+}
+
+/// "a, b, c": for messages and help texts.
+template <class Enum, std::size_t n>
+[[nodiscard]] std::string names_in(const EnumTable<Enum, n>& table) {
+    std::string names;
+    for (const auto& one : table) {
+        names += names.empty() ? "" : ", ";
+        names += one.name;
+    }
+    return names;
+}
+
+} // namespace dsc

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What the compiler knows about the enumerators of an enum, for the check that a table of them is
+// complete. g++ and clang++ spell a number in the signature of a template as the enumerator where
+// there is one ("dsc::Integrator::rk4"), and as a cast ("(dsc::Integrator)9") where there is none.
+#pragma once
+
+#include "dsc/base/enum_table.h"
+
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace dsc::test {
+
+template <auto value>
+constexpr std::string_view spelling() {
+    const std::string_view signature = __PRETTY_FUNCTION__;
+    const std::size_t begin = signature.find("value = ") + 8;
+    return signature.substr(begin, signature.find_first_of(";]", begin) - begin);
+}
+
+/// The identifier of this enumerator; empty where the number is none.
+template <auto value>
+constexpr std::string_view identifier() {
+    const std::string_view text = spelling<value>();
+    return text.starts_with('(') ? "" : text.substr(text.rfind(':') + 1);
+}
+
+/// How many of the numbers from 0 to 63 are enumerators.
+template <class Enum>
+constexpr std::size_t count_enumerators() {
+    return []<std::size_t... number>(std::index_sequence<number...>) {
+        return (std::size_t{!identifier<static_cast<Enum>(number)>().empty()} + ...);
+    }
+    (std::make_index_sequence<64>{});
+}
+
+/// Each enumerator once, in its order, no two with one name.
+template <class Enum, std::size_t n>
+constexpr bool is_complete(const EnumTable<Enum, n>& table) {
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (table[j].value >= table[i].value || table[j].name == table[i].name) {
+                return false;
+            }
+        }
+        if (table[i].name.empty()) {
+            return false;
+        }
+    }
+    return n == count_enumerators<Enum>();
+}
+
+} // namespace dsc::test
