@@ -2,6 +2,7 @@
 #include "dsc/initial/insertion.h"
 
 #include "dsc/base/error.h"
+#include "dsc/geometry/distance.h"
 #include "dsc/initial/delaunay.h"
 #include "dsc/initial/star_quality.h"
 #include "dsc/operations/edge_collapse.h"
@@ -100,17 +101,6 @@ std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
 
 namespace {
 
-double squared_distance(double px, double py, const Point<double>& a, const Point<double>& b) {
-    const double ux = b.x() - a.x();
-    const double uy = b.y() - a.y();
-    const double length2 = ux * ux + uy * uy;
-    const double along = (px - a.x()) * ux + (py - a.y()) * uy;
-    const double fraction = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
-    const double dx = px - (a.x() + fraction * ux);
-    const double dy = py - (a.y() + fraction * uy);
-    return dx * dx + dy * dy;
-}
-
 std::uint32_t clamped(double value, std::uint32_t low, std::uint32_t high) {
     return static_cast<std::uint32_t>(
         std::clamp(value, static_cast<double>(low), static_cast<double>(high)));
@@ -173,7 +163,8 @@ std::size_t clear_lattice(Complex<Real>& complex, const Lattice& lattice,
                     clamped(std::ceil(column_of(std::max(a.x(), b.x()) + reach)) + 1, 1, last - 1);
                 for (std::uint32_t column = from; column <= to; ++column) {
                     const std::uint32_t id = lattice.vertex(row, column);
-                    if (squared_distance(lattice.x(row, column), lattice.y(row), a, b) <
+                    const Point<double> p(lattice.x(row, column), lattice.y(row));
+                    if (squared_distance<double>(p, nearest_point<double>(p, a, b)) <
                             reach * reach &&
                         complex.is_alive(Vertex{id}) && remove_vertex(complex, id, stack)) {
                         ++removed;

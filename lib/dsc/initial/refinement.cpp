@@ -60,23 +60,12 @@ bool encroaches_near(const Complex<Real>& complex, std::uint32_t triangle,
            });
 }
 
-// The centre of the circle through the corners; not finite for a degenerate triangle.
-template <class Real>
-Point<double> circumcentre(const Complex<Real>& complex, std::uint32_t triangle) {
-    const auto& v = complex.triangles[triangle].v;
-    const Point<double> a = at(complex, v[0]);
-    const Point<double> b = at(complex, v[1]) - a;
-    const Point<double> c = at(complex, v[2]) - a;
-    const double bb = b.squaredNorm();
-    const double cc = c.squaredNorm();
-    const double d = 2 * (b.x() * c.y() - b.y() * c.x());
-    return a + Point<double>(c.y() * bb - b.y() * cc, b.x() * cc - c.x() * bb) / d;
-}
-
 // The new vertex, or no_id where the centre lies beyond the interface or too near to it.
 template <class Real>
 std::uint32_t break_up(Complex<Real>& complex, std::uint32_t triangle, std::vector<Corner>& stack) {
-    const Point<double> centre = circumcentre(complex, triangle);
+    const auto& v = complex.triangles[triangle].v;
+    const Point<double> centre =
+        circumcentre<double>(at(complex, v[0]), at(complex, v[1]), at(complex, v[2]));
     if (!std::isfinite(centre.x()) || !std::isfinite(centre.y())) {
         return no_id;
     }

@@ -59,9 +59,4 @@ Point<Real> curve_point(const CurveNeighbours<Real>& neighbours, Real share);
 template <class Real>
 Point<Real> insertion_point(Insertion insertion, const CurveNeighbours<Real>& neighbours);
 
-/// Curvature of the circle through three points, positive where it turns left; 0 where two of them
-/// coincide. In 1 / length. O(1).
-template <class Real>
-Real curvature(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c);
-
 } // namespace dsc

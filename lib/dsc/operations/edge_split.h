@@ -2,10 +2,11 @@
 // Edge split [4.2, 7.4]: a new vertex on an edge, and its one or two triangles cut in two.
 #pragma once
 
-#include "dsc/geometry/predicates.h"
 #include "dsc/base/verdict.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/submesh.h"
+#include "dsc/geometry/distance.h"
+#include "dsc/geometry/predicates.h"
 
 namespace dsc {
 
@@ -65,12 +66,6 @@ SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner co
     rewire::split(complex, corner, m, t2, u2);
     complex.attributes.blend_vertex(m, a, b, 0.5);
     return {Verdict::legal, Vertex{m}};
-}
-
-/// The thesis's ComputeMidpoint.
-template <class Real>
-Point<Real> midpoint(const Point<Real>& a, const Point<Real>& b) {
-    return Point<Real>(Real(0.5) * (a.x() + b.x()), Real(0.5) * (a.y() + b.y()));
 }
 
 template <class Real>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/mesh_update.h"
 
-#include "dsc/passes/wall.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
+#include "dsc/passes/wall.h"
 #include "dsc/quality/delaunay.h"
 #include "dsc/quality/ring_quality.h"
 
@@ -431,8 +431,7 @@ private:
 
     /// Of a triangle with a base of 1 and legs of the grading; squared.
     static Real squared_needle_quality(Real grading_squared) {
-        // Two sines of the angle at the apex over sqrt(3), as in quality/measures.h.
-        return grading_squared > 0 ? (4 - 1 / grading_squared) / (3 * grading_squared) : Real(0);
+        return grading_squared > 0 ? squared_quality_of_needle(grading_squared) : Real(0);
     }
 
     Work<Real>& work_;
