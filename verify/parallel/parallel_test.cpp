@@ -7,9 +7,9 @@
 #include "support/random_submeshes.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/passes/interface_list.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
+#include "dsc/passes/interface_list.h"
 #include "dsc/quality/measures.h"
 
 #include <gtest/gtest.h>
@@ -82,18 +82,18 @@ class Data {
 public:
     explicit Data(Complex<Real>& complex)
         : complex_(complex),
-          of_vertices_(complex.attributes.template add<double>("vertex", SimplexKind::vertex, -1)),
-          of_edges_(complex.attributes.template add<double>("edge", SimplexKind::edge, -2)),
-          of_triangles_(
-              complex.attributes.template add<double>("triangle", SimplexKind::triangle, -3)) {
+          of_vertices_(complex.attributes.template add<Vertex, double>("vertex", -1)),
+          of_edges_(complex.attributes.template add<Edge, double>("edge", -2)),
+          of_triangles_(complex.attributes.template add<Triangle, double>("triangle", -3)) {
         for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
             of_vertices_[Vertex{v}] = place_of(v);
         }
         for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
             for (std::uint32_t i = 0; i < 3 && complex.is_alive(Triangle{t}); ++i) {
                 const Corner c = corner_of(t, i);
-                of_edges_.at_corner(c) =
-                    place_of(complex.vertex(next(c))) + place_of(complex.vertex(prev(c)));
+                of_edges_.set(complex, complex.edge(c),
+                              place_of(complex.vertex(next(c))) +
+                                  place_of(complex.vertex(prev(c))));
                 of_triangles_[Triangle{t}] = 3 * place_of(complex.vertex(c));
             }
         }
@@ -122,9 +122,9 @@ private:
     }
 
     Complex<Real>& complex_;
-    Attribute<double>& of_vertices_;
-    Attribute<double>& of_edges_;
-    Attribute<double>& of_triangles_;
+    VertexAttribute<double>& of_vertices_;
+    EdgeAttribute<double>& of_edges_;
+    TriangleAttribute<double>& of_triangles_;
 };
 
 struct Outcome {

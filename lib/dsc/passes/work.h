@@ -4,8 +4,8 @@
 // each submesh. Nothing here grows with the mesh.
 #pragma once
 
-#include "dsc/passes/options.h"
 #include "dsc/complex/ring.h"
+#include "dsc/passes/options.h"
 
 #include <vector>
 
@@ -48,7 +48,7 @@ struct Aim {
 /// The attribute in which `Integrator::centred` keeps the last step of each vertex; made where
 /// there is none yet.
 template <class Real>
-Attribute<Past<Real>>& past_of(Complex<Real>& complex);
+VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex);
 
 template <class Real>
 struct Work {
@@ -59,7 +59,7 @@ struct Work {
     Complex<Real>& complex;
     const Options<Real>& options;
     Submesh submesh;
-    Attribute<Past<Real>>* past; ///< of `Integrator::centred`; no other has one
+    VertexAttribute<Past<Real>>* past; ///< of `Integrator::centred`; no other has one
 
     std::vector<std::uint32_t> interface; ///< interface vertices, about in the order of the curve
     Aim<Real> aim;                        ///< of the interface vertices
