@@ -3,8 +3,8 @@
 
 #include "support/random_scene.h"
 
-#include "dsc/geometry/predicates.h"
 #include "dsc/complex/validate.h"
+#include "dsc/geometry/predicates.h"
 
 #include <cmath>
 #include <limits>
