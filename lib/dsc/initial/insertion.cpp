@@ -91,7 +91,7 @@ std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
     rewire::split(complex, corner, m, t2, u2);
     if (location.place == Place::triangle) {
         // One into three: split an edge as if m were on it, then flip the edge from m into the
-        // triangle beyond back to where it was. That triangle is u2 now, and u on this side.
+        // triangle beyond back to its old place. That triangle is u2 now, and u lies on this side.
         rewire::flip(complex, next(other));
         complex.triangles[triangle_of(other)].phase = complex.phase_at(corner);
     }
@@ -106,7 +106,7 @@ std::uint32_t clamped(double value, std::uint32_t low, std::uint32_t high) {
         std::clamp(value, static_cast<double>(low), static_cast<double>(high)));
 }
 
-// Collapses an inner vertex into the neighbour that leaves the best triangles. All of one phase.
+// Collapses an inner vertex of one phase into the neighbour that leaves the best triangles.
 template <class Real>
 bool remove_vertex(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack) {
     Ring<Real> ring;
@@ -186,7 +186,7 @@ insert_outlines(Complex<Real>& complex, const Lattice& lattice, std::span<const 
         chain.reserve(outline.points.size());
         std::uint32_t near = lattice.triangle_near(outline.points.front());
         while (!complex.is_alive(Triangle{near})) {
-            // Cleared away: some triangle of the lattice is left, at the corners of the domain.
+            // It was removed. The triangles of the lattice at the corners of the domain are left.
             near = near + 1 < complex.triangle_bound() ? near + 1 : 1;
         }
         for (const Point<double>& place : outline.points) {

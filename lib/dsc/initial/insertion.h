@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Point location and insertion. Location walks from triangle to triangle, by exact signs and with a
-// reproducible coin against going in circles (O. Devillers, S. Pion, M. Teillaud, "Walking in a
-// triangulation", 2002). Insertion keeps the triangulation constrained Delaunay.
+// reproducible coin, which keeps it from going in circles (O. Devillers, S. Pion, M. Teillaud,
+// "Walking in a triangulation", 2002). Insertion keeps the triangulation constrained Delaunay.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -32,7 +32,7 @@ template <class Real>
 Location locate(const Complex<Real>& complex, std::uint32_t start, const Point<Real>& point);
 
 /// Puts a new vertex there, or returns the one that is there already; restores the Delaunay
-/// property. `location` must not be `beyond`. O(degree) but for long chains of flips.
+/// property. `location` must not be `beyond`. O(degree), except for long chains of flips.
 template <class Real>
 std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
                            const Point<Real>& point, std::vector<Corner>& stack);

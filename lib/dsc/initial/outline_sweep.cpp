@@ -12,7 +12,7 @@ namespace dsc::initial {
 
 namespace {
 
-// From left to right, and upwards where x is equal: as if the plane were sheared a little.
+// From left to right, and upwards for equal x: as if the plane were sheared a little.
 bool precedes(const Point<double>& a, const Point<double>& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
@@ -158,7 +158,7 @@ private:
         }
     }
 
-    // The first vertex of a polygon is the one where its parent is looked for.
+    // The parent of a polygon is looked for at its first vertex.
     bool visited(std::uint32_t v) {
         const std::uint32_t k = polygon_[v];
         if (seen_.size() < polygons_.size()) {

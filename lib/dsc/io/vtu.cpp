@@ -10,7 +10,7 @@ namespace dsc {
 
 namespace {
 
-// VTK counts without gaps: the numbers of the living, in the order of their ids.
+// VTK counts without gaps: the living vertices and triangles, numbered in the order of their ids.
 template <class Real>
 struct Numbers {
     explicit Numbers(const Complex<Real>& complex) : vertex_number(complex.vertex_bound(), no_id) {

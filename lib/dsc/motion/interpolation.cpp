@@ -40,7 +40,7 @@ Point<Real> curve_point(const CurveNeighbours<Real>& neighbours, Real share) {
 
 namespace {
 
-/// In the middle of the arc of this curvature from p1 to p2.
+/// The middle of the arc from p1 to p2 with the mean of the known curvatures.
 template <class Real>
 Point<Real> arc_point(const CurveNeighbours<Real>& n) {
     const Point<Real> chord = n.p2 - n.p1;
@@ -59,7 +59,7 @@ Point<Real> arc_point(const CurveNeighbours<Real>& n) {
         return middle;
     }
     bend /= static_cast<Real>(known);
-    // The height of the arc over half its chord. More than a half circle there cannot be.
+    // The height of the arc over half its chord. An arc is at most a half circle.
     const Real sine = std::clamp(Real(0.5) * bend * chord.norm(), Real(-1), Real(1));
     const Real height = Real(0.5) * sine / (1 + std::sqrt(1 - sine * sine));
     return middle + height * Point<Real>(chord.y(), -chord.x());

@@ -96,7 +96,7 @@ bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
     return least > 0 && scale > guard;
 }
 
-/// What a mesh update asks of a star, found in one go.
+/// All that a mesh update has to know about a star, computed in one loop.
 template <class Real>
 struct StarReport {
     Real delaunay; ///< below 0: a spoke fails the Delaunay test by more than the slack
@@ -106,7 +106,7 @@ struct StarReport {
 };
 
 /// Examines the star: Delaunay test of the spokes (the angles opposite to one add up to at most pi;
-/// constrained spokes are not told apart), their lengths, the worst quality. O(degree).
+/// constrained spokes are treated like others), their lengths, the worst quality. O(degree).
 template <class Real>
 StarReport<Real> examine(const Ring<Real>& ring) {
     constexpr Real most = std::numeric_limits<Real>::max();
