@@ -23,7 +23,7 @@ USES = [("work", "work in parallel sections", "#6B8CA6"),
         ("waiting", "waiting in parallel sections", style.FAINT)]
 STRATEGIES = ("cells", "active")
 THREADS = (2, 4, 8, 16)
-WRITE_FROM = 0.09  # of the tallest bar: smaller pieces get no figure
+WRITE_FROM = 0.09  # of the tallest bar: smaller pieces carry no number
 
 
 def parts(row):
@@ -55,7 +55,7 @@ def _at(rows, size, strategy, threads):
 
 
 def _panel_rows(rows, size):
-    """[(strategy, n, row)] of both kinds of bars that there are for a size."""
+    """[(strategy, n, row)] of the bars of one size: the measured ones and the modelled ones."""
     ones = [(s, 1, r) for s in STRATEGIES if (r := _at(rows, size, s, 1)) and parts(r)]
     many = [(s, n, r) for s in STRATEGIES for n in THREADS
             if (r := _at(rows, size, s, n)) and uses(r)]
@@ -177,10 +177,10 @@ def _picture(family, rows, measured, sizes, context):
     handles.append(style.key("sequential step", style.INK, line=(0, (2.5, 1.5)), width=1))
     name = f"Where the time of a step goes: {series.title(family)}"
     style.finish(fig, name, style.caption_text(
-        context, "Above: measured on one thread, summed over submeshes; all but the later colours "
-        "and the serial parts is of the first colour.\nBelow: modelled, not measured, from the "
-        "least measured time of each task. Waiting: for a task that is not ready, for the last "
-        "one of a section, and for threads to start and join."), handles)
+        context, "Above: measured on one thread, summed over submeshes; everything except the "
+        "later colours and the serial parts belongs to the first colour.\nBelow: modelled, not "
+        "measured, from the shortest measured time of each task. Waiting: for a task that is not ready, for "
+        "the last task of a section, and for threads to start and join."), handles)
     return style.Picture("breakdown_" + series.title(family).replace(" ", "_"), name,
                          sentence(family, rows), fig, *_table(rows))
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""How the error falls with the edge length: fitted orders with their spread, and guides of slope
-two and four."""
+"""How the error falls with the edge length: fitted orders with their spread, and guide lines
+of slope two and four."""
 import numpy
 from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 
@@ -14,7 +14,7 @@ METHODS = ["default", "linear insertion", "never coarsened", "fourth order",
 
 
 def chosen(runs):
-    """{flow: {method: line}} of what the picture shows: lines of at least four sizes."""
+    """{flow: {method: line}} of the lines in the picture, those with at least four sizes."""
     found = {}
     for flow, lines in data.flows(runs).items():
         some = {m: lines[m] for m in METHODS if m in lines and data.order(lines[m])}

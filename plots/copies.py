@@ -33,7 +33,7 @@ def sentence(found):
             if strategy != "sequential":
                 spans.setdefault(strategy, []).append(ratio)
     if not spans:
-        return "Copies were measured, but no strategy in place beside them."
+        return "Copies were measured, but no strategy that works in place."
     words = []
     for strategy, values in sorted(spans.items(), key=lambda pair: style.order(pair[0])):
         low, high = style.digits(min(values)), style.digits(max(values))

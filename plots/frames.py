@@ -14,7 +14,7 @@ RASTER = 20_000  # from this many triangles on, vector formats hold the mesh as 
 
 
 def picked(files):
-    """First, middle and last of a sequence, fewer where it is short."""
+    """First, middle and last of a sequence; fewer if it is short."""
     last = len(files) - 1
     return [files[index] for index in sorted({0, last // 2 if last > 1 else 0, last})]
 
@@ -52,14 +52,14 @@ def window(frame, count=CLOSE_COUNT, centre=None):
 
 
 def mesh(axes, frame, inches, low, high, fills=None):
-    """Draws what lies in the rectangle between low and high; fills: a colour a triangle, where
-    it is not that of the phase."""
+    """Draws the part of a mesh in the rectangle between low and high; fills: one colour for each
+    triangle, in place of that of its phase."""
     corners = frame.points[frame.triangles]
     inside = ((corners.max(axis=1) >= low) & (corners.min(axis=1) <= high)).all(axis=1)
     corners = corners[inside]
     if fills is None:
         fills = numpy.array(style.PHASE_FILLS)[frame.phases % len(style.PHASE_FILLS)]
-    # An edge is drawn thinner the more triangles share the panel, and not at all in the end.
+    # The more triangles share the panel, the thinner the edges; with very many there are none.
     width = min(0.6, 4.5 * inches / max(1.0, len(corners) ** 0.5))
     axes.add_collection(PolyCollection(
         corners, facecolors=fills[inside], edgecolors=style.EDGE if width > 0.02 else "face",

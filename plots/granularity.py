@@ -15,9 +15,9 @@ MOST = 4  # columns
 
 
 def threshold(points):
-    """Microseconds of sequential work a step from which on every point has S > 1: where the line
-    between the last that has not and the next crosses 1, on a logarithmic axis. (value, crossed):
-    (least work, False) where all pay; None where the one of most work does not."""
+    """The sequential work per step, in microseconds, above which every point has S > 1: where the
+    line from the last point with S <= 1 to the next one crosses 1, on a logarithmic axis. Returns
+    (value, crossed); (least work, False) if S > 1 everywhere; None if S <= 1 at the most work."""
     points = sorted(points, key=lambda p: p.base.median)
     losing = [k for k, p in enumerate(points) if p.s <= 1]
     if not losing:
@@ -31,8 +31,8 @@ def threshold(points):
 
 
 def judged(points, n):
-    """The points that the threshold is read from: those of the many sizes, or of all scenes, by
-    the strategy with the most of them (the one with the best, where two have as many)."""
+    """The points from which the threshold is read: those of the family of many sizes, or else of
+    all scenes, for the strategy with the most points (of two with as many, the better one)."""
     here = [p for p in points if p.n == n]
     here = [p for p in here if p.row.family == series.GRANULARITY] or here
     lines = series.by_label(here, lambda p: p.row.label).values()
@@ -40,7 +40,7 @@ def judged(points, n):
 
 
 def counts(points):
-    """Thread counts above one that the machine has cores for."""
+    """Thread counts above one for which the machine has enough cores."""
     return sorted({p.n for p in points if p.n > 1 and not p.row.oversubscribed})[:MOST]
 
 
@@ -74,7 +74,7 @@ def sentence(points):
 
 
 def draw(bench):
-    """One Picture, or none where no row has several threads within the cores."""
+    """One Picture, or none if no row has several threads and a core for each."""
     points = series.speedups(series.rows(bench))
     points = [p for p in points if p.n > 1 and not p.row.oversubscribed]
     if points:

@@ -42,7 +42,7 @@ def _show(value):
 
 def _measured(case):
     """'inverted 0, unreached 0, sub-steps 12': whatever else a case states, in its own order.
-    Counts of zero are left out, but for those that must be zero."""
+    Counts of zero are left out, except those that must be zero."""
     values = {k: v for k, v in case.items() if k not in FIXED + ("values", "error_is", "seconds")
               and not isinstance(v, (dict, list))
               and (k in ALWAYS or (v not in (None, "") and v != 0))}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads result files into plain records, and says in one sentence what is wrong with a bad one.
+"""Reads result files into plain records. What is wrong with a bad file is said in one sentence.
 
 Google Benchmark's JSON (a name is FAMILY/key:value/...; unknown parts are ignored), the JSON of
 dsc_scene and dsc_verify, the published figures, frames in VTK's XML, and the submeshes beside them.
@@ -200,7 +200,7 @@ def _histogram(data, path, scene, strategy, quantity):
     try:
         edges, counts = [float(e) for e in edges], [float(c) for c in counts]
     except (TypeError, ValueError) as fault:
-        raise InputFault(f"{path} has something else than numbers in {where}.") from fault
+        raise InputFault(f"{path} has something other than numbers in {where}.") from fault
     if len(edges) != len(counts) + 1 or any(b <= a for a, b in zip(edges, edges[1:])):
         raise InputFault(f"{path} has {len(edges)} edges and {len(counts)} counts in {where}, "
                          "where rising edges, one more than counts, are expected.")
@@ -241,7 +241,7 @@ def read_scene(path):
         need(data, key, path)
     shapes = data.get("histograms") or {}
     if not isinstance(shapes, dict):
-        raise InputFault(f"{path} has histograms that are no object of quantities.")
+        raise InputFault(f"{path} has histograms that are not an object of quantities.")
     histograms = [_histogram(shapes[q], path, name, strategy, q) for q in sorted(shapes)]
     return Scene(path, name, strategy, data, histograms)
 
@@ -276,7 +276,7 @@ def read_verify(paths):
 def read_published(folder):
     """{file stem: data} of the published figures; each entry must name its source and kind."""
     if not os.path.isdir(folder):
-        raise InputFault(f"{folder} is no folder of published figures.")
+        raise InputFault(f"{folder} is not a folder of published figures.")
     published = {}
     for name in sorted(os.listdir(folder)):
         if not name.endswith(".json"):
@@ -316,7 +316,7 @@ FRAME_NAME = re.compile(r"^(?P<scene>.+)_(?P<strategy>[^_]+)_(?P<number>\d+)\.vt
 def frame_files(folder):
     """{(scene, strategy): [(number, time or None, path), ...] in order} of a folder of frames."""
     if not os.path.isdir(folder):
-        raise InputFault(f"{folder} is no folder of frames.")
+        raise InputFault(f"{folder} is not a folder of frames.")
     times, sequences = {}, {}
     for name in sorted(os.listdir(folder)):
         path = os.path.join(folder, name)
@@ -360,7 +360,7 @@ def read_frame(path):
         try:
             return numpy.array((found[0].text or "").split(), dtype=float).astype(kind)
         except ValueError as fault:
-            raise InputFault(f"{path} holds something else than numbers in {place}.") from fault
+            raise InputFault(f"{path} holds something other than numbers in {place}.") from fault
 
     points = array("Points", None, float)
     corners = array("Cells", "connectivity", int)

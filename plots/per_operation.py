@@ -38,7 +38,7 @@ def sentence(found, ceiling):
     first, last = medians[0], medians[-1]
     text = f"The cheapest operation is {first[0]} with {style.duration(first[1] / 1e3)}"
     if len(medians) > 1:
-        text += f" and the dearest {last[0]} with {style.duration(last[1] / 1e3)}"
+        text += f" and the most expensive {last[0]} with {style.duration(last[1] / 1e3)}"
     if ceiling:
         below = sum(cost < ceiling[1] for _, cost in medians)
         text += (f"; {below} of {len(medians)} cost less than a cavity retriangulation of Galois "

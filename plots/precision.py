@@ -43,7 +43,7 @@ def look(method):
 
 
 def shown(lines, panel):
-    """The methods of a panel: the default is in each, bare markers where they are what limits."""
+    """The methods of a panel: the default is in each, bare markers where they are the limit."""
     floors = {"other": set(FLOOR_MARKERS), "time": set(),
               "upkeep": {"markers, linear", "markers, cubic", "markers, cubic, all kept"}}[panel]
     return {m: line for m, line in lines.items()
@@ -76,8 +76,8 @@ def _lines(axes, lines, moment):
 
 
 def _lengths(axes, line, moment):
-    """The edge length beside the points of the default, where other meshes seldom are, and where
-    it does not run into the one before."""
+    """Writes the edge length beside the points of the default, on the side where points of other
+    methods are rare, unless it would overlap the one before."""
     low, high = (math.log(v) for v in axes.get_ylim())
     last = None
     for e, t, run in data.points(line, moment):
@@ -194,13 +194,13 @@ def _one(flow, lines, peers, marks):
 
 
 def notes(lines, peers, marks):
-    """What a stranger needs to read the picture."""
-    text = ("Left and down is better. The default is RK4, cubic insertion, coarsening by "
-            "deviation, double precision; each other method varies what its name says, and lies "
-            "under the default where it does not show. One thread, the least CPU time of up to "
-            "three runs.")
+    """What someone new needs to read the picture."""
+    text = ("Lower left is better. The default is RK4, cubic insertion, coarsening by deviation, "
+            "double precision; each other method changes what its name says. Where a method cannot "
+            "be seen, its line lies under that of the default. One thread, the shortest CPU time "
+            "of up to three runs.")
     if any(not r.holds for line in lines.values() for r in line):
-        text += " Crossed out: vertices did not arrive."
+        text += " Crossed out: some vertices did not reach their target."
     if any(line[0].group == "markers" for line in lines.values()):
         text += " Bare markers: the interface alone, without a mesh."
     cells = [p.tool for p in peers if p.tool in ("Basilisk", "isoAdvector", "Gerris")]

@@ -32,7 +32,7 @@ class Run:
     error: float        # symmetric difference at the end
     half: float         # half-way, or None where the flow does not return
     seconds: float      # CPU
-    holds: bool         # no triangle inverted, no vertex that did not arrive, not given up
+    holds: bool         # no triangle inverted, all vertices arrived, not given up
     context: load.Context
 
     def at(self, moment):
@@ -91,8 +91,8 @@ def points(line, moment="last"):
 
 
 def time_at(line, error, moment="last"):
-    """CPU seconds at which a line passes an error, straight between its points in logarithms, the
-    least of several passes; None where it has no points on both sides of the error."""
+    """The CPU time in seconds at which a line crosses an error, interpolated linearly in
+    logarithms; the shortest if it crosses several times, None if it has no points on both sides."""
     found = []
     placed = points(line, moment)
     for (e, t, _), (f, u, _) in zip(placed, placed[1:]):
@@ -103,8 +103,8 @@ def time_at(line, error, moment="last"):
 
 
 def time_to(line, error, moment="last"):
-    """The least CPU seconds after which a line is at this error or below; None where it never is.
-    A line that begins below it has this time from its first point."""
+    """The shortest CPU time in seconds in which a line reaches this error or a smaller one; None if
+    it never does. For a line that begins below the error it is the time of its first point."""
     found = [t for e, t, _ in points(line, moment) if e <= error]
     passed = time_at(line, error, moment)
     return min(found + ([passed] if passed is not None else []), default=None)
@@ -144,7 +144,7 @@ class Peer:
 
 @dataclass(frozen=True)
 class Mark:
-    """Errors that are known without a time."""
+    """Errors for which no time is known."""
 
     label: str
     errors: tuple

@@ -13,12 +13,12 @@ def _times(factor):
 
 
 def against_peers(line, peers):
-    """How the default stands to the most precise point of another program that it reaches."""
+    """Compares the default with the most precise point of another program that it reaches."""
     theirs = [(e, t, p.tool) for p in peers if p.is_measured for e, t in p.points]
     ours = data.points(line)
     if not theirs or not ours:
         return ""
-    # The best answer of each program at an error that our line passes.
+    # For each program its best point among those whose error our line crosses.
     reached = [(e, t, tool, data.time_at(line, e)) for e, t, tool in theirs]
     reached = [r for r in reached if r[3] is not None]
     if reached:
@@ -36,12 +36,12 @@ def against_peers(line, peers):
                 f"{_seconds(time)}")
     close, time, tool = min(theirs)
     error, seconds, run = ours[-1]
-    return (f"The default comes to {style.digits(error)} in {_seconds(seconds)}; {tool}, with "
+    return (f"The default reaches {style.digits(error)} in {_seconds(seconds)}; {tool}, with "
             f"{style.digits(close)} after {_seconds(time)}, is out of its range")
 
 
 def common_error(lines):
-    """The smallest error of the default that another mesh comes to."""
+    """The smallest error of the default that another method with a mesh reaches."""
     rivals = [line for m, line in lines.items()
               if m != data.DEFAULT and line[0].group != "markers"]
     return min((e for e, _, _ in data.points(lines[data.DEFAULT])
@@ -49,7 +49,7 @@ def common_error(lines):
 
 
 def among_ours(lines):
-    """Which method comes to an error of the default soonest."""
+    """Which method reaches an error of the default first."""
     error = common_error(lines)
     if error is None:
         return ""
@@ -60,8 +60,8 @@ def among_ours(lines):
     if base is None or not reached:
         return ""
     best = min(reached, key=reached.get)
-    text = f"of the {len(reached) + 1} methods that come to {style.digits(error)} at the end, "
-    # Less than a tenth is nothing that a busy machine could tell.
+    text = f"of the {len(reached) + 1} methods that reach {style.digits(error)} at the end, "
+    # A difference of less than a tenth cannot be measured on a busy machine.
     if reached[best] > base / 1.1:
         worst = max(reached, key=reached.get)
         near = sum(t <= 1.1 * base for t in reached.values())
@@ -75,7 +75,7 @@ def among_ours(lines):
 
 
 def against_floor(lines):
-    """What the mesh costs and errs beside a polygon of markers alone."""
+    """The time and error of the mesh beside those of a polygon of markers alone."""
     floor = lines.get("markers, cubic")
     mine = data.points(lines[data.DEFAULT])
     if not floor or not mine:
@@ -102,6 +102,6 @@ def sentence(lines, peers):
     text = text[0].upper() + text[1:] + "."
     if broken:
         methods = sorted({r.method for r in broken}, key=list(lines).index)
-        text += (f" In {style.counted(len(broken), 'run')} a triangle was inverted or a vertex did "
-                 f"not arrive: {style.listing(methods)}.")
+        text += (f" In {style.counted(len(broken), 'run')} a triangle was inverted or a vertex "
+                 f"did not arrive: {style.listing(methods)}.")
     return text

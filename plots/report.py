@@ -69,8 +69,8 @@ def arguments(argv):
 
 
 class Report:
-    """Collects the sections of the page while pictures are saved: where they come one by one, no
-    figure is open when the next is drawn."""
+    """Collects the sections of the page and saves their pictures one by one, so that no figure is
+    open when the next is drawn."""
 
     def __init__(self, out, formats):
         self.out, self.formats, self.sections = out, formats, []
@@ -92,7 +92,7 @@ def verdict(verify):
     passed = [str(c["verdict"]).lower() in ("pass", "passed", "ok") for c in verify.checks]
     failed = [c for c, good in zip(verify.checks, passed) if not good]
     if not verify.checks:
-        return page.paragraph("The report of the gate names no check, which proves nothing.")
+        return page.paragraph("The report of the gate contains no check, so it proves nothing.")
     if failed:
         names = [f"{c['check']} ({c['scene'] or '–'})" for c in failed]
         more = f" and {len(names) - 6} more" if len(names) > 6 else ""
@@ -117,7 +117,7 @@ def verdict(verify):
 
 
 def thesis_ratio(scene, published):
-    """The thesis's ratio of areas for a run of the same scene and length, or None."""
+    """The thesis's area ratio for a run of the same scene and length, or None."""
     steps = scene.parameter("steps")
     identifier = {"vortex-square": "vortex_area_ratio"}.get(scene.name)
     if scene.name == "swirl" and steps in (260.0, 420.0):
@@ -127,7 +127,7 @@ def thesis_ratio(scene, published):
 
 
 def scene_table(scenes, published):
-    """What every run of a scene measured, the thesis's ratio of areas beside ours."""
+    """What every run of a scene measured, with the thesis's area ratio beside ours."""
     rows, closer, compared = [], 0, 0
     for s in sorted(scenes, key=lambda s: (s.name, style.order(s.strategy), s.path)):
         ratio, theirs = s.value("area_ratio"), thesis_ratio(s, published)
@@ -149,8 +149,8 @@ def scene_table(scenes, published):
         f"inverted triangles or unreached vertices in {style.listing(sorted(set(bad)))}"
         if bad else "no inverted triangle and no unreached vertex in any"))
     if compared:
-        text += (f"; of {compared} whose ratio of areas the thesis also states, {closer} "
-                 f"{'is' if closer == 1 else 'are'} closer to 1 than its own")
+        text += (f"; the thesis also states the area ratio of {compared} of them; {closer} of ours "
+                 f"{'is' if closer == 1 else 'are'} closer to 1")
     return page.paragraph(text + ".") + page.table(
         ["scene", "strategy", "h", "triangles", "area ratio", "thesis", "SD rel.", "SD at T/2",
          "worst quality", "inverted", "unreached", "CPU s"], rows)
@@ -177,7 +177,7 @@ def refusals(bench):
 
 def missing(bench):
     return "The benchmarks were not run." if not bench else \
-        "The benchmarks were run without the rows that this picture needs."
+        "The benchmarks were run without the rows that this picture shows."
 
 
 def copied(bench):
@@ -204,7 +204,7 @@ def add_steps(report, bench, published):
 
 
 def build(options):
-    """Reads everything first, so that a bad file leaves no half report behind."""
+    """Reads everything first, so that a bad file does not leave half a report behind."""
     bench = load.read_bench(options.bench) if options.bench else None
     scenes = [load.read_scene(path) for path in options.scenes]
     errors = [precision_data.read(path) for path in options.precision]
@@ -219,7 +219,7 @@ def build(options):
         raise load.InputFault(f"{options.out} cannot be made: {fault.strerror}.") from fault
 
     report = Report(options.out, options.formats)
-    # Histograms come from a verify report or a scene: whichever names its machine.
+    # Histograms come from a verify report or from a scene: take the one that names its machine.
     context = next((c for c in ([verify.context] if verify else []) + [
         s.context for s in scenes] if c.machine), None)
     report.add("verdict", "Verdict", [], "The gate (dsc_verify) was not run.",
@@ -229,7 +229,7 @@ def build(options):
         "The scenes were run without frames." if scenes else "The scenes were not run."
     drawn_by = scenes[0].context if scenes else None
     report.add("submeshes", "Submeshes", submeshes.draw(divided, drawn_by),
-               "No frame was written with its submeshes." if runs else no_frames)
+               "No frame was written together with its submeshes." if runs else no_frames)
     off_bench = missing(bench)
     report.add("operations", "Cost per operation",
                per_operation.draw(bench, published) if bench else [], off_bench)
@@ -237,14 +237,14 @@ def build(options):
                precision.draw(errors, published) + convergence.draw(errors),
                "Errors against times (dsc_precision) were not measured.")
     report.add("hard", "Hard cases", [], "The hard cases (dsc_hard) were not run." if hard is None
-               else "The list of hard cases is empty, which proves nothing.",
+               else "The list of hard cases is empty, so it proves nothing.",
                before=hard_cases.table(hard) if hard else "")
     report.add("scenes", "Scenes", [], "The scenes were not run.",
                before=scene_table(scenes, published) if scenes else "")
     report.add("histograms", "Areas and qualities of the triangles",
                histograms.draw(scenes, verify, published, context),
                "No run wrote histograms." if scenes or verify else
-               "Neither scenes nor the gate were run, so there are no histograms.")
+               "Neither the scenes nor the gate were run, so there are no histograms.")
     report.add("frames", "Meshes", frames.draw(runs, drawn_by), no_frames)
     report.add("sources", "What we compare with", [], "No published figures were given, so the "
                "pictures show our own results only.",
@@ -261,7 +261,7 @@ def _write(report, bench, other, options):
     ]) if context else page.paragraph("No result names its machine.")
     text = page.document(
         "Deformable simplicial complexes: speed against error",
-        "What the runs at hand measured, beside the thesis's figures and those of other programs.",
+        "Results of these runs, beside the figures of the thesis and of other programs.",
         head, report.sections)
     style.write_bytes(os.path.join(options.out, "index.html"), text.encode("utf-8"))
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import style
 
-# Parts of a name that never tell two configurations apart.
+# Parts of a name in which two configurations never differ.
 STRUCTURAL = {"strategy", "triangles", "threads", "submeshes", "iterations", "repeats",
               "min_time", "min_warmup_time", "warmup", "h", "steps", "modelled"}
 SERIAL = ("reference", "sequential")
@@ -44,7 +44,7 @@ class Row:
         return self.oversubscribed or self.loaded
 
     def flags(self):
-        """What is to be said beside the row's figures."""
+        """Remarks to be printed beside the row's figures."""
         words = ["oversubscribed"] if self.oversubscribed else []
         return words + ([f"load {self.measurement.counter('load'):.1f}"] if self.loaded else [])
 
@@ -72,7 +72,7 @@ class Point:
         return self.row.doubtful or self.base.loaded
 
     def flags(self):
-        """What is to be said beside S(n), of the row and of the sequential run."""
+        """Remarks to be printed beside S(n), on the row and on the sequential run."""
         return self.row.flags() + [f"sequential run: {w}" for w in self.base.flags()]
 
 
@@ -144,7 +144,7 @@ def base_of(row, found):
                and r.family == row.family
                and r.triangles == row.triangles
                and all(mine.get(k, v) == v for k, v in r.other)]
-    # Where several fit, the one that shares most parameters.
+    # If several fit, the one that shares most parameters.
     return max(fitting, key=lambda r: len(set(r.other) & set(row.other)), default=None)
 
 

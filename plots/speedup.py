@@ -46,7 +46,7 @@ class Other:
 
 @dataclass
 class Family:
-    """All that one picture shows."""
+    """Everything that one picture shows."""
 
     name: str
     points: list    # measured
@@ -67,7 +67,7 @@ class Family:
                    + [t["n"] for t in self.thesis] + [2])
 
     def others_at(self, size):
-        """Other programs' points at about this size, and those that state none."""
+        """Points of other programs at about this size, and those of programs that state no size."""
         return [o for o in self.others if not o.triangles or 0.5 < o.triangles / size < 2]
 
 
@@ -121,7 +121,7 @@ def _thread_axis(axes, top):
 
 
 def _speed_axis(axes, family):
-    """S(n): logarithmic where the threads are, so that the ideal is a straight line."""
+    """S(n), on a logarithmic axis if that of the threads is one, so that the ideal is a line."""
     values = [p.high for p in family.points + family.models] + [t["S"] for t in family.thesis] \
         + [o.s for o in family.others]
     if family.top <= WIDE:
@@ -158,7 +158,7 @@ def _measured(axes, lines, looks, spread, value):
     """One line for each series: trusted points solid, others half filled."""
     for index, (label, line) in enumerate(lines.items()):
         colour, marker = looks[label]
-        # Series are set apart sideways so that markers and bars of equal height stay visible.
+        # Series are shifted sideways so that markers and bars of equal height stay visible.
         place = [p.n * (1 + spread * (index - (len(lines) - 1) / 2)) for p in line]
         middle = [value(p, p.s) for p in line]
         bars = [[m - value(p, p.low) for m, p in zip(middle, line)],

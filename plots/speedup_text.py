@@ -56,26 +56,25 @@ def measured(family):
             words.append(f" (thesis: {theirs[0]['S']:.2f})")
     else:
         words.append(f"In the {series.title(family.name)}, no measured row has more than one "
-                     "thread within the machine's cores, so nothing measured here is a speed-up "
-                     "to trust")
+                     "thread and a core for each, so no speed-up measured here can be trusted")
     ones = [1 / p.s for p in points if p.n == 1]
     if ones:
         words.append(f"; one parallel thread takes {_span(ones, '{:.2f}'.format)} times the "
                      "sequential time")
     over = sum(p.row.oversubscribed for p in points)
     if over:
-        words.append(f"; {over} of {len(points)} points are oversubscribed (half filled) and say "
-                     "nothing about scaling")
+        words.append(f"; {over} of {len(points)} points are oversubscribed (half filled) and do "
+                     "not show how the code scales")
     loaded = sum(p.doubtful and not p.row.oversubscribed for p in points)
     if loaded:
         words.append(f"; {loaded} of {len(points)} points (half filled) were measured while other "
-                     "work loaded the machine, or against a sequential run that was, and are not "
-                     "to be trusted like the others")
+                     "programs loaded the machine, or compared with a sequential run that was, and "
+                     "are less reliable than the others")
     return "".join(words) + "."
 
 
 def modelled(family):
-    """How good the model is where it can be checked, and what it says beyond."""
+    """How good the model is where it can be checked, and what it predicts elsewhere."""
     words = []
     for n in sorted({m.n for m in family.models if m.n > 1}):
         pairs = [(m, beside(m, family.points)) for m in family.models if m.n == n]
@@ -85,17 +84,17 @@ def modelled(family):
             errors = [error(m, [p]) for m, p in pairs]
             over = f" over {len(pairs)} rows, most" if len(pairs) > 1 else ""
             words.append(
-                f"the model's S({n}) is off from the measured one by "
+                f"the model's S({n}) differs from the measured one by "
                 f"{_span(errors, '{:+.1f} %'.format)}{over} "
                 f"for {worst[0].row.label} at {style.whole(worst[0].row.triangles)} "
                 f"triangles, {worst[0].s:.2f} against {worst[1].s:.2f}")
     if not words:
-        words.append("no measured row has more than one thread, so the model is checked by none")
+        words.append("no measured row has more than one thread, so the model could not be checked")
     beyond = [m for m in family.models if m.n > 1 and not beside(m, family.points)]
     best = {n: max((m for m in beyond if m.n == n), key=lambda m: m.s)
             for n in sorted({m.n for m in beyond})}
     if best:
-        words.append("the best that the model gives for thread counts not measured is "
+        words.append("the best prediction of the model for thread counts that were not measured is "
                      + style.listing(f"S({n}) = {m.s:.2f}" for n, m in best.items())
                      + f", U({n_last(best)}) = {best[n_last(best)].u:.2f}"
                      + f" ({_where(best.values())})")
@@ -115,19 +114,19 @@ def _where(models):
 
 def conditions(family):
     text = ("Medians over repetitions; bars from the slowest to the fastest repetition; blue "
-            "band: the same of the sequential run.")
+            "band: the same for the sequential run.")
     if family.models:
         cost = [c for m in family.models
                 if (c := m.row.measurement.counter("fork_join_us")) is not None]
-        text += ("\nHollow and dashed: modelled, not measured. The least measured time of each "
+        text += ("\nHollow and dashed: modelled, not measured. The shortest measured time of each "
                  "task, scheduled on n workers, plus the serial parts and the cost of starting "
                  "and joining threads"
                  + (f" (measured: {_span(cost, style.duration)})" if cost else "")
-                 + "; shared caches and memory are not in it. Where several numbers of submeshes "
+                 + "; shared caches and memory are not modelled. If several numbers of submeshes "
                  "were modelled for one n, the fastest is shown.")
     if family.others:
         text += ("\nGrey: the thesis, and other programs that adapt a mesh in parallel, each on "
-                 "a machine of its own; those that state no size stand in every column.")
+                 "a different machine; those that state no size are drawn in every column.")
     return text
 
 

@@ -94,10 +94,10 @@ def sentence(family, lines, theirs):
     if sequential and theirs:
         name, (size, time) = min(((n, p) for n, points in theirs for p in points),
                                  key=lambda pair: pair[1][1])
-        words.append(f"of the other programs the fastest, {name}, took {style.duration(time)} at "
+        words.append(f"the fastest of the other programs, {name}, took {style.duration(time)} at "
                      f"{style.whole(size)} triangles")
     if not words:
-        words = ["there are only rows whose threads outnumber the cores"]
+        words = ["every row has more threads than there are cores"]
     return f"In the {series.title(family)}, " + "; ".join(words) + "."
 
 
@@ -223,7 +223,7 @@ def _steps(names, found, context, published):
     style.finish(fig, "Time of a step against the size of the mesh", style.caption_text(
         context, "Medians; bars from the fastest to the slowest repetition. "
         + ("Grey: other programs, CPU time on one thread. " if others else "")
-        + "An interface has about as many vertices as the square root of the triangles."),
+        + "The number of interface vertices is about the square root of the number of triangles."),
         handles)
     return [style.Picture("step_cost", "Time of a step", _text(names, lines, published), fig,
                           *_table(names, lines))]
@@ -296,7 +296,7 @@ def _vertices(names, found, context):
         words = ["No sequential row states its cost per interface vertex."]
     style.finish(fig, "Time per interface vertex and step", style.caption_text(
         context, "Medians; bars from the fastest to the slowest repetition. A level line: the "
-        "cost follows the interface and not the mesh."),
+        "cost grows with the interface and not with the mesh."),
         _legend({k: v for k, v in looks.items() if k in shown}, lines))
     return [style.Picture("step_cost_per_vertex", "Time per interface vertex", " ".join(words),
                           fig)]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A line for each configuration with its time on a logarithmic axis: what replaces a curve over
-sizes where only one size was run."""
+"""A line for each configuration with its time on a logarithmic axis: drawn in place of a curve over
+sizes if only one size was run."""
 import statistics
 
 from matplotlib.ticker import FuncFormatter, NullFormatter

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The one look of every picture: palette, markers, layout bands, caption and saving.
+"""The common look of all pictures: palette, markers, layout bands, caption and saving.
 
 Colours are those of Okabe and Ito ("Color universal design", 2008), and every strategy has a
 marker of its own besides, so that no picture depends on colour alone.
@@ -22,7 +22,7 @@ SHADE = "#F1F4F6"
 
 BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
 BLUE, VERMILLION, PURPLE = "#0072B2", "#D55E00", "#CC79A7"
-# The palette's yellow (#F0E442) vanishes on white as a line; this is the same hue, darker.
+# Lines in the palette's yellow (#F0E442) cannot be seen on white; this is a darker one.
 DARK_YELLOW = "#A89400"
 
 # strategy -> (colour, marker); the order is the order of legends and tables.
@@ -47,7 +47,7 @@ PNG_DPI = 160
 
 @dataclass
 class Picture:
-    """A drawn figure with the sentence that says what is seen, and rows for a table if any."""
+    """A figure with the sentence that describes it, and rows for a table if there are any."""
 
     name: str
     title: str
@@ -120,8 +120,7 @@ def hollow(colour):
 
 
 def doubtful(colour):
-    """Marker keywords of a measured point that must not be trusted like the others: half
-    filled."""
+    """Marker keywords of a measured point that is less reliable than the others: half filled."""
     return {"fillstyle": "left", "markerfacecolor": colour, "markerfacecoloralt": "white",
             "markeredgecolor": colour, "markeredgewidth": 1.0}
 
@@ -131,7 +130,7 @@ def solid(colour):
 
 
 def other(marker):
-    """Marker keywords of what is not ours: grey, thin white rim, larger where it is spiky."""
+    """Marker keywords of other programs: grey with a thin white rim, larger for spiky markers."""
     spiky = marker in ("*", "1", "2")
     return {"marker": marker, "markersize": 10 if spiky else 7, "markerfacecolor": MUTED,
             "markeredgecolor": MUTED if marker in ("1", "2") else "white",
@@ -174,7 +173,7 @@ def caption_text(context, conditions=""):
             parts.append(context.build_type)
         if context.commit:
             parts.append(f"commit {context.commit[:12]}")
-    # No line is broken inside a part.
+    # Lines are broken between parts only.
     parts = [part.replace(" ", "\N{NO-BREAK SPACE}") for part in parts]
     first = "  ·  ".join(parts) if parts else "machine and commit not recorded"
     return first + ("\n" + conditions if conditions else "")
@@ -194,7 +193,7 @@ def _wrap(text, columns):
 
 
 def _columns(labels, width):
-    """As many legend columns as fit, without a row more than needed.
+    """As many legend columns as fit, but not more than needed for the least number of rows.
 
     A legend fills column by column, and its first columns take one entry more where the entries
     do not divide.
@@ -247,7 +246,7 @@ def png_bytes(fig):
 
 
 def write_bytes(path, data):
-    """Writes beside and renames, so that nobody ever reads half a file."""
+    """Writes to another name and renames, so that nobody ever reads half a file."""
     part = path + ".part"
     try:
         with open(part, "wb") as stream:

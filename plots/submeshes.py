@@ -53,7 +53,7 @@ def owns(region, points):
 def vertex_owners(regions, points):
     """For each vertex the number of its region, -1 where there is none."""
     owner = numpy.full(len(points), -1)
-    for index in reversed(range(len(regions))):  # the first one has it, as in the library
+    for index in reversed(range(len(regions))):  # the first one wins, as in the library
         owner[owns(regions[index], points)] = index
     return owner
 
@@ -92,13 +92,13 @@ def on_interface(frame):
 
 
 def length(frame):
-    """Of the interface."""
+    """The length of the interface."""
     ends = frame.points[frames.interface(frame)]
     return float(numpy.hypot(*(ends[:, 1] - ends[:, 0]).T).sum())
 
 
 def distances(points, segment):
-    """Of points from a line segment."""
+    """The distances of points from a line segment."""
     start, end = (numpy.array(p) for p in segment)
     along = end - start
     part = ((points - start) @ along / max(along @ along, 1e-300)).clip(0, 1)
@@ -106,8 +106,8 @@ def distances(points, segment):
 
 
 def meeting(division):
-    """Where on the interface two submeshes of the first colour meet, nearest to a boundary of the
-    second, and how far that is; (None, 0) where they do not meet."""
+    """The place on the interface where two submeshes of the first colour meet that is nearest to a
+    boundary of the second colour, and how far that is; (None, 0) if none meet."""
     frame = division.frame
     found = numpy.nonzero((owners(division.colours[0], frame) < 0) & on_interface(frame))[0]
     if not len(found):
@@ -123,20 +123,20 @@ def meeting(division):
 
 
 def window(frame, centre, away):
-    """The corners of the close-up: with the boundary in it unless that is too far."""
+    """The corners of the close-up, which contains the boundary unless that is too far away."""
     low, high = frames.window(frame, CLOSE_COUNT, centre)
     wide = numpy.array([centre - 1.15 * away, centre + 1.15 * away])
     middle = frame.points[frame.triangles].mean(axis=1)
     inside = ((middle >= wide[0]) & (middle <= wide[1])).all(axis=1).sum()
     low, high = wide if wide[1][0] > high[0] and inside <= CLOSE_MOST else (low, high)
-    # Moved back where it would stick out of the mesh.
+    # Moved back if it would reach beyond the mesh.
     first, last = frame.points.min(axis=0), frame.points.max(axis=0)
     shift = numpy.maximum(first - low, 0) + numpy.minimum(last - high, 0)
     return low + shift, high + shift
 
 
 def reach(frame):
-    """Farther than any vertex: where infinite boundaries are cut off."""
+    """A length beyond all vertices, at which infinite boundaries are cut off."""
     return float(4 * (numpy.abs(frame.points).max() + 1))
 
 
@@ -166,7 +166,7 @@ def draw(divisions, context=None):
 
 
 def _work_colours():
-    """Pale to dark; neither end is the grey of what straddles."""
+    """Pale to dark; neither end is the grey of straddling triangles."""
     return ListedColormap(colormaps["YlGnBu"](numpy.linspace(0.06, 0.72, 200)))
 
 
@@ -203,7 +203,7 @@ def _submeshes(regions):
 
 
 def _close_up(axes, division, corners, norm, cmap):
-    """Around a meeting of two submeshes."""
+    """The close-up around a place where two submeshes meet."""
     frame, (low, high) = division.frame, corners
     frames.mesh(axes, frame, SIDE, low, high, _fills(division, 0, norm, cmap))
     _lines(axes, division.colours[0], reach(frame), colors=FIRST, linewidths=1.4, zorder=4)
@@ -250,8 +250,8 @@ def _picture(division, context):
 
 def _conditions(division):
     when = f", t = {division.time:.4g}" if division.time is not None else ""
-    return (f"Frame {division.number}{when}, of those with submeshes the one with the longest "
-            f"interface; {style.whole(len(division.frame.triangles))} triangles. A triangle "
+    return (f"Frame {division.number}{when}, which has the longest interface of the frames with "
+            f"submeshes; {style.whole(len(division.frame.triangles))} triangles. A triangle "
             "belongs to a submesh if all three vertices do; one that straddles a boundary is "
             "locked while its colour is at work.")
 
@@ -266,7 +266,7 @@ def _legend(division, near):
 
 
 def sentence(division):
-    """Balance and share of the first colour, what straddles, what later colours have to do."""
+    """Balance and share of the first colour, straddling triangles, work of later colours."""
     first, frame = division.colours[0], division.frame
     works = [r.work_us for r in first]
     total = sum(r.work_us for regions in division.colours for r in regions)
@@ -282,7 +282,7 @@ def sentence(division):
              "them at the interface")
     if total > 0 and len(division.colours) > 1:
         later = total - sum(works)
-        text += f"; {100 * later / total:.1f} % of the work is left to later colours"
+        text += f"; {100 * later / total:.1f} % of the work is left for later colours"
     return text + "."
 
 

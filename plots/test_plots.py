@@ -48,7 +48,7 @@ class Plots(Case):
                           if n.endswith(".part")], [])
         self.assertIn("the mesh is not valid", page)
         self.assertIn("All 2 checks pass.", page)
-        self.assertIn("0.994864", page)  # the thesis's ratio of areas beside ours
+        self.assertIn("0.994864", page)  # the thesis's area ratio beside ours
 
     def test_same_results_give_the_same_bytes(self):
         words = self.inputs() + ["--formats", "png,svg,pdf"]

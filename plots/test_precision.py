@@ -130,7 +130,7 @@ class Precision(Case):
     def test_sentence_out_of_range(self):
         fine = data.Peer("other", points=[(1e-9, 7)])
         text = precision_text.against_peers(self.lines(*precision_runs())["default"], [fine])
-        self.assertIn("comes to 2.50e-4 in 4.00 s; other, with 1.00e-9", text)
+        self.assertIn("reaches 2.50e-4 in 4.00 s; other, with 1.00e-9", text)
 
     def test_what_others_print_is_not_compared_in_time(self):
         printed = data.Peer("other", False, [(1e-3, 0.1)])
@@ -140,7 +140,7 @@ class Precision(Case):
     def test_the_fastest_of_ours_is_named(self):
         # The fourth-order line begins below all of the default: its first point counts.
         text = precision_text.among_ours(self.lines(*precision_runs()))
-        self.assertEqual(text, "of the 2 methods that come to 2.50e-4 at the end, fourth order "
+        self.assertEqual(text, "of the 2 methods that reach 2.50e-4 at the end, fourth order "
                                "is the fastest: 188 ms, 21 times less than the default")
 
     def test_the_default_is_fastest_where_it_is(self):

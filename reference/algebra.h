@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The simplex relations and operations of thesis 3.1: boundary, boundary*, star, closure, link,
-// skeleton and filter. The faces of a simplex of K are in K, so that only star needs K itself.
+// The simplex relations and operations of the thesis, section 3.1: boundary, boundary*, star,
+// closure, link, skeleton and filter. The faces of a simplex of K are in K, so that only star needs
+// K itself.
 #pragma once
 
 #include "reference/complex.h"

@@ -80,7 +80,7 @@ MarkerCounts space_markers(Markers& markers, const MarkerOptions& options) {
                               halved.size() - counts.removed > fewest_markers;
         if (is_short) {
             ++counts.removed;
-            ++i; // its neighbour stays, however short the next edge is
+            ++i; // its neighbour stays, even if the next edge is short
         }
         markers.push_back(halved[i]);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The floor under every method that tracks an interface by its vertices: a closed polygon of
-// markers in a flow, without a mesh. What a mesh adds can only cost more; what it loses shows
-// against this.
+// The lower bound of every method that tracks an interface by its vertices: a closed polygon of
+// markers in a flow, without a mesh. A mesh costs more, and the error that it adds is seen by
+// comparison.
 #pragma once
 
 #include "reference/interpolators.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The simplicial complex K of the literal method, with the mesh functions of thesis 4.1, the
-// attribute vectors of 8.3 and the derived interface and boundaries of 8.6.
+// The simplicial complex K of the literal method, with the mesh functions of the thesis,
+// section 4.1, the attribute vectors of section 8.3 and the derived interface and boundaries of
+// section 8.6.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -17,7 +18,8 @@
 
 namespace dsc::reference {
 
-/// Attribute vectors [8.3]: a std::vector by the number of the vertex, std::map for the others.
+/// Attribute vectors (thesis, section 8.3): a std::vector by the number of the vertex, std::map for
+/// the others.
 template <class Value>
 using VertexAttribute = std::vector<Value>;
 template <class Value>
@@ -30,13 +32,14 @@ using OrientedTriangle = std::array<Vertex, 3>;
 
 class Complex {
 public:
-    // --- mesh functions [4.1] -------------------------------------------------------------------
+    // --- mesh functions (thesis, section 4.1)
+    // -------------------------------------------------------------------
     /// Insertion of a 0-simplex. Numbers of removed vertices are used again.
     Vertex insert(const Point<double>& coord);
     /// Insertion of a 2-simplex and its boundary, in any orientation. Its phase is the exterior's
     /// until `set_phase`.
     TriangleKey insert(Vertex a, Vertex b, Vertex c);
-    /// Removal of one simplex, and of nothing else; of something that is not there: nothing
+    /// Removal of one simplex, and of nothing else. If it does not exist, nothing
     /// happens.
     void remove(Vertex v);
     void remove(const EdgeKey& e);
@@ -99,13 +102,15 @@ public:
     [[nodiscard]] std::size_t vertex_bound() const { return coords_.size(); }
 
     // --- given from outside ---------------------------------------------------------------------
-    std::set<Vertex> locked;                    ///< may neither move nor vanish
-    std::set<Vertex> submesh_boundary_vertices; ///< from the submeshing method [8.6]
-    std::set<EdgeKey> submesh_boundary_edges;   ///< from the submeshing method [8.6]
-    /// Those of them that are interface edges in the whole mesh. The thesis does without, as they
-    /// are locked; but a collapse next to one would fold another interface edge onto it.
+    std::set<Vertex> locked; ///< may neither move nor vanish
+    // From the submeshing method (thesis, section 8.6).
+    std::set<Vertex> submesh_boundary_vertices;
+    std::set<EdgeKey> submesh_boundary_edges;
+    /// Those of them that are interface edges in the whole mesh. The thesis does not need them, as
+    /// they are locked; but a collapse next to one would fold another interface edge onto it.
     std::set<EdgeKey> submesh_boundary_interface;
-    /// Called after a vertex `m` was inserted between `a` and `b` [8.9]; may be empty.
+    /// Called after a vertex `m` was inserted between `a` and `b` (thesis, section 8.9); may be
+    /// empty.
     std::function<void(Vertex m, Vertex a, Vertex b)> interpolate;
 
 private:

@@ -15,7 +15,8 @@ namespace dsc::reference {
 
 namespace {
 
-/// The vertices that the velocity moves; not what is locked or on the submesh boundary [6.4].
+/// The vertices that the velocity moves: none that is locked or on the submesh boundary (thesis,
+/// section 6.4).
 std::set<Vertex> moving_vertices(const Complex& K, const SimplexSet& I, Moving moving) {
     std::set<Vertex> result = I.vertices;
     if (moving == Moving::interior_too) {
@@ -29,8 +30,9 @@ std::set<Vertex> moving_vertices(const Complex& K, const SimplexSet& I, Moving m
     return result;
 }
 
-/// 6.4: a vertex of the domain boundary may only move such that the domain keeps its shape. Between
-/// two collinear boundary edges it slides, in a corner it stays: a wall lets nothing through.
+/// Section 6.4: a vertex of the domain boundary may only move such that the domain keeps its shape.
+/// Between two collinear boundary edges it slides, in a corner it stays: a wall lets nothing
+/// through.
 Point<double> along_boundary(const Complex& K, Vertex v, const Point<double>& destination) {
     const auto walls = K.straight_boundary(v);
     if (!walls)
@@ -39,14 +41,14 @@ Point<double> along_boundary(const Complex& K, Vertex v, const Point<double>& de
     const Point<double>& b = K.coord((*walls)[1]);
     const Point<double> direction = (b - a).normalized();
     const Point<double> p = K.coord(v) + direction.dot(destination - K.coord(v)) * direction;
-    // Rounded, on a slanted wall: then the vertex stays.
+    // On a slanted wall the place is rounded: then the vertex stays.
     return orientation(a, p, b) == 0 ? p : K.coord(v);
 }
 
 struct Targets {
     Destinations destinations;
     std::set<Vertex> held; ///< the velocity is not finite
-    double furthest = 0;   ///< way to go
+    double furthest = 0;   ///< the longest way still to go
 };
 
 Targets targets(const Complex& K, const std::set<Vertex>& moving, const Velocity& velocity,
@@ -99,18 +101,18 @@ void dsc(Complex& K, const SimplexSet& I, Destinations& destinations, const Opti
         ++counts.iterations;
         last = destinations.empty() || iteration >= options.max_iterations;
         // Printed: interface coarsening and refinement in every iteration. A vertex that is put
-        // between one that has arrived and one that has not would stand at no time at all, so the
-        // interface waits until all have arrived. (InterfaceSmoothing: none; it would move the
-        // interface where the velocity did not.)
+        // between one that has arrived and one that has not would belong to no moment, so that the
+        // interface waits until all have arrived. (There is no InterfaceSmoothing, as it would move
+        // the interface where the velocity did not.)
         if (last) {
             interface_coarsening(K, I, passes, counts);
             interface_refinement(K, I, passes, counts);
         }
         update_phases(K, passes, counts);
     }
-    // Q^K is still too low: nothing is left to move, but what the last updates made poor may be
-    // mended by the next. (Not all can be: between two parts of the interface there is no free
-    // edge.)
+    // Q^K is still too low: nothing is left to move, but triangles that the last updates made poor
+    // may be repaired by the next. (Not all can be: between two parts of the interface there is no
+    // free edge.)
     double worst = worst_quality(K);
     for (int i = 0; i < options.max_repairs && worst < passes.poor_quality; ++i) {
         update_phases(K, passes, counts);

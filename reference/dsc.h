@@ -12,8 +12,8 @@
 
 namespace dsc::reference {
 
-/// Which vertices the velocity moves [9.1]: those of the interface, or also those inside phases
-/// other than the exterior.
+/// Which vertices the velocity moves (thesis, section 9.1): those of the interface, or also those
+/// inside phases other than the exterior.
 enum class Moving { interface, interior_too };
 
 struct Options {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ear clipping of a simple polygon: thesis 7.3 and figure 7.4, after G. H. Meisters, "Polygons have
-// ears" (1975).
+// Ear clipping of a simple polygon: thesis, section 7.3 and figure 7.4, after G. H. Meisters,
+// "Polygons have ears" (1975).
 #pragma once
 
 #include "dsc/base/types.h"

@@ -10,13 +10,14 @@ namespace dsc::reference {
 
 namespace {
 
-/// 6.5: the domain keeps its shape if `e` is a boundary edge and the boundary runs straight on
-/// through `v`.
+/// Section 6.5: the domain keeps its shape if `e` is a boundary edge and the boundary runs straight
+/// on through `v`.
 bool may_leave_boundary(const EdgeKey& e, Vertex v, const Complex& K) {
     return K.is_boundary(e) && K.straight_boundary(v);
 }
 
-/// 6.5: the interface is coarsened, not broken, if `e` is part of it and `v` is no junction or end.
+/// Section 6.5: the interface is coarsened, not broken, if `e` is part of it and `v` is no junction
+/// or end.
 bool may_leave_interface(const EdgeKey& e, Vertex v, const Complex& K) {
     return K.is_interface(e) && std::ranges::count_if(K.edges_at(v), [&](const EdgeKey& f) {
                                     return K.is_interface(f);
@@ -73,7 +74,7 @@ Verdict collapse_end(const EdgeKey& e, Vertex v, Complex& K) {
         K.remove(t);
         K.set_phase(K.insert(v_, a, b), p);
     }
-    // Printed: Remove(v). What has v as a face cannot stay without it.
+    // Printed: Remove(v). Simplices that have v as a face cannot stay without it.
     K.remove(star(K, v));
     return Verdict::legal;
 }

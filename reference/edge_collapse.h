@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edge collapse: thesis algorithm 7.7 with the restrictions of 6.5.
+// Edge collapse: thesis algorithm 7.7 with the restrictions of section 6.5.
 #pragma once
 
 #include "dsc/base/verdict.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edge flip: thesis algorithm 7.1 with the restrictions of 6.5.
+// Edge flip: thesis algorithm 7.1 with the restrictions of section 6.5.
 #pragma once
 
 #include "dsc/base/verdict.h"

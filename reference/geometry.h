@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the printed algorithms take for granted about places: midpoints, and whether a triangle
-// would keep its orientation if one of its vertices stood elsewhere.
+// Geometry that the printed algorithms assume: midpoints, and whether a triangle would keep its
+// orientation if one of its vertices were elsewhere.
 #pragma once
 
 #include "dsc/geometry/predicates.h"
@@ -18,7 +18,7 @@ inline Point<double> compute_midpoint(const Point<double>& a, const Point<double
     return {0.5 * (a.x() + b.x()), 0.5 * (a.y() + b.y())};
 }
 
-/// Insert, Coord and interpolation of a vertex between two others [8.9].
+/// Insert, Coord and interpolation of a vertex between two others (thesis, section 8.9).
 inline Vertex insert_between(Vertex a, Vertex b, const Point<double>& coord, Complex& K) {
     const Vertex m = K.insert(coord);
     if (K.interpolate) {
@@ -27,7 +27,7 @@ inline Vertex insert_between(Vertex a, Vertex b, const Point<double>& coord, Com
     return m;
 }
 
-/// Orientation of `t` if its vertex `v` stood at `p`; nothing is moved.
+/// Orientation of `t` if its vertex `v` were at `p`; nothing is moved.
 inline int orientation_if(const Complex& K, const TriangleKey& t, Vertex v,
                           const Point<double>& p) {
     const OrientedTriangle& o = K.oriented(t);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a velocity field to destinations: explicit Euler (thesis 5.1, equation 5), the midpoint rule
-// (9.4) and the classical Runge-Kutta method of order four.
+// From a velocity field to destinations: explicit Euler (thesis, section 5.1, equation 5), the
+// midpoint rule (9.4) and the classical Runge-Kutta method of order four.
 #pragma once
 
 #include "dsc/base/types.h"

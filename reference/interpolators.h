@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a vertex goes that refines the interface (thesis 8.9, 9.2).
+// The place of a new vertex of the interface (thesis, sections 8.9 and 9.2).
 #pragma once
 
 #include "dsc/base/types.h"
@@ -14,7 +14,7 @@ using InterfacePoint =
     std::function<Point<double>(const Point<double>& p0, const Point<double>& p1,
                                 const Point<double>& p2, const Point<double>& p3)>;
 
-/// The midpoint of the edge: what algorithm 7.6 prints.
+/// The midpoint of the edge, as algorithm 7.6 prints it.
 Point<double> linear_point(const Point<double>& p0, const Point<double>& p1,
                            const Point<double>& p2, const Point<double>& p3);
 
@@ -24,7 +24,7 @@ Point<double> linear_point(const Point<double>& p0, const Point<double>& p1,
 Point<double> cubic_point(const Point<double>& p0, const Point<double>& p1, const Point<double>& p2,
                           const Point<double>& p3);
 
-/// The same without a look at corners: the midpoint only where two points coincide.
+/// The same without the exception for corners: the midpoint only where two points coincide.
 Point<double> lagrange_point(const Point<double>& p0, const Point<double>& p1,
                              const Point<double>& p2, const Point<double>& p3);
 

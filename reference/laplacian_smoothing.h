@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laplacian smoothing: thesis 5.5, equation 6.
+// Laplacian smoothing: thesis, section 5.5, equation 6.
 #pragma once
 
 #include "dsc/base/verdict.h"

@@ -29,7 +29,7 @@ void submesh_boundary_filter(SimplexSet& R, const Complex& K) {
 }
 
 /// The vertices of R' = closure(R) \ R in counter-clockwise order from the smallest; empty if R' is
-/// not one simple polygon. 7.6: an order is what the set algebra cannot express, so that it comes
+/// not one simple polygon. 7.6: the set algebra cannot express an order, so that it is taken
 /// from the oriented triangles of R.
 std::vector<Vertex> polygon_of(const SimplexSet& R_, const SimplexSet& R, const Complex& K) {
     std::map<Vertex, Vertex> successor;
@@ -49,8 +49,8 @@ std::vector<Vertex> polygon_of(const SimplexSet& R_, const SimplexSet& R, const 
     if (R_.vertices.empty() || followed != R_.edges.size()) {
         return {};
     }
-    // The walk must come back to its start just when it has been everywhere: there is one loop, it
-    // touches itself nowhere, and no vertex is left over.
+    // The walk must come back to its start exactly when all vertices were visited: there is one
+    // loop, it touches itself nowhere, and no vertex is left over.
     std::vector<Vertex> polygon;
     Vertex v = *R_.vertices.begin();
     do {

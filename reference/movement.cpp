@@ -30,7 +30,7 @@ bool move_vertex(Vertex v, const Point<double>& destination, Complex& K) {
     const Point<double> start = K.coord(v);
     const auto inverted = [&](const TriangleKey& t) { return K.orientation(t) <= 0; };
     double fraction = movable_fraction(K, v, destination);
-    // The areas above are rounded. 52 halvings, and nothing of a double's digits is left to move.
+    // The areas above are rounded. After 52 halvings no digit of a double is left.
     for (int halvings = 0; halvings < 52 && fraction > 0; ++halvings, fraction *= 0.5) {
         K.set_coord(v, fraction < 1 ? Point<double>(start + fraction * (destination - start))
                                     : destination);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Movement: vertices go as far towards their destinations as no triangle inverts (thesis 5.1).
+// Movement: vertices go as far towards their destinations as possible without inverting a triangle
+// (thesis, section 5.1).
 #pragma once
 
 #include "reference/complex.h"

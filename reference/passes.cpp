@@ -24,8 +24,8 @@ namespace dsc::reference {
 
 namespace {
 
-// After a retriangulation the patch has fewer triangles. With a mean area above this share of the
-// target it would soon be refined again.
+// After a retriangulation the patch has fewer triangles. If their mean area is above this share of
+// the target, they would soon be refined again.
 constexpr double patch_mean_area = 0.5;
 
 // An interface edge that a collapse makes longer must stay clear of the threshold that splits it.
@@ -60,8 +60,8 @@ double distance_to_segment(const Point<double>& p, const Point<double>& a, const
     return distance(p, a + s * (b - a));
 }
 
-/// Lets that end of a short interface edge vanish that the curve misses less. Algorithm 7.7 itself
-/// would take the end of smaller number: by length alone it loses area wherever the curve bends.
+/// Removes the end of a short interface edge whose loss changes the curve less. Algorithm 7.7
+/// itself would take the end of smaller number, and lose area wherever the curve bends.
 Verdict coarsen_interface(const EdgeKey& e, Complex& K, const PassOptions& options) {
     std::vector<std::pair<double, Vertex>> ends;
     for (const auto& [v, w] : {std::pair{e.v[0], e.v[1]}, std::pair{e.v[1], e.v[0]}}) {
@@ -99,14 +99,14 @@ Verdict refine_interface(const EdgeKey& e, Complex& K, const PassOptions& option
     return edge_split(e, K);
 }
 
-/// The quality of `t` if its vertex `v` stood at `p`.
+/// The quality of `t` if its vertex `v` were at `p`.
 double quality_if_moved(const Complex& K, const TriangleKey& t, Vertex v, const Point<double>& p) {
     std::array<Point<double>, 3> x;
     std::ranges::transform(t.v, x.begin(), [&](Vertex u) { return u == v ? p : K.coord(u); });
     return quality(x[0], x[1], x[2]);
 }
 
-/// The smallest quality around `v` once it has vanished into `w`; 0 where a triangle would invert.
+/// The smallest quality around `v` after its collapse into `w`; 0 if a triangle would invert.
 double quality_if_collapsed(const Complex& K, Vertex v, Vertex w) {
     double least = std::numeric_limits<double>::infinity();
     for (const TriangleKey& t : K.triangles_at(v)) {
@@ -119,8 +119,8 @@ double quality_if_collapsed(const Complex& K, Vertex v, Vertex w) {
     return least;
 }
 
-/// Collapses the edge of a poor triangle that leaves the best ring, if that is better than the ring
-/// is now. The printed coarsening, LocalRetriangulation, is illegal at the interface, where a
+/// Collapses the edge of a poor triangle that leaves the best ring, if that is better than the
+/// present one. The printed coarsening, LocalRetriangulation, is illegal at the interface, where a
 /// moving interface squeezes triangles; and EdgeCollapse by itself looks at no quality.
 Verdict collapse_poor(const TriangleKey& t, Complex& K) {
     struct Candidate {
@@ -171,8 +171,8 @@ std::pair<double, double> quality_if_split(const Complex& K, const EdgeKey& e) {
     return {before, after};
 }
 
-/// Splits the longest free edge of a poor triangle that no collapse could mend: one with a short
-/// edge on the interface, where sizes then grow step by step away from the interface.
+/// Splits the longest free edge of a poor triangle that no collapse could improve: one with a short
+/// edge on the interface. Away from the interface sizes then grow step by step.
 Verdict split_poor(const TriangleKey& t, Complex& K) {
     const std::optional<EdgeKey> e = longest_free_edge(K, t);
     if (!e)
@@ -248,7 +248,7 @@ void phase_refinement(Complex& K, const Phases::value_type& p, const PassOptions
             ++counts.subdivisions;
         } else if (verdict == Verdict::on_interface) {
             // 6.5 forbids LoopSubdivision at the interface, and the thesis leaves such triangles
-            // large: behind a moving interface they would grow for ever.
+            // large: behind a moving interface they would grow without end.
             const std::optional<EdgeKey> e = longest_free_edge(complex, t);
             verdict = e ? edge_split(*e, complex) : verdict;
             counts.splits += verdict == Verdict::legal ? 1U : 0U;
@@ -263,8 +263,8 @@ void phase_refinement(Complex& K, const Phases::value_type& p, const PassOptions
 }
 
 void optimization(Complex& K, const PassOptions& options, PassCounts& counts) {
-    // One sweep stands for the loop over the phases: their edges are those that are not on the
-    // interface, and EdgeFlip refuses the others.
+    // One sweep replaces the loop over the phases: the edges of phases are those that are not on
+    // the interface, and EdgeFlip refuses the others.
     const Measure<EdgeKey> Q = [&](const EdgeKey& e) { return delaunay(K, e); };
     for (int sweep = 0; sweep < options.flip_sweeps; ++sweep) {
         std::vector<EdgeKey> edges;

@@ -30,11 +30,11 @@ struct PassOptions {
     double large_area = 2.5;         ///< triangles above this are refined
     double poor_quality = 0.25;      ///< below this (equation 4) an edge may collapse
     double smoothing_quality = 0.65; ///< rings below this (equation 4) are smoothed
-    double flip_slack = 1e-9;        ///< violation of the Delaunay condition that is let pass
+    double flip_slack = 1e-9;        ///< violation of the Delaunay condition that is accepted
     int flip_sweeps = 3;             ///< a flip may spoil its neighbours: sweeps in one pass
 };
 
-/// What was done; operations that were legal only.
+/// Numbers of legal operations.
 struct PassCounts {
     std::size_t flips = 0;
     std::size_t splits = 0;
@@ -51,7 +51,7 @@ Phases phases(const Complex& K);
 /// EdgeCollapse of short edges of the interface I.
 void interface_coarsening(Complex& K, const SimplexSet& I, const PassOptions& options,
                           PassCounts& counts);
-/// EdgeSplit of long edges of the interface I. Edges that are no longer there are passed over;
+/// EdgeSplit of long edges of the interface I. Edges that no longer exist are skipped;
 /// those that a collapse has made are too short to be split.
 void interface_refinement(Complex& K, const SimplexSet& I, const PassOptions& options,
                           PassCounts& counts);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quality measures of thesis 4.3, equations 1 to 4, and the Delaunay condition of 4.2.
+// Quality measures of the thesis, section 4.3, equations 1 to 4, and the Delaunay condition of
+// section 4.2.
 #pragma once
 
 #include "reference/complex.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Selection strategies of thesis 8.8 behind the HasNext and GetNext of algorithm 5.2, and
-// MeshUpdate itself. Low quality is bad: a measure of which much is bad is given with its sign
-// turned.
+// Selection strategies of the thesis, section 8.8 behind the HasNext and GetNext of algorithm 5.2,
+// and MeshUpdate itself. Low quality is bad: a measure whose large values are bad is given with the
+// opposite sign.
 #pragma once
 
 #include "dsc/base/verdict.h"
@@ -20,19 +20,19 @@ namespace dsc::reference {
 template <class Simplex>
 using Measure = std::function<double(const Simplex&)>;
 
-/// What every selection strategy can do.
+/// The interface of all selection strategies.
 template <class Simplex>
 class Selection {
 public:
     virtual ~Selection() = default;
     /// Are there more simplices to update?
     virtual bool has_next() = 0;
-    /// The next simplex to update; only after has_next() answered yes.
+    /// The next simplex to update; only if has_next().
     virtual Simplex get_next() = 0;
 };
 
 /// The simplices with a quality below a number, the worst first. Operations change their
-/// surroundings, so a simplex is measured again when its turn comes, and passed over if it has
+/// surroundings, so a simplex is measured again when its turn comes, and skipped if it has
 /// vanished or has become good.
 template <class Simplex>
 class BelowThreshold final : public Selection<Simplex> {
@@ -68,8 +68,8 @@ private:
     std::size_t next_ = 0;
 };
 
-/// The n simplices of lowest quality, the worst first; those that have vanished since are passed
-/// over.
+/// The n simplices of lowest quality, the worst first; those that have vanished since are
+/// skipped.
 template <class Simplex>
 class WorstN final : public Selection<Simplex> {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Simplices and simplex sets as thesis 8.2 has them: a simplex is its vertices, a vertex is a
-// number, and a simplex set is three std::set, one for each dimension.
+// Simplices and simplex sets as in the thesis, section 8.2: a simplex is its vertices, a vertex is
+// a number, and a simplex set is three std::set, one for each dimension.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -100,7 +100,7 @@ inline SimplexSet operator&(SimplexSet a, const SimplexSet& b) {
     return a;
 }
 
-/// The algorithms of section 7 say "rename vertices in V to v1, v2, ...": here by rising number.
+/// The algorithms of section 7 say "rename vertices in V to v1, v2, ...": here in ascending order.
 template <std::size_t N>
 std::array<Vertex, N> rename(const std::set<Vertex>& set) {
     assert(set.size() == N);

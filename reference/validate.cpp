@@ -24,8 +24,8 @@ std::string name(const EdgeKey& e) { return name(e.v); }
 std::string name(const TriangleKey& t) { return name(t.v); }
 std::string name(Vertex v) { return name(std::array<Vertex, 1>{v}); }
 
-/// 3.2: around a vertex the triangles form a disc, or a sector of one: its link is one closed or
-/// one open polyline.
+/// Section 3.2: around a vertex the triangles form a disc, or a sector of one: its link is one
+/// closed or one open polyline.
 bool is_manifold(const Complex& K, Vertex v) {
     const SimplexSet L = link(K, v);
     if (L.vertices.empty())

@@ -9,7 +9,7 @@
 
 namespace dsc::reference {
 
-/// What is wrong, a sentence for each fault that names the simplex; empty if nothing is. Checks the
+/// One sentence for each fault, which names the simplex; empty if there is none. Checks the
 /// whole complex: O(n log n).
 std::vector<std::string> validate(const Complex& K);
 

@@ -6,7 +6,7 @@ namespace dsc::bench {
 const std::vector<Flow>& precision_flows() {
     const std::vector<double> powers{1.0 / 32, 1.0 / 64, 1.0 / 128, 1.0 / 256};
     const std::vector<double> tenths{0.04, 0.02, 0.01, 0.005};
-    // Four for every method, and a fifth for few.
+    // Four edge lengths for every method, and a fifth for a few of them.
     const std::vector<double> powers_and_last{1.0 / 32, 1.0 / 64, 1.0 / 96, 1.0 / 128, 1.0 / 256};
     static const std::vector<Flow> flows{
         // The greatest speed is 1: a step is one edge length, as for the markers of

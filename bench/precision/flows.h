@@ -21,10 +21,10 @@ struct Flow {
     double step_over_length = 1;
     std::vector<double> lengths;   ///< edge lengths, falling
     std::size_t quick_lengths = 2; ///< of these, for --quick; may be none
-    /// The last of them is run by those methods alone that go to the last: where all of them would
-    /// take too long.
+    /// The last length is only run by methods with `to_the_last`, as all of them would take too
+    /// long.
     bool last_by_few = false;
-    /// The exact shape is the first polygon moved, and so another one for each edge length.
+    /// The exact shape is the first polygon, moved: it is different for each edge length.
     bool polygon_is_exact = false;
     /// Without corners, so that a polygon of markers may be read as smooth.
     bool smooth = true;

@@ -58,7 +58,7 @@ void list_all() {
     }
 }
 
-// Those of a table that are named, or all of them; in the table's order.
+// The named entries of a table, or all of them, in the order of the table.
 template <class Item>
 std::vector<const Item*> chosen(const std::vector<Item>& table,
                                 const std::vector<std::string>& names, const std::string& option) {
@@ -81,8 +81,8 @@ std::vector<const Item*> chosen(const std::vector<Item>& table,
     return result;
 }
 
-// A result of this very program: of the same commit, and where that had changes, newer than what
-// was built from them.
+// A result of this very program: of the same commit and, if the program was built with uncommitted
+// changes, newer than the program.
 bool is_done(const fs::path& file, const Case& item) {
     std::ifstream stream(file);
     const Json json = Json::parse(stream, nullptr, false);
@@ -153,7 +153,7 @@ int run(const Arguments& arguments) {
         }
         dsc::scenes::write_file(file, result->json.dump(2) + "\n");
         print_result(item, result->json);
-        // That another method leaves vertices behind is a result: the pictures show it.
+        // If a method other than the default leaves vertices behind, that is a result to be shown.
         const bool fails =
             !result->holds || (result->unreached > 0 && item.method->group == Group::base);
         broken += fails ? 1 : 0;
@@ -185,7 +185,7 @@ int main(int argc, char** argv) {
         ->allow_extra_args(false);
     run_command->add_flag("--quick", arguments.quick, "without the fine edge lengths");
     run_command->add_flag("--resume", arguments.resume,
-                          "keep the results of the same commit and parameters that are there");
+                          "keep existing results of the same commit and parameters");
     run_command->add_option("--out", arguments.out, "folder for the results")->required();
     return dsc::scenes::list_or_run(app, "dsc_precision", argc, argv, list_all,
                                     [&] { return run(arguments); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A polygon of markers through a scene, measured as a mesh is.
+// Carries a polygon of markers through a scene and measures it like a mesh.
 #pragma once
 
 #include "methods.h"
@@ -29,7 +29,7 @@ struct MarkerResult {
                                        const BareMarkers& options,
                                        const std::atomic<bool>& interrupted);
 
-/// By the names of dsc_scene's JSON, as far as they make sense.
+/// Under the names of dsc_scene's JSON, as far as they apply.
 [[nodiscard]] nlohmann::ordered_json to_json(const MarkerResult& result);
 
 } // namespace dsc::bench

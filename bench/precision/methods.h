@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The methods whose errors and times are measured: plain data. Each but the last ones varies one
-// thing of the default.
+// The methods whose errors and times are measured: plain data. All except the last ones change one
+// thing in the default.
 #pragma once
 
 #include "scenes/strategy.h"
@@ -22,17 +22,17 @@ struct Setting {
 
 /// A polygon of markers without a mesh (reference/bare_markers.h).
 struct BareMarkers {
-    bool cubic = true;          ///< how markers are inserted: else linearly
+    bool cubic = true;          ///< markers are inserted on a cubic; otherwise linearly
     double shortest_over_h = 0; ///< a marker goes where an edge is shorter; 0: never
     int parts = 1;              ///< chords by which an edge is read; 1: itself
 };
 
 enum class Group : unsigned char {
-    base,    ///< what all others vary
+    base,    ///< the default, which the others change
     time,    ///< the integrator
     upkeep,  ///< insertion and coarsening of the interface
     other,   ///< how it is read, precision, and other methods
-    markers, ///< the floor
+    markers, ///< bare markers: the least that is possible
 };
 
 struct Method {
@@ -42,10 +42,10 @@ struct Method {
     /// How the time step shrinks with the edge length. First order in time needs steps that shrink
     /// with its square if time is not to hide everything else.
     enum class Step : unsigned char { with_length, with_square } step = Step::with_length;
-    /// Times as long as the flow's own: for a method that chooses its steps below this bound.
+    /// Factor on the flow's own step, for a method that chooses its steps below this bound.
     double step_factor = 1;
-    std::size_t most_lengths = 99; ///< so many of a flow's, from the coarsest: bounds the slow ones
-    bool to_the_last = false;      ///< also the lengths that a flow keeps for few
+    std::size_t most_lengths = 99; ///< edge lengths at most, from the coarsest: for slow methods
+    bool to_the_last = false;      ///< also the edge lengths that are too slow for most
     bool in_quick = true;          ///< also run by --quick
     bool reads_curves = false;     ///< the interface is not its polygon
     scenes::Strategy strategy = scenes::Strategy::sequential;

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Below this a single time says little on any machine.
+// A single time below this is not reliable on any machine.
 constexpr double short_run_s = 0.3;
 constexpr int most_repetitions = 3;
 
@@ -59,7 +59,7 @@ std::map<std::string, std::string> settings_of(const Case& item) {
     return result;
 }
 
-// A run that is only timed needs no exact shape.
+// A run that is only timed does not need an exact shape.
 scenes::Scene without_exact_shape(scenes::Scene scene) {
     scene.prepare = [prepare = scene.prepare](const scenes::Parameters& parameters) {
         scenes::Setup setup = prepare(parameters);
@@ -135,7 +135,7 @@ std::vector<Case> cases_of(const std::vector<const Flow*>& flows,
     std::vector<Case> cases;
     for (const Flow* flow : flows) {
         for (const Method* method : methods) {
-            // Curves would be blamed for not being the polygon that the exact shape is.
+            // The exact shape is a polygon: a curve would be charged with the difference.
             if ((quick && !method->in_quick) || (method->markers && !flow->smooth) ||
                 (method->reads_curves && flow->polygon_is_exact)) {
                 continue;

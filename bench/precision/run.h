@@ -23,12 +23,12 @@ struct Case {
     double h = 0;
 };
 
-/// The cases of some flows and methods, in their order; `quick` leaves out the fine edge lengths.
-/// A method that does not suit a flow has none there.
+/// The cases of the given flows and methods, in their order; `quick` leaves out the fine edge
+/// lengths. A method that does not suit a flow has no case there.
 [[nodiscard]] std::vector<Case> cases_of(const std::vector<const Flow*>& flows,
                                          const std::vector<const Method*>& methods, bool quick);
 
-/// Everything that a result depends on besides the program: what --resume compares.
+/// Everything except the program that a result depends on: --resume compares it.
 [[nodiscard]] nlohmann::ordered_json request_of(const Case& item);
 
 /// "FLOW--METHOD--H.json", of letters, digits, hyphens and points.
@@ -38,7 +38,7 @@ struct Case {
 /// scene does not know.
 [[nodiscard]] scenes::Parameters parameters_of(const Case& item);
 
-/// Exact shapes, which are the same for all methods of a flow and cost more than many a run.
+/// Exact shapes: the same for all methods of a flow, and often more expensive than a run.
 class ExactShapes {
 public:
     /// The scene of a case with its exact shapes from here. This must outlive the scene.
@@ -55,12 +55,12 @@ private:
 };
 
 struct CaseResult {
-    nlohmann::ordered_json json; ///< of dsc_scene, with flow, method and request beside
+    nlohmann::ordered_json json; ///< as of dsc_scene, with flow, method and request
     bool holds = true;           ///< nothing inverted, not given up
     std::uint64_t unreached = 0; ///< vertices that did not arrive, summed over steps
 };
 
-/// Runs until the CPU time has been taken three times or for 0.3 s in all, and keeps the least.
+/// Runs until the CPU time has been taken three times or for 0.3 s in all, and keeps the shortest.
 /// Nothing where interrupted. Throws InputError before anything runs; InvariantError where two runs
 /// differ.
 [[nodiscard]] std::optional<CaseResult> run_case(const Case& item, ExactShapes& shapes,

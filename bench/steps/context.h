@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a result must say about the run that it comes from: machine, commit, compiler, load.
+// What a result must say about its run: machine, commit, compiler, load.
 #pragma once
 
 #include <cstdint>

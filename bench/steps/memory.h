@@ -4,12 +4,13 @@
 
 namespace dsc::bench {
 
-/// Starts measuring: gives freed memory back, and forgets the peak where the kernel lets us.
+/// Starts measuring: gives freed memory back to the system, and resets the peak if the kernel
+/// allows it.
 class PeakMemory {
 public:
     PeakMemory();
-    /// The most resident memory since then, in 10^6 bytes. Where the peak cannot be reset, the
-    /// larger of what is resident now and was at the start. 0 where there is no /proc.
+    /// The most resident memory since then, in 10^6 bytes. If the peak cannot be reset, the larger
+    /// of the resident memory now and at the start. 0 if there is no /proc.
     [[nodiscard]] double mb() const;
 
 private:

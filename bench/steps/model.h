@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What more threads than the machine has would make of a step: a model, and labelled as one
-// wherever it appears. The tasks of a step are the same in every run, bit for bit, so that the
-// least of several measured times is the task's own; they are scheduled on n workers by the rules
-// of dsc/parallel/schedule.h; serial parts and a measured cost of starting and joining threads are
-// added. Shared caches and memory are not in it: n workers are taken to be as fast as one.
+// A model of a step with more threads than the machine has; wherever its results appear they are
+// labelled as modelled. The tasks of a step are the same in every run, bit for bit, so that the
+// shortest of several measured times is the task's own. They are scheduled on n workers by the
+// rules of dsc/parallel/in_place/schedule.h; serial parts and a measured cost of starting and
+// joining threads are added. Shared caches and memory are not modelled: n workers are as fast as
+// one.
 #pragma once
 
 #include "dsc/parallel/in_place/submesh_executor.h"
@@ -13,7 +14,7 @@
 
 namespace dsc::bench {
 
-/// A parallel section: its tasks, who waits for whom, and how long each takes.
+/// A parallel section: its tasks, which of them wait for which, and how long each takes.
 struct Section {
     TaskGraph tasks;
     std::vector<double> seconds; ///< by task
@@ -23,7 +24,7 @@ struct Section {
 /// O(tasks^2 * workers) at worst.
 [[nodiscard]] double makespan(const Section& section, std::uint32_t workers, Assignment assignment);
 
-/// One sub-step, as the least of what was measured.
+/// One sub-step, with the shortest measured times.
 struct ModelSubStep {
     double serial = 0; ///< seconds
     Section aim;
@@ -40,7 +41,7 @@ struct ModelRun {
 /// Keeps the account of one step. `wall`: the whole step, in seconds.
 void add_step(ModelRun& run, const SubmeshExecutor<double>& executor, double wall);
 
-/// Takes the least of two runs of the same steps. Throws InvariantError where they differ.
+/// Takes the shorter times of two runs of the same steps. Throws InvariantError where they differ.
 void take_least(ModelRun& run, const ModelRun& other);
 
 struct ModelTimes {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What one operation costs [thesis 7], guard included. An iteration applies it to a batch of
-// simplices whose surroundings do not overlap, so that each of them is as legal as if it came
-// alone; the complex is put back off the clock. `kernel/...` are whole-mesh functions, per
+// What one operation costs (thesis, chapter 7), guard included. An iteration applies it to a batch
+// of simplices whose surroundings do not overlap, so that each operation is legal whatever the
+// others do; restoring the complex is not timed. `kernel/...` are whole-mesh functions, per
 // triangle. The time is CPU time: nothing here waits or forks, and other users of the machine
-// disturb it less.
+// disturb it less than wall time.
 #include "refusal.h"
 #include "suites.h"
 
@@ -81,7 +81,7 @@ const Complex<double>& ground() {
     return complex;
 }
 
-/// What an operation said, and by how many triangles it says that the complex grew.
+/// The verdict of an operation, and by how many triangles it says that the complex grew.
 struct Done {
     Verdict verdict;
     int triangles;
@@ -153,7 +153,7 @@ struct LaplacianSmoothing {
     static Done apply(Complex<double>& k, Vertex v) { return {laplacian_smoothing(k, v), 0}; }
 };
 
-// Every simplex of the ground, but edges of the domain boundary.
+// Every simplex of the ground, except edges of the domain boundary.
 template <class Visit>
 void for_each(const Complex<double>& k, Edge, Visit visit) {
     for (Corner c = 4; c < 4 * k.triangle_bound(); ++c) {
@@ -182,7 +182,7 @@ struct Batch {
     std::uint64_t hash = 0;
 };
 
-/// Takes what is legal and does not meet the surroundings of one taken before. Throws
+/// Chooses simplices where the operation is legal and whose surroundings do not overlap. Throws
 /// InvariantError where the complex is not valid afterwards, or has not grown by what the
 /// operations said.
 template <class Operation>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nothing wrong gets timed: a benchmark whose answer is wrong is reported without a time, and the
-// program's exit code says so.
+// Wrong results are not timed: a benchmark with a wrong result is reported without a time, and the
+// exit code of the program says so.
 #pragma once
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A time step [thesis 9.7], by every strategy from the same complex. An iteration is as many steps
-// as `timed_steps`; the counter `us_per_step` is the time of one. S(n) is the ratio of the row
-// `strategy:sequential` to the row with `threads:n`, of the same family and size.
+// A time step (thesis, section 9.7), by every strategy from the same complex. An iteration is as
+// many steps as `timed_steps`; the counter `us_per_step` is the time of one. S(n) is the ratio of
+// the row `strategy:sequential` to the row with `threads:n`, of the same family and size.
 #include "context.h"
 #include "memory.h"
 #include "refusal.h"
@@ -30,7 +30,7 @@ using scenes::Strategy;
 
 constexpr int swirl_mesh = 95000;       ///< h a little below 0.005
 constexpr int fine_swirl_mesh = 380000; ///< and a little below 0.0025
-constexpr int small_mesh = 28000;       ///< the thesis's: the only one that the literal method gets
+constexpr int small_mesh = 28000; ///< that of the thesis, and the only one for the literal method
 constexpr std::uint32_t slabs = 8;
 constexpr int reference_steps = 3;
 constexpr double reference_area_limit = 0.01;
@@ -75,7 +75,7 @@ Complex<double> copy_with_room(const Complex<double>& complex) {
     return copy;
 }
 
-/// The answer of a strategy, found once on one thread, checked, and kept: every measurement must
+/// The result of a strategy, computed once on one thread, checked and kept: every measurement must
 /// give the same bits.
 const Answer& answer_of(const Case& c) {
     using Key = std::tuple<std::string, int, Strategy, std::uint32_t>;
@@ -194,8 +194,8 @@ void measure_model(benchmark::State& state, const Case& c) {
     }
 }
 
-// The literal method has no use for a warm-up: it sweeps the whole mesh anyway. It starts where the
-// others are half way, so that the interface is as long as theirs is on average.
+// The literal method needs no warm-up, as it sweeps the whole mesh in each step. It starts where
+// the others have done half of their steps, so that its interface is as long as theirs on average.
 void measure_reference(benchmark::State& state, const Case& c) {
     const Start& start = start_of(c.family, c.triangles);
     const int first = start.step + warm_up_steps + timed_steps / 2;
@@ -240,7 +240,7 @@ void add(const Case& c) {
         ->Unit(benchmark::kMillisecond);
 }
 
-/// The same number for any number of threads, as far as it goes; 0: as many cells as pay.
+/// The same number for any number of threads, if possible; 0: as many cells as are worth while.
 std::uint32_t submeshes_of(Strategy strategy, std::uint32_t threads) {
     if (strategy == Strategy::cells) {
         return 0;
@@ -265,13 +265,13 @@ void add_few_cells(const std::string& family, int triangles) {
     }
 }
 
-// As many as measured, and beyond them; the model of few threads stands beside what was measured.
+// The measured thread counts, where the model can be checked, and larger ones.
 void add_modelled(const std::string& family, int triangles, Strategy strategy) {
     for (const std::uint32_t threads : {1U, 2U, 4U, 8U, 16U, 32U}) {
         add({family, triangles, strategy, submeshes_of(strategy, threads), threads, true});
     }
     if (strategy == Strategy::cells) {
-        // Cells as many as threads: not the number that pays for most.
+        // As many cells as threads, which is not the best number for most of them.
         for (const std::uint32_t threads : {4U, 8U, 16U, 32U}) {
             add({family, triangles, strategy, threads, threads, true});
         }
@@ -295,7 +295,7 @@ void register_steps() {
             }
             add_few_cells(family, triangles);
             if (triangles < 1000000) {
-                // Of larger meshes the copies take seconds a step; nothing new would be learnt.
+                // With larger meshes, copying takes seconds per step and shows nothing new.
                 for (const std::uint32_t threads : thread_counts()) {
                     add({family, triangles, Strategy::copy, slabs, threads});
                 }

@@ -4,8 +4,8 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
-#include "scenes/clock.h"
 #include "measures/measure.h"
+#include "scenes/clock.h"
 #include "scenes/reference_run.h"
 
 #include <algorithm>
@@ -19,11 +19,12 @@ namespace dsc::bench {
 
 namespace {
 
-/// A stretched interface loses more than a circle.
+/// A stretched interface loses more area than a circle.
 constexpr double swirl_area_limit = 0.01;
 
-// Cores that have been idle start slowly; a measurement is a few milliseconds long. So that all
-// rows are measured at the same clock, each of its threads is kept busy for a while before.
+// Cores that have been idle run slowly at first, and a measurement takes a few milliseconds only.
+// So that all rows are measured at the same clock rate, all threads are kept busy for a while
+// before.
 void wake(std::uint32_t threads) {
     constexpr double seconds = 0.03;
     Schedule schedule;

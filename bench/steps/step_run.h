@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One measurement of a step, and the answer that it must give.
+// One measurement of a step, and the result that it must have.
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
@@ -12,7 +12,7 @@
 
 namespace dsc::bench {
 
-/// What the timed steps took and did.
+/// The cost of the timed steps, and what they did.
 struct StepRun {
     int steps = 0;
     double wall_s = 0;
@@ -32,7 +32,7 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex, const scene
 /// The literal method takes `steps` steps after `first`, without a warm-up.
 StepRun run_reference(const Start& start, reference::Complex& complex, int first, int steps);
 
-/// What a mesh is like after `steps` steps of the scene.
+/// The state of a mesh after `steps` steps of the scene.
 struct Answer {
     std::uint64_t hash = 0;
     std::uint64_t triangles = 0;

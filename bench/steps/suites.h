@@ -4,10 +4,11 @@
 
 namespace dsc::bench {
 
-/// `operation/NAME`: one operation of the library; `kernel/NAME`: what the whole mesh is asked.
+/// `operation/NAME`: one operation of the library; `kernel/NAME`: a function of the whole mesh.
 void register_operations();
 
-/// `scaling_step/...` and `four_circles_step/...`: a time step of the two scenes of thesis 9.7.
+/// `scaling_step/...` and `four_circles_step/...`: a time step of the two scenes of the thesis,
+/// section 9.7.
 void register_steps();
 
 } // namespace dsc::bench

@@ -2,6 +2,7 @@
 #include "flows/exact.h"
 
 #include "dsc/base/error.h"
+#include "dsc/geometry/turn.h"
 #include "measures/symmetric_difference.h"
 
 #include <algorithm>
@@ -30,13 +31,6 @@ struct Marker {
     bool corner;
 };
 
-/// The angle by which the polygon turns at b, counter-clockwise.
-double turn(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
-    const Point<double> u = b - a;
-    const Point<double> v = c - b;
-    return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
-}
-
 double length(const Point<double>& v) { return std::hypot(v.x(), v.y()); }
 
 const Marker& cyclic(const std::vector<Marker>& markers, std::size_t i) {
@@ -46,8 +40,8 @@ const Marker& cyclic(const std::vector<Marker>& markers, std::size_t i) {
 double turn_at(const std::vector<Marker>& markers, std::size_t i) {
     const Marker& here = cyclic(markers, i);
     return here.corner ? 0.0
-                       : turn(cyclic(markers, i + markers.size() - 1).place, here.place,
-                              cyclic(markers, i + 1).place);
+                       : turn_angle<double>(cyclic(markers, i + markers.size() - 1).place,
+                                            here.place, cyclic(markers, i + 1).place);
 }
 
 void place_markers(const Curve& curve, const FlowMap& map, std::vector<Marker>& markers) {

@@ -16,6 +16,7 @@
 //   curve runs the other way there; a point where it does not is taken instead if it is near.
 #include "measures/jaggedness.h"
 
+#include "dsc/geometry/turn.h"
 #include "measures/compensated_sum.h"
 #include "measures/segment_tree.h"
 
@@ -34,9 +35,7 @@ namespace {
 constexpr double shortest_stretch = 0.25;
 
 double turn_deg(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
-    const Point<double> u = b - a;
-    const Point<double> v = c - b;
-    return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)) * (180.0 / std::numbers::pi);
+    return turn_angle<double>(a, b, c) * (180.0 / std::numbers::pi);
 }
 
 /// A point of the exact curves by the arc length before it, over all outlines one after the other.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "measures/segment_tree.h"
 
+#include "dsc/geometry/distance.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -16,28 +18,10 @@ constexpr std::size_t leaf = 4;
 
 } // namespace
 
-double Segment::distance(const Point<double>& p) const {
-    const double dx = b.x() - a.x();
-    const double dy = b.y() - a.y();
-    const double px = p.x() - a.x();
-    const double py = p.y() - a.y();
-    const double dot = dx * px + dy * py;
-    const double square = dx * dx + dy * dy;
-    if (dot <= 0.0) {
-        return std::sqrt(px * px + py * py);
-    }
-    if (dot >= square) {
-        const double qx = p.x() - b.x();
-        const double qy = p.y() - b.y();
-        return std::sqrt(qx * qx + qy * qy);
-    }
-    return std::abs(dx * py - dy * px) / std::sqrt(square);
-}
+double Segment::distance(const Point<double>& p) const { return dsc::distance<double>(p, a, b); }
 
 double Segment::nearest_fraction(const Point<double>& p) const {
-    const Point<double> along = b - a;
-    const double square = along.squaredNorm();
-    return square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
+    return dsc::nearest_fraction<double>(p, a, b);
 }
 
 std::vector<Segment> segments_of(std::span<const Outline> outlines, double scale) {

@@ -37,25 +37,10 @@ struct Side {
     std::size_t outline, index;
 };
 
-bool in_box(const Side& side, const Point<double>& p) {
-    return side.left <= p.x() && p.x() <= side.right && side.low <= p.y() && p.y() <= side.high;
-}
-
-bool meet(const Side& s, const Side& t) {
-    const int ta = orientation(s.a, s.b, t.a);
-    const int tb = orientation(s.a, s.b, t.b);
-    const int sa = orientation(t.a, t.b, s.a);
-    const int sb = orientation(t.a, t.b, s.b);
-    if (ta * tb < 0 && sa * sb < 0) {
-        return true;
-    }
-    return (ta == 0 && in_box(s, t.a)) || (tb == 0 && in_box(s, t.b)) ||
-           (sa == 0 && in_box(t, s.a)) || (sb == 0 && in_box(t, s.b));
-}
-
 /// For neighbours, `s` ending where `t` begins: true if `t` runs back along `s`.
 bool folds_back(const Side& s, const Side& t) {
-    return orientation(s.a, s.b, t.b) == 0 && (in_box(s, t.b) || in_box(t, s.a));
+    return orientation(s.a, s.b, t.b) == 0 &&
+           (box_contains<double>(s.a, s.b, t.b) || box_contains<double>(t.a, t.b, s.a));
 }
 
 bool conflict(const Side& s, const Side& t, std::size_t size) {
@@ -67,7 +52,7 @@ bool conflict(const Side& s, const Side& t, std::size_t size) {
             return folds_back(t, s);
         }
     }
-    return meet(s, t);
+    return segments_meet<double>(s.a, s.b, t.a, t.b);
 }
 
 } // namespace

@@ -6,7 +6,10 @@
 #include "support/random_submeshes.h"
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
+#include "dsc/io/edit_file.h"
+#include "dsc/operations/replay.h"
 
 #include <gtest/gtest.h>
 
@@ -105,6 +108,27 @@ Options<Real> draw_options(Dice& dice, double h, std::ostream& words) {
     return options;
 }
 
+// The log replayed gives the same mesh; of a mesh that has become invalid, the edits that it takes
+// to get there are kept in a file. What create and merge did is in no log.
+template <class Real>
+void check_log(const Complex<Real>& first, const std::vector<Edit>& edits,
+               const Complex<Real>& last, const std::string& words) {
+    if (std::ranges::find(edits, EditKind::rebuild, &Edit::kind) != edits.end()) {
+        return;
+    }
+    Complex<Real> again = first;
+    EXPECT_EQ(replay<Real>(again, edits).skipped, 0U) << words;
+    EXPECT_EQ(mesh_hash(again), mesh_hash(last)) << words;
+    if (!validate(last).ok()) {
+        const std::vector<Edit> few = cut_down<Real>(
+            first, edits, [](const Complex<Real>& replayed) { return !validate(replayed).ok(); });
+        const std::string path = testing::TempDir() + "dsc_fuzz.edits";
+        write_edits(path, few);
+        ADD_FAILURE() << words << ": " << few.size() << " of " << edits.size()
+                      << " edits make the first complex of this seed invalid; see " << path;
+    }
+}
+
 template <class Real>
 Drawn survive(std::uint64_t seed, bool wild, bool patches) {
     Dice dice(seed);
@@ -127,7 +151,12 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
         const std::uint32_t threads = dice.chance(0.2) ? 2 : 1;
         executor = test::random_executor(dice, complex, options, threads, words);
     }
+    const Complex<Real> first = complex;
+    std::vector<Edit> edits;
     Simulation<Real> simulation(complex, options, std::move(executor));
+    simulation.add_listener([&edits](std::span<const Edit> some) {
+        edits.insert(edits.end(), some.begin(), some.end());
+    });
     Drawn drawn;
     drawn.words = words.str();
     std::string problem = validate(complex).problem;
@@ -149,6 +178,7 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
         drawn.moves += report.operations.moves;
         drawn.unreached += report.unreached;
     }
+    check_log(first, edits, complex, drawn.words);
     return drawn;
 }
 

@@ -168,9 +168,9 @@ TYPED_TEST(MeshFunctions, InsertionRefusesWhatIsNoComplex) {
 
 TYPED_TEST(MeshFunctions, AttributesFollow) {
     auto complex = hexagon<TypeParam>();
-    auto& at_vertex = complex.attributes.template add<double>("p", SimplexKind::vertex, 7.0);
-    auto& at_edge = complex.attributes.template add<int>("weight", SimplexKind::edge, 5);
-    auto& at_triangle = complex.attributes.template add<float>("q", SimplexKind::triangle, 3.0F);
+    auto& at_vertex = complex.attributes.template add<Vertex, double>("p", 7.0);
+    auto& at_edge = complex.attributes.template add<Edge, int>("weight", 5);
+    auto& at_triangle = complex.attributes.template add<Triangle, float>("q", 3.0F);
     for (auto& value : at_edge.data()) {
         value = 1;
     }
@@ -182,7 +182,7 @@ TYPED_TEST(MeshFunctions, AttributesFollow) {
     }
     remove(complex, SimplexSet({}, {}, {Triangle{2}}));
     for (std::uint32_t i = 0; i < 4; ++i) {
-        at_edge.at_corner(corner_of(2, i)) = 99; // what a free id holds does not matter
+        at_edge.data()[corner_of(2, i)] = 99; // what a free id holds does not matter
     }
     const Triangle t = insert_triangle(complex, Vertex{0}, Vertex{2}, Vertex{3}, 0);
     EXPECT_EQ(at_triangle[t], 3.0F);

@@ -169,9 +169,9 @@ TYPED_TEST(Numbering, KeepsTheMeshAndCompactsIds) {
 
 TYPED_TEST(Numbering, AttributesAndLocksMoveAlong) {
     auto complex = used<TypeParam>(4);
-    auto& x = complex.attributes.template add<TypeParam>("x", SimplexKind::vertex);
-    auto& middle = complex.attributes.template add<TypeParam>("middle", SimplexKind::triangle);
-    auto& side = complex.attributes.template add<TypeParam>("side", SimplexKind::edge);
+    auto& x = complex.attributes.template add<Vertex, TypeParam>("x");
+    auto& middle = complex.attributes.template add<Triangle, TypeParam>("middle");
+    auto& side = complex.attributes.template add<Edge, TypeParam>("side");
     const auto centre = [&](Triangle t) {
         const auto v = complex.vertices_of(t);
         std::array<TypeParam, 3> at{complex.position(v[0]).x(), complex.position(v[1]).x(),
@@ -196,7 +196,7 @@ TYPED_TEST(Numbering, AttributesAndLocksMoveAlong) {
     };
     each([&](Vertex v) { x[v] = complex.position(v).x(); },
          [&](Triangle t) { middle[t] = centre(t); },
-         [&](Corner c) { side.at_corner(c) = length(c); });
+         [&](Corner c) { side.set(complex, complex.edge(c), length(c)); });
     complex.set_locked(Vertex{20}, true);
     const Renumbering moved = renumber(complex);
     ASSERT_EQ(validate(complex).problem, "");
@@ -209,7 +209,7 @@ TYPED_TEST(Numbering, AttributesAndLocksMoveAlong) {
     }
     // The bounds have followed: growth and new attributes go on from there.
     insert_vertex(complex, Point<TypeParam>(50, 50));
-    complex.attributes.template add<double>("late", SimplexKind::triangle);
+    complex.attributes.template add<Triangle, double>("late");
     EXPECT_EQ(validate(complex).problem, "");
 }
 

@@ -42,9 +42,9 @@ void expect_problem(const Complex<Real>& complex, const std::string& words) {
 template <class Real>
 Complex<Real> sound() {
     auto complex = grid<Real>(6, 0.15, 3, 2);
-    complex.attributes.template add<double>("p", SimplexKind::vertex);
-    complex.attributes.template add<int>("e", SimplexKind::edge);
-    complex.attributes.template add<float>("t", SimplexKind::triangle);
+    complex.attributes.template add<Vertex, double>("p");
+    complex.attributes.template add<Edge, int>("e");
+    complex.attributes.template add<Triangle, float>("t");
     insert_vertex(complex, Point<Real>(9, 9));
     remove(complex, SimplexSet({insert_vertex(complex, Point<Real>(8, 8))}, {}, {Triangle{60}}));
     return complex;
@@ -126,9 +126,12 @@ TYPED_TEST(Validate, SeesFaultsInRecords) {
         {"the border: its phase", [](K& k) { k.triangles[0].phase = 0; }},
         {"the border: its record", [](K& k) { k.triangles[0].n[1] = 8; }},
         {"the border: its record", [](K& k) { k.triangles[0].v[2] = 3; }},
-        {"attribute 'p'", [](K& k) { k.attributes.template get<double>("p").data().pop_back(); }},
-        {"attribute 'e'", [](K& k) { k.attributes.template get<int>("e").data().push_back(1); }},
-        {"attribute 't'", [](K& k) { k.attributes.template get<float>("t").data().clear(); }},
+        {"attribute 'p'",
+         [](K& k) { k.attributes.template get<Vertex, double>("p").data().pop_back(); }},
+        {"attribute 'e'",
+         [](K& k) { k.attributes.template get<Edge, int>("e").data().push_back(1); }},
+        {"attribute 't'",
+         [](K& k) { k.attributes.template get<Triangle, float>("t").data().clear(); }},
         {"vertex 24 at (nan", [&](K& k) { k.vertices[24].x = nan; }},
         {"not finite",
          [&](K& k) { k.vertices[24].y = std::numeric_limits<TypeParam>::infinity(); }},

@@ -130,12 +130,12 @@ HardResult pressed_case(double edges_a_step, int steps, const std::string& how) 
     expect(result, result.unreached > 0, "nothing was in the way");
     expect(result, in_contact > 0, "nobody is in contact");
     expect(result, result.held == 0, "vertices were held though all velocities are finite");
-    expect(result, mean_passes <= 4, "what is in contact is tried again and again");
+    expect(result, mean_passes <= 4, "vertices in contact are tried again and again");
     for (Phase phase = 1; phase <= 2; ++phase) {
         expect(result, outlines_of(scene.complex, phase).size() == 1,
                "the topology of phase " + std::to_string(phase) + " was not kept");
     }
-    expect(result, scene.complex.triangle_count() < 20000, "the mesh grows without a bound");
+    expect(result, scene.complex.triangle_count() < 20000, "the mesh grows without bound");
     expect_sound(result, Targets::may_be_missed);
     return result;
 }

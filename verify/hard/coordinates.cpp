@@ -8,10 +8,10 @@
 #include "dsc/initial/unit_box.h"
 #include "dsc/motion/unit_velocity.h"
 #include "flows/exact.h"
-#include "measures/measure.h"
-#include "shapes/shapes.h"
-#include "measures/symmetric_difference.h"
 #include "flows/velocity.h"
+#include "measures/measure.h"
+#include "measures/symmetric_difference.h"
+#include "shapes/shapes.h"
 
 #include <cmath>
 #include <limits>
@@ -259,7 +259,7 @@ HardResult float_mapped_case() {
     result.error = worst;
     result.error_is = "symmetric difference to the exact shape, relative";
     expect(result, worst <= allowed, "error " + text(worst) + ", allowed " + text(allowed));
-    result.happened = "as at the origin: the steps' roundings in float are what is left";
+    result.happened = "as at the origin: only the roundings of the steps in float remain";
     expect_sound(result, Targets::reachable);
     return result;
 }

@@ -7,9 +7,9 @@
 #include "support/random_scene.h"
 
 #include "flows/exact.h"
+#include "flows/velocity.h"
 #include "measures/measure.h"
 #include "shapes/shapes.h"
-#include "flows/velocity.h"
 
 #include <cmath>
 #include <numbers>
@@ -40,7 +40,7 @@ HardResult turned(const Outline& outline, double h, const std::string& asked, do
     const scenes::MeshQuality quality = scenes::measure_quality(scene.complex);
     result.values = {{"smallest angle at the end, degrees", quality.min_angle_deg},
                      {"triangles", static_cast<double>(scene.complex.triangle_count())}};
-    result.happened = "turns once and stays what it is";
+    result.happened = "turns once and keeps its shape";
     expect(result, going, "the run ended early");
     expect(result, *result.error <= allowed,
            "error " + text(*result.error) + ", allowed " + text(allowed));
@@ -119,7 +119,7 @@ double nudged(double value, const Perturbation& by, test::Dice& dice) {
 // by whole sides, so that vertices come to lie among the grid's again.
 HardResult grid_case(const Perturbation& by, const std::string& how) {
     HardResult result;
-    result.asked = "a grid cocircular and collinear but for " + how + ", with a square moved in it";
+    result.asked = "a grid, cocircular and collinear " + how + ", with a square moved in it";
     constexpr int columns = 20;
     constexpr double h = 1.0 / columns;
     test::Dice dice(7);
@@ -167,7 +167,7 @@ HardResult circle_case(const Perturbation& by, const std::string& how) {
     for (auto& p : outline) {
         p = {nudged(p.x(), by, dice), nudged(p.y(), by, dice)};
     }
-    return turned(outline, 0.05, "a circle's vertices but for " + how + ", turned once", 1e-6);
+    return turned(outline, 0.05, "vertices on a circle, " + how + ", turned once", 1e-6);
 }
 
 } // namespace
@@ -182,7 +182,7 @@ void append_degenerate(std::vector<HardCase>& cases) {
         cases.push_back({"grid-" + suffix, false, [=] { return grid_case(by, how); }});
         cases.push_back({"cocircular-" + suffix, false, [=] { return circle_case(by, how); }});
     };
-    add("exact", {}, "nothing at all");
+    add("exact", {}, "exactly");
     for (const int ulps : {1, 2, 10}) {
         add(std::to_string(ulps) + "ulp", {.ulps = ulps}, "up to " + std::to_string(ulps) + " ulp");
     }

@@ -4,8 +4,8 @@
 #include "hard/scene.h"
 #include "hard/watch.h"
 
-#include "shapes/shapes.h"
 #include "flows/velocity.h"
+#include "shapes/shapes.h"
 
 #include <gtest/gtest.h>
 

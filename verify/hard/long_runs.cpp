@@ -5,8 +5,8 @@
 #include "watch.h"
 
 #include "flows/exact.h"
-#include "shapes/shapes.h"
 #include "flows/velocity.h"
+#include "shapes/shapes.h"
 
 #include <cmath>
 #include <limits>

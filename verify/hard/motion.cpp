@@ -5,9 +5,9 @@
 #include "watch.h"
 
 #include "flows/exact.h"
+#include "flows/velocity.h"
 #include "measures/measure.h"
 #include "shapes/shapes.h"
-#include "flows/velocity.h"
 
 #include <cmath>
 #include <numbers>

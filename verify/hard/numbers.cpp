@@ -74,7 +74,8 @@ HardResult strange_case(const Strange& strange) {
     expect(result, result.held >= strange.least_held,
            std::to_string(result.held) + " held, at least " + std::to_string(strange.least_held) +
                " expected");
-    expect(result, strange.least_held > 0 || result.held == 0, "vertices were held for nothing");
+    expect(result, strange.least_held > 0 || result.held == 0,
+           "vertices were held without a reason");
     // Who is held may be in the way of those who go on.
     expect(result, strange.held_block || result.unreached == result.held,
            "vertices did not arrive for another reason than their velocity");
@@ -108,26 +109,26 @@ Field bad_when(double bad, double from, double to) {
 }
 
 HardResult some_nan() {
-    return strange_case({"a velocity that is NaN in a part of the plane, in all steps",
-                         bad_where(nan, 0.55), steps, false, false,
-                         "who is there is held and counted; the others go on, until they meet one",
-                         true});
+    return strange_case(
+        {"a velocity that is NaN in a part of the plane, in all steps", bad_where(nan, 0.55), steps,
+         false, false, "vertices there are held and counted; the others go on until they meet one",
+         true});
 }
 HardResult some_infinite() {
-    return strange_case({"a velocity that is infinite in a part of the plane, in all steps",
-                         bad_where(-infinity, 0.55), steps, false, false,
-                         "who is there is held and counted; the others go on, until they meet one",
-                         true});
+    return strange_case(
+        {"a velocity that is infinite in a part of the plane, in all steps",
+         bad_where(-infinity, 0.55), steps, false, false,
+         "vertices there are held and counted; the others go on until they meet one", true});
 }
 HardResult all_nan() {
     return strange_case({"a velocity that is NaN everywhere", bad_where(nan, -1),
                          steps * disc().front().size(), true, false,
-                         "everybody is held and counted, in every step"});
+                         "all vertices are held and counted in every step"});
 }
 HardResult all_infinite() {
     return strange_case({"a velocity that is infinite everywhere", bad_where(infinity, -1),
                          steps * disc().front().size(), true, false,
-                         "everybody is held and counted, in every step"});
+                         "all vertices are held and counted in every step"});
 }
 
 HardResult one_step_nan() {
@@ -135,7 +136,7 @@ HardResult one_step_nan() {
         strange_case({.asked = "a velocity that is NaN everywhere in one step of twenty",
                       .field = bad_where(nan, -1),
                       .least_held = disc().front().size(),
-                      .happened = "everybody is held in that step and goes on in the next",
+                      .happened = "all vertices are held in that step and go on in the next",
                       .only_step = 3});
     expect(result, result.held == disc().front().size(), "held in more than that step");
     return result;
@@ -145,14 +146,14 @@ HardResult stage_nan() {
     // No step begins or ends in there: only the middle stages see it.
     return strange_case({"a velocity that is NaN in the middle stages of one Runge-Kutta step only",
                          bad_when(nan, 3.2 * dt, 3.8 * dt), disc().front().size(), false, false,
-                         "everybody is held in that step, for a target that is not finite"});
+                         "all vertices are held in that step, as their targets are not finite"});
 }
 
 HardResult stage_infinite() {
     return strange_case(
         {"a velocity that is infinite in the middle stages of one Runge-Kutta step only",
          bad_when(infinity, 3.2 * dt, 3.8 * dt), disc().front().size(), false, false,
-         "everybody is held in that step, for a target that is not finite"});
+         "all vertices are held in that step, as their targets are not finite"});
 }
 
 HardResult denormal_velocity() {

@@ -176,10 +176,10 @@ TYPED_TEST(Io, SvgOptions) {
 
 TYPED_TEST(Io, VtuReadsBackBitByBit) {
     auto complex = scene<TypeParam>();
-    auto& heat = complex.attributes.template add<double>("heat <K>", SimplexKind::vertex);
-    auto& load = complex.attributes.template add<double>("load", SimplexKind::triangle);
-    complex.attributes.template add<int>("count", SimplexKind::vertex);
-    complex.attributes.template add<double>("side", SimplexKind::edge);
+    auto& heat = complex.attributes.template add<Vertex, double>("heat <K>");
+    auto& load = complex.attributes.template add<Triangle, double>("load");
+    complex.attributes.template add<Vertex, int>("count");
+    complex.attributes.template add<Edge, double>("side");
     for (std::size_t i = 0; i < heat.data().size(); ++i) {
         heat.data()[i] = 1.0 / (1.0 + static_cast<double>(i));
     }

@@ -49,15 +49,16 @@ struct Data {
 
 template <class Real>
 struct Fields {
-    Attribute<double>& vertex;
-    Attribute<double>& edge;
-    Attribute<double>& triangle;
+    VertexAttribute<double>& vertex;
+    EdgeAttribute<double>& edge;
+    TriangleAttribute<double>& triangle;
 };
 
 template <class Real>
 Fields<Real> fields_of(Complex<Real>& K) {
-    return {K.attributes.template get<double>("v"), K.attributes.template get<double>("e"),
-            K.attributes.template get<double>("t")};
+    return {K.attributes.template get<Vertex, double>("v"),
+            K.attributes.template get<Edge, double>("e"),
+            K.attributes.template get<Triangle, double>("t")};
 }
 
 // Reads all data; both corners of an edge must agree.
@@ -97,13 +98,13 @@ void write(Complex<Real>& K, double& counter) {
     for (std::uint32_t t = 1; t < K.triangle_bound(); ++t) {
         fields.triangle[Triangle{t}] = ++counter;
         for (std::uint32_t i = 0; i < 3; ++i) {
-            fields.edge.at_corner(corner_of(t, i)) = ++counter; // garbage in free ids, too
+            fields.edge.data()[corner_of(t, i)] = ++counter; // garbage in free ids, too
         }
     }
     for (const Triangle t : triangles(K)) {
         for (std::uint32_t i = 0; i < 3; ++i) {
             const Corner c = corner_of(t.id, i);
-            fields.edge.at_corner(c) = fields.edge[K.edge(c)];
+            fields.edge.set(K, K.edge(c), fields.edge[K.edge(c)]);
         }
     }
 }
@@ -284,9 +285,9 @@ void run_storms(std::uint64_t first_seed, int storms) {
         options.scramble = 0;
         options.at_resolution = false; // rounded midpoints do not keep the area
         auto K = random_complex<Real>(seed, options);
-        K.attributes.template add<double>("v", SimplexKind::vertex);
-        K.attributes.template add<double>("e", SimplexKind::edge, edge_default);
-        K.attributes.template add<double>("t", SimplexKind::triangle, triangle_default);
+        K.attributes.template add<Vertex, double>("v");
+        K.attributes.template add<Edge, double>("e", edge_default);
+        K.attributes.template add<Triangle, double>("t", triangle_default);
         // Straight sides of a convex grid keep the area through boundary collapses; real
         // coordinates are almost never collinear, so that those do not collapse at all.
         const double area = area_of(K);

@@ -47,16 +47,16 @@ float datum(const Complex<double>& mesh, Triangle t) {
 
 struct Data {
     explicit Data(Complex<double>& mesh)
-        : of_vertices(mesh.attributes.add<double>("by vertex", SimplexKind::vertex)),
-          of_edges(mesh.attributes.add<std::string>("by edge", SimplexKind::edge)),
-          of_triangles(mesh.attributes.add<float>("by triangle", SimplexKind::triangle)) {
+        : of_vertices(mesh.attributes.add<Vertex, double>("by vertex")),
+          of_edges(mesh.attributes.add<Edge, std::string>("by edge")),
+          of_triangles(mesh.attributes.add<Triangle, float>("by triangle")) {
         for (std::uint32_t v = 0; v < mesh.vertex_bound(); ++v) {
             of_vertices[Vertex{v}] = datum(mesh, Vertex{v});
         }
         for (const Triangle t : triangles(mesh)) {
             for (std::uint32_t i = 0; i < 3; ++i) {
                 of_triangles[t] = datum(mesh, t);
-                of_edges.at_corner(corner_of(t.id, i)) = datum(mesh, corner_of(t.id, i));
+                of_edges.data()[corner_of(t.id, i)] = datum(mesh, corner_of(t.id, i));
             }
         }
     }
@@ -73,9 +73,9 @@ struct Data {
         }
     }
 
-    Attribute<double>& of_vertices;
-    Attribute<std::string>& of_edges;
-    Attribute<float>& of_triangles;
+    VertexAttribute<double>& of_vertices;
+    EdgeAttribute<std::string>& of_edges;
+    TriangleAttribute<float>& of_triangles;
 };
 
 TEST(CopiedSubmeshes, MergeIntoTheMeshThatWasDivided) {

@@ -267,9 +267,9 @@ TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
 TEST(CopyExecutor, CarriesDataLocksAndOrderThroughSteps) {
     constexpr double h = 0.03;
     auto complex = test::disc_complex<double>(h);
-    auto& place = complex.attributes.add<double>("place", SimplexKind::vertex);
-    auto& phases = complex.attributes.add<Phase>("phase", SimplexKind::triangle);
-    auto& edges = complex.attributes.add<std::uint8_t>("on the interface", SimplexKind::edge);
+    auto& place = complex.attributes.add<Vertex, double>("place");
+    auto& phases = complex.attributes.add<Triangle, Phase>("phase");
+    auto& edges = complex.attributes.add<Edge, std::uint8_t>("on the interface");
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
         place[Vertex{v}] = 1; // and 1 between them: splits blend
     }
@@ -277,7 +277,7 @@ TEST(CopyExecutor, CarriesDataLocksAndOrderThroughSteps) {
         phases[Triangle{t}] = complex.phase(Triangle{t});
         for (std::uint32_t i = 0; i < 3; ++i) {
             const Corner c = corner_of(t, i);
-            edges.at_corner(c) = is_interface(complex, complex.edge(c)) ? 1 : 0;
+            edges.data()[c] = is_interface(complex, complex.edge(c)) ? 1 : 0;
         }
     }
     const auto distance = [&](std::uint32_t v) {

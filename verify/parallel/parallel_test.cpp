@@ -83,18 +83,18 @@ class Data {
 public:
     explicit Data(Complex<Real>& complex)
         : complex_(complex),
-          of_vertices_(complex.attributes.template add<double>("vertex", SimplexKind::vertex, -1)),
-          of_edges_(complex.attributes.template add<double>("edge", SimplexKind::edge, -2)),
-          of_triangles_(
-              complex.attributes.template add<double>("triangle", SimplexKind::triangle, -3)) {
+          of_vertices_(complex.attributes.template add<Vertex, double>("vertex", -1)),
+          of_edges_(complex.attributes.template add<Edge, double>("edge", -2)),
+          of_triangles_(complex.attributes.template add<Triangle, double>("triangle", -3)) {
         for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
             of_vertices_[Vertex{v}] = place_of(v);
         }
         for (const Triangle t : triangles(complex)) {
             for (std::uint32_t i = 0; i < 3; ++i) {
                 const Corner c = corner_of(t.id, i);
-                of_edges_.at_corner(c) =
-                    place_of(complex.vertex(next(c))) + place_of(complex.vertex(prev(c)));
+                of_edges_.set(complex, complex.edge(c),
+                              place_of(complex.vertex(next(c))) +
+                                  place_of(complex.vertex(prev(c))));
                 of_triangles_[t] = 3 * place_of(complex.vertex(c));
             }
         }
@@ -121,9 +121,9 @@ private:
     }
 
     Complex<Real>& complex_;
-    Attribute<double>& of_vertices_;
-    Attribute<double>& of_edges_;
-    Attribute<double>& of_triangles_;
+    VertexAttribute<double>& of_vertices_;
+    EdgeAttribute<double>& of_edges_;
+    TriangleAttribute<double>& of_triangles_;
 };
 
 struct Outcome {

@@ -33,9 +33,14 @@ std::string snapshot(const Complex<Real>& complex) {
     append_bytes(bytes, complex.ids.vertices);
     append_bytes(bytes, complex.ids.triangles);
     for (const auto& attribute : complex.attributes.list()) {
-        if (attribute->type() == typeid(double)) {
-            append_bytes(bytes, static_cast<const Attribute<double>&>(*attribute).data());
-        }
+        const auto append = [&](const auto* typed) {
+            if (typed != nullptr) {
+                append_bytes(bytes, typed->data());
+            }
+        };
+        append(dynamic_cast<const VertexAttribute<double>*>(attribute.get()));
+        append(dynamic_cast<const EdgeAttribute<double>*>(attribute.get()));
+        append(dynamic_cast<const TriangleAttribute<double>*>(attribute.get()));
     }
     return bytes;
 }

@@ -73,16 +73,14 @@ Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real 
 }
 
 template <class Real>
-Attribute<Past<Real>>& past_of(Complex<Real>& complex) {
+VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex) {
     static const std::string name = "dsc.past";
-    for (const auto& attribute : complex.attributes.list()) {
-        if (attribute->name() == name) {
-            return complex.attributes.template get<Past<Real>>(name);
-        }
+    if (complex.attributes.contains(name)) {
+        return complex.attributes.template get<Vertex, Past<Real>>(name);
     }
     // A vertex that is new has no past.
-    return complex.attributes.template add<Past<Real>>(
-        name, SimplexKind::vertex, Past<Real>{},
+    return complex.attributes.template add<Vertex>(
+        name, Past<Real>{},
         [](const Past<Real>&, const Past<Real>&, double) { return Past<Real>{}; });
 }
 
@@ -114,7 +112,7 @@ std::uint64_t collect_movers(Work<Real>& work) {
     template struct AimReport<Real>;                                                               \
     template AimReport<Real> find_velocities(Work<Real>&, const Velocity<Real>&, Real);            \
     template Reach<Real> find_targets(Work<Real>&, const Velocity<Real>&, Real, Real);             \
-    template Attribute<Past<Real>>& past_of(Complex<Real>&);                                       \
+    template VertexAttribute<Past<Real>>& past_of(Complex<Real>&);                                 \
     template std::uint64_t collect_movers(Work<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

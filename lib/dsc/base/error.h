@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors that a caller can mend. A refused operation is no error: see verdict.h.
+// Errors that a caller can correct. A refused operation is not an error: see verdict.h.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options are checked where they come in, one sentence each.
+// Checks of options, made where they come in.
 #pragma once
 
 #include "dsc/base/error.h"
@@ -8,7 +8,7 @@
 
 namespace dsc {
 
-/// Throws InputError where `good` is false: the option `name` has this value.
+/// Throws InputError if `good` is false for this value of the option `name`.
 inline void require(bool good, const char* name, double value, const char* allowed) {
     if (!good) {
         std::ostringstream text;

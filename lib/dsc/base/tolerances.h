@@ -18,8 +18,8 @@ inline constexpr double altitude_floor = 0.02;
 inline constexpr double altitude_keep = 0.5;
 
 /// Rounding bound of a doubled area computed from differences of coordinates, relative to the sum
-/// of the magnitudes of its two products; see `orientation_bound`. Float: (3 + 16 eps) eps, eps =
-/// 2^-24.
+/// of the magnitudes of its two products: a doubled area of a larger magnitude has the right sign.
+/// (3 + 16 eps) eps with eps = 2^-53 (Shewchuk 1997), and 2^-24 for float.
 template <class Real>
 inline constexpr Real area_bound = Real(3.3306690738754716e-16);
 template <>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scalars, points and handles: the words that every other file is written in.
+// Scalars, points and handles, which all other files use.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,8 @@ namespace dsc {
 template <class Real>
 using Point = Eigen::Matrix<Real, 2, 1>;
 
-/// Identifies a phase (a material) [thesis 8.6]. Phases are small integers; more than two may meet.
+/// Identifies a phase (a material) (thesis, section 8.6). Phases are small integers; more than two
+/// may meet.
 using Phase = std::uint32_t;
 
 /// The phase around everything else; a domain edge of any other phase is part of the interface

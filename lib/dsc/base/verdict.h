@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a guard answers: which restriction of thesis section 6.5 stops an operation.
+// The answer of a guard: which restriction of thesis section 6.5 stops an operation.
 #pragma once
 
 #include "dsc/base/enum_table.h"
@@ -15,11 +15,12 @@ enum class Verdict : std::uint8_t {
     legal,
     not_a_simplex,        ///< the handle names nothing that lives in the complex
     on_boundary,          ///< would change the shape of the domain
-    on_submesh_boundary,  ///< touches a simplex that another submesh owns [6.4]
-    on_interface,         ///< would change the interface [6.5]
+    on_submesh_boundary,  ///< touches a simplex that another submesh owns (thesis, section 6.4)
+    on_interface,         ///< would change the interface (thesis, section 6.5)
     locked,               ///< a vertex that would vanish or move is locked by the application
     changes_topology,     ///< would make a phase vanish, pinch it, or break the complex
-    not_a_simple_polygon, ///< local retriangulation: the trace is not one simple polygon [7.3]
+    not_a_simple_polygon, ///< local retriangulation: the trace is not one simple polygon (thesis,
+                          ///< section 7.3)
     inverts,              ///< a triangle would turn over or lose its area
     no_gain,              ///< legal, but the quality would not rise (smoothing, improvement)
     out_of_ids,           ///< the pool of a submesh is used up; another colour takes it

@@ -8,7 +8,8 @@
 namespace dsc {
 
 AttributeSet::AttributeSet(const AttributeSet& other)
-    : vertex_bound_(other.vertex_bound_), triangle_bound_(other.triangle_bound_) {
+    : counts_(other.counts_), vertex_bound_(other.vertex_bound_),
+      triangle_bound_(other.triangle_bound_) {
     list_.reserve(other.list_.size());
     for (const auto& attribute : other.list_) {
         list_.push_back(attribute->clone());
@@ -24,8 +25,11 @@ AttributeSet& AttributeSet::operator=(const AttributeSet& other) {
 }
 
 void AttributeSet::insert(std::unique_ptr<AttributeBase> attribute) {
+    if (attribute == nullptr) {
+        refuse("", "no attribute");
+    }
     if (find(attribute->name()) != nullptr) {
-        throw_missing(attribute->name(), "an attribute of that name exists");
+        refuse(attribute->name(), "an attribute of that name exists");
     }
     switch (attribute->kind()) {
     case SimplexKind::vertex: attribute->resize(vertex_bound_); break;
@@ -33,6 +37,7 @@ void AttributeSet::insert(std::unique_ptr<AttributeBase> attribute) {
     case SimplexKind::triangle: attribute->resize(triangle_bound_); break;
     }
     list_.push_back(std::move(attribute));
+    ++counts_[index(list_.back()->kind())];
 }
 
 AttributeBase* AttributeSet::find(const std::string& name) const {
@@ -44,11 +49,17 @@ AttributeBase* AttributeSet::find(const std::string& name) const {
     return nullptr;
 }
 
-void AttributeSet::remove(const std::string& name) {
-    if (std::erase_if(list_, [&](const auto& attribute) { return attribute->name() == name; }) ==
-        0) {
-        throw_missing(name, "no such attribute");
+AttributeBase& AttributeSet::find_or_throw(const std::string& name) const {
+    AttributeBase* const found = find(name);
+    if (found == nullptr) {
+        refuse(name, "no such attribute");
     }
+    return *found;
+}
+
+void AttributeSet::remove(const std::string& name) {
+    --counts_[index(find_or_throw(name).kind())];
+    std::erase_if(list_, [&](const auto& attribute) { return attribute->name() == name; });
 }
 
 void AttributeSet::resize_vertices(std::size_t bound) {
@@ -86,6 +97,7 @@ void AttributeSet::permute(SimplexKind kind, const std::vector<std::uint32_t>& o
 
 AttributeSet AttributeSet::clone_empty() const {
     AttributeSet other;
+    other.counts_ = counts_;
     other.list_.reserve(list_.size());
     for (const auto& attribute : list_) {
         other.list_.push_back(attribute->clone_empty());
@@ -115,34 +127,9 @@ void AttributeSet::swap_entries(AttributeSet& other) noexcept {
     std::swap(triangle_bound_, other.triangle_bound_);
 }
 
-void AttributeSet::tell_blend(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
-    for (const auto& attribute : list_) {
-        if (attribute->kind() == SimplexKind::vertex) {
-            attribute->blend(to, a, b, fraction);
-        }
-    }
-}
-
-void AttributeSet::tell_copy(SimplexKind kind, std::uint32_t to, std::uint32_t from) {
-    for (const auto& attribute : list_) {
-        if (attribute->kind() == kind) {
-            attribute->copy(to, from);
-        }
-    }
-}
-
-void AttributeSet::tell_reset(SimplexKind kind, std::uint32_t to) {
-    for (const auto& attribute : list_) {
-        if (attribute->kind() == kind) {
-            attribute->reset(to);
-        }
-    }
-}
-
-void AttributeSet::throw_missing(const std::string& name, const char* problem) {
+void AttributeSet::refuse(const std::string& name, const char* problem) {
     throw InputError(problem, "attribute", "'" + name + "'",
-                     "the name and type of one that exists, "
-                     "or a new name to add");
+                     "the name, kind and type of one that exists, or a new name to add");
 }
 
 } // namespace dsc

@@ -25,23 +25,10 @@ struct Segment {
     [[nodiscard]] Real high_x() const { return std::max(a.x(), b.x()); }
     [[nodiscard]] Real low_y() const { return std::min(a.y(), b.y()); }
     [[nodiscard]] Real high_y() const { return std::max(a.y(), b.y()); }
-    [[nodiscard]] bool boxes(const Point<Real>& p) const {
-        return low_x() <= p.x() && p.x() <= high_x() && low_y() <= p.y() && p.y() <= high_y();
-    }
     [[nodiscard]] std::string name() const {
         return "boundary edge " + std::to_string(a_id) + "-" + std::to_string(b_id);
     }
 };
-
-template <class Real>
-bool meet(const Segment<Real>& s, const Segment<Real>& t) {
-    const int a = orientation(s.a, s.b, t.a);
-    const int b = orientation(s.a, s.b, t.b);
-    const int c = orientation(t.a, t.b, s.a);
-    const int d = orientation(t.a, t.b, s.b);
-    return (a * b < 0 && c * d < 0) || (a == 0 && s.boxes(t.a)) || (b == 0 && s.boxes(t.b)) ||
-           (c == 0 && t.boxes(s.a)) || (d == 0 && t.boxes(s.b));
-}
 
 // Numbers the triangles that hang together by edges.
 template <class Real>
@@ -123,7 +110,7 @@ std::string find_meeting(std::vector<Segment<Real>>& segments) {
             if (shares || s.low_y() > t.high_y() || t.low_y() > s.high_y()) {
                 continue;
             }
-            if (meet(s, t)) {
+            if (segments_meet<Real>(s.a, s.b, t.a, t.b)) {
                 return s.name() + " meets " + t.name() + ": the domain lies over itself";
             }
         }

@@ -10,6 +10,7 @@
 #include "dsc/complex/complex.h"
 #include "dsc/complex/interface_pair.h"
 #include "dsc/complex/shared.h"
+#include "dsc/geometry/triangle.h"
 
 namespace dsc::rewire {
 
@@ -19,6 +20,19 @@ void note(EditLog& log, MakeEdit edit) {
     if (log.readers > 0) [[unlikely]] {
         log.records.push_back(edit());
     }
+}
+
+/// The part of the first triangle in the area of both, for attributes that share a quantity out.
+template <class Real>
+double area_share(const Complex<Real>& complex, const std::array<std::uint32_t, 3>& one,
+                  const std::array<std::uint32_t, 3>& other) {
+    const auto size = [&](const std::array<std::uint32_t, 3>& v) {
+        return static_cast<double>(area<Real>(complex.position(Vertex{v[0]}),
+                                              complex.position(Vertex{v[1]}),
+                                              complex.position(Vertex{v[2]})));
+    };
+    const double first = size(one);
+    return first / (first + size(other));
 }
 
 template <class Real>
@@ -64,6 +78,9 @@ void flip(Complex<Real>& complex, EditLog& log, Corner c) {
     complex.attributes.copy_edge(o, tb);
     complex.attributes.reset_edge(tb);
     complex.attributes.reset_edge(uw);
+    complex.attributes.flip_triangles(t, u, [&] {
+        return area_share(complex, {a, b, d}, {d, w, a});
+    });
     ++log.counts.flips;
     note(log, [&] {
         return Edit{.kind = EditKind::flip,
@@ -110,7 +127,11 @@ void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
     };
     auto& t2r = complex.triangles[t2];
     t2r = {{a, m, w}, {border_corner, border_corner, border_corner}, tr.phase, 0};
-    attributes.copy_triangle(t2, t);
+    // The share of the new triangle (apex, m, end), the other part being (apex, m, start).
+    const auto share = [&](std::uint32_t apex, std::uint32_t start, std::uint32_t end) {
+        return area_share(complex, {apex, m, end}, {apex, start, m});
+    };
+    attributes.split_triangle(t2, t, [&] { return share(a, b, w); });
     attributes.copy_edge(corner_of(t2, 0), c);  // (m, w): half of the edge
     attributes.copy_edge(corner_of(t2, 1), tb); // (w, a)
     attributes.reset_edge(corner_of(t2, 2));    // (a, m)
@@ -134,7 +155,7 @@ void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
     const Corner bd = ur.n[index_of(uw)];
     auto& u2r = complex.triangles[u2];
     u2r = {{d, m, b}, {border_corner, border_corner, border_corner}, ur.phase, 0};
-    attributes.copy_triangle(u2, u);
+    attributes.split_triangle(u2, u, [&] { return share(d, w, b); });
     attributes.copy_edge(corner_of(u2, 0), o);  // (m, b): half of the edge
     attributes.copy_edge(corner_of(u2, 1), uw); // (b, d)
     attributes.reset_edge(corner_of(u2, 2));    // (d, m)
@@ -206,6 +227,10 @@ void collapse(Complex<Real>& complex, EditLog& log, Corner c, Vanishing end, IdP
         const Corner beyond_v = complex.twin(at_keep); // across (v, apex)
         if (!is_border(beyond_v)) {
             complex.attributes.copy_edge(beyond_v, at_v);
+        }
+        // The neighbour that is part of the star: that one belongs to the submesh.
+        if (const Corner heir = is_border(beyond_v) ? beyond_keep : beyond_v; !is_border(heir)) {
+            complex.attributes.merge_triangle(triangle_of(heir), triangle_of(apex));
         }
         close_gap(complex, beyond_keep, beyond_v, complex.vertex(apex), keep);
     };

@@ -55,24 +55,9 @@ int in_circle(double ax, double ay, double bx, double by, double cx, double cy, 
 
 int in_circle(double ax, double ay, double bx, double by, double cx, double cy, double dx,
               double dy) {
-    // (10 + 96 eps) eps with eps = 2^-53, relative to the permanent.
-    constexpr double bound = 1.1102230246251577e-15;
-    const double adx = ax - dx;
-    const double ady = ay - dy;
-    const double bdx = bx - dx;
-    const double bdy = by - dy;
-    const double cdx = cx - dx;
-    const double cdy = cy - dy;
-    const double a_lift = adx * adx + ady * ady;
-    const double b_lift = bdx * bdx + bdy * bdy;
-    const double c_lift = cdx * cdx + cdy * cdy;
-    const double det = a_lift * (bdx * cdy - bdy * cdx) + b_lift * (cdx * ady - cdy * adx) +
-                       c_lift * (adx * bdy - ady * bdx);
-    const double permanent = a_lift * (std::abs(bdx * cdy) + std::abs(bdy * cdx)) +
-                             b_lift * (std::abs(cdx * ady) + std::abs(cdy * adx)) +
-                             c_lift * (std::abs(adx * bdy) + std::abs(ady * bdx));
-    if (std::abs(det) > bound * permanent && permanent > underflow_guard) {
-        return det > 0 ? 1 : -1;
+    const InCircleFilter filter = in_circle_filter(ax, ay, bx, by, cx, cy, dx, dy);
+    if (std::abs(filter.determinant) > filter.error_bound() && filter.is_free_of_underflow()) {
+        return filter.determinant > 0 ? 1 : -1;
     }
     return exact::in_circle(ax, ay, bx, by, cx, cy, dx, dy);
 }

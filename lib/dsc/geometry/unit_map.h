@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Coordinates of any size, and far from the origin, brought near one. The passes of the algorithm
-// multiply up to six lengths; doubles would run out of exponents from about 1e-50 and 1e50 on, and
-// out of digits far from the origin. A scene that lies there is run in unit coordinates:
+// Maps coordinates of any size, also far from the origin, to numbers near one. The passes of the
+// algorithm multiply up to six lengths; doubles would run out of exponents from about 1e-50 and
+// 1e50 on, and out of digits far from the origin. A scene that lies there is run in unit
+// coordinates:
 //
 //     world = origin + 2^exponent * unit
 //
-// The complex holds unit coordinates, so that nothing in a hot loop knows of the map; see
-// initial/unit_box.h and motion/unit_velocity.h for the ways in and out.
+// The complex holds unit coordinates, so that no hot loop has to know about the map; see
+// initial/unit_box.h and motion/unit_velocity.h for the ways there and back.
 #pragma once
 
 #include "dsc/base/error.h"

@@ -9,39 +9,9 @@
 #include "dsc/initial/zone.h"
 #include "dsc/operations/edge_flip.h"
 
-#include <cmath>
 #include <vector>
 
 namespace dsc::initial {
-
-/// Whether d certainly lies inside the circle through the counter-clockwise (a, b, c). Within the
-/// rounding error of doubles, which is far below `delaunay_slack`, the answer is no: points of an
-/// outline are often cocircular, and exact zeros are dear.
-inline bool certainly_in_circle(const Point<double>& a, const Point<double>& b,
-                                const Point<double>& c, const Point<double>& d) {
-    // (10 + 96 eps) eps with eps = 2^-53, relative to the permanent (Shewchuk 1997).
-    constexpr double bound = 1.1102230246251577e-15;
-    const Point<double> p = a - d;
-    const Point<double> q = b - d;
-    const Point<double> r = c - d;
-    const double qr = q.x() * r.y();
-    const double rq = q.y() * r.x();
-    const double rp = r.x() * p.y();
-    const double pr = r.y() * p.x();
-    const double pq = p.x() * q.y();
-    const double qp = p.y() * q.x();
-    const double pp = p.squaredNorm();
-    const double qq = q.squaredNorm();
-    const double rr = r.squaredNorm();
-    const double det = pp * (qr - rq) + qq * (rp - pr) + rr * (pq - qp);
-    const double permanent = pp * (std::abs(qr) + std::abs(rq)) +
-                             qq * (std::abs(rp) + std::abs(pr)) +
-                             rr * (std::abs(pq) + std::abs(qp));
-    if (permanent > underflow_guard && std::isfinite(permanent)) {
-        return det > bound * permanent;
-    }
-    return in_circle<double>(a, b, c, d) > 0;
-}
 
 /// Whether the edge opposite to `corner` is not constrained and certainly not Delaunay.
 template <class Real>

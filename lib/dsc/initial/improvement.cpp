@@ -16,7 +16,7 @@ Improvement improve(Complex<Real>& complex, std::span<const std::uint32_t> inter
     while (done.rounds < rounds && busy) {
         ++done.rounds;
         const auto zone = find_zone(complex, interface_vertices, edge_length);
-        // Smoothing after every change, since the next one is judged by the triangles as they are.
+        // Smoothing after every change, as the next change is judged by the current triangles.
         std::size_t moves = smooth(complex, zone);
         const std::size_t collapses = thin_out(complex, zone, edge_length);
         moves += smooth(complex, zone);

@@ -13,8 +13,8 @@ namespace dsc {
 
 namespace {
 
-// Lattice vertices closer to an outline than this share of its pieces make way for it. Larger
-// leaves gaps, smaller short edges; half keeps the circles about the pieces empty.
+// Lattice vertices closer to an outline than this share of its pieces are removed. A larger share
+// leaves gaps, a smaller one short edges; half keeps the circles about the pieces empty.
 constexpr double clearance = 0.5;
 // Room for the vertices of the outlines and for those that grade down to short pieces, so that
 // arrays of a large complex need not be copied to grow.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The complex that a scene starts from [thesis 5.6, 9]: a rectangle and any number of simple
-// polygons, each with its phase, triangulated at a target edge length. A lattice of
-// near-equilateral triangles is laid over the rectangle; only what lies near an outline is
+// The complex that a scene starts from (thesis, section 5.6 and chapter 9): a rectangle and any
+// number of simple polygons, each with its phase, triangulated at a target edge length. A lattice
+// of near-equilateral triangles is laid over the rectangle; only the part near an outline is
 // searched, changed or improved.
 //
-// What comes out is a constrained Delaunay triangulation (up to `delaunay_slack`) whose interface
-// is the outlines and nothing else.
+// The result is a constrained Delaunay triangulation (up to `delaunay_slack`) whose interface
+// consists of the outlines and nothing else.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -44,8 +44,8 @@ struct InitialOptions {
 /// same input gives the same bits.
 ///
 /// \throw InputError where a coordinate or the edge length makes no sense, an outline is degenerate
-/// or crosses or touches itself, another one or the side of the domain, a shape has the phase of
-/// what is around it, or the complex would be absurdly large.
+/// or crosses or touches itself, another one or the side of the domain, a shape has the phase
+/// around it, or the complex would be absurdly large.
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
                               const InitialOptions& options = {});

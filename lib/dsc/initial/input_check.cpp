@@ -45,7 +45,7 @@ double largest(const Point<double>& point) {
     return std::max(std::abs(point.x()), std::abs(point.y()));
 }
 
-// Nearest representable point; a coordinate beyond the range of the scalar is not finite any more.
+// The nearest representable point; a coordinate beyond the range of the scalar becomes infinite.
 template <class Real>
 Point<double> rounded(const Point<double>& point) {
     constexpr auto limit = static_cast<double>(std::numeric_limits<Real>::max());
@@ -145,7 +145,7 @@ void check_extent(const std::vector<Point<double>>& points, std::size_t shape,
     }
 }
 
-// Rounds and checks what can be seen of one shape alone, but for crossings.
+// Rounds one shape and makes all checks that need no other shape, except for crossings.
 template <class Real>
 std::vector<Point<double>> check_shape(const Shape& shape, std::size_t index,
                                        const Lattice& lattice, double h) {
@@ -182,8 +182,8 @@ std::vector<Point<double>> check_shape(const Shape& shape, std::size_t index,
     return points;
 }
 
-// By the turn at the lowest of the leftmost vertices, which is convex in a simple polygon. 0 there:
-// the edges overlap, which the sweep reports.
+// From the turn at the lowest of the leftmost vertices, which is convex in a simple polygon. If it
+// is 0, the edges overlap, which the sweep reports.
 bool is_counter_clockwise(const std::vector<Point<double>>& points) {
     const auto at =
         std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
@@ -196,10 +196,10 @@ bool is_counter_clockwise(const std::vector<Point<double>>& points) {
 
 struct CutOutline {
     std::vector<Point<double>> points;
-    std::vector<std::uint32_t> edge; // that a piece is part of
+    std::vector<std::uint32_t> edge; // the edge of which a piece is part
 };
 
-// A length of a whole number of targets, but for rounding, is cut into that number of pieces.
+// A length that is a whole number of target lengths, up to rounding, is cut into as many pieces.
 constexpr double whole_number_slack = 1e-9;
 
 double piece_count(const std::vector<Point<double>>& outline, std::size_t edge, double h) {
@@ -208,7 +208,7 @@ double piece_count(const std::vector<Point<double>>& outline, std::size_t edge, 
     return std::max(1.0, std::ceil((b - a).norm() / h * (1 - whole_number_slack)));
 }
 
-// Counts by the outline as it was given, so that float and double are cut alike.
+// Counts pieces of the outline before rounding, so that float and double are cut alike.
 template <class Real>
 CutOutline cut(const std::vector<Point<double>>& given, const std::vector<Point<double>>& points,
                double h) {

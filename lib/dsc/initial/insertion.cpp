@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/walk.h"
+#include "dsc/geometry/distance.h"
 #include "dsc/initial/delaunay.h"
 #include "dsc/initial/star_quality.h"
 #include "dsc/operations/edge_collapse.h"
@@ -49,7 +50,7 @@ std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
     rewire::split(complex, complex.journal, corner, m, point, t2, u2);
     if (location.place == Place::triangle) {
         // One into three: split an edge as if m were on it, then flip the edge from m into the
-        // triangle beyond back to where it was. That triangle is u2 now, and u on this side.
+        // triangle beyond back to its old place. That triangle is u2 now, and u lies on this side.
         rewire::flip(complex, complex.journal, next(other));
         complex.triangles[triangle_of(other)].phase = complex.phase_at(corner);
     }
@@ -59,23 +60,12 @@ std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
 
 namespace {
 
-double squared_distance(double px, double py, const Point<double>& a, const Point<double>& b) {
-    const double ux = b.x() - a.x();
-    const double uy = b.y() - a.y();
-    const double length2 = ux * ux + uy * uy;
-    const double along = (px - a.x()) * ux + (py - a.y()) * uy;
-    const double fraction = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0.0;
-    const double dx = px - (a.x() + fraction * ux);
-    const double dy = py - (a.y() + fraction * uy);
-    return dx * dx + dy * dy;
-}
-
 std::uint32_t clamped(double value, std::uint32_t low, std::uint32_t high) {
     return static_cast<std::uint32_t>(
         std::clamp(value, static_cast<double>(low), static_cast<double>(high)));
 }
 
-// Collapses an inner vertex into the neighbour that leaves the best triangles. All of one phase.
+// Collapses an inner vertex of one phase into the neighbour that leaves the best triangles.
 template <class Real>
 bool remove_vertex(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack) {
     Ring<Real> ring;
@@ -132,7 +122,8 @@ std::size_t clear_lattice(Complex<Real>& complex, const Lattice& lattice,
                     clamped(std::ceil(column_of(std::max(a.x(), b.x()) + reach)) + 1, 1, last - 1);
                 for (std::uint32_t column = from; column <= to; ++column) {
                     const std::uint32_t id = lattice.vertex(row, column);
-                    if (squared_distance(lattice.x(row, column), lattice.y(row), a, b) <
+                    const Point<double> p(lattice.x(row, column), lattice.y(row));
+                    if (squared_distance<double>(p, nearest_point<double>(p, a, b)) <
                             reach * reach &&
                         complex.is_alive(Vertex{id}) && remove_vertex(complex, id, stack)) {
                         ++removed;
@@ -154,7 +145,7 @@ insert_outlines(Complex<Real>& complex, const Lattice& lattice, std::span<const 
         chain.reserve(outline.points.size());
         std::uint32_t near = lattice.triangle_near(outline.points.front());
         while (!complex.is_alive(Triangle{near})) {
-            // Cleared away: some triangle of the lattice is left, at the corners of the domain.
+            // It was removed. The triangles of the lattice at the corners of the domain are left.
             near = near + 1 < complex.triangle_bound() ? near + 1 : 1;
         }
         for (const Point<double>& place : outline.points) {

@@ -31,7 +31,7 @@ template <class Real>
 Location locate(const Complex<Real>& complex, std::uint32_t start, const Point<Real>& point);
 
 /// Puts a new vertex there, or returns the one that is there already; restores the Delaunay
-/// property. `location` must not be `beyond`. O(degree) but for long chains of flips.
+/// property. `location` must not be `beyond`. O(degree), except for long chains of flips.
 template <class Real>
 std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
                            const Point<Real>& point, std::vector<Corner>& stack);

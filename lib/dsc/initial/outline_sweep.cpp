@@ -12,7 +12,7 @@ namespace dsc::initial {
 
 namespace {
 
-// From left to right, and upwards where x is equal: as if the plane were sheared a little.
+// From left to right, and upwards for equal x: as if the plane were sheared a little.
 bool precedes(const Point<double>& a, const Point<double>& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
@@ -107,17 +107,7 @@ private:
         if (next_[s] == t || next_[t] == s) {
             return; // overlap of successive edges: found where both begin or both end
         }
-        const std::uint32_t a = s;
-        const std::uint32_t b = next_[s];
-        const std::uint32_t c = t;
-        const std::uint32_t d = next_[t];
-        const int abc = side(a, b, c);
-        const int abd = side(a, b, d);
-        const int cda = side(c, d, a);
-        const int cdb = side(c, d, b);
-        if ((abc * abd < 0 && cda * cdb < 0) || (abc == 0 && within(s, c)) ||
-            (abd == 0 && within(s, d)) || (cda == 0 && within(t, a)) ||
-            (cdb == 0 && within(t, b))) {
+        if (segments_meet<double>(points_[s], points_[next_[s]], points_[t], points_[next_[t]])) {
             report(s, t);
         }
     }
@@ -168,7 +158,7 @@ private:
         }
     }
 
-    // The first vertex of a polygon is the one where its parent is looked for.
+    // The parent of a polygon is looked for at its first vertex.
     bool visited(std::uint32_t v) {
         const std::uint32_t k = polygon_[v];
         if (seen_.size() < polygons_.size()) {

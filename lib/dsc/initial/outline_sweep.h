@@ -31,7 +31,7 @@ struct SweepResult {
     std::vector<std::uint32_t> parent;
 };
 
-/// All coordinates must be finite. Any contact counts but the common vertex of two successive
+/// All coordinates must be finite. Any contact counts, except the common vertex of two successive
 /// edges that do not overlap.
 SweepResult sweep(std::span<const SweepPolygon> polygons);
 

@@ -53,8 +53,8 @@ void fill_phases(Complex<Real>& complex, std::span<const Outline> outlines, cons
             }
         }
     }
-    // A hole has the phase that all triangles have to begin with, so it needs no flood; walls keep
-    // every other one inside its outline.
+    // A hole has the phase with which all triangles begin, so that it is not flooded; walls keep
+    // every other flood inside its outline.
     std::vector<std::uint32_t> stack;
     for (std::size_t k = 0; k < outlines.size(); ++k) {
         if (outlines[k].phase != exterior_phase) {

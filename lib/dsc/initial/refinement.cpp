@@ -49,7 +49,7 @@ bool encroaches(const Complex<Real>& complex, std::uint32_t triangle, const Poin
     return false;
 }
 
-// The same for the triangle and those next to it, the ones that an insertion is sure to change.
+// The same for the triangle and its neighbours, which an insertion is certain to change.
 template <class Real>
 bool encroaches_near(const Complex<Real>& complex, std::uint32_t triangle,
                      const Point<double>& point) {
@@ -60,23 +60,12 @@ bool encroaches_near(const Complex<Real>& complex, std::uint32_t triangle,
            });
 }
 
-// The centre of the circle through the corners; not finite for a degenerate triangle.
-template <class Real>
-Point<double> circumcentre(const Complex<Real>& complex, std::uint32_t triangle) {
-    const auto& v = complex.triangles[triangle].v;
-    const Point<double> a = at(complex, v[0]);
-    const Point<double> b = at(complex, v[1]) - a;
-    const Point<double> c = at(complex, v[2]) - a;
-    const double bb = b.squaredNorm();
-    const double cc = c.squaredNorm();
-    const double d = 2 * (b.x() * c.y() - b.y() * c.x());
-    return a + Point<double>(c.y() * bb - b.y() * cc, b.x() * cc - c.x() * bb) / d;
-}
-
 // The new vertex, or no_id where the centre lies beyond the interface or too near to it.
 template <class Real>
 std::uint32_t break_up(Complex<Real>& complex, std::uint32_t triangle, std::vector<Corner>& stack) {
-    const Point<double> centre = circumcentre(complex, triangle);
+    const auto& v = complex.triangles[triangle].v;
+    const Point<double> centre =
+        circumcentre<double>(at(complex, v[0]), at(complex, v[1]), at(complex, v[2]));
     if (!std::isfinite(centre.x()) || !std::isfinite(centre.y())) {
         return no_id;
     }
@@ -99,7 +88,7 @@ void push_poor(const Complex<Real>& complex, std::uint32_t vertex,
     }
 }
 
-// Whether the edge could be split at its midpoint and was.
+// Splits the edge at its midpoint if that is allowed; returns whether it was.
 template <class Real>
 bool split(Complex<Real>& complex, Corner corner, std::vector<Corner>& stack) {
     const Point<double> a = at(complex, complex.vertex(corner));
@@ -129,7 +118,7 @@ std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone) 
             push_poor(complex, v, queue);
         }
     }
-    // New edges are never shorter than old ones, which bounds their number, but not tightly.
+    // New edges are never shorter than old ones. This bounds their number, but not tightly.
     const std::size_t most = 64 * zone.size() + 1024;
     std::size_t inserted = 0;
     for (std::size_t i = 0; i < queue.size() && inserted < most; ++i) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double good_star = 0.9;      // worst quality of a star that is left alone
 constexpr double search_below = 0.75;  // worst quality of a star whose centre is searched for
 constexpr double least_gain = 5e-3;    // in quality, for a move
-constexpr double collapse_below = 0.6; // worst quality of a star that is tried to be collapsed
+constexpr double collapse_below = 0.6; // worst quality of a star that may be collapsed
 constexpr double collapse_gain = 0.02; // in quality, for a collapse
 constexpr double longest_edge = 1.4;   // after a collapse, over the target
 
@@ -64,7 +64,7 @@ struct Trial {
     }
 };
 
-// Climbs to a place where the worst triangle is as good as can be, in ever smaller steps.
+// Climbs in ever smaller steps to a place where the worst triangle is as good as possible.
 template <class Real>
 void search(Trial<Real>& trial, double reach) {
     constexpr double diagonal = 0.70710678118654752;
@@ -105,7 +105,7 @@ Link mean_link(const Ring<Real>& ring) {
     Link mean;
     const std::uint32_t n = ring.link_size();
     for (std::uint32_t k = 0; k < n; ++k) {
-        // Relative to the centre, so that an offset costs no digits.
+        // Relative to the centre, so that an offset of the coordinates costs no digits.
         const auto x = static_cast<double>(ring.link_x(k) - ring.x0);
         const auto y = static_cast<double>(ring.link_y(k) - ring.y0);
         mean.x += x / n;

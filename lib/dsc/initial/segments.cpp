@@ -18,7 +18,7 @@ using Pair = std::array<std::uint32_t, 2>;
 // The edges that the segment crosses, up to its end or to the first vertex that it meets.
 struct Crossings {
     std::uint32_t end = no_id;
-    std::deque<Pair> edges; // right of the segment, left of it
+    std::deque<Pair> edges; // each by its end to the right of the segment and the other one
 };
 
 template <class Real>
@@ -26,7 +26,7 @@ class Recovery {
 public:
     explicit Recovery(Complex<Real>& complex) : complex_(complex) {}
 
-    // The vertices after p, up to and with q, once all edges between them exist.
+    // Appends the vertices after p, q included, and makes all edges between them.
     void recover(std::uint32_t p, std::uint32_t q, std::vector<std::uint32_t>& chain) {
         while (p != q) {
             std::uint32_t end = q;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The outlines' pieces become edges: edges that cross a missing piece are flipped until none does
-// (S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993).
+// Makes the pieces of the outlines edges: edges that cross a missing piece are flipped until none
+// is left (S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations",
+// 1993).
 #pragma once
 
 #include "dsc/complex/complex.h"

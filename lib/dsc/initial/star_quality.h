@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Quality of stars as they are and as they would become, by the measure of thesis 4.3, equation 4.
-// In doubles, since the improvement compares values that lie close together.
+// Quality of stars as they are and as they would become, by the measure of the thesis, section 4.3,
+// equation 4. In doubles, since the improvement compares values that lie close together.
 #pragma once
 
-#include "dsc/geometry/predicates.h"
 #include "dsc/complex/ring.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/quality/measures.h"
 
 #include <algorithm>

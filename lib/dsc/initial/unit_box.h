@@ -19,7 +19,7 @@ Complex<Real> initial_complex(const UnitMap& map, const Rectangle& domain,
                               std::span<const Shape> shapes, const InitialOptions& options = {});
 
 /// A copy with every vertex where it lies in the world. O(n). Far from the origin, or in float,
-/// neighbours may round to one place: the copy is for files and measures, not to go on with.
+/// neighbours may round to one place: the copy is made for files and measures, not for more steps.
 template <class Real>
 [[nodiscard]] Complex<Real> to_world(const UnitMap& map, Complex<Real> complex);
 

@@ -11,8 +11,8 @@ namespace dsc::initial {
 namespace {
 
 constexpr int rings = 4; // of edges about the interface that always belong to the zone
-// An edge shorter than this share of the target is none of the lattice, whose half triangles at the
-// sides are the shortest.
+// An edge shorter than this share of the target is not one of the lattice, whose shortest edges
+// belong to the half triangles at the sides.
 constexpr double fine_below = 0.48;
 
 template <class Real>

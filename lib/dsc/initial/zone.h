@@ -10,7 +10,7 @@
 namespace dsc::initial {
 
 /// Whether the star of a vertex has changed since it was last looked at; kept in the vertices'
-/// `slot` while the complex is built. What could not be improved is not tried again.
+/// `slot` while the complex is built. A star that could not be improved is not tried again.
 inline constexpr std::uint32_t unsettled = no_id;
 inline constexpr std::uint32_t settled = 0;
 

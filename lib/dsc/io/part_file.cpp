@@ -28,8 +28,8 @@ void append_number(std::string& buffer, Arguments... arguments) {
 
 } // namespace
 
-// POSIX calls rather than std::ofstream: they say why they failed, and close() reports what a full
-// disk or a quota held back.
+// POSIX calls rather than std::ofstream: they say why they failed, and close() reports data
+// lost to a full disk or a quota.
 PartFile::PartFile(std::string path) : path_(std::move(path)), part_(path_ + ".part") {
     buffer_.reserve(block_size + 1024);
     descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

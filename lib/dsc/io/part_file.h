@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A text file that is there whole or not at all: written beside its place as ".part", then renamed.
+// A text file that exists as a whole or not at all: written as ".part" beside its place, then
+// renamed.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +10,8 @@
 namespace dsc {
 
 /// Collects text and writes it in blocks. Numbers are written the same way under every locale.
-/// Throws FileError where the folder is missing or unwritable, or the disk is full; whatever is not
-/// committed is removed again.
+/// Throws FileError where the folder is missing or unwritable, or the disk is full; a file that is
+/// not committed is removed.
 class PartFile {
 public:
     explicit PartFile(std::string path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures of a complex as SVG [thesis 8.11]: triangles coloured by phase, the interface bold.
+// Pictures of a complex as SVG (thesis, section 8.11): triangles coloured by phase, the interface
+// bold.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -28,14 +29,14 @@ struct SvgOptions {
     /// exterior's. The default is the colour-blind palette of Okabe and Ito (2008).
     std::vector<std::string> phase_colours{"#ffffff", "#56b4e9", "#e69f00", "#009e73",
                                            "#cc79a7", "#f0e442", "#0072b2", "#d55e00"};
-    /// The part of the plane to show; empty: all living vertices. Frames of a film want a fixed
-    /// one.
+    /// The part of the plane to show; empty: all living vertices. The frames of a film need a
+    /// fixed one.
     std::optional<SvgBox> view{};
     std::string title{}; ///< empty: none
 };
 
-/// Writes the picture, y upwards. The file is there whole or not at all. O(n).
-/// Throws FileError where it cannot be written, InputError where the options make no picture.
+/// Writes the picture, y upwards. The file exists as a whole or not at all. O(n).
+/// Throws FileError where it cannot be written, InputError where the options do not make sense.
 template <class Real>
 void write_svg(const Complex<Real>& complex, const std::string& path,
                const SvgOptions& options = {});

@@ -11,7 +11,7 @@ namespace dsc {
 
 namespace {
 
-// VTK counts without gaps: the numbers of the living, in the order of their ids.
+// VTK counts without gaps: the living vertices and triangles, numbered in the order of their ids.
 template <class Real>
 struct Numbers {
     explicit Numbers(const Complex<Real>& complex) : vertex_number(complex.vertex_bound(), no_id) {
@@ -72,11 +72,12 @@ void write_cells(PartFile& file, const Complex<Real>& complex, const Numbers<Rea
     file << "</Cells>\n";
 }
 
-void write_attributes(PartFile& file, const AttributeSet& attributes, SimplexKind kind,
+template <SimplexHandle Simplex>
+void write_attributes(PartFile& file, const AttributeSet& attributes,
                       const std::vector<std::uint32_t>& ids) {
     for (const auto& attribute : attributes.list()) {
-        const auto* typed = dynamic_cast<const Attribute<double>*>(attribute.get());
-        if (typed == nullptr || typed->kind() != kind) {
+        const auto* typed = dynamic_cast<const Attribute<double, Simplex>*>(attribute.get());
+        if (typed == nullptr) {
             continue;
         }
         begin_array(file, "Float64", escape_xml(typed->name()));
@@ -98,14 +99,14 @@ void write_vtu(const Complex<Real>& complex, const std::string& path) {
          << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << std::uint64_t{numbers.vertices.size()}
          << "\" NumberOfCells=\"" << std::uint64_t{numbers.triangles.size()} << "\">\n";
     file << "<PointData>\n";
-    write_attributes(file, complex.attributes, SimplexKind::vertex, numbers.vertices);
+    write_attributes<Vertex>(file, complex.attributes, numbers.vertices);
     file << "</PointData>\n<CellData Scalars=\"phase\">\n";
     begin_array(file, "UInt32", "phase");
     for (const std::uint32_t t : numbers.triangles) {
         file << complex.triangles[t].phase << '\n';
     }
     end_array(file);
-    write_attributes(file, complex.attributes, SimplexKind::triangle, numbers.triangles);
+    write_attributes<Triangle>(file, complex.attributes, numbers.triangles);
     file << "</CellData>\n";
     write_points(file, complex, numbers);
     write_cells(file, complex, numbers);

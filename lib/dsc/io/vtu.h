@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Files for ParaView [thesis 8.11]: a complex as an ASCII VTK unstructured grid (.vtu), and the
-// collection (.pvd) that gives a series of them their times. The formats are those of Kitware's
-// "VTK file formats".
+// Files for ParaView (thesis, section 8.11): a complex as an ASCII VTK unstructured grid (.vtu),
+// and the collection (.pvd) that gives a series of them their times. The formats are those of
+// Kitware's "VTK file formats".
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -12,8 +12,8 @@
 namespace dsc {
 
 /// Writes all living vertices and triangles, the phase of each triangle, and the attributes of type
-/// double of vertices and triangles (attributes of edges have no place in the format). Numbers read
-/// back bit by bit. The file is there whole or not at all. O(n). Throws FileError.
+/// double of vertices and triangles (the format has no data of edges). Numbers read back bit by
+/// bit. The file exists as a whole or not at all. O(n). Throws FileError.
 template <class Real>
 void write_vtu(const Complex<Real>& complex, const std::string& path);
 

@@ -61,9 +61,9 @@ public:
         }
     }
 
-    // With the velocity at the target in place of the fourth stage's, the result is of third order
-    // whatever share of it is replaced: both meet sum(b c^2) = 1/3 and sum(b a c) = 1/6. The
-    // difference of the two is the estimate.
+    // If the velocity at the target replaces that of the fourth stage, in whole or in part, the
+    // result is of third order: both satisfy sum(b c^2) = 1/3 and sum(b a c) = 1/6. The difference
+    // of the two is the estimate.
     Real adaptive() {
         rk4();
         std::swap(scratch_.sum, scratch_.slope); // `sum` is now the fourth stage

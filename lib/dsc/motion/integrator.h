@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a velocity field to target positions [5.1, eq. 5]. All vertices are evaluated in one call,
-// so that a field pays its overhead once and can use all lanes.
+// From a velocity field to target positions (thesis, section 5.1, equation 5). All vertices are
+// evaluated in one call, so that a field pays its overhead once and can use all lanes.
 #pragma once
 
 #include "dsc/base/enum_table.h"
@@ -21,11 +21,12 @@ using Velocity = std::function<void(std::span<const Point<Real>> positions, Real
 
 enum class Integrator : std::uint8_t {
     euler,    ///< first order, one evaluation a step
-    centred,  ///< the thesis's centred difference [9.4]: second order, one evaluation, a memory
+    centred,  ///< the centred difference (thesis, section 9.4): second order, one
+              ///< evaluation, a memory
     midpoint, ///< second order, two evaluations
     rk4,      ///< fourth order, four evaluations
-    adaptive, ///< rk4 with an estimate of its error, from which the step is chosen; five. What is
-              ///< the same everywhere and changes in time only it does not see
+    adaptive, ///< rk4 with an estimate of its error, from which the step is chosen; five. It
+              ///< does not notice a velocity that is equal everywhere and changes in time
 };
 
 inline constexpr std::array integrator_names{
@@ -40,7 +41,7 @@ inline constexpr std::array integrator_names{
     return name_in(integrator_names, integrator);
 }
 
-/// What `centred` remembers of a vertex: its step before.
+/// What `centred` remembers of a vertex: its last step.
 template <class Real>
 struct Past {
     Point<Real> way = Point<Real>::Zero(); ///< to its last target
@@ -58,10 +59,10 @@ struct IntegratorScratch {
 };
 
 /// targets[i] = where positions[i] is at time + dt. `scratch.first` must hold the velocities at
-/// (positions, time): the driver has them already, from choosing its sub-step; `scratch.past` the
-/// steps before, for `centred`: those without a past take a midpoint step.
-/// Returns the largest estimate of the error of this step that is finite, a length: of `adaptive`,
-/// 0 of all others. O(n).
+/// (positions, time), which the driver needs to choose its sub-step; for `centred`,
+/// `scratch.past` must hold the last steps; vertices without a past take a midpoint step.
+/// Returns the largest finite estimate of the error of this step, a length; 0 for all methods
+/// except `adaptive`. O(n).
 template <class Real>
 Real integrate(Integrator integrator, const Velocity<Real>& velocity,
                std::span<const Point<Real>> positions, Real time, Real dt,

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/motion/interpolation.h"
 
+#include "dsc/geometry/distance.h"
+#include "dsc/geometry/lagrange.h"
+#include "dsc/geometry/turn.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,32 +34,13 @@ Point<Real> curve_point(const CurveNeighbours<Real>& neighbours, Real share) {
         knots[count] = chord + (neighbours.p3 - neighbours.p2).norm();
         points[count++] = neighbours.p3;
     }
-    const Real at = share * chord;
-    // Relative to the chord, so that an offset of the coordinates costs no digits.
-    Point<Real> result = Point<Real>::Zero();
-    for (std::size_t i = 0; i < count; ++i) {
-        Real weight = 1;
-        for (std::size_t j = 0; j < count; ++j) {
-            if (j != i) {
-                weight *= (at - knots[j]) / (knots[i] - knots[j]);
-            }
-        }
-        result += weight * (points[i] - on_chord);
-    }
-    return on_chord + result;
-}
-
-template <class Real>
-Real curvature(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
-    const Point<Real> in = b - a;
-    const Point<Real> out = c - b;
-    const Real lengths = in.norm() * out.norm() * (c - a).norm();
-    return lengths > 0 ? 2 * (in.x() * out.y() - in.y() * out.x()) / lengths : Real(0);
+    return lagrange<Real>(std::span<const Point<Real>>(points.data(), count),
+                          std::span<const Real>(knots.data(), count), share * chord, on_chord);
 }
 
 namespace {
 
-/// In the middle of the arc of this curvature from p1 to p2.
+/// The middle of the arc from p1 to p2 with the mean of the known curvatures.
 template <class Real>
 Point<Real> arc_point(const CurveNeighbours<Real>& n) {
     const Point<Real> chord = n.p2 - n.p1;
@@ -69,12 +54,12 @@ Point<Real> arc_point(const CurveNeighbours<Real>& n) {
         bend += curvature<Real>(n.p1, n.p2, n.p3);
         ++known;
     }
-    const Point<Real> middle = Real(0.5) * (n.p1 + n.p2);
+    const Point<Real> middle = midpoint<Real>(n.p1, n.p2);
     if (known == 0) {
         return middle;
     }
     bend /= static_cast<Real>(known);
-    // The height of the arc over half its chord. More than a half circle there cannot be.
+    // The height of the arc over half its chord. An arc is at most a half circle.
     const Real sine = std::clamp(Real(0.5) * bend * chord.norm(), Real(-1), Real(1));
     const Real height = Real(0.5) * sine / (1 + std::sqrt(1 - sine * sine));
     return middle + height * Point<Real>(chord.y(), -chord.x());
@@ -89,13 +74,12 @@ Point<Real> insertion_point(Insertion insertion, const CurveNeighbours<Real>& ne
     case Insertion::cubic: return curve_point(neighbours, Real(0.5));
     case Insertion::arc: return arc_point(neighbours);
     }
-    return Real(0.5) * (neighbours.p1 + neighbours.p2);
+    return midpoint<Real>(neighbours.p1, neighbours.p2);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Point<Real> curve_point(const CurveNeighbours<Real>&, Real);                          \
-    template Point<Real> insertion_point(Insertion, const CurveNeighbours<Real>&);                 \
-    template Real curvature(const Point<Real>&, const Point<Real>&, const Point<Real>&);
+    template Point<Real> insertion_point(Insertion, const CurveNeighbours<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

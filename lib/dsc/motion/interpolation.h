@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Interpolators [8.9]: the curve between interface vertices, and where a new one goes. Linear
-// insertion is the thesis's, and the source of its jagged edges; the cubic through four neighbours
-// by chord length keeps the curve.
+// Interpolators (thesis, section 8.9): the curve between interface vertices, and where a new one
+// goes. The thesis inserts linearly, which makes its interfaces jagged; the cubic through four
+// neighbours by chord length keeps the curve.
 #pragma once
 
 #include "dsc/base/enum_table.h"
@@ -28,7 +28,7 @@ inline constexpr std::array insertion_names{
     return name_in(insertion_names, insertion);
 }
 
-/// What the interface is between its vertices.
+/// How the interface is read between its vertices.
 enum class Reading : std::uint8_t {
     chords, ///< the edges themselves: second order in their length
     cubic,  ///< the 4-point Lagrange cubic by chord length: fourth order
@@ -43,7 +43,7 @@ inline constexpr std::array reading_names{
     return name_in(reading_names, reading);
 }
 
-/// Four consecutive points of the interface; what is asked for lies between p1 and p2. `has_first`
+/// Four consecutive points of the interface; a point between p1 and p2 is asked for. `has_first`
 /// and `has_last` are false where the curve ends, branches or has a corner.
 template <class Real>
 struct CurveNeighbours {
@@ -52,23 +52,19 @@ struct CurveNeighbours {
     bool has_last = false;
 };
 
-/// An application's own interpolator for positions (thesis 9.2: a circle that stays round).
+/// An application's own interpolator for positions (thesis, section 9.2: a circle that stays
+/// round).
 template <class Real>
 using InsertionFunction = std::function<Point<Real>(const CurveNeighbours<Real>&)>;
 
 /// The point at `share` (0 to 1) of the chord from p1 to p2, on the Lagrange polynomial by chord
-/// length through the neighbours that there are: the piecewise cubic as which the interface is
-/// read. Off by O(length^4) from a smooth curve. O(1).
+/// length through the known neighbours: the interface is read as the piecewise cubic of these. It
+/// differs from a smooth curve by O(length^4). O(1).
 template <class Real>
 Point<Real> curve_point(const CurveNeighbours<Real>& neighbours, Real share);
 
-/// Where a new vertex in the middle of p1 and p2 goes. O(1).
+/// The place of a new vertex between p1 and p2. O(1).
 template <class Real>
 Point<Real> insertion_point(Insertion insertion, const CurveNeighbours<Real>& neighbours);
-
-/// Curvature of the circle through three points, positive where it turns left; 0 where two of them
-/// coincide. In 1 / length. O(1).
-template <class Real>
-Real curvature(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c);
 
 } // namespace dsc

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Movement [5.1]: one vertex towards its target, as far as its star allows. The doubled area of a
-// star triangle is linear in the fraction travelled, so the limit is a division per triangle.
+// Movement (thesis, section 5.1): one vertex towards its target, as far as its star allows. The
+// doubled area of a star triangle is linear in the fraction travelled, so the limit is a division
+// per triangle.
 #pragma once
 
 #include "dsc/base/tolerances.h"
@@ -67,7 +68,7 @@ enum class MoveOutcome : std::uint8_t {
     blocked, ///< it could not move at all
 };
 
-/// Below this share of the way a move is not worth its rounding.
+/// A move by less than this share of the way is not worth its rounding.
 inline constexpr double least_fraction = 1e-3;
 
 /// Moves the ring's vertex towards (x, y). The ring's own centre is updated. O(degree).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A velocity field of the world, for a complex in unit coordinates.
+// A velocity field in world coordinates, for a complex in unit coordinates.
 #pragma once
 
 #include "dsc/geometry/unit_map.h"
@@ -11,8 +11,8 @@
 
 namespace dsc {
 
-/// `world` is asked in world coordinates, in doubles whatever the complex is in, for 128 positions
-/// at a time; the result is for `Simulation::step`. As safe for threads as `world`.
+/// `world` is called in world coordinates, in doubles also for a complex in float, for 128
+/// positions at a time. The result is for `Simulation::step`, and as safe for threads as `world`.
 template <class Real>
 [[nodiscard]] Velocity<Real> velocity_to_unit(const UnitMap& map, Velocity<double> world) {
     return [map, world = std::move(world)](std::span<const Point<Real>> positions, Real time,

@@ -5,6 +5,7 @@
 #include "dsc/base/verdict.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/submesh.h"
+#include "dsc/geometry/distance.h"
 #include "dsc/geometry/predicates.h"
 
 namespace dsc {
@@ -60,12 +61,6 @@ SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner co
     const std::uint32_t u2 = is_border(complex.twin(corner)) ? no_id : complex.take_triangle(pool);
     rewire::split(complex, *submesh.log, corner, m, point, t2, u2);
     return {Verdict::legal, Vertex{m}};
-}
-
-/// The thesis's ComputeMidpoint.
-template <class Real>
-Point<Real> midpoint(const Point<Real>& a, const Point<Real>& b) {
-    return Point<Real>(Real(0.5) * (a.x() + b.x()), Real(0.5) * (a.y() + b.y()));
 }
 
 template <class Real>

@@ -3,6 +3,7 @@
 
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/geometry/triangle.h"
 #include "dsc/operations/ear_clipping.h"
 #include "dsc/operations/fan.h"
 
@@ -200,7 +201,6 @@ void write_triangles(Complex<Real>& complex, Plan<Real>& plan) {
         for (std::uint32_t i = 0; i < 3; ++i) {
             complex.vertices[v[i]].corner = corner_of(id, i);
         }
-        complex.attributes.copy_triangle(id, given);
         attach(corner_of(id, 2), p);
         attach(corner_of(id, 0), q);
         if (k + 1 == count) {
@@ -211,9 +211,38 @@ void write_triangles(Complex<Real>& complex, Plan<Real>& plan) {
     }
 }
 
+// All old triangles leave their data to the first, of which the new ones are cut off one by one.
+template <class Real>
+void carry_triangle_data(Complex<Real>& complex, const Plan<Real>& plan) {
+    auto& attributes = complex.attributes;
+    if (attributes.empty(SimplexKind::triangle)) {
+        return;
+    }
+    const std::uint32_t given = plan.region.front();
+    for (std::size_t k = 1; k < plan.region.size(); ++k) {
+        attributes.merge_triangle(given, plan.region[k]);
+    }
+    const auto size_of = [&](std::size_t k) {
+        const auto& v = complex.triangles[plan.region[k]].v;
+        return static_cast<double>(area<Real>(complex.position(Vertex{v[0]}),
+                                              complex.position(Vertex{v[1]}),
+                                              complex.position(Vertex{v[2]})));
+    };
+    const std::size_t count = plan.ears.triangles.size();
+    double left = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        left += size_of(k);
+    }
+    for (std::size_t k = 1; k < count; ++k) {
+        const double size = size_of(k);
+        attributes.split_triangle(plan.region[k], given, [&] { return size / left; });
+        left -= size;
+    }
+}
+
 template <class Real>
 void carry_edge_data(Complex<Real>& complex, Plan<Real>& plan) {
-    if (complex.attributes.empty()) {
+    if (complex.attributes.empty(SimplexKind::edge)) {
         return;
     }
     move_edge_data(complex, plan.moves, corner_of(plan.region.front(), 3));
@@ -273,6 +302,7 @@ RetriangulationResult local_retriangulation(Complex<Real>& complex, const Submes
         return Edit{.kind = EditKind::retriangulate, .corner = corner_of(triangle.id, 0)};
     });
     write_triangles(complex, plan);
+    carry_triangle_data(complex, plan);
     carry_edge_data(complex, plan);
     // n - 2 new triangles: there were two more for each vertex inside the polygon.
     for (std::size_t k = plan.ears.triangles.size(); k < plan.region.size(); ++k) {

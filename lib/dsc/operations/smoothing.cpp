@@ -3,7 +3,10 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/rewire.h"
+#include "dsc/geometry/lagrange.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/geometry/triangle.h"
+#include "dsc/geometry/turn.h"
 #include "dsc/operations/fan.h"
 
 #include <algorithm>
@@ -32,21 +35,6 @@ Verdict check_star(const Complex<Real>& complex, const Region& region, Vertex ve
         return Verdict::on_boundary;
     }
     return fan.owned ? Verdict::legal : Verdict::on_submesh_boundary;
-}
-
-// (sin of the smallest angle)^2, with the sign of the area: equation 4 but for factor and root,
-// which do not change an order. The smallest angle lies between the two longest edges. Two
-// quotients, not one of products, which would leave the range of Real at scales of 1e-100.
-template <class Real>
-Real sine_squared(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
-    const Point<Real> ab = b - a;
-    const Point<Real> ac = c - a;
-    const Real bc = (c - b).squaredNorm();
-    const Real longest = std::max({bc, ab.squaredNorm(), ac.squaredNorm()});
-    const Real middle = std::max(std::min(ab.squaredNorm(), ac.squaredNorm()),
-                                 std::min(std::max(ab.squaredNorm(), ac.squaredNorm()), bc));
-    const Real area = ab.x() * ac.y() - ab.y() * ac.x();
-    return (area / longest) * (std::abs(area) / middle);
 }
 
 // Moves the vertex to `target` if its star allows and gains.
@@ -80,15 +68,6 @@ Verdict move_if_better(Complex<Real>& complex, const Submesh& submesh, Vertex ve
     return Verdict::legal;
 }
 
-template <class Real>
-bool turns_more(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
-                double cosine) {
-    const Point<Real> in = at - from;
-    const Point<Real> out = to - at;
-    return static_cast<double>(in.dot(out)) <
-           cosine * static_cast<double>(in.norm()) * static_cast<double>(out.norm());
-}
-
 // The interface beyond `at`, coming from `from`: no_id where it ends, branches, turns sharply or
 // leaves the submesh (there, others may be moving it at this moment).
 template <class Real>
@@ -107,21 +86,10 @@ std::uint32_t beyond(const Complex<Real>& complex, const Region& region, std::ui
     return turns_more<Real>(position(from), position(at), position(other), cosine) ? no_id : other;
 }
 
-// The Lagrange polynomial through points at knots, relative to its second point, which has knot 0:
-// an offset of the coordinates costs no digits.
+// The second point has the knot 0 and is near all that is asked for.
 template <class Real>
 Point<Real> on_curve(std::span<const Point<Real>> points, std::span<const Real> knots, Real at) {
-    Point<Real> sum = Point<Real>::Zero();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        Real weight = 1;
-        for (std::size_t j = 0; j < points.size(); ++j) {
-            if (j != i) {
-                weight *= (at - knots[j]) / (knots[i] - knots[j]);
-            }
-        }
-        sum += weight * (points[i] - points[1]);
-    }
-    return points[1] + sum;
+    return lagrange<Real>(points, knots, at, points[1]);
 }
 
 // |ends' distances| within this share of their sum count as equal: where exactly the vertex stands

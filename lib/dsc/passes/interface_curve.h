@@ -5,6 +5,8 @@
 
 #include "dsc/complex/interface_pair.h"
 #include "dsc/complex/ring.h"
+#include "dsc/geometry/distance.h"
+#include "dsc/geometry/turn.h"
 #include "dsc/motion/interpolation.h"
 
 #include <algorithm>
@@ -38,15 +40,6 @@ Spokes interface_spokes(const Ring<Real>& ring) {
 template <class Real>
 Point<Real> link_point(const Ring<Real>& ring, std::uint32_t i) {
     return {ring.link_x(i), ring.link_y(i)};
-}
-
-/// Whether the polyline turns by less than the angle of this cosine at `at`.
-template <class Real>
-bool turns_less(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
-                Real cosine) {
-    const Point<Real> in = at - from;
-    const Point<Real> out = to - at;
-    return in.dot(out) > cosine * std::sqrt(in.squaredNorm() * out.squaredNorm());
 }
 
 /// Whether a cubic may go through `at`: no corner, and no turn by a right angle or more, which no
@@ -83,16 +76,6 @@ void see_from_beyond(const Complex<Real>& complex, const Ring<Real>& beyond, std
         curve.p3 = link_point(beyond, first_is_from ? spokes.second : spokes.first);
         curve.has_last = is_smooth<Real>(complex, beyond.vertex, curve.p1, curve.p2, curve.p3);
     }
-}
-
-/// Squared distance from p to the segment from a to b.
-template <class Real>
-Real squared_distance(const Point<Real>& p, const Point<Real>& a, const Point<Real>& b) {
-    const Point<Real> along = b - a;
-    const Real square = along.squaredNorm();
-    const Real share =
-        square > 0 ? std::clamp((p - a).dot(along) / square, Real(0), Real(1)) : Real(0);
-    return (p - a - share * along).squaredNorm();
 }
 
 /// Squared distance from the centre to interface edges of its link: the next sheet of the

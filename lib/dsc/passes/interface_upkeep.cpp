@@ -2,6 +2,8 @@
 #include "dsc/passes/interface_upkeep.h"
 
 #include "dsc/motion/movement.h"
+#include "dsc/operations/edge_collapse.h"
+#include "dsc/operations/edge_split.h"
 #include "dsc/passes/edits.h"
 #include "dsc/passes/interface_curve.h"
 #include "dsc/passes/wall.h"
@@ -141,7 +143,7 @@ private:
         const Point<Real> chord = curve.p2 - curve.p1;
         if (thresholds_.reading == Reading::chords) {
             const Point<Real> offset = p - curve.p1;
-            const Real area = chord.x() * offset.y() - chord.y() * offset.x();
+            const Real area = cross<Real>(chord, offset);
             return area * area / chord.squaredNorm();
         }
         // The cubic over the gap, at the share of the way at which the centre was.
@@ -152,7 +154,7 @@ private:
             return 0;
         }
         const Point<Real> off = p - curve_point(curve, share);
-        const Real across = chord.x() * off.y() - chord.y() * off.x();
+        const Real across = cross<Real>(chord, off);
         return across * across / chord.squaredNorm();
     }
 
@@ -219,16 +221,13 @@ private:
         const bool first_is_p = beyond.link[spokes.first] == ring.vertex;
         const Point<Real> c = link_point(beyond, first_is_p ? spokes.second : spokes.first);
         const Point<Real> chord = c - b;
-        const auto cross = [](const Point<Real>& s, const Point<Real>& t) {
-            return s.x() * t.y() - s.y() * t.x();
-        };
         const Real square = chord.squaredNorm();
         if (!(square > 0)) {
             return false;
         }
-        const Real doubled_area = cross(p - b, a - b) + cross(a - b, chord);
+        const Real doubled_area = cross<Real>(p - b, a - b) + cross<Real>(a - b, chord);
         const Point<Real> middle = midpoint<Real>(p, a);
-        const Real missing = doubled_area - cross(middle - b, chord);
+        const Real missing = doubled_area - cross<Real>(middle - b, chord);
         place = middle + missing / square * Point<Real>(chord.y(), -chord.x());
         return (place - middle).squaredNorm() < shortest_squared_ && owns_point(place);
     }

@@ -3,6 +3,7 @@
 
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_flip.h"
+#include "dsc/operations/edge_split.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/delaunay.h"
 #include "dsc/quality/ring_quality.h"
@@ -387,7 +388,8 @@ private:
             work_.put_off_active.push_back(ring_.vertex);
             return false;
         }
-        const SplitResult result = dsc::split(work_, prev(ring_.corner[spoke]), middle, Wake::far_end);
+        const SplitResult result =
+            dsc::split(work_, prev(ring_.corner[spoke]), middle, Wake::far_end);
         if (result.verdict == Verdict::out_of_ids) {
             work_.put_off_active.push_back(ring_.vertex);
         }
@@ -396,8 +398,7 @@ private:
 
     /// Of a triangle with a base of 1 and legs of the grading; squared.
     static Real squared_needle_quality(Real grading_squared) {
-        // Two sines of the angle at the apex over sqrt(3), as in quality/measures.h.
-        return grading_squared > 0 ? (4 - 1 / grading_squared) / (3 * grading_squared) : Real(0);
+        return grading_squared > 0 ? squared_quality_of_needle(grading_squared) : Real(0);
     }
 
     Work<Real>& work_;

@@ -32,7 +32,7 @@ struct Aim {
 /// The attribute in which `Integrator::centred` keeps the last step of each vertex; made where
 /// there is none yet.
 template <class Real>
-Attribute<Past<Real>>& past_of(Complex<Real>& complex);
+VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex);
 
 template <class Real>
 struct Work {
@@ -49,9 +49,9 @@ struct Work {
 
     Complex<Real>& complex;
     const Options<Real>& options;
-    EditLog log;                           ///< what was done here
-    Submesh submesh;                       ///< notes in `log`
-    Attribute<Past<Real>>* past = nullptr; ///< of `Integrator::centred`; no other has one
+    EditLog log;                                 ///< what was done here
+    Submesh submesh;                             ///< notes in `log`
+    VertexAttribute<Past<Real>>* past = nullptr; ///< of `Integrator::centred`; no other has one
 
     std::vector<std::uint32_t> interface; ///< interface vertices, about in the order of the curve
     Aim<Real> aim;                        ///< of the interface vertices

@@ -69,7 +69,7 @@ Histogram make_histogram(std::span<const double> values, std::vector<double> edg
         if (std::isnan(value)) {
             throw InputError("a value is not a number", "make_histogram", "nan", "numbers");
         }
-        // The inner edges alone: what lies beyond an end goes to the bin there.
+        // Only the inner edges: a value beyond an end goes to the bin at that end.
         const auto inner = histogram.edges.begin() + 1;
         const auto place = std::upper_bound(inner, histogram.edges.end() - 1, value) - inner;
         ++histogram.counts[static_cast<std::size_t>(place)];

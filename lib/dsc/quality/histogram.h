@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Histograms of a measure over all triangles or those of one phase, and how far two of them are
-// apart: what section 9.8 of the thesis shows as pictures.
+// Histograms of a measure over all triangles or those of one phase, and the distance of two of
+// them: section 9.8 of the thesis shows such histograms as pictures.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -12,7 +12,7 @@
 
 namespace dsc {
 
-/// Bin i holds the values from edges[i] to edges[i + 1], the upper end excluded but in the last
+/// Bin i holds the values from edges[i] to edges[i + 1], without the upper end except in the last
 /// bin.
 struct Histogram {
     std::vector<double> edges;         ///< ascending, one more than there are bins

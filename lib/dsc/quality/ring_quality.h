@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Quality of a vertex's star on all lanes at once. The measure is equation 4, 2/sqrt(3) sin(min
-// angle), squared, so that no square root is taken: sin(min angle) = 2 area / (product of the two
-// longest edges). Negative where a triangle is inverted.
+// Quality of a vertex's star on all lanes at once. The measure is equation 4 of the thesis,
+// squared, so that no square root is taken; see geometry/triangle.h. Negative where a triangle is
+// inverted.
 #pragma once
 
 #include "dsc/base/tolerances.h"
 #include "dsc/complex/ring.h"
+#include "dsc/geometry/delaunay.h"
+#include "dsc/geometry/triangle.h"
 
 #include <cmath>
 #include <limits>
@@ -33,9 +35,7 @@ Real worst_quality_squared(const Ring<Real>& ring, Real px, Real py) {
         const Real aa = ax * ax + ay * ay;
         const Real bb = bx * bx + by * by;
         const Real cc = cx * cx + cy * cy;
-        const Real shortest = std::min(aa, std::min(bb, cc));
-        const Real sine_squared = (area2 * std::abs(area2)) * shortest / (aa * bb * cc);
-        worst = std::min(worst, sine_squared);
+        worst = std::min(worst, sine_squared_of_lanes<Real>(area2, aa, bb, cc));
     }
     return worst * Real(4.0 / 3.0);
 }
@@ -66,11 +66,8 @@ Real worst_quality_squared_after_collapse(const Ring<Real>& ring, std::uint32_t 
         const Real aa = ax * ax + ay * ay;
         const Real bb = bx * bx + by * by;
         const Real cc = cx * cx + cy * cy;
-        const Real shortest = std::min(aa, std::min(bb, cc));
-        const Real product = aa * bb * cc;
-        const Real sine_squared =
-            j == i || j == before ? harmless : (area2 * std::abs(area2)) * shortest / product;
-        worst = std::min(worst, sine_squared);
+        const Real sine_squared = sine_squared_of_lanes<Real>(area2, aa, bb, cc);
+        worst = std::min(worst, j == i || j == before ? harmless : sine_squared);
     }
     return worst == harmless ? worst : worst * Real(4.0 / 3.0);
 }
@@ -99,7 +96,7 @@ bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
     return least > 0 && scale > guard;
 }
 
-/// What a mesh update asks of a star, found in one go.
+/// All that a mesh update has to know about a star, computed in one loop.
 template <class Real>
 struct StarReport {
     Real delaunay; ///< below 0: a spoke fails the Delaunay test by more than the slack
@@ -109,7 +106,7 @@ struct StarReport {
 };
 
 /// Examines the star: Delaunay test of the spokes (the angles opposite to one add up to at most pi;
-/// constrained spokes are not told apart), their lengths, the worst quality. O(degree).
+/// constrained spokes are treated like others), their lengths, the worst quality. O(degree).
 template <class Real>
 StarReport<Real> examine(const Ring<Real>& ring) {
     constexpr Real most = std::numeric_limits<Real>::max();
@@ -141,17 +138,14 @@ StarReport<Real> examine(const Ring<Real>& ring) {
         const Real area = ax * by - ay * bx;
         const Real area_before = ex * ay - ey * ax;
         // Spoke i: its far angles at the previous and at the next link vertex.
-        const Real one = -(area * (ex * fx + ey * fy));
-        const Real two = area_before * (bx * cx + by * cy);
-        delaunay =
-            std::min(delaunay, one + two + delaunay_slack<Real> * (std::abs(one) + std::abs(two)));
+        delaunay = std::min(delaunay, delaunay_margin<Real>(area, bx * cx + by * cy, area_before,
+                                                            -(ex * fx + ey * fy)));
         const Real aa = ax * ax + ay * ay;
         const Real bb = bx * bx + by * by;
         const Real cc = cx * cx + cy * cy;
         longest = std::max(longest, aa);
         shortest = std::min(shortest, aa);
-        const Real side = std::min(aa, std::min(bb, cc));
-        worst = std::min(worst, (area * std::abs(area)) * side / (aa * bb * cc));
+        worst = std::min(worst, sine_squared_of_lanes<Real>(area, aa, bb, cc));
     }
     if (!ring.closed) {
         const Real ax = ring.link_x(ring.size) - px;
@@ -171,9 +165,8 @@ bool is_non_delaunay_spoke(const Ring<Real>& ring, std::uint32_t i) {
     const Real by = ring.y_next[i] - ring.y0;
     const Real ex = ring.x_previous[i] - ring.x0;
     const Real ey = ring.y_previous[i] - ring.y0;
-    const Real one = -((ax * by - ay * bx) * (ex * (ax - ex) + ey * (ay - ey)));
-    const Real two = (ex * ay - ey * ax) * (bx * (bx - ax) + by * (by - ay));
-    return one + two + delaunay_slack<Real> * (std::abs(one) + std::abs(two)) < 0;
+    return delaunay_margin<Real>(ax * by - ay * bx, bx * (bx - ax) + by * (by - ay),
+                                 ex * ay - ey * ax, -(ex * (ax - ex) + ey * (ay - ey))) < 0;
 }
 
 /// Whether a spoke fails the Delaunay test, alone. O(degree).

@@ -21,7 +21,7 @@ struct Rated {
     }
 };
 
-// A quality that is no number would break the order: it becomes the worst there is.
+// NaN would break the order: it is replaced by the worst quality.
 template <class Simplex>
 Rated<Simplex> rate(Simplex simplex, const QualityFunction<Simplex>& quality) {
     const double value = quality(simplex);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Selection strategies [thesis 8.8]: which simplices a mesh update shall work on. A strategy is a
-// function from any quality measure and any simplices to the chosen ones, so that an application
-// brings its own by writing one (algorithm 5.2 then asks `has_next` and `get_next`).
+// Selection strategies (thesis, section 8.8): the choice of the simplices on which a mesh update
+// works. A strategy is a function from any quality measure and any simplices to the chosen ones, so
+// that an application brings its own by writing one (algorithm 5.2 then asks `has_next` and
+// `get_next`).
 //
 // "Worst" is the smallest quality. For a measure whose large values are bad (a length, an area),
 // give its negative.
@@ -37,7 +38,8 @@ template <class Simplex>
 [[nodiscard]] SelectionStrategy<Simplex> n_worst(std::size_t n);
 
 /// The chosen simplices one by one: `HasNext` and `GetNext` of algorithm 5.2. The choice is made
-/// once, at the start; an operation may since have removed a simplex, which its guard will say.
+/// once, at the start; if an operation has since removed a simplex, the guard of the next one
+/// refuses it.
 template <class Simplex>
 class Selection {
 public:

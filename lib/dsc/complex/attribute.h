@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// Data that an application hangs on the simplices of one kind: contiguous, one array per attribute
+// (thesis, sections 2.2 and 8.3), and kept in step by the operations themselves.
+//
+//   vertex attributes    a new vertex between a and b gets `blend(data[a], data[b], fraction)`
+//   edge attributes      stored per corner; the halves of a split edge inherit, a new edge gets
+//                        the attribute's default
+//   triangle attributes  the parts of a split triangle inherit; a flip keeps the value of the id
+//
+// An application that needs more (a quantity that is shared out, say, or storage of its own)
+// derives a class from `AttributeBase`.
+#pragma once
+
+#include "dsc/base/types.h"
+#include "dsc/complex/corner.h"
+
+#include <concepts>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+
+enum class SimplexKind : std::uint8_t { vertex, edge, triangle };
+
+/// `Vertex`, `Edge` or `Triangle`.
+template <class Handle>
+concept SimplexHandle =
+    std::same_as<Handle, Vertex> || std::same_as<Handle, Edge> || std::same_as<Handle, Triangle>;
+
+/// The kind of a type of handles.
+template <SimplexHandle Simplex>
+inline constexpr SimplexKind kind_of = std::same_as<Simplex, Vertex> ? SimplexKind::vertex
+                                       : std::same_as<Simplex, Edge> ? SimplexKind::edge
+                                                                     : SimplexKind::triangle;
+
+/// What a complex and its operations tell an attribute, in entries: vertex ids, corners (four to a
+/// triangle; both corners opposite to an edge are its entries) or triangle ids. Operations on
+/// disjoint submeshes run at the same time: a function that is told of an edit may touch no entry
+/// but those named, and nothing that is shared without a lock.
+class AttributeBase {
+public:
+    AttributeBase(std::string name, SimplexKind kind) : name_(std::move(name)), kind_(kind) {}
+    virtual ~AttributeBase() = default;
+    AttributeBase(const AttributeBase&) = delete;
+    AttributeBase& operator=(const AttributeBase&) = delete;
+    AttributeBase(AttributeBase&&) = delete;
+    AttributeBase& operator=(AttributeBase&&) = delete;
+
+    [[nodiscard]] const std::string& name() const { return name_; }
+    [[nodiscard]] SimplexKind kind() const { return kind_; }
+
+    // --- storage
+    [[nodiscard]] virtual std::size_t size() const = 0;
+    /// New entries take the initial value.
+    virtual void resize(std::size_t size) = 0;
+    /// Entry i of the result is the old entry order[i]; no_id: the initial value.
+    virtual void permute(const std::vector<std::uint32_t>& order) = 0;
+    [[nodiscard]] virtual std::unique_ptr<AttributeBase> clone() const = 0;
+    /// An attribute of the same class, name, kind, initial value and behaviour, without entries.
+    [[nodiscard]] virtual std::unique_ptr<AttributeBase> clone_empty() const = 0;
+    /// Appends the entries order[i] of an attribute of the same class; no_id: the initial value.
+    virtual void append(const AttributeBase& from, const std::vector<std::uint32_t>& order) = 0;
+    /// Swaps the entries, and nothing else, with an attribute of the same class.
+    virtual void swap_entries(AttributeBase& other) noexcept = 0;
+
+    // --- edits of any kind of simplex
+    virtual void copy(std::uint32_t to, std::uint32_t from) = 0;
+    /// The simplex is new: the entry takes the initial value.
+    virtual void reset(std::uint32_t to) = 0;
+
+    // --- edits of vertices
+    /// `to` is new, at a + fraction (b - a).
+    virtual void blend(std::uint32_t to, std::uint32_t a, [[maybe_unused]] std::uint32_t b,
+                       [[maybe_unused]] double fraction) {
+        copy(to, a);
+    }
+
+    // --- edits of triangles
+    /// `to` is new, and was cut off `from`; `share` is its part of the area of both.
+    virtual void split(std::uint32_t to, std::uint32_t from, [[maybe_unused]] double share) {
+        copy(to, from);
+    }
+    /// `gone` vanishes; `into` is one of the triangles that take its place.
+    virtual void merge([[maybe_unused]] std::uint32_t into, [[maybe_unused]] std::uint32_t gone) {}
+    /// The two triangles have changed their common edge for the other diagonal; `share` is the part
+    /// of `one` in the area of both.
+    virtual void flip([[maybe_unused]] std::uint32_t one, [[maybe_unused]] std::uint32_t other,
+                      [[maybe_unused]] double share) {}
+
+private:
+    std::string name_;
+    SimplexKind kind_;
+};
+
+/// The interpolator of a vertex attribute (thesis, section 8.9): the value at a + fraction (b - a).
+template <class T>
+using Blend = std::function<T(const T& a, const T& b, double fraction)>;
+
+/// One value of type T for each simplex of a kind. Thread-safe for different simplices.
+template <class T, SimplexHandle Simplex>
+class Attribute final : public AttributeBase {
+    static_assert(!std::is_same_v<T, bool>, "neighbouring bits race between threads: use uint8_t");
+    static constexpr bool of_edges = std::same_as<Simplex, Edge>;
+
+public:
+    Attribute(std::string name, T initial, Blend<T> blend)
+        : AttributeBase(std::move(name), kind_of<Simplex>), initial_(std::move(initial)),
+          blend_(std::move(blend)) {}
+
+    [[nodiscard]] const T& operator[](Simplex simplex) const { return data_[simplex.id]; }
+    /// An edge has two entries, so that it is written by `set`.
+    [[nodiscard]] T& operator[](Simplex simplex) requires(!of_edges) { return data_[simplex.id]; }
+    /// Writes both entries of a living edge of this complex.
+    template <class AnyComplex>
+    void set(const AnyComplex& complex, Edge edge, const T& value) requires(of_edges) {
+        data_[edge.id] = value;
+        const Corner other = complex.twin(edge.id);
+        if (!is_border(other)) {
+            data_[other] = value;
+        }
+    }
+    /// The value of the edge opposite to a corner.
+    [[nodiscard]] const T& at_corner(Corner c) const requires(of_edges) { return data_[c]; }
+
+    /// All values, by id (edges: by corner, both entries equal). `Eigen::Map` over data().data()
+    /// costs nothing.
+    [[nodiscard]] std::vector<T>& data() { return data_; }
+    [[nodiscard]] const std::vector<T>& data() const { return data_; }
+
+    [[nodiscard]] std::size_t size() const override { return data_.size(); }
+    void resize(std::size_t size) override { data_.resize(size, initial_); }
+    void permute(const std::vector<std::uint32_t>& order) override {
+        std::vector<T> moved;
+        moved.reserve(order.size());
+        for (const std::uint32_t from : order) {
+            moved.push_back(from == no_id ? initial_ : data_[from]);
+        }
+        data_ = std::move(moved);
+    }
+    [[nodiscard]] std::unique_ptr<AttributeBase> clone() const override {
+        auto other = std::make_unique<Attribute>(name(), initial_, blend_);
+        other->data_ = data_;
+        return other;
+    }
+    [[nodiscard]] std::unique_ptr<AttributeBase> clone_empty() const override {
+        return std::make_unique<Attribute>(name(), initial_, blend_);
+    }
+    void append(const AttributeBase& from, const std::vector<std::uint32_t>& order) override {
+        const auto& data = static_cast<const Attribute&>(from).data_;
+        for (const std::uint32_t entry : order) {
+            data_.push_back(entry == no_id ? initial_ : data[entry]);
+        }
+    }
+    void swap_entries(AttributeBase& other) noexcept override {
+        data_.swap(static_cast<Attribute&>(other).data_);
+    }
+    void copy(std::uint32_t to, std::uint32_t from) override { data_[to] = data_[from]; }
+    void reset(std::uint32_t to) override { data_[to] = initial_; }
+    void blend(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) override {
+        data_[to] = blend_ ? blend_(data_[a], data_[b], fraction) : data_[a];
+    }
+
+private:
+    std::vector<T> data_;
+    T initial_;
+    Blend<T> blend_;
+};
+
+template <class T>
+using VertexAttribute = Attribute<T, Vertex>;
+template <class T>
+using EdgeAttribute = Attribute<T, Edge>;
+template <class T>
+using TriangleAttribute = Attribute<T, Triangle>;
+
+} // namespace dsc

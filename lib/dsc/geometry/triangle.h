@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Measures of a triangle given by its corners (thesis, section 4.3), after J. R. Shewchuk, "What is
+// a good linear finite element?" (2002), scaled to 1 for the equilateral triangle and signed: an
+// inverted triangle has a negative value, a degenerate one 0. None of them needs trigonometry,
+// except the angle itself. None multiplies more than two lengths, so that they neither under- nor
+// overflow where the area does not; the one exception says so.
+#pragma once
+
+#include "dsc/geometry/distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc {
+
+/// The signed area (thesis, equation 3): positive for a counter-clockwise triangle. Its sign may be
+/// wrong where rounding decides: ask `orientation` for that.
+template <class Real>
+[[nodiscard]] Real area(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
+    return ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x())) / 2;
+}
+
+// --- the quality of equation 4, 2 / sqrt 3 sin(smallest angle), in three roundings ---------------
+// The smallest angle lies between the two longest edges: doubled area = longest * middle * sine.
+
+/// The squared sine of the smallest angle, with the sign of the area: one quotient of products
+/// of six lengths, made for loops over all lanes of a star; lengths must lie between
+/// `least_edge_length` and `most_edge_length`. The quality squared is 4/3 of it. The arguments are
+/// the doubled area and the squared edge lengths.
+template <class Real>
+[[nodiscard]] inline Real sine_squared_of_lanes(Real doubled_area, Real aa, Real bb, Real cc) {
+    const Real shortest = std::min(aa, std::min(bb, cc));
+    return (doubled_area * std::abs(doubled_area)) * shortest / (aa * bb * cc);
+}
+
+/// The same for lengths of any size: two quotients, each of two lengths by two. Not a number for
+/// three equal points.
+template <class Real>
+[[nodiscard]] Real sine_squared(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
+    const Point<Real> ab = b - a;
+    const Point<Real> ac = c - a;
+    const Real bc = (c - b).squaredNorm();
+    const Real longest = std::max({bc, ab.squaredNorm(), ac.squaredNorm()});
+    const Real middle = std::max(std::min(ab.squaredNorm(), ac.squaredNorm()),
+                                 std::min(std::max(ab.squaredNorm(), ac.squaredNorm()), bc));
+    const Real doubled_area = ab.x() * ac.y() - ab.y() * ac.x();
+    return (doubled_area / longest) * (std::abs(doubled_area) / middle);
+}
+
+/// Equation 4 itself, from 0 (degenerate) to 1 (equilateral).
+template <class Real>
+[[nodiscard]] Real quality(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
+    const Real signed_area = area(a, b, c);
+    const Real aa = squared_distance(b, c);
+    const Real bb = squared_distance(c, a);
+    const Real cc = squared_distance(a, b);
+    const Real longest = std::max({aa, bb, cc});
+    const Real middle = std::max(std::min(aa, bb), std::min(std::max(aa, bb), cc));
+    if (!(middle > 0)) {
+        return 0;
+    }
+    constexpr Real four_over_sqrt3 = static_cast<Real>(2.3094010767585030580);
+    return four_over_sqrt3 * (signed_area / longest) * std::sqrt(longest / middle);
+}
+
+/// The square of equation 4 for a triangle with a base of 1 and two equal legs of at least 1, whose
+/// squared length is given: the smallest angle lies at the apex, so that its half has the sine
+/// 1 / (2 legs).
+template <class Real>
+[[nodiscard]] Real squared_quality_of_needle(Real squared_legs) {
+    return (4 - 1 / squared_legs) / (3 * squared_legs);
+}
+
+// --- other measures ------------------------------------------------------------------------------
+
+/// The smallest angle in degrees, from 0 to 60. Not signed.
+template <class Real>
+[[nodiscard]] Real min_angle_deg(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
+    const Real aa = squared_distance(b, c);
+    const Real bb = squared_distance(c, a);
+    const Real cc = squared_distance(a, b);
+    // It lies opposite to the shortest edge; the law of cosines for the corner there.
+    const Real shortest = std::min({aa, bb, cc});
+    const Real dot = ((aa - shortest) + (bb - shortest) + (cc - shortest) + shortest) / 2;
+    const Real cross = 2 * std::abs(area(a, b, c));
+    if (!(cross > 0)) {
+        return 0;
+    }
+    constexpr Real degrees = static_cast<Real>(57.295779513082320877);
+    return degrees * std::atan2(cross, dot);
+}
+
+/// The mean ratio, 4 sqrt 3 area / (sum of the squared edge lengths): smooth, from 0 to 1.
+template <class Real>
+[[nodiscard]] Real mean_ratio(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
+    const Real sum = squared_distance(b, c) + squared_distance(c, a) + squared_distance(a, b);
+    constexpr Real four_sqrt3 = static_cast<Real>(6.9282032302755091741);
+    return sum > 0 ? four_sqrt3 * (area(a, b, c) / sum) : Real{0};
+}
+
+/// The aspect ratio: shortest altitude over longest edge, times 2 / sqrt 3; from 0 to 1.
+template <class Real>
+[[nodiscard]] Real aspect_ratio(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
+    const Real longest =
+        std::max({squared_distance(b, c), squared_distance(c, a), squared_distance(a, b)});
+    constexpr Real four_over_sqrt3 = static_cast<Real>(2.3094010767585030580);
+    return longest > 0 ? four_over_sqrt3 * (area(a, b, c) / longest) : Real{0};
+}
+
+/// The radius ratio: twice the inscribed over the circumscribed circle's radius; from 0 to 1.
+template <class Real>
+[[nodiscard]] Real radius_ratio(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
+    const Real la = distance(b, c);
+    const Real lb = distance(c, a);
+    const Real lc = distance(a, b);
+    const Real signed_area = area(a, b, c);
+    if (!(std::min({la, lb, lc}) > 0)) {
+        return 0;
+    }
+    // 16 area^2 / (la lb lc (la + lb + lc)), two lengths to each area.
+    return 16 * (signed_area / (la * lb)) * (std::abs(signed_area) / (lc * (la + lb + lc)));
+}
+
+/// The centre of the circle through the corners; not finite for a degenerate triangle.
+template <class Real>
+[[nodiscard]] Point<Real> circumcentre(const Point<Real>& a, const Point<Real>& b,
+                                       const Point<Real>& c) {
+    const Point<Real> ab = b - a;
+    const Point<Real> ac = c - a;
+    const Real bb = ab.squaredNorm();
+    const Real cc = ac.squaredNorm();
+    const Real d = 2 * (ab.x() * ac.y() - ab.y() * ac.x());
+    return a + Point<Real>(ac.y() * bb - ab.y() * cc, ab.x() * cc - ac.x() * bb) / d;
+}
+
+} // namespace dsc
