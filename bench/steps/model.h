@@ -2,8 +2,9 @@
 // What more threads than the machine has would make of a step: a model, and labelled as one
 // wherever it appears. The tasks of a step are the same in every run, bit for bit, so that the
 // least of several measured times is the task's own; they are scheduled on n workers by the rules
-// of dsc/parallel/schedule.h; serial parts and a measured cost of starting and joining threads are
-// added. Shared caches and memory are not in it: n workers are taken to be as fast as one.
+// of dsc/parallel/in_place/schedule.h; serial parts and a measured cost of starting and joining
+// threads are added. Shared caches and memory are not in it: n workers are taken to be as fast as
+// one.
 #pragma once
 
 #include "dsc/parallel/in_place/submesh_executor.h"

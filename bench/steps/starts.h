@@ -12,8 +12,8 @@ namespace dsc::bench {
 
 /// Steps before the clock runs: they pay for the first look at the whole mesh and warm the caches.
 inline constexpr int warm_up_steps = 16;
-/// Steps that are timed: as many as lie between two counts of the triangles (SlabOptions::recount),
-/// so that slabs by counting pay for exactly one of them.
+/// Steps that are timed: as many as lie between two choices of the cuts (SlabOptions::recut), so
+/// that slabs by counting pay for exactly one of them.
 inline constexpr int timed_steps = 64;
 
 /// A scene at a time from which all strategies go on.

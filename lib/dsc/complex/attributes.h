@@ -73,7 +73,7 @@ public:
     const T& operator[](Vertex v) const { return data_[v.id]; }
     T& operator[](Triangle t) { return data_[t.id]; }
     const T& operator[](Triangle t) const { return data_[t.id]; }
-    /// Both halves of an edge hold the value; set it through `set_edge` of the complex's functions.
+    /// Each half of an edge holds the value: set it at both corners.
     T& at_corner(Corner c) { return data_[c]; }
     const T& operator[](Edge e) const { return data_[e.id]; }
 
