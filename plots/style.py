@@ -238,6 +238,15 @@ def _metadata(form):
     return {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(form)
 
 
+def settle(fig):
+    """Lays the figure out once for all formats, to a millionth of its size: the last digits of
+    what the layout's solver finds hang on addresses in memory, and would get into the files."""
+    fig.draw_without_rendering()
+    fig.set_layout_engine("none")
+    for axes in fig.axes:
+        axes.set_position([round(value, 6) for value in axes.get_position(original=True).bounds])
+
+
 def png_bytes(fig):
     """The figure as PNG in memory, for pages that embed it."""
     buffer = io.BytesIO()
@@ -260,6 +269,7 @@ def write_bytes(path, data):
 
 def save(fig, out, name, formats):
     """Writes the figure in every format; returns the PNG's bytes and closes the figure."""
+    settle(fig)
     png = png_bytes(fig)
     for form in formats:
         if form == "png":

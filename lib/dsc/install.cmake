@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# `cmake --install` gives the library, its headers and what find_package(dsc) needs: dsc::dsc.
+# `cmake --install` gives the library, its public headers and what find_package(dsc) needs:
+# dsc::dsc.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -12,8 +13,10 @@ target_compile_options(dsc INTERFACE
 install(TARGETS dsc EXPORT dscTargets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dsc
-    FILES_MATCHING PATTERN "*.h")
+install(CODE "
+    set(source \"${PROJECT_SOURCE_DIR}/lib\")
+    set(destination \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")
+    include(\"${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake\")")
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/dsc)
 install(EXPORT dscTargets NAMESPACE dsc:: DESTINATION ${package_dir})

@@ -8,6 +8,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/algebra.h"
+#include "dsc/complex/interface_pair.h"
 #include "dsc/complex/validate.h"
 
 #include <gtest/gtest.h>
@@ -247,6 +248,21 @@ TYPED_TEST(MeshFunctions, InterfaceAndBoundaryAreDerived) {
     EXPECT_NEAR(total, 64, tolerance);
     EXPECT_NEAR(phase_area(complex, 2), 0.5, 0.2);
     EXPECT_EQ(phase_area(complex, 17), 0);
+}
+
+TEST(InterfacePair, IsSymmetricAndTakesTheBorderForExterior) {
+    constexpr Phase gas = 1, liquid = 2;
+    const auto is_either_way = [](Phase one, Phase other) {
+        EXPECT_EQ(is_interface_pair(one, other), is_interface_pair(other, one));
+        return is_interface_pair(one, other);
+    };
+    EXPECT_TRUE(is_either_way(gas, liquid));
+    EXPECT_TRUE(is_either_way(gas, exterior_phase));
+    EXPECT_TRUE(is_either_way(gas, border_phase));
+    EXPECT_FALSE(is_either_way(exterior_phase, border_phase));
+    for (const Phase phase : {exterior_phase, gas, liquid, border_phase}) {
+        EXPECT_FALSE(is_interface_pair(phase, phase));
+    }
 }
 
 TYPED_TEST(MeshFunctions, SubmeshBoundary) {

@@ -13,6 +13,29 @@ endfunction()
 file(REMOVE_RECURSE ${work})
 set(prefix ${work}/prefix)
 stage(install ${CMAKE_COMMAND} --install ${library} --prefix ${prefix})
+
+# Headers: what an installed one includes is there, and each but dsc.h is included by another.
+file(GLOB_RECURSE installed RELATIVE ${prefix}/include ${prefix}/include/*)
+set(included dsc/dsc.h)
+foreach(header IN LISTS installed)
+    file(STRINGS ${prefix}/include/${header} lines REGEX "^#include \"dsc/")
+    foreach(line IN LISTS lines)
+        string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" other ${line})
+        list(APPEND included ${other})
+    endforeach()
+endforeach()
+list(REMOVE_DUPLICATES included)
+list(SORT included)
+list(SORT installed)
+if(NOT installed STREQUAL included)
+    set(extra ${installed})
+    list(REMOVE_ITEM extra ${included})
+    list(REMOVE_ITEM included ${installed})
+    message(FATAL_ERROR "stage headers: installed, though nothing public includes them: ${extra}; "
+                        "included, but not installed: ${included}")
+endif()
+message(STATUS "headers: done")
+
 stage(configure ${CMAKE_COMMAND} -S ${source} -B ${work}/build -G ${generator}
     -D CMAKE_PREFIX_PATH=${prefix}
     -D CMAKE_CXX_COMPILER=${compiler}

@@ -2,6 +2,8 @@
 // What the tests of copied submeshes share.
 #pragma once
 
+#include "constant_flow.h"
+
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/copied/copy_executor.h"
 
@@ -16,12 +18,6 @@ in_copies(Complex<double>& complex, const Options<double>& options, const CopyOp
     return Simulation<double>(
         complex, options,
         std::make_unique<CopyExecutor<double>>(complex, options, algorithm, copy));
-}
-
-inline Velocity<double> everywhere(double x, double y) {
-    return [=](std::span<const Point<double>>, double, std::span<Point<double>> velocities) {
-        std::fill(velocities.begin(), velocities.end(), Point<double>(x, y));
-    };
 }
 
 } // namespace dsc::test

@@ -2,6 +2,7 @@
 // What the tests of the executor of submeshes share: a disc that grows, and ways to divide it.
 #pragma once
 
+#include "constant_flow.h"
 #include "random_scene.h"
 #include "random_submeshes.h"
 
@@ -18,12 +19,6 @@
 #include <vector>
 
 namespace dsc::test {
-
-inline Velocity<double> everywhere(double x, double y) {
-    return [=](std::span<const Point<double>>, double, std::span<Point<double>> velocities) {
-        std::ranges::fill(velocities, Point<double>(x, y));
-    };
-}
 
 // A disc that grows, in submeshes of a partitioner; `seen` is where the partition is.
 struct Growing {

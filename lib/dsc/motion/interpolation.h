@@ -47,7 +47,10 @@ inline constexpr std::array reading_names{
 /// and `has_last` are false where the curve ends, branches or has a corner.
 template <class Real>
 struct CurveNeighbours {
-    Point<Real> p0, p1, p2, p3;
+    Point<Real> p0 = Point<Real>::Zero();
+    Point<Real> p1 = Point<Real>::Zero();
+    Point<Real> p2 = Point<Real>::Zero();
+    Point<Real> p3 = Point<Real>::Zero();
     bool has_first = false;
     bool has_last = false;
 };
