@@ -96,6 +96,9 @@ SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Optio
     }
     work_.epoch = ++epoch_;
     work_.interface = collect_interface(complex, options.shuffle_seed);
+    // The first splits should not copy the whole mesh to make room for a few ids.
+    const std::size_t room = 64 + 2 * work_.interface.size();
+    complex.reserve(complex.vertex_bound() + room, complex.triangle_bound() + 2 * room);
 }
 
 template <class Real>

@@ -37,6 +37,7 @@ public:
 
     [[nodiscard]] virtual std::size_t size() const = 0;
     virtual void resize(std::size_t size) = 0;
+    virtual void reserve(std::size_t size) = 0;
     virtual void copy(std::uint32_t to, std::uint32_t from) = 0;
     virtual void reset(std::uint32_t to) = 0;
     virtual void blend(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) = 0;
@@ -83,6 +84,7 @@ public:
 
     [[nodiscard]] std::size_t size() const override { return data_.size(); }
     void resize(std::size_t size) override { data_.resize(size, initial_); }
+    void reserve(std::size_t size) override { data_.reserve(size); }
     void copy(std::uint32_t to, std::uint32_t from) override { data_[to] = data_[from]; }
     void reset(std::uint32_t to) override { data_[to] = initial_; }
     void blend(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) override {
@@ -147,6 +149,8 @@ public:
     // Told by the operations; nothing happens where there is no attribute of the kind.
     void resize_vertices(std::size_t bound);
     void resize_triangles(std::size_t bound);
+    /// Room for so many entries, so that growth up to there copies nothing.
+    void reserve(std::size_t vertex_bound, std::size_t triangle_bound);
     void blend_vertex(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
         if (!list_.empty()) {
             tell_blend(to, a, b, fraction);

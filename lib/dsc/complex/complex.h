@@ -140,6 +140,8 @@ public:
     std::uint32_t take_triangle(IdPool& pool);
     void give_vertex(IdPool& pool, std::uint32_t id);
     void give_triangle(IdPool& pool, std::uint32_t id);
+    /// Room for so many vertices and triangles, and for the attributes that there are of them: up
+    /// to there new ids copy nothing. O(n) where there is less.
     void reserve(std::size_t vertex_total, std::size_t triangle_total);
 
     // --- attributes ---------------------------------------------------------------------------

@@ -18,7 +18,7 @@ struct PlaceColour {
     std::uint32_t submeshes = 1;
 };
 
-/// Called for the first step, and after `recut` steps each: gets the interface, gives
+/// Called at construction of the executor, and after `recut` steps each: gets the interface, gives
 /// the colours.
 template <class Real>
 using PlaceFunction = std::function<std::vector<PlaceColour>(const PartitionInput<Real>& input)>;
