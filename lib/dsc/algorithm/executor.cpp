@@ -46,6 +46,7 @@ template <class Real>
 std::uint64_t give_up_movers(Work<Real>& work) {
     for (const auto& mover : work.movers) {
         auto& flags = work.complex.vertices[mover.vertex].flags;
+        flags &= ~static_cast<std::uint32_t>(vertex_on_way);
         flags += (flags & vertex_contact) == vertex_contact ? 0U : std::uint32_t{vertex_missed};
     }
     const std::uint64_t given_up = work.movers.size();

@@ -26,6 +26,7 @@ enum VertexFlag : std::uint32_t {
     vertex_missed = 4U,
     vertex_contact = 12U,
     vertex_corner = 16U, ///< of the interface: it is kept, and the curve has no tangent there
+    vertex_on_way = 32U, ///< it was moved, or put off, and has not arrived yet
 };
 
 struct TriangleRecord {
