@@ -6,9 +6,9 @@
 #include "support/submesh_executor_testing.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/passes/interface_list.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/validate.h"
+#include "dsc/passes/interface_list.h"
 
 #include <gtest/gtest.h>
 
@@ -151,13 +151,24 @@ TEST(SubmeshExecutor, PassesOnWhatIsWrongWithAPartition) {
         }
         disc.expect_good();
     }
-    Growing gap(std::make_unique<PlacePartitioner<double>>([](const PartitionInput<double>&) {
-                    return std::vector<PlaceColour>{
-                        {[](double x, double) { return x < 0.5 ? 0U : 2U; }, 2}};
-                }),
-                2);
-    EXPECT_THROW((void)gap.simulation->step(gap.grow, 0, Growing::h), InvariantError);
-    EXPECT_EQ(validate(gap.complex).problem, "");
+    auto complex = test::disc_complex<double>(Growing::h);
+    Options<double> options;
+    options.edge_length = Growing::h;
+    const auto divide = [&](const PlaceFunction<double>& function) {
+        const SubmeshExecutor<double> executor(complex, options, default_algorithm<double>(),
+                                               std::make_unique<PlacePartitioner<double>>(function),
+                                               SubmeshOptions{});
+    };
+    EXPECT_THROW(divide([](const PartitionInput<double>&) {
+                     return std::vector<PlaceColour>{
+                         {[](double x, double) { return x < 0.5 ? 0U : 2U; }, 2}};
+                 }),
+                 InvariantError);
+    EXPECT_THROW(divide([](const PartitionInput<double>&) -> std::vector<PlaceColour> {
+                     throw Fault("no partition");
+                 }),
+                 Fault);
+    EXPECT_EQ(validate(complex).problem, "");
 }
 
 // --- options ------------------------------------------------------------------------------------

@@ -20,14 +20,19 @@
 
 namespace dsc::test {
 
-// A disc that grows, in submeshes of a partitioner; `seen` is where the partition is.
+// A disc that grows, in submeshes of a partitioner; `seen` is where the partition is. `prepare` is
+// called before the executor is made.
 struct Growing {
     static constexpr double h = 0.02;
 
     explicit Growing(std::unique_ptr<Partitioner<double>> partitioner, std::uint32_t threads,
-                     Algorithm<double> algorithm = default_algorithm<double>())
+                     Algorithm<double> algorithm = default_algorithm<double>(),
+                     const std::function<void(Complex<double>&)>& prepare = {})
         : complex(disc_complex<double>(h)) {
         options.edge_length = h;
+        if (prepare) {
+            prepare(complex);
+        }
         auto made = std::make_unique<SubmeshExecutor<double>>(
             complex, options, std::move(algorithm), std::move(partitioner),
             SubmeshOptions{.threads = threads, .vertices_per_thread = 1});

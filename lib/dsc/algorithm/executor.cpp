@@ -46,6 +46,7 @@ template <class Real>
 std::uint64_t give_up_movers(Work<Real>& work) {
     for (const auto& mover : work.movers) {
         auto& flags = work.complex.vertices[mover.vertex].flags;
+        flags &= ~static_cast<std::uint32_t>(vertex_on_way);
         flags += (flags & vertex_contact) == vertex_contact ? 0U : std::uint32_t{vertex_missed};
     }
     const std::uint64_t given_up = work.movers.size();
@@ -96,6 +97,9 @@ SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Optio
     }
     work_.epoch = ++epoch_;
     work_.interface = collect_interface(complex, options.shuffle_seed);
+    // The first splits should not copy the whole mesh to make room for a few ids.
+    const std::size_t room = 64 + 2 * work_.interface.size();
+    complex.reserve(complex.vertex_bound() + room, complex.triangle_bound() + 2 * room);
 }
 
 template <class Real>

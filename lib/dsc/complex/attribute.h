@@ -57,6 +57,8 @@ public:
     [[nodiscard]] virtual std::size_t size() const = 0;
     /// New entries take the initial value.
     virtual void resize(std::size_t size) = 0;
+    /// Room for so many entries, so that growth up to there copies nothing. May be left out.
+    virtual void reserve(std::size_t /*size*/) {}
     /// Entry i of the result is the old entry order[i]; no_id: the initial value.
     virtual void permute(const std::vector<std::uint32_t>& order) = 0;
     [[nodiscard]] virtual std::unique_ptr<AttributeBase> clone() const = 0;
@@ -133,6 +135,7 @@ public:
 
     [[nodiscard]] std::size_t size() const override { return data_.size(); }
     void resize(std::size_t size) override { data_.resize(size, initial_); }
+    void reserve(std::size_t size) override { data_.reserve(size); }
     void permute(const std::vector<std::uint32_t>& order) override {
         std::vector<T> moved;
         moved.reserve(order.size());

@@ -82,6 +82,16 @@ void AttributeSet::resize_triangles(std::size_t bound) {
     }
 }
 
+void AttributeSet::reserve(std::size_t vertex_bound, std::size_t triangle_bound) {
+    for (const auto& attribute : list_) {
+        switch (attribute->kind()) {
+        case SimplexKind::vertex: attribute->reserve(vertex_bound); break;
+        case SimplexKind::edge: attribute->reserve(4 * triangle_bound); break;
+        case SimplexKind::triangle: attribute->reserve(triangle_bound); break;
+        }
+    }
+}
+
 void AttributeSet::permute(SimplexKind kind, const std::vector<std::uint32_t>& order) {
     for (const auto& attribute : list_) {
         if (attribute->kind() == kind) {

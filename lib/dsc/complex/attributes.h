@@ -66,6 +66,8 @@ public:
     // --- told by the operations; nothing happens where there is no attribute of the kind
     void resize_vertices(std::size_t bound);
     void resize_triangles(std::size_t bound);
+    /// Room for so many entries, so that growth up to there copies nothing.
+    void reserve(std::size_t vertex_bound, std::size_t triangle_bound);
     void blend_vertex(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
         tell(SimplexKind::vertex, [&](AttributeBase& each) { each.blend(to, a, b, fraction); });
     }

@@ -130,6 +130,7 @@ template <class Real>
 void Complex<Real>::reserve(std::size_t vertex_total, std::size_t triangle_total) {
     vertices.reserve(vertex_total);
     triangles.reserve(triangle_total + 1);
+    attributes.reserve(vertex_total, triangle_total + 1);
 }
 
 template class Complex<double>;

@@ -26,6 +26,7 @@ enum VertexFlag : std::uint32_t {
     vertex_missed = 4U,
     vertex_contact = 12U,
     vertex_corner = 16U, ///< of the interface: it is kept, and the curve has no tangent there
+    vertex_on_way = 32U, ///< it was moved, or put off, and has not arrived yet
 };
 
 struct TriangleRecord {
@@ -140,6 +141,8 @@ public:
     std::uint32_t take_triangle(IdPool& pool);
     void give_vertex(IdPool& pool, std::uint32_t id);
     void give_triangle(IdPool& pool, std::uint32_t id);
+    /// Room for so many vertices and triangles, and for the attributes that there are of them: up
+    /// to there new ids copy nothing. O(n) where there is less.
     void reserve(std::size_t vertex_total, std::size_t triangle_total);
 
     // --- attributes ---------------------------------------------------------------------------

@@ -348,16 +348,18 @@ private:
     bool split_beside_short() {
         Real longest = 0;
         std::uint32_t spoke = no_id;
+        std::uint32_t base = no_id; // the short edge beside it
         const auto length = [this](std::uint32_t i) {
             const Real dx = ring_.link_x(i) - ring_.x0;
             const Real dy = ring_.link_y(i) - ring_.y0;
             return dx * dx + dy * dy;
         };
-        const auto look_at = [&](std::uint32_t i, Real allowed) {
+        const auto look_at = [&](std::uint32_t i, std::uint32_t beside, Real allowed) {
             const Real squared = length(i);
             if (squared > allowed && squared > longest && !ring_.is_constrained(i)) {
                 longest = squared;
                 spoke = i;
+                base = beside;
             }
         };
         const std::uint32_t n = ring_.link_size();
@@ -366,19 +368,35 @@ private:
                 ring_.phase_after(i) != border_phase) {
                 const Real allowed = grading_squared_ * length(i);
                 if (i > 0 || ring_.closed) {
-                    look_at(i > 0 ? i - 1 : n - 1, allowed);
+                    look_at(i > 0 ? i - 1 : n - 1, i, allowed);
                 }
                 if (i + 1 < n || ring_.closed) {
-                    look_at(i + 1 < n ? i + 1 : 0, allowed);
+                    look_at(i + 1 < n ? i + 1 : 0, i, allowed);
                 }
             }
+        }
+        if (spoke == no_id) {
+            return false;
+        }
+        // While an end of the short edge waits for what another submesh has to move first, the edge
+        // is short for the time being only: the vertex that is made now would go in the next pass,
+        // or in the next colour, and be made again.
+        if (!work_.submesh.region.is_whole() &&
+            (is_waiting(ring_.vertex) || is_waiting(ring_.link[base]))) {
+            work_.put_off_active.push_back(ring_.vertex);
+            return false;
         }
         // A needle from sheet to sheet is what a thin film is made of: a vertex inside would have
         // no room, and go again.
         Ring<Real>& beyond = work_.other_ring;
-        return spoke != no_id &&
-               gather(complex_, work_.submesh.region, ring_.link[spoke], beyond) &&
+        return gather(complex_, work_.submesh.region, ring_.link[spoke], beyond) &&
                beyond.one_phase && split_spoke(spoke);
+    }
+
+    /// Whether a vertex is still to arrive. One in contact may never do so.
+    bool is_waiting(std::uint32_t vertex) const {
+        const std::uint32_t flags = complex_.vertices[vertex].flags;
+        return (flags & vertex_on_way) != 0 && (flags & vertex_contact) != vertex_contact;
     }
 
     bool split_spoke(std::uint32_t spoke) {

@@ -39,7 +39,11 @@ void move_vertices(Work<Real>& work) {
     for (const Mover<Real>& mover : work.movers) {
         Ring<Real>& ring = work.ring;
         const bool gathered = gather(work.complex, work.submesh.region, mover.vertex, ring);
+        auto& flags = work.complex.vertices[mover.vertex].flags;
         if (!ring.owned) {
+            if (gathered) { // else the vertex is another submesh's to write to
+                flags |= vertex_on_way;
+            }
             work.put_off_movers.push_back(mover);
             continue;
         }
@@ -54,6 +58,7 @@ void move_vertices(Work<Real>& work) {
         }
         if (!owns_place<Real>(work.submesh.region, {x, y})) {
             // It would leave the submesh: the next colour looks for what is put off in there.
+            flags |= vertex_on_way;
             work.put_off_movers.push_back(mover);
             continue;
         }
@@ -63,13 +68,12 @@ void move_vertices(Work<Real>& work) {
         }
         work.activate(mover.vertex);
         activate_link(work, ring);
+        constexpr std::uint32_t late = vertex_contact | vertex_on_way;
         if (outcome != MoveOutcome::reached) {
             work.movers[kept++] = mover;
-        } else {
-            auto& record = work.complex.vertices[mover.vertex];
-            if ((record.flags & vertex_contact) != 0) {
-                record.flags &= ~static_cast<std::uint32_t>(vertex_contact);
-            }
+            flags |= vertex_on_way;
+        } else if ((flags & late) != 0) {
+            flags &= ~late;
         }
     }
     work.movers.resize(kept);

@@ -117,6 +117,15 @@ void Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assi
     }
 }
 
+void Schedule::start_threads(std::uint32_t threads) {
+    if (threads <= 1) {
+        return;
+    }
+    std::atomic<std::uint32_t> started = 0; // a section that does nothing might be left out
+#pragma omp parallel num_threads(static_cast <int>(threads))
+    started.fetch_add(1, std::memory_order_relaxed);
+}
+
 void Schedule::run(std::uint32_t threads, Assignment assignment,
                    const std::function<void(std::size_t)>& run) {
     if (failures_.size() < tasks.size()) {

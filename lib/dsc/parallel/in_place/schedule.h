@@ -63,6 +63,9 @@ class Schedule {
 public:
     TaskGraph tasks;
 
+    /// Starts threads, so that the first run by the same caller with as many finds them awake.
+    static void start_threads(std::uint32_t threads);
+
     /// Calls `run(task)` once for each. After one has thrown no further task begins, and what it
     /// threw is thrown on when all have ended. No allocation where the graph has not grown.
     void run(std::uint32_t threads, Assignment assignment,

@@ -32,6 +32,7 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
                                        const SubmeshOptions& submeshes)
     : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
       partitioner_(std::move(partitioner)), submeshes_(submeshes), whole_(complex, options_) {
+    check_options(options); // a partitioner goes by the edge length
     check(submeshes);
     if (!partitioner_) {
         throw InputError("no partitioner", "SubmeshExecutor", "null", "an object");
@@ -41,6 +42,16 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
     }
     // Until the first division all of the interface is in this list.
     whole_.interface = collect_interface(complex, options.shuffle_seed);
+    // All that takes longer in a large mesh is done here, so that no step does it: to divide it for
+    // the first time, to make room and to lend ids, to start threads.
+    divide();
+    choose_threads();
+    make_room();
+    for (auto& part : parts_) {
+        refill(*part);
+    }
+    count_lent();
+    Schedule::start_threads(threads_);
 }
 
 template <class Real>
@@ -68,12 +79,26 @@ void SubmeshExecutor<Real>::give_back(IdPool& pool, std::size_t vertices, std::s
 }
 
 template <class Real>
+std::size_t SubmeshExecutor<Real>::least_vertices(const Part& part) {
+    return part.work.submesh.region.is_whole() ? 0 // it has those of the complex
+                                               : spare_vertices + part.work.interface.size() / 2;
+}
+
+// Room for what the pools are about to take, and as much again: submeshes divided anew take more,
+// and so does what grows. Beyond that the arrays double, as vectors do.
+template <class Real>
+void SubmeshExecutor<Real>::make_room() {
+    std::size_t lent = spare_vertices;
+    for (const auto& part : parts_) {
+        lent += 2 * least_vertices(*part);
+    }
+    complex_.reserve(complex_.vertex_bound() + 2 * lent, complex_.triangle_bound() + 4 * lent);
+}
+
+template <class Real>
 void SubmeshExecutor<Real>::refill(Part& part) {
     IdPool& pool = part.pool;
-    if (part.work.submesh.region.is_whole()) {
-        return; // it has those of the complex
-    }
-    const std::size_t least = spare_vertices + part.work.interface.size() / 2;
+    const std::size_t least = least_vertices(part);
     if (pool.vertices.size() >= least && pool.triangles.size() >= 2 * least) {
         return;
     }
@@ -110,13 +135,20 @@ void SubmeshExecutor<Real>::begin_step() {
     Timer timer(submeshes_.profile);
     profile_.sub_steps.clear();
     status_.interface_vertices = interface_size();
-    divide();
+    if (status_.step > 0) { // for the first step it is divided at construction
+        divide();
+    }
     ++status_.step;
     ++status_.steps_since_all;
-    threads_ = static_cast<std::uint32_t>(
-        std::clamp<std::size_t>(status_.interface_vertices / submeshes_.vertices_per_thread, 1,
-                                std::min<std::size_t>(submeshes_.threads, first_colour_)));
+    choose_threads();
     profile_.serial_outside = timer.lap();
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::choose_threads() {
+    threads_ = static_cast<std::uint32_t>(
+        std::clamp<std::size_t>(interface_size() / submeshes_.vertices_per_thread, 1,
+                                std::min<std::size_t>(submeshes_.threads, first_colour_)));
 }
 
 template <class Real>
@@ -288,11 +320,18 @@ void SubmeshExecutor<Real>::end_step() {
     if (under_way_) {
         recover();
     }
-    complex_.lent_vertices = 0;
-    complex_.lent_triangles = 0;
     for (auto& part : parts_) {
         const std::size_t most = 4 * (spare_vertices + part->work.interface.size());
         give_back(part->pool, most, 2 * most);
+    }
+    count_lent();
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::count_lent() {
+    complex_.lent_vertices = 0;
+    complex_.lent_triangles = 0;
+    for (const auto& part : parts_) {
         complex_.lent_vertices += static_cast<std::uint32_t>(part->pool.vertices.size());
         complex_.lent_triangles += static_cast<std::uint32_t>(part->pool.triangles.size());
     }

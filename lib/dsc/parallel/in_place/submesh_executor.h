@@ -25,7 +25,9 @@ struct SubmeshOptions {
 template <class Real>
 class SubmeshExecutor final : public Executor<Real> {
 public:
-    /// Throws InputError where the options make no sense.
+    /// Divides the complex, lends its submeshes their ids and starts threads, so that the first
+    /// step costs what the others do: O(n). Throws InputError where the options make no sense, and
+    /// what the partitioner throws.
     SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
                     std::unique_ptr<Partitioner<Real>> partitioner,
                     const SubmeshOptions& submeshes);
@@ -67,7 +69,11 @@ private:
     void keep_times(Part& part);
     void hand_out(std::vector<std::uint32_t> list);
     void connect();
+    void make_room();
+    [[nodiscard]] static std::size_t least_vertices(const Part& part);
     void refill(Part& part);
+    void count_lent();
+    void choose_threads();
     void give_back(IdPool& pool, std::size_t vertices, std::size_t triangles);
     [[nodiscard]] std::uint32_t next_epochs();
     // Tasks.

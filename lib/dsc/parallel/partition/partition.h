@@ -19,14 +19,32 @@ struct Colour {
     std::vector<Region> regions;
 
     /// The region that holds a vertex at (x, y); tries `hint` first. regions.size() if there is
-    /// none. O(regions), O(1) where the hint is right.
+    /// none. O(regions), O(1) where the hint is right. A place function that the regions share is
+    /// called once.
     [[nodiscard]] std::size_t locate(std::uint32_t vertex, double x, double y,
                                      std::size_t hint = 0) const {
-        if (hint < regions.size() && regions[hint].owns(vertex, x, y)) {
+        const Region* asked = nullptr; // the last region whose place function was called...
+        std::uint32_t number = 0;      // ...and what it said
+        const auto owns = [&](const Region& region) {
+            if (region.kind != Region::Kind::places) {
+                return region.owns(vertex, x, y);
+            }
+            if (asked == nullptr || asked->place != region.place ||
+                asked->context != region.context) {
+                asked = &region;
+                number = region.place(region.context, x, y);
+            }
+            return number == region.label;
+        };
+        if (hint < regions.size() && owns(regions[hint])) {
             return hint;
         }
+        // Most often regions stand in the order of their numbers.
+        if (asked != nullptr && number < regions.size() && owns(regions[number])) {
+            return number;
+        }
         for (std::size_t i = 0; i < regions.size(); ++i) {
-            if (regions[i].owns(vertex, x, y)) {
+            if (owns(regions[i])) {
                 return i;
             }
         }

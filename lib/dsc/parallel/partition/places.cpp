@@ -2,6 +2,7 @@
 #include "dsc/parallel/partition/places.h"
 
 #include "dsc/base/error.h"
+#include "dsc/parallel/partition/site_grid.h"
 
 #include <algorithm>
 #include <string>
@@ -15,27 +16,15 @@ std::uint32_t call_place(const void* context, double x, double y) {
     return static_cast<const PlaceColour*>(context)->number_of(x, y);
 }
 
-std::uint32_t nearest(const std::vector<Point<double>>& sites, double x, double y) {
-    std::uint32_t best = 0;
-    double least = Region::infinity;
-    for (std::uint32_t i = 0; i < sites.size(); ++i) {
-        const double squared = (sites[i] - Point<double>(x, y)).squaredNorm();
-        if (squared < least) {
-            least = squared;
-            best = i;
-        }
-    }
-    return best;
-}
-
 // Each site moves to the mean of the points that are nearest to it.
 void even_out(std::vector<Point<double>>& sites, const std::vector<Point<double>>& points,
               int rounds) {
     for (int round = 0; round < rounds; ++round) {
         std::vector<Point<double>> sums(sites.size(), Point<double>::Zero());
         std::vector<double> counts(sites.size(), 0);
+        const SiteGrid grid(sites);
         for (const auto& p : points) {
-            const std::uint32_t i = nearest(sites, p.x(), p.y());
+            const std::uint32_t i = grid.nearest(p.x(), p.y());
             sums[i] += p;
             counts[i] += 1;
         }
@@ -97,7 +86,8 @@ void PlacePartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*r
 
 PlaceColour voronoi_colour(std::vector<Point<double>> sites) {
     const auto count = static_cast<std::uint32_t>(std::max<std::size_t>(sites.size(), 1));
-    return {[sites = std::move(sites)](double x, double y) { return nearest(sites, x, y); }, count};
+    return {[grid = SiteGrid(std::move(sites))](double x, double y) { return grid.nearest(x, y); },
+            count};
 }
 
 template <class Real>
@@ -117,9 +107,10 @@ std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input, std:
     even_out(sites, points, rounds);
     // Where the interface goes from one region to the next, the second colour has a site.
     std::vector<Point<double>> between;
-    std::uint32_t before = nearest(sites, points.back().x(), points.back().y());
+    const SiteGrid grid(sites);
+    std::uint32_t before = grid.nearest(points.back().x(), points.back().y());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::uint32_t at = nearest(sites, points[i].x(), points[i].y());
+        const std::uint32_t at = grid.nearest(points[i].x(), points[i].y());
         const Point<double> gap = points[i] - points[i == 0 ? points.size() - 1 : i - 1];
         if (at != before && gap.norm() < 3 * input.edge_length) {
             between.push_back(points[i]);

@@ -18,7 +18,8 @@ struct PlaceColour {
     std::uint32_t submeshes = 1;
 };
 
-/// Called for the first step, and after `recut` steps each: gets the interface, gives the colours.
+/// Called at construction of the executor, and after `recut` steps each: gets the interface, gives
+/// the colours.
 template <class Real>
 using PlaceFunction = std::function<std::vector<PlaceColour>(const PartitionInput<Real>& input)>;
 
@@ -37,7 +38,7 @@ private:
 };
 
 /// Voronoi regions of points [6]: the submesh of a place is the number of the nearest point, the
-/// lower one of two. O(points) a look-up.
+/// lower one of two. O(1) expected a look-up.
 PlaceColour voronoi_colour(std::vector<Point<double>> sites);
 
 /// The same for sites that the interface chooses: k-means of its vertices (Lloyd, `rounds` times,

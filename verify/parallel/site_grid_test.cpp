@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// The nearest site through a grid is the one that a search through all sites finds, ties and
+// rounding included, and Voronoi regions ask for it no more often than they must.
+#include "dsc/parallel/partition/site_grid.h"
+
+#include "support/random_scene.h"
+#include "support/random_submeshes.h"
+
+#include "dsc/parallel/partition/places.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using test::Dice;
+
+std::uint32_t nearest_of_all(const std::vector<Point<double>>& sites, double x, double y) {
+    std::uint32_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < sites.size(); ++i) {
+        const double squared = (sites[i] - Point<double>(x, y)).squaredNorm();
+        if (squared < least) {
+            least = squared;
+            best = i;
+        }
+    }
+    return best;
+}
+
+// Sites spread over a box, along a line, on a lattice (ties), in clusters, or all in one place.
+std::vector<Point<double>> random_sites(Dice& dice, double scale, const Point<double>& offset) {
+    std::vector<Point<double>> sites;
+    const int kind = dice.in(0, 4);
+    const int count = dice.in(1, dice.chance(0.2) ? 8 : 90);
+    const double flatness = dice.chance(0.3) ? 0 : dice.in(0.0, 1.0);
+    for (int i = 0; i < count; ++i) {
+        Point<double> p(dice.in(0.0, 1.0), dice.in(0.0, 1.0) * flatness);
+        if (kind == 1) {
+            p = {std::floor(6 * p.x()), std::floor(6 * p.y())};
+        } else if (kind == 2) {
+            p = Point<double>(i % 3, i % 2) + 1e-3 * p;
+        } else if (kind == 3) {
+            p = {0.5, 0.25};
+        }
+        sites.emplace_back(offset + scale * p);
+    }
+    return sites;
+}
+
+TEST(SiteGrid, FindsWhatASearchThroughAllFinds) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    int ties = 0;
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Dice dice(seed);
+        const double scale = std::pow(10.0, dice.chance(0.3) ? dice.in(-160, 160) : dice.in(-3, 3));
+        // At an offset the sites are apart by few units of rounding.
+        const Point<double> offset =
+            dice.chance(0.3) ? Point<double>(1e13 * scale, -3e14 * scale) : Point<double>(0, 0);
+        const auto sites = random_sites(dice, scale, offset);
+        const SiteGrid grid(sites);
+        const auto expect_same = [&](double x, double y) {
+            ASSERT_EQ(grid.nearest(x, y), nearest_of_all(sites, x, y)) << x << ", " << y;
+        };
+        for (int i = 0; i < 200; ++i) {
+            // Among the sites, beside them, and far away.
+            const double reach = i % 4 == 0 ? 30 : i % 4 == 1 ? 1e9 : 1.5;
+            const Point<double> p =
+                offset + scale * reach * Point<double>(dice.in(-1.0, 1.0), dice.in(-1.0, 1.0));
+            expect_same(p.x(), p.y());
+            // In the middle between two sites, and at one of several in the same place.
+            const auto any = [&] {
+                return sites[static_cast<std::size_t>(
+                    dice.in(0, static_cast<int>(sites.size()) - 1))];
+            };
+            const Point<double> a = any();
+            const Point<double> b = any();
+            const Point<double> middle = a + 0.5 * (b - a);
+            ties += a != b && (a - middle).squaredNorm() == (b - middle).squaredNorm() ? 1 : 0;
+            expect_same(middle.x(), middle.y());
+            expect_same(a.x(), a.y());
+        }
+        for (const double far : {largest, -largest, std::numeric_limits<double>::infinity(),
+                                 std::numeric_limits<double>::quiet_NaN()}) {
+            expect_same(far, 0);
+            expect_same(0, far);
+        }
+    }
+    EXPECT_GT(ties, 1000);
+}
+
+TEST(SiteGrid, PassesOverSitesThatAreNowhere) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double no_number = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Point<double>> sites{{no_number, 0}, {infinity, 1}, {1, 1},
+                                           {2, -infinity}, {3, 1},        {4, 3},
+                                           {5, 0},         {6, 2},        {7, 1}};
+    const SiteGrid grid(sites);
+    for (const double x : {-9.0, 1.9, 2.0, 2.1, 9.0}) {
+        EXPECT_EQ(grid.nearest(x, 0.5), nearest_of_all(sites, x, 0.5)) << x;
+    }
+    EXPECT_EQ(SiteGrid({}).nearest(1, 2), 0U);
+}
+
+TEST(Colour, AsksAPlaceFunctionOnce) {
+    int asked = 0;
+    PlacePartitioner<double> partitioner([&](const PartitionInput<double>&) {
+        return std::vector<PlaceColour>{{[&](double x, double) {
+                                             ++asked;
+                                             return static_cast<std::uint32_t>(x);
+                                         },
+                                         40}};
+    });
+    Dice dice(1);
+    test::Divided divided = test::random_divided(dice, false);
+    divided.divide(partitioner);
+    Colour colour = divided.partition.colours.front();
+    const auto expect_once = [&](double x, std::size_t hint, std::size_t expected) {
+        asked = 0;
+        EXPECT_EQ(colour.locate(no_id, x, 0, hint), expected);
+        EXPECT_EQ(asked, 1) << x << ", hint " << hint;
+    };
+    for (const std::size_t hint : {0U, 3U, 39U, 40U, 1000U}) {
+        expect_once(3.5, hint, 3);
+        expect_once(38.5, hint, 38);
+        expect_once(77.5, hint, 40); // in none
+    }
+    // In any order.
+    std::ranges::reverse(colour.regions);
+    expect_once(3.5, 0, 36);
+    // Behind regions of another kind.
+    colour.regions.insert(colour.regions.begin(), 40, Region{});
+    for (std::size_t i = 0; i < 40; ++i) {
+        colour.regions[i].kind = Region::Kind::box;
+        colour.regions[i].high = -100;
+    }
+    expect_once(3.5, 0, 76);
+}
+
+} // namespace
+} // namespace dsc
