@@ -3,7 +3,7 @@
 // thing of the default.
 #pragma once
 
-#include "scenes/strategy.h"
+#include "scenes/run/strategy.h"
 
 #include <cstddef>
 #include <optional>

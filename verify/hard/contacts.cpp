@@ -6,9 +6,9 @@
 
 #include "dsc/complex/mesh_functions.h"
 #include "flows/exact.h"
-#include "measures/measure.h"
-#include "shapes/shapes.h"
 #include "flows/velocity.h"
+#include "measures/interface_outlines.h"
+#include "shapes/shapes.h"
 
 #include <cmath>
 #include <limits>

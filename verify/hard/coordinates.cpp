@@ -8,10 +8,10 @@
 #include "dsc/initial/unit_box.h"
 #include "dsc/motion/unit_velocity.h"
 #include "flows/exact.h"
-#include "measures/measure.h"
-#include "shapes/shapes.h"
-#include "measures/symmetric_difference.h"
 #include "flows/velocity.h"
+#include "measures/interface_outlines.h"
+#include "measures/symmetric_difference.h"
+#include "shapes/shapes.h"
 
 #include <cmath>
 #include <limits>

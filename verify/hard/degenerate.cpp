@@ -7,9 +7,10 @@
 #include "support/random_scene.h"
 
 #include "flows/exact.h"
-#include "measures/measure.h"
-#include "shapes/shapes.h"
 #include "flows/velocity.h"
+#include "measures/interface_outlines.h"
+#include "measures/mesh_quality.h"
+#include "shapes/shapes.h"
 
 #include <cmath>
 #include <numbers>

@@ -5,9 +5,9 @@
 #include "watch.h"
 
 #include "flows/exact.h"
-#include "measures/measure.h"
-#include "shapes/shapes.h"
 #include "flows/velocity.h"
+#include "measures/interface_outlines.h"
+#include "shapes/shapes.h"
 
 #include <cmath>
 #include <numbers>

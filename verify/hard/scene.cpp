@@ -3,7 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/initial/unit_box.h"
-#include "measures/measure.h"
+#include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 
 #include <array>

@@ -3,12 +3,12 @@
 #include "hard/scene.h"
 #include "hard/watch.h"
 
-#include "dsc/passes/wall.h"
 #include "dsc/complex/mesh_functions.h"
 #include "dsc/complex/validate.h"
+#include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
-#include "scenes/strategy.h"
 #include "flows/velocity.h"
+#include "scenes/run/strategy.h"
 
 #include <gtest/gtest.h>
 
