@@ -4,9 +4,9 @@
 // Exit: 0 done; 1 a run broke an invariant, was interrupted or could not be written; 2 bad usage.
 #include "dsc/base/error.h"
 #include "run.h"
-#include "scenes/command_line.h"
-#include "scenes/machine.h"
-#include "scenes/write_file.h"
+#include "scenes/command_line/command_line.h"
+#include "scenes/output/machine.h"
+#include "scenes/output/write_file.h"
 
 #include <unistd.h>
 

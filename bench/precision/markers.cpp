@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "markers.h"
 
-#include "reference/bare_markers.h"
-#include "scenes/clock.h"
 #include "measures/symmetric_difference.h"
+#include "reference/bare_markers.h"
+#include "scenes/run/clock.h"
 
 namespace dsc::bench {
 

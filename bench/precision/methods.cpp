@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "methods.h"
 
+#include "scenes/parameters.h"
+
 namespace dsc::bench {
 
 std::string to_string(Group group) {
@@ -14,35 +16,50 @@ std::string to_string(Group group) {
     return "unknown";
 }
 
-const std::vector<Method>& precision_methods() {
-    static const std::vector<Method> methods{
-        {.name = "default", .group = Group::base, .to_the_last = true},
+namespace {
 
-        {.name = "euler",
-         .group = Group::time,
-         .settings = {{"integrator", "euler"}},
-         .step = Method::Step::with_square,
-         .most_lengths = 3}, // a fourth takes longer than all other methods together
-        {.name = "centred", .group = Group::time, .settings = {{"integrator", "centred"}}},
-        {.name = "midpoint", .group = Group::time, .settings = {{"integrator", "midpoint"}}},
-        {.name = "adaptive",
-         .group = Group::time,
-         .settings = {{"integrator", "adaptive"}, {.key = "tolerance", .factor = 0.1, .power = 2}},
-         .step_factor = 8},
+// One method for each value of an option other than its default, so that none is forgotten.
+template <class Enum, std::size_t n, class Make>
+void add_others(std::vector<Method>& methods, const EnumTable<Enum, n>& table, Enum standard,
+                Make make) {
+    for (const auto& [value, name] : table) {
+        if (value != standard) {
+            methods.push_back(make(value, std::string(name)));
+        }
+    }
+}
 
-        {.name = "linear insertion", .group = Group::upkeep, .settings = {{"insertion", "linear"}}},
-        {.name = "arc insertion", .group = Group::upkeep, .settings = {{"insertion", "arc"}}},
-        {.name = "coarsening by length",
-         .group = Group::upkeep,
-         .settings = {{"coarsening", "length"}}},
-        {.name = "coarsening by area",
-         .group = Group::upkeep,
-         .settings = {{"coarsening", "area"}}},
-        {.name = "never coarsened",
-         .group = Group::upkeep,
-         .settings = {{"coarsening", "never"}},
-         .to_the_last = true},
+Method of_time(Integrator integrator, const std::string& name) {
+    Method method{.name = name, .group = Group::time, .settings = {{"integrator", name}}};
+    if (integrator == Integrator::euler) {
+        method.step = Method::Step::with_square;
+        method.most_lengths = 3; // a fourth takes longer than all other methods together
+    } else if (integrator == Integrator::adaptive) {
+        method.settings.push_back({.key = "tolerance", .factor = 0.1, .power = 2});
+        method.step_factor = 8;
+    }
+    return method;
+}
 
+Method of_insertion(Insertion, const std::string& name) {
+    return {.name = name + " insertion", .group = Group::upkeep, .settings = {{"insertion", name}}};
+}
+
+Method of_coarsening(Coarsening coarsening, const std::string& name) {
+    const bool never = coarsening == Coarsening::never;
+    return {.name = never ? "never coarsened" : "coarsening by " + name,
+            .group = Group::upkeep,
+            .settings = {{"coarsening", name}},
+            .to_the_last = never};
+}
+
+std::vector<Method> make_methods() {
+    const scenes::Parameters standard;
+    std::vector<Method> methods{{.name = "default", .group = Group::base, .to_the_last = true}};
+    add_others(methods, integrator_names, standard.integrator, of_time);
+    add_others(methods, insertion_names, standard.insertion, of_insertion);
+    add_others(methods, coarsening_names, standard.interface.coarsening, of_coarsening);
+    const std::vector<Method> others{
         {.name = "fourth order",
          .group = Group::other,
          .settings = {{"reading", "cubic"}, {"coarsening", "never"}},
@@ -85,6 +102,14 @@ const std::vector<Method>& precision_methods() {
          .to_the_last = true,
          .markers = BareMarkers{.parts = 16}},
     };
+    methods.insert(methods.end(), others.begin(), others.end());
+    return methods;
+}
+
+} // namespace
+
+const std::vector<Method>& precision_methods() {
+    static const std::vector<Method> methods = make_methods();
     return methods;
 }
 

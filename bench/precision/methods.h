@@ -3,7 +3,7 @@
 // thing in the default.
 #pragma once
 
-#include "scenes/strategy.h"
+#include "scenes/run/strategy.h"
 
 #include <cstddef>
 #include <optional>

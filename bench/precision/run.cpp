@@ -3,8 +3,10 @@
 
 #include "dsc/base/error.h"
 #include "markers.h"
-#include "scenes/machine.h"
-#include "scenes/run.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/output/machine.h"
+#include "scenes/run/json.h"
+#include "scenes/run/run.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "context.h"
 
-#include "scenes/machine.h"
+#include "scenes/output/machine.h"
 
 #include <benchmark/benchmark.h>
 #include <omp.h>

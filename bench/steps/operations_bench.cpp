@@ -20,8 +20,10 @@
 #include "dsc/operations/local_retriangulation.h"
 #include "dsc/operations/loop_subdivision.h"
 #include "dsc/operations/smoothing.h"
-#include "scenes/clock.h"
-#include "scenes/run.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/run/clock.h"
+#include "scenes/run/run.h"
+#include "scenes/run/start.h"
 
 #include <benchmark/benchmark.h>
 

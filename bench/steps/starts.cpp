@@ -3,7 +3,9 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "scenes/run.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/run/run.h"
+#include "scenes/run/start.h"
 
 #include <algorithm>
 #include <cmath>

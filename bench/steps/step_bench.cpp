@@ -10,7 +10,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
-#include "scenes/reference_run.h"
+#include "scenes/run/reference_run.h"
 
 #include <benchmark/benchmark.h>
 

@@ -4,9 +4,10 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
-#include "measures/measure.h"
-#include "scenes/clock.h"
-#include "scenes/reference_run.h"
+#include "measures/interface_outlines.h"
+#include "measures/mesh_quality.h"
+#include "scenes/run/clock.h"
+#include "scenes/run/reference_run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -51,7 +52,8 @@ void add(StepRun& run, const StepReport& report) {
 
 StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& options) {
     const Options<double> choices = scenes::scene_options<double>(start.parameters);
-    const auto simulation = scenes::make_simulation(complex, choices, options);
+    const auto simulation =
+        scenes::make_simulation(complex, choices, options.strategy, options.submeshing);
     const auto& velocity = start.setup.flow.front().velocity;
     const double dt = start.parameters.dt;
     StepRun run;

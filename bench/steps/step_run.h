@@ -5,7 +5,7 @@
 #include "dsc/algorithm/simulation.h"
 #include "model.h"
 #include "reference/dsc.h"
-#include "scenes/run.h"
+#include "scenes/run/run.h"
 #include "starts.h"
 
 #include <cstdint>

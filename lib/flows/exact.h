@@ -3,21 +3,15 @@
 // in it, and each shape states how far it may be off itself.
 #pragma once
 
-#include "shapes/curve.h"
 #include "flows/flow_map.h"
+#include "shapes/curve.h"
+#include "shapes/exact_shape.h"
 
 #include <span>
 #include <string>
 #include <vector>
 
 namespace dsc::scenes {
-
-struct ExactShape {
-    std::vector<Outline> outlines;
-    double area = 0.0;       ///< exact, of the true shape rather than of its outlines
-    std::string description; ///< how it was found
-    double own_error = 0.0;  ///< estimate of the area between the outlines and the true shape
-};
 
 /// The first outlines moved rigidly, vertex by vertex: they are the true shape.
 [[nodiscard]] ExactShape translated_shape(std::span<const Outline> first,

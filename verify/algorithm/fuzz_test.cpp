@@ -161,8 +161,10 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
     drawn.words = words.str();
     std::string problem = validate(complex).problem;
     EXPECT_EQ(problem, "") << drawn.words << ", before the first step";
-    // Torn flows make interfaces of any length: then it is enough.
-    for (int step = 0; step < 12 && problem.empty() && complex.triangle_count() < 12'000; ++step) {
+    // Torn flows make interfaces of any length, fine sizes meshes of any size: then it is enough.
+    constexpr std::uint64_t enough = 300'000;
+    std::uint64_t examined = 0;
+    for (int step = 0; step < 12 && problem.empty() && examined < enough; ++step) {
         const StepReport report =
             simulation.step(velocity, static_cast<Real>(step * dt), static_cast<Real>(dt));
         problem = validate(complex).problem;
@@ -175,6 +177,7 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
             << drawn.words;
         EXPECT_LE(report.held, report.unreached) << drawn.words;
         EXPECT_EQ(report.interface_vertices, simulation.interface().size()) << drawn.words;
+        examined += report.operations.examined;
         drawn.moves += report.operations.moves;
         drawn.unreached += report.unreached;
     }

@@ -109,7 +109,7 @@ double cubic_order(Runs& runs, const std::string&) {
     for (const char* size : {"1/64", "1/96", "1/128", "1/256"}) {
         const RunResult& r = run_of(runs, std::string("vortex T=8 h=") + size + " cubic");
         sizes.push_back(r.parameters.h);
-        errors.push_back(r.sd_rel_last);
+        errors.push_back(number(r.last, "sd_rel"));
     }
     return scenes::fit_order(sizes, errors).order;
 }
@@ -122,23 +122,23 @@ std::vector<Check> accuracy_checks() {
     const auto swirls = [](const Flow& flow) { return flow.scene == "swirl"; };
     return {
         of_flow("accuracy", "symmetric difference at the end, over the first area", "1", false,
-                names_where(any), [](const RunResult& r) { return r.sd_rel_last; }),
+                names_where(any), [](const RunResult& r) { return number(r.last, "sd_rel"); }),
         of_flow("accuracy_half", "the same half-way, where a flow that returns cancels nothing",
                 "1", false, names_where(returns),
-                [](const RunResult& r) { return r.sd_rel_half.value(); }),
+                [](const RunResult& r) { return number(r.half.value(), "sd_rel"); }),
         of_flow("accuracy_area", "area at the end against the first, off 1", "1", false,
                 {"swirl 2x260 h=0.01", "vortex-square"},
                 [](const RunResult& r) { return std::abs(r.area_ratio - 1); }),
         of_flow("accuracy_jagged",
                 "turning angles beyond twice the exact curve's and 2 degrees, at the end",
                 "degrees", false, names_where(swirls),
-                [](const RunResult& r) { return r.last.jaggedness.largest_excess_deg; }),
+                [](const RunResult& r) { return number(r.last, "jaggedness.largest_excess_deg"); }),
         of_flow("accuracy_angle", "smallest angle at the end", "degrees", true,
                 names_where(is_well_resolved),
-                [](const RunResult& r) { return r.min_angle_deg_last; }),
+                [](const RunResult& r) { return number(r.last, "min_angle_deg"); }),
         of_flow("accuracy_median_angle", "median of the triangles' smallest angles at the end",
                 "degrees", true, names_where(is_well_resolved),
-                [](const RunResult& r) { return r.median_angle_deg_last; }),
+                [](const RunResult& r) { return number(r.last, "median_angle_deg"); }),
         of_flow("accuracy_lost", "triangles inverted and vertices that did not arrive", "1", false,
                 names_where(any),
                 [](const RunResult& r) { return static_cast<double>(r.inverted + r.unreached); }),

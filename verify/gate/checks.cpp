@@ -34,7 +34,7 @@ Names every_scene() {
 // The parallel runs; two threads stand for any number, which `mesh_hash` says make no difference.
 std::vector<Configuration> parallel(const std::string& scene) {
     std::vector<Configuration> all;
-    for (const Strategy strategy : scenes::all_strategies) {
+    for (const Strategy strategy : scenes::all_strategies()) {
         if (scenes::is_parallel(strategy)) {
             all.push_back({scene, Size::full, strategy, 2});
         }
@@ -45,7 +45,7 @@ std::vector<Configuration> parallel(const std::string& scene) {
 // How far the area has drifted from what the exact shape's has done; for flows without divergence
 // |A(t) / A(0) - 1|.
 double area_drift(const RunResult& r) {
-    return std::abs(r.area_ratio / (r.last.area_exact / r.area_exact_first) - 1);
+    return std::abs(r.area_ratio / (number(r.last, "area_exact") / r.area_exact_first) - 1);
 }
 
 // Runs that do not hold what they promise say nothing about anything else.
@@ -58,7 +58,7 @@ const RunResult& finished(const RunResult& r) {
 
 double distinct_hashes(Runs& runs, const std::string& scene) {
     double most = 0;
-    for (const Strategy strategy : scenes::all_strategies) {
+    for (const Strategy strategy : scenes::all_strategies()) {
         if (!scenes::is_parallel(strategy)) {
             continue;
         }
@@ -91,7 +91,8 @@ Check of_sequential(std::string name, std::string description, std::string unit,
 }
 
 // The worst of all strategies. The limits are the spread of the sequential method over shuffled
-// orders (verify/gate/bands.py): threads must not make a mesh that another order would not have made.
+// orders (verify/gate/bands.py): threads must not make a mesh that another order would not have
+// made.
 Check against_parallel(std::string name, std::string description, Difference difference) {
     return {std::move(name),
             std::move(description),
@@ -154,18 +155,19 @@ std::vector<Check> make_checks() {
         of_sequential("area_ratio", "area against the exact shape's, both relative to their first",
                       "1", false, compared, area_drift),
         of_sequential("symmetric_difference", "area between the shape and the exact one at the end",
-                      "1", false, compared, [](const RunResult& r) { return r.sd_rel_last; }),
+                      "1", false, compared,
+                      [](const RunResult& r) { return number(r.last, "sd_rel"); }),
         of_sequential("symmetric_difference_half",
                       "the same at the half of a reversing flow, where errors do not cancel", "1",
                       false, {"swirl", "single-vortex"},
-                      [](const RunResult& r) { return r.sd_rel_half.value(); }),
+                      [](const RunResult& r) { return number(r.half.value(), "sd_rel"); }),
         of_sequential("inverted", "triangles that are not positive, by the exact predicate",
                       "triangles", false, every_scene(),
                       [](const RunResult& r) { return static_cast<double>(r.inverted); }),
         of_sequential("unreached", "vertices that did not arrive", "vertices", false, every_scene(),
                       [](const RunResult& r) { return static_cast<double>(r.unreached); }),
         of_sequential("min_quality", "worst quality at the end", "1", true, every_scene(),
-                      [](const RunResult& r) { return r.min_quality_last; }),
+                      [](const RunResult& r) { return number(r.last, "min_quality"); }),
         against_reference("reference_area", "area ratio, library against reference",
                           area_difference),
         against_reference("reference_area_histogram",
@@ -175,20 +177,20 @@ std::vector<Check> make_checks() {
                           quality_distance),
         against_parallel("parallel_area", "area ratio, parallel against sequential",
                          area_difference),
-        against_parallel("parallel_symmetric_difference",
-                         "by how much the parallel one's is the larger",
-                         [](const RunResult& a, const RunResult& b) {
-                             return std::max(a.sd_rel_last - b.sd_rel_last, 0.0);
-                         }),
+        against_parallel(
+            "parallel_symmetric_difference", "by how much the parallel one's is the larger",
+            [](const RunResult& a, const RunResult& b) {
+                return std::max(number(a.last, "sd_rel") - number(b.last, "sd_rel"), 0.0);
+            }),
         against_parallel("parallel_area_histogram",
                          "Kolmogorov-Smirnov distance of the triangles' areas", area_distance),
         against_parallel("parallel_quality_histogram",
                          "Kolmogorov-Smirnov distance of the triangles' qualities",
                          quality_distance),
         least_of_parallel("parallel_min_quality", "worst quality at the end, in parallel", "1",
-                          [](const RunResult& r) { return r.min_quality_last; }),
+                          [](const RunResult& r) { return number(r.last, "min_quality"); }),
         least_of_parallel("parallel_min_angle", "smallest angle at the end, in parallel", "degrees",
-                          [](const RunResult& r) { return r.min_angle_deg_last; }),
+                          [](const RunResult& r) { return number(r.last, "min_angle_deg"); }),
         {"parallel_unreached", "vertices that did not arrive, and triangles inverted, in parallel",
          "vertices", false, every_scene(),
          [](Runs& runs, const std::string& scene) {

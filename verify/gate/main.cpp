@@ -5,8 +5,8 @@
 #include "report.h"
 
 #include "dsc/base/error.h"
-#include "scenes/command_line.h"
-#include "scenes/write_file.h"
+#include "scenes/command_line/command_line.h"
+#include "scenes/output/write_file.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include "report.h"
 
 #include "dsc/io/part_file.h"
-#include "scenes/machine.h"
+#include "scenes/output/machine.h"
 
 #include <nlohmann/json.hpp>
 

@@ -33,9 +33,7 @@ const scenes::RunResult& Runs::get(const Configuration& configuration) {
     scenes::Parameters parameters =
         configuration.size == Size::full ? scene.defaults : coarse(scene);
     for (const std::string& setting : configuration.settings) {
-        const auto equals = setting.find('=');
-        scenes::set_parameter(parameters, scene.keys, setting.substr(0, equals),
-                              setting.substr(equals + 1));
+        scenes::apply_setting(parameters, scene.keys, setting);
     }
     return runs_[configuration] = scenes::run_scene(scene, parameters, options);
 }

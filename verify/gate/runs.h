@@ -2,7 +2,7 @@
 // The runs that the checks look at, each made once, when it is first asked for.
 #pragma once
 
-#include "scenes/run.h"
+#include "scenes/run/run.h"
 
 #include <map>
 #include <string>

@@ -8,7 +8,7 @@
 #include "dsc/complex/ranges.h"
 #include "flows/exact.h"
 #include "flows/velocity.h"
-#include "measures/measure.h"
+#include "measures/interface_outlines.h"
 #include "shapes/shapes.h"
 
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "dsc/motion/unit_velocity.h"
 #include "flows/exact.h"
 #include "flows/velocity.h"
-#include "measures/measure.h"
+#include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"
 

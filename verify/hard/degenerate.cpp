@@ -8,7 +8,8 @@
 
 #include "flows/exact.h"
 #include "flows/velocity.h"
-#include "measures/measure.h"
+#include "measures/interface_outlines.h"
+#include "measures/mesh_quality.h"
 #include "shapes/shapes.h"
 
 #include <cmath>

@@ -5,9 +5,9 @@
 #include "table.h"
 
 #include "dsc/base/error.h"
-#include "scenes/clock.h"
-#include "scenes/command_line.h"
-#include "scenes/write_file.h"
+#include "scenes/command_line/command_line.h"
+#include "scenes/output/write_file.h"
+#include "scenes/run/clock.h"
 
 #include <algorithm>
 #include <iostream>

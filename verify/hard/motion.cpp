@@ -6,7 +6,7 @@
 
 #include "flows/exact.h"
 #include "flows/velocity.h"
-#include "measures/measure.h"
+#include "measures/interface_outlines.h"
 #include "shapes/shapes.h"
 
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/geometry/unit_map.h"
 #include "flows/exact.h"
-#include "measures/measure.h"
+#include "measures/interface_outlines.h"
 #include "shapes/shapes.h"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/unit_box.h"
-#include "measures/measure.h"
+#include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The outlines of a complex, read as its edges and as the cubic through its vertices.
-#include "dsc/passes/interface_list.h"
 #include "dsc/initial/initial_complex.h"
-#include "measures/measure.h"
+#include "dsc/passes/interface_list.h"
+#include "measures/interface_outlines.h"
 #include "shapes/shapes.h"
 
 #include <gtest/gtest.h>

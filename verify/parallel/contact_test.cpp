@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two discs pressed against each other: the interface cannot pass through itself. Vertices that do
 // not arrive are counted, are not tried again and again, and move on as soon as there is room.
-#include "scenes/strategy.h"
+#include "scenes/run/strategy.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/complex/validate.h"

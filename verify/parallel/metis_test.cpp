@@ -3,13 +3,15 @@
 // threads, in submeshes whose boundaries are not straight.
 #include "scenes/metis_partition.h"
 
-#include "scenes/run.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/run/run.h"
+#include "scenes/run/start.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/passes/interface_list.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/passes/interface_list.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
 #include "flows/velocity.h"
-#include "scenes/strategy.h"
+#include "scenes/run/strategy.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Dividing the mesh makes no work: submeshes split and collapse about as often as the whole mesh
 // does. What a boundary keeps from being done for a while looks like a fault of the mesh; vertices
 // that are made for it have to go again.
-#include "scenes/run.h"
+#include "scenes/run/run.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,8 @@
 //   DSC_HASHES=few     only the quickest scenes: enough to notice that a build with other flags, or
 //                      without optimisation, computes something else
 //   DSC_RECORD=FILE    writes the hashes found to FILE, in place of comparing them
-#include "scenes/run.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/run/run.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -89,7 +90,7 @@ TEST_P(MeshHashes, AreThoseOfTheTable) {
     const Scene& scene = find_scene(GetParam());
     const bool records = std::getenv("DSC_RECORD") != nullptr;
     const nlohmann::json table = records ? nlohmann::json{} : read_table();
-    for (const Strategy strategy : all_strategies) {
+    for (const Strategy strategy : all_strategies()) {
         for (const RealType real : {RealType::double_precision, RealType::single_precision}) {
             if (!runs(strategy, real)) {
                 continue;

@@ -1,28 +1,40 @@
 // SPDX-License-Identifier: MIT
 // What the command line can set: good values arrive, bad ones are refused with the key, the value
 // and what is allowed, and leave everything as it was.
-#include "scenes/parameters.h"
+#include "scenes/keys.h"
+
+#include "support/enumerators.h"
 
 #include "dsc/base/error.h"
-#include "scenes/scene.h"
+#include "scenes/catalogue/catalogue.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <sstream>
 
 namespace dsc::scenes {
 namespace {
 
-const std::vector<std::string> all_keys{
-    "h",         "dt",         "steps",   "period",  "integrator", "tolerance",
-    "insertion", "coarsening", "reading", "longest", "shortest",   "deviation",
-    "turn",      "gap",        "grading", "finest",  "real",       "seed"};
+static_assert(test::is_complete(real_type_names));
+
+const std::vector<std::string>& all_keys() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const Key& key : parameter_keys()) {
+            all.push_back(key.name);
+        }
+        return all;
+    }();
+    return names;
+}
 
 Parameters with(const std::string& key, const std::string& value) {
     Parameters parameters;
-    set_parameter(parameters, all_keys, key, value);
+    set_parameter(parameters, all_keys(), key, value);
     return parameters;
 }
 
@@ -69,7 +81,7 @@ TEST_P(BadValue, IsRefusedWithKeyValueAndWhatIsAllowed) {
     Parameters parameters;
     const Parameters before = parameters;
     try {
-        set_parameter(parameters, all_keys, key, value);
+        set_parameter(parameters, all_keys(), key, value);
         FAIL() << "accepted: " << key << "=" << value;
     } catch (const InputError& error) {
         const std::string text = error.what();
@@ -122,15 +134,69 @@ std::vector<Bad> bad_values() {
 INSTANTIATE_TEST_SUITE_P(Parameters, BadValue, testing::ValuesIn(bad_values()),
                          [](const auto& one) { return std::to_string(one.index); });
 
+// What a result file says of a run can be given back to the command line.
+TEST(Parameters, ArePrintedAsTheyAreRead) {
+    const std::map<std::string, std::string> texts{
+        {"h", "0.125"},          {"dt", "0.5"},
+        {"steps", "260"},        {"period", "8"},
+        {"integrator", "euler"}, {"tolerance", "0.25"},
+        {"insertion", "arc"},    {"coarsening", "area"},
+        {"reading", "cubic"},    {"longest", "1.25"},
+        {"shortest", "0.125"},   {"deviation", "0.5"},
+        {"turn", "15"},          {"gap", "2"},
+        {"grading", "2.5"},      {"finest", "0.0625"},
+        {"real", "float"},       {"seed", "18446744073709551615"}};
+    for (const Key& key : parameter_keys()) {
+        ASSERT_TRUE(texts.contains(key.name)) << key.name;
+        const std::string text = texts.at(key.name);
+        const Setting value = key.value(with(key.name, text));
+        std::ostringstream printed;
+        std::visit([&](const auto& one) { printed << one; }, value);
+        EXPECT_EQ(printed.str(), text) << key.name;
+        EXPECT_NE(value, key.value({})) << key.name << ": drawn differently from the default";
+        EXPECT_FALSE(key.allowed.empty()) << key.name;
+    }
+}
+
+// Where an option is one of several, each of these can be set and is named in the error.
+template <class Enum, std::size_t n>
+void expect_all_choices(const std::string& name, const EnumTable<Enum, n>& table) {
+    for (const auto& one : table) {
+        const std::string text(one.name);
+        const auto key = std::ranges::find_if(
+            parameter_keys(), [&](const Key& candidate) { return candidate.name == name; });
+        EXPECT_EQ(std::get<std::string>(key->value(with(name, text))), text);
+        EXPECT_NE(key->allowed.find(text), std::string::npos) << text;
+    }
+}
+
+TEST(Parameters, TakeEachValueOfAnEnum) {
+    expect_all_choices("integrator", integrator_names);
+    expect_all_choices("insertion", insertion_names);
+    expect_all_choices("coarsening", coarsening_names);
+    expect_all_choices("reading", reading_names);
+    expect_all_choices("real", real_type_names);
+}
+
+TEST(Parameters, ComeAsKeyAndValue) {
+    Parameters parameters;
+    apply_setting(parameters, all_keys(), "h=0.25");
+    EXPECT_EQ(parameters.h, 0.25);
+    for (const char* setting : {"", "h", "=", "=1", "h=", "h=0.1=", " h=0.1", "h 0.1"}) {
+        EXPECT_THROW(apply_setting(parameters, all_keys(), setting), InputError) << setting;
+    }
+    EXPECT_EQ(parameters.h, 0.25);
+}
+
 TEST(Parameters, RefuseAnUnknownKeyAndNameThoseThatThereAre) {
     Parameters parameters;
     for (const char* key : {"", "H", "size", "h ", "periode"}) {
         try {
-            set_parameter(parameters, all_keys, key, "1");
+            set_parameter(parameters, all_keys(), key, "1");
             FAIL() << "accepted: " << key;
         } catch (const InputError& error) {
             EXPECT_EQ(error.value(), "'" + std::string(key) + "'");
-            for (const auto& known : all_keys) {
+            for (const auto& known : all_keys()) {
                 EXPECT_NE(error.allowed().find(known), std::string::npos) << known;
             }
         }
@@ -153,7 +219,8 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
         EXPECT_FALSE(scene.description.empty());
         EXPECT_FALSE(scene.section.empty());
         for (const auto& key : scene.keys) {
-            EXPECT_NE(std::find(all_keys.begin(), all_keys.end(), key), all_keys.end()) << key;
+            EXPECT_NE(std::find(all_keys().begin(), all_keys().end(), key), all_keys().end())
+                << key;
         }
         const auto setup = scene.prepare(scene.defaults);
         EXPECT_FALSE(setup.outlines.empty());

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Every scene of the catalogue, coarse enough to be looked at after every step: always a valid
 // complex, nobody left behind, and figures that agree with each other.
-#include "scenes/run.h"
+#include "scenes/catalogue/catalogue.h"
+#include "support/enumerators.h"
+
+#include "scenes/run/json.h"
+#include "scenes/run/run.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
 #include "dsc/complex/validate.h"
 #include "measures/hausdorff.h"
-#include "measures/measure.h"
+#include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 
 #include <gtest/gtest.h>
@@ -91,21 +95,21 @@ TEST_P(EveryScene, IsValidAfterEveryStep) {
     EXPECT_EQ(result.steps, scene.prepare(parameters).steps);
     EXPECT_EQ(result.mesh_hash, hash);
     EXPECT_EQ(result.triangles_last, triangles);
-    EXPECT_EQ(result.last.area, area);
+    EXPECT_EQ(number(result.last, "area"), area);
     EXPECT_EQ(result.inverted, 0U);
     EXPECT_EQ(result.unreached, 0U);
     EXPECT_EQ(result.held, 0U);
     EXPECT_EQ(result.gave_up, "");
     EXPECT_GE(result.sub_steps, static_cast<std::uint64_t>(result.steps));
     EXPECT_GT(result.operations.at("moves"), 0U);
-    EXPECT_GT(result.min_quality_last, 0.0);
-    EXPECT_LE(result.min_quality_ever, result.min_quality_last);
+    EXPECT_GT(number(result.last, "min_quality"), 0.0);
+    EXPECT_LE(result.min_quality_ever, number(result.last, "min_quality"));
     EXPECT_EQ(result.area_histogram.total(), triangles);
     EXPECT_EQ(result.quality_histogram.total(), triangles);
-    EXPECT_EQ(result.area_ratio, result.last.area / result.area_first);
+    EXPECT_EQ(result.area_ratio, number(result.last, "area") / result.area_first);
     // Coarse, but the shape that it should be.
-    EXPECT_LT(result.sd_rel_last, 0.1);
-    EXPECT_NEAR(result.last.area / result.last.area_exact, 1, 0.05);
+    EXPECT_LT(number(result.last, "sd_rel"), 0.1);
+    EXPECT_NEAR(number(result.last, "area") / number(result.last, "area_exact"), 1, 0.05);
 }
 
 std::string name_of(const testing::TestParamInfo<Case>& info) {
@@ -130,7 +134,7 @@ TEST(RunScene, GivesTheSameBitsAgain) {
     const RunResult b = run_scene(scene, short_run(scene), {});
     EXPECT_EQ(a.mesh_hash, b.mesh_hash);
     EXPECT_EQ(a.operations, b.operations);
-    EXPECT_EQ(a.sd_rel_last, b.sd_rel_last);
+    EXPECT_EQ(number(a.last, "sd_rel"), number(b.last, "sd_rel"));
     Parameters other = short_run(scene);
     other.seed = 3;
     EXPECT_NE(run_scene(scene, other, {}).mesh_hash, a.mesh_hash);
@@ -174,9 +178,23 @@ TEST(RunScene, RefusesWhatDoesNotGoTogether) {
     EXPECT_THROW((void)run_scene(scene, short_run(scene), options), InputError);
     EXPECT_THROW((void)parse_strategy("cubes"), InputError);
     EXPECT_THROW((void)find_scene("swril"), InputError);
-    for (const Strategy strategy : all_strategies) {
+    for (const Strategy strategy : all_strategies()) {
         EXPECT_EQ(parse_strategy(to_string(strategy)), strategy);
     }
+}
+
+TEST(Strategies, HaveOneEntryEach) {
+    ASSERT_EQ(strategies().size(), test::count_enumerators<Strategy>());
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < strategies().size(); ++i) {
+        const StrategyEntry& entry = strategies()[i];
+        EXPECT_EQ(entry.strategy, static_cast<Strategy>(i));
+        EXPECT_TRUE(names.insert(entry.name).second) << entry.name << " twice";
+        EXPECT_FALSE(entry.description.empty()) << entry.name;
+        EXPECT_EQ(submeshes_of(entry.strategy, {.submeshes = 3}),
+                  is_parallel(entry.strategy) ? 3U : 1U);
+    }
+    EXPECT_EQ(parallel_strategies(), "fixed, counting, active, blocks, cells, copy");
 }
 
 TEST(RunScene, WritesTheContractsKeys) {
@@ -248,25 +266,25 @@ TEST(RunScene, MeasuresBothMoments) {
     };
     const RunResult result = run_scene(scene, parameters, options);
     const double time = *setup.half_step * setup.dt;
-    for (const auto& [outlines, exact, errors] :
+    for (const auto& [outlines, exact, figures] :
          {std::tuple(half, setup.exact(time), result.half.value()),
           std::tuple(last, setup.exact(2 * time), result.last)}) {
-        EXPECT_EQ(errors.area, signed_area(outlines));
-        EXPECT_EQ(errors.area_exact, exact.area);
-        EXPECT_EQ(errors.symmetric_difference, symmetric_difference(outlines, exact.outlines));
-        EXPECT_EQ(errors.hausdorff, hausdorff(outlines, exact.outlines).distance());
-        EXPECT_EQ(errors.perimeter, perimeter(outlines));
-        EXPECT_EQ(errors.jaggedness.vertices, outlines.front().size());
-        EXPECT_EQ(errors.exact_error, exact.own_error);
-        EXPECT_GT(errors.symmetric_difference, 100 * errors.exact_error);
+        EXPECT_EQ(number(figures, "area"), signed_area(outlines));
+        EXPECT_EQ(number(figures, "area_exact"), exact.area);
+        EXPECT_EQ(number(figures, "sd"), symmetric_difference(outlines, exact.outlines));
+        EXPECT_EQ(number(figures, "hausdorff"), hausdorff(outlines, exact.outlines).distance());
+        EXPECT_EQ(number(figures, "perimeter"), perimeter(outlines));
+        EXPECT_EQ(number(figures, "jaggedness.vertices"), outlines.front().size());
+        EXPECT_EQ(number(figures, "exact_error"), exact.own_error);
+        EXPECT_GT(number(figures, "sd"), 100 * number(figures, "exact_error"));
     }
     const auto json = nlohmann::json::parse(to_json(result));
-    EXPECT_EQ(json["sd_half"], result.half->symmetric_difference);
-    EXPECT_EQ(json["sd_last"], result.last.symmetric_difference);
-    EXPECT_EQ(json["sd_rel_half"], result.sd_rel_half.value());
-    EXPECT_EQ(json["sd_rel_last"], result.sd_rel_last);
+    EXPECT_EQ(json["sd_half"], number(*result.half, "sd"));
+    EXPECT_EQ(json["sd_last"], number(result.last, "sd"));
+    EXPECT_EQ(json["sd_rel_half"], number(*result.half, "sd_rel"));
+    EXPECT_EQ(json["sd_rel_last"], number(result.last, "sd_rel"));
     EXPECT_NEAR(json["area_drift_exact_half"].get<double>(),
-                result.half->area / (0.15 * 0.15 * pi) - 1, 1e-15);
+                number(*result.half, "area") / (0.15 * 0.15 * pi) - 1, 1e-15);
     EXPECT_NEAR(json["area_drift_first_last"].get<double>(), result.area_ratio - 1, 1e-15);
 }
 
@@ -279,11 +297,12 @@ TEST(RunScene, LinearInsertionIsJagged) {
     const RunResult cubic = run_scene(scene, parameters, {});
     parameters.insertion = Insertion::linear;
     const RunResult linear = run_scene(scene, parameters, {});
-    EXPECT_EQ(cubic.last.jaggedness.beyond, 0U);
-    EXPECT_LE(cubic.last.jaggedness.largest_excess_deg, 0.0);
-    EXPECT_GT(linear.last.jaggedness.beyond, 0U);
-    EXPECT_GT(linear.last.jaggedness.largest_excess_deg, 0.0);
-    EXPECT_GT(linear.last.jaggedness.rms_deg, 2 * cubic.last.jaggedness.rms_deg);
+    EXPECT_EQ(number(cubic.last, "jaggedness.beyond"), 0);
+    EXPECT_LE(number(cubic.last, "jaggedness.largest_excess_deg"), 0.0);
+    EXPECT_GT(number(linear.last, "jaggedness.beyond"), 0);
+    EXPECT_GT(number(linear.last, "jaggedness.largest_excess_deg"), 0.0);
+    EXPECT_GT(number(linear.last, "jaggedness.rms_deg"),
+              2 * number(cubic.last, "jaggedness.rms_deg"));
 }
 
 } // namespace

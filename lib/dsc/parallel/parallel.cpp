@@ -7,67 +7,108 @@
 #include "dsc/parallel/partition/cells.h"
 #include "dsc/parallel/partition/slabs.h"
 
+#include <type_traits>
+#include <utility>
+
 namespace dsc {
 
 namespace {
 
-constexpr std::uint32_t default_slabs = 8;
-constexpr std::uint32_t default_blocks = 16;
-
-template <class Real>
-std::unique_ptr<Partitioner<Real>> make_partitioner(const Parallel& parallel) {
-    const std::uint32_t submeshes = submeshes_of(parallel);
-    const auto slabs = [&](Slabbing slabbing) {
-        SlabOptions options;
-        options.slabbing = slabbing;
-        options.submeshes = submeshes;
-        options.degrees = parallel.degrees;
-        options.follow_shape = parallel.follow_shape;
-        return std::make_unique<SlabPartitioner<Real>>(options);
-    };
-    switch (parallel.division) {
-    case Division::fixed: return slabs(Slabbing::fixed);
-    case Division::counting: return slabs(Slabbing::counting);
-    case Division::active: return slabs(Slabbing::active);
-    case Division::blocks: {
-        BlockOptions blocks;
-        blocks.submeshes = submeshes;
-        return std::make_unique<BlockPartitioner<Real>>(blocks);
+// A partitioner's options, with the number of submeshes that is asked for or its own.
+template <class PartitionOptions>
+PartitionOptions with_submeshes(PartitionOptions options, const Parallel& parallel) {
+    if (parallel.submeshes > 0) {
+        options.submeshes = parallel.submeshes;
     }
-    case Division::cells:
-    case Division::copy: break;
-    }
-    CellOptions cells;
-    cells.submeshes = submeshes;
-    return std::make_unique<CellPartitioner<Real>>(cells);
-}
-
-} // namespace
-
-std::uint32_t submeshes_of(const Parallel& parallel) {
-    if (parallel.submeshes > 0 || parallel.division == Division::cells) {
-        return parallel.submeshes;
-    }
-    return parallel.division == Division::blocks ? default_blocks : default_slabs;
+    return options;
 }
 
 template <class Real>
-std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
-                                              const Parallel& parallel, Algorithm<Real> algorithm) {
-    if (parallel.division == Division::copy) {
-        CopyOptions copies;
-        copies.submeshes = submeshes_of(parallel);
-        copies.threads = parallel.threads;
-        return std::make_unique<CopyExecutor<Real>>(complex, options, std::move(algorithm), copies);
-    }
+std::unique_ptr<Executor<Real>> in_place(Complex<Real>& complex, const Options<Real>& options,
+                                         const Parallel& parallel, Algorithm<Real> algorithm,
+                                         std::unique_ptr<Partitioner<Real>> partitioner) {
     SubmeshOptions submeshes;
     submeshes.threads = parallel.threads;
+    submeshes.assignment = parallel.assignment;
     submeshes.profile = parallel.profile;
     if (parallel.always_all_threads) {
         submeshes.vertices_per_thread = 1;
     }
     return std::make_unique<SubmeshExecutor<Real>>(complex, options, std::move(algorithm),
-                                                   make_partitioner<Real>(parallel), submeshes);
+                                                   std::move(partitioner), submeshes);
+}
+
+template <class Real, Slabbing slabbing>
+std::unique_ptr<Executor<Real>> slabs(Complex<Real>& complex, const Options<Real>& options,
+                                      const Parallel& parallel, Algorithm<Real> algorithm) {
+    SlabOptions slabs = with_submeshes(SlabOptions{}, parallel);
+    slabs.slabbing = slabbing;
+    slabs.degrees = parallel.degrees;
+    slabs.follow_shape = parallel.follow_shape;
+    return in_place<Real>(complex, options, parallel, std::move(algorithm),
+                          std::make_unique<SlabPartitioner<Real>>(slabs));
+}
+
+template <class Real>
+std::unique_ptr<Executor<Real>> blocks(Complex<Real>& complex, const Options<Real>& options,
+                                       const Parallel& parallel, Algorithm<Real> algorithm) {
+    return in_place<Real>(
+        complex, options, parallel, std::move(algorithm),
+        std::make_unique<BlockPartitioner<Real>>(with_submeshes(BlockOptions{}, parallel)));
+}
+
+template <class Real>
+std::unique_ptr<Executor<Real>> cells(Complex<Real>& complex, const Options<Real>& options,
+                                      const Parallel& parallel, Algorithm<Real> algorithm) {
+    return in_place<Real>(
+        complex, options, parallel, std::move(algorithm),
+        std::make_unique<CellPartitioner<Real>>(with_submeshes(CellOptions{}, parallel)));
+}
+
+template <class Real>
+std::unique_ptr<Executor<Real>> copies(Complex<Real>& complex, const Options<Real>& options,
+                                       const Parallel& parallel, Algorithm<Real> algorithm) {
+    CopyOptions copies = with_submeshes(CopyOptions{}, parallel);
+    copies.threads = parallel.threads;
+    return std::make_unique<CopyExecutor<Real>>(complex, options, std::move(algorithm), copies);
+}
+
+} // namespace
+
+const std::vector<DivisionEntry>& divisions() {
+    static const std::vector<DivisionEntry> all{
+        {Division::fixed, "fixed", "slabs of equal width (thesis, section 6.3)",
+         SlabOptions{}.submeshes, slabs<double, Slabbing::fixed>, slabs<float, Slabbing::fixed>},
+        {Division::counting, "counting",
+         "slabs of equal numbers of triangles (thesis, section 6.3)", SlabOptions{}.submeshes,
+         slabs<double, Slabbing::counting>, slabs<float, Slabbing::counting>},
+        {Division::active, "active", "slabs of equal work", SlabOptions{}.submeshes,
+         slabs<double, Slabbing::active>, slabs<float, Slabbing::active>},
+        {Division::blocks, "blocks", "cut in two directions, three colours (thesis, section 6)",
+         BlockOptions{}.submeshes, blocks<double>, blocks<float>},
+        {Division::cells, "cells", "submeshes that follow the interface", CellOptions{}.submeshes,
+         cells<double>, cells<float>},
+        {Division::copy, "copy", "submeshes created and merged (thesis, algorithms 6.1 and 6.2)",
+         CopyOptions{}.submeshes, copies<double>, copies<float>},
+    };
+    return all;
+}
+
+std::uint32_t submeshes_of(const Parallel& parallel) {
+    return parallel.submeshes > 0
+               ? parallel.submeshes
+               : divisions().at(static_cast<std::size_t>(parallel.division)).submeshes;
+}
+
+template <class Real>
+std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
+                                              const Parallel& parallel, Algorithm<Real> algorithm) {
+    const DivisionEntry& entry = divisions().at(static_cast<std::size_t>(parallel.division));
+    if constexpr (std::is_same_v<Real, double>) {
+        return entry.in_double(complex, options, parallel, std::move(algorithm));
+    } else {
+        return entry.in_float(complex, options, parallel, std::move(algorithm));
+    }
 }
 
 // Declared with the simulation, defined here: nothing below this room knows of threads.

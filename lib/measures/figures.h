@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Figures with names: what has been measured, in the order in which it was.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace dsc::scenes {
+
+struct Figure;
+using Figures = std::vector<Figure>;
+
+/// A number that is NaN could not be measured. Several figures may be parts of one.
+using Value = std::variant<double, std::uint64_t, std::string, Point<double>, Figures>;
+
+struct Figure {
+    std::string name;
+    Value value;
+};
+
+/// The number of this name; of a part: "jaggedness.beyond". Throws InputError, naming the figures
+/// that there are, where there is none or it is no number. O(figures).
+[[nodiscard]] double number(const Figures& figures, std::string_view name);
+
+} // namespace dsc::scenes

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "measures/interface_outlines.h"
+
+#include "dsc/complex/outlines.h"
+#include "dsc/passes/interface_curve.h"
+
+namespace dsc::scenes {
+
+namespace {
+
+/// Whether a cubic goes through this vertex of a loop, between its neighbours. On the domain
+/// boundary the curve ends.
+template <class Real>
+bool is_smooth_at(const Complex<Real>& complex, Vertex before, Vertex at, Vertex after,
+                  Ring<Real>& ring) {
+    return gather(complex, Region{}, at.id, ring) && ring.closed &&
+           interface_spokes(ring).count == 2 &&
+           is_smooth<Real>(complex, at.id, complex.position(before), complex.position(at),
+                           complex.position(after));
+}
+
+} // namespace
+
+template <class Real>
+std::vector<Outline> interface_outlines(const Complex<Real>& complex, Reading reading,
+                                        int samples) {
+    const int pieces = reading == Reading::chords ? 1 : samples;
+    std::vector<Outline> outlines;
+    Ring<Real> ring;
+    const auto is_inside = [](Phase phase) { return phase != exterior_phase; };
+    for (const VertexLoop& loop : outlines_where(complex, is_inside)) {
+        const std::size_t n = loop.size();
+        std::vector<std::uint8_t> smooth(n, 0);
+        for (std::size_t i = 0; i < n && pieces > 1; ++i) {
+            smooth[i] =
+                is_smooth_at(complex, loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n], ring) ? 1
+                                                                                               : 0;
+        }
+        const auto at = [&](std::size_t i) {
+            return Point<double>(complex.position(loop[i % n]).template cast<double>());
+        };
+        Outline outline;
+        outline.reserve(n * static_cast<std::size_t>(pieces));
+        for (std::size_t i = 0; i < n; ++i) {
+            const CurveNeighbours<double> curve{at(i + n - 1),  at(i),
+                                                at(i + 1),      at(i + 2),
+                                                smooth[i] != 0, smooth[(i + 1) % n] != 0};
+            outline.push_back(curve.p1);
+            for (int k = 1; k < pieces; ++k) {
+                outline.push_back(curve_point(curve, static_cast<double>(k) / pieces));
+            }
+        }
+        outlines.push_back(std::move(outline));
+    }
+    return outlines;
+}
+
+template <class Real>
+std::vector<Outline> interface_outlines(const Complex<Real>& complex) {
+    return interface_outlines(complex, Reading::chords);
+}
+
+template std::vector<Outline> interface_outlines(const Complex<double>&);
+template std::vector<Outline> interface_outlines(const Complex<float>&);
+template std::vector<Outline> interface_outlines(const Complex<double>&, Reading, int);
+template std::vector<Outline> interface_outlines(const Complex<float>&, Reading, int);
+
+} // namespace dsc::scenes

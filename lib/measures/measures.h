@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// A measure is a named function of one moment of a run. A run takes a list of them, and each value
+// gets into its result under the measure's name: a new measure is a new entry of the list.
+#pragma once
+
+#include "dsc/base/enum_table.h"
+#include "dsc/complex/complex.h"
+#include "measures/figures.h"
+#include "shapes/exact_shape.h"
+
+#include <functional>
+#include <span>
+
+namespace dsc::scenes {
+
+/// The mesh in the precision in which it is computed.
+using MeshView = std::variant<const Complex<double>*, const Complex<float>*>;
+
+/// What there is to look at. Lengths and areas are in units of the domain.
+struct Moment {
+    MeshView mesh;
+    std::span<const Outline> outlines; ///< the interface as it is read between its vertices
+    std::span<const Outline> polygons; ///< its vertices with straight edges
+    const ExactShape* exact = nullptr; ///< null: only measures run that need none
+    double area_first = 0;             ///< of the first outlines
+    double area_exact_first = 0;       ///< of the first exact shape
+    const Figures* figures = nullptr;  ///< what the measures before this one have said
+};
+
+enum class Needs : std::uint8_t {
+    outlines,
+    exact_shape, ///< and the outlines; its value is NaN where there is no exact shape
+    mesh,
+};
+
+inline constexpr std::array needs_names{
+    Named{Needs::outlines, "outlines"},
+    Named{Needs::exact_shape, "exact shape"},
+    Named{Needs::mesh, "mesh"},
+};
+
+struct Measure {
+    std::string name;        ///< of its value; results at the end and half-way add _last and _half
+    std::string unit;        ///< "1" where it has none
+    std::string description; ///< what it is, in a few words
+    Needs needs = Needs::outlines;
+    std::function<Value(const Moment&)> function;
+};
+
+/// What every run measures unless it is told otherwise.
+[[nodiscard]] const std::vector<Measure>& default_measures();
+
+/// The value of each measure, in their order. `moment.figures` need not be set. Throws what the
+/// measures throw.
+[[nodiscard]] Figures measure(const std::vector<Measure>& measures, Moment moment);
+
+} // namespace dsc::scenes

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/catalogue/catalogue.h"
+
+#include "dsc/base/error.h"
+#include "scenes/catalogue/families.h"
+
+namespace dsc::scenes {
+
+const std::vector<Scene>& catalogue() {
+    static const std::vector<Scene> scenes = [] {
+        std::vector<Scene> all;
+        for (const auto family : {
+                 translation_scenes,
+                 scaling_scenes,
+                 rotation_scenes,
+                 vortex_scenes,
+                 zalesak_scenes,
+                 swirl_scenes,
+                 speedup_scenes,
+             }) {
+            for (Scene& scene : family()) {
+                all.push_back(std::move(scene));
+            }
+        }
+        return all;
+    }();
+    return scenes;
+}
+
+const Scene& find_scene(const std::string& name, const std::vector<Scene>& scenes) {
+    std::string names;
+    for (const Scene& scene : scenes) {
+        if (scene.name == name) {
+            return scene;
+        }
+        names += (names.empty() ? "" : ", ") + scene.name;
+    }
+    throw InputError("unknown scene", "run", "'" + name + "'", names);
+}
+
+InterfaceThresholds coarse_interface() {
+    InterfaceThresholds thresholds;
+    thresholds.longest = 1.4;
+    thresholds.shortest = 0.45;
+    thresholds.deviation = 0.02;
+    return thresholds;
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The families of scenes, each in the file of its name, and what several of them are made of.
+#pragma once
+
+#include "scenes/scene.h"
+#include "shapes/curve.h"
+
+namespace dsc::scenes {
+
+[[nodiscard]] std::vector<Scene> translation_scenes();
+[[nodiscard]] std::vector<Scene> scaling_scenes();
+[[nodiscard]] std::vector<Scene> rotation_scenes();
+[[nodiscard]] std::vector<Scene> vortex_scenes();
+[[nodiscard]] std::vector<Scene> zalesak_scenes();
+[[nodiscard]] std::vector<Scene> swirl_scenes();
+[[nodiscard]] std::vector<Scene> speedup_scenes();
+
+/// What a list of scenes and its help say of one.
+struct About {
+    std::string name;
+    std::string description;
+    std::string section;
+};
+
+struct Schedule {
+    double dt;
+    int steps;
+};
+
+/// Time step and number of steps: what is given stays; what is not follows from the duration.
+/// Throws InputError for more than 100,000,000 steps.
+[[nodiscard]] Schedule schedule(const Parameters& parameters, double duration, double default_dt);
+
+/// A circle in the middle of the domain that grows to four times its radius.
+[[nodiscard]] Scene scaling_scene(About about, double h);
+
+/// One rigid turn about the middle of the domain, in so many steps.
+[[nodiscard]] Scene rotation_scene(About about, double h, int steps,
+                                   std::function<std::vector<Outline>(double h)> outlines);
+
+/// A curve that a flow takes away and back: `steps` is the number of steps each way.
+[[nodiscard]] Scene there_and_back_scene(About about, double h, double dt, int steps,
+                                         const Velocity& velocity, const Curve& curve,
+                                         std::function<Outline(double h)> outline);
+
+} // namespace dsc::scenes

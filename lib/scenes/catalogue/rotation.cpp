@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Rigid turns [thesis 9.3]: corners that must stay corners.
+#include "flows/exact.h"
+#include "scenes/catalogue/families.h"
+#include "shapes/shapes.h"
+
+#include <numbers>
+
+namespace dsc::scenes {
+
+Scene rotation_scene(About about, double h, int steps,
+                     std::function<std::vector<Outline>(double h)> outlines) {
+    return {.name = std::move(about.name),
+            .description = std::move(about.description),
+            .section = std::move(about.section),
+            .defaults = {.h = h, .dt = 0},
+            .prepare = [outlines = std::move(outlines), steps](const Parameters& p) {
+                constexpr double whole_turn = 2 * std::numbers::pi;
+                const Point<double> middle(0.5, 0.5);
+                const Schedule s = schedule(p, 1.0, 1.0 / steps);
+                Setup setup;
+                setup.outlines = outlines(p.h);
+                setup.flow = steady(Rotation{middle, whole_turn});
+                setup.dt = s.dt;
+                setup.steps = s.steps;
+                setup.exact = [first = setup.outlines, middle](double t) {
+                    return rotated_shape(first, middle, whole_turn * t);
+                };
+                return setup;
+            }};
+}
+
+std::vector<Scene> rotation_scenes() {
+    return {
+        rotation_scene({"rotation-rectangle", "a rectangle turns once about its centre", "9.3"},
+                       0.02, 360,
+                       [](double h) {
+                           return std::vector<Outline>{rectangle({0.25, 0.4}, {0.75, 0.6}, h)};
+                       }),
+        rotation_scene(
+            {"rotation-crescent", "a crescent turns once about the origin", "9.3"}, 0.02, 360,
+            [](double h) {
+                return std::vector<Outline>{crescent({{0.5, 0.5}, 0.3, {0.68, 0.5}, 0.24}, h)};
+            }),
+    };
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Growth [thesis 9.2]: new vertices appear on the interface all the time.
+#include "flows/exact.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/catalogue/families.h"
+#include "shapes/shapes.h"
+
+namespace dsc::scenes {
+
+namespace {
+
+Setup grow(const Parameters& p) {
+    static constexpr double first_radius = 0.1;
+    constexpr double last_radius = 0.4;
+    static const Point<double> middle(0.5, 0.5);
+    // The thesis's circles grow by less than an edge a step.
+    const Schedule s = schedule(p, last_radius - first_radius, 0.3 * p.h);
+    Setup setup;
+    setup.outlines = {circle(middle, first_radius, p.h)};
+    setup.flow = steady(Radial{middle, 1.0});
+    setup.dt = s.dt;
+    setup.steps = s.steps;
+    setup.exact = [](double time) { return exact_circle(middle, first_radius + time); };
+    return setup;
+}
+
+} // namespace
+
+Scene scaling_scene(About about, double h) {
+    return {.name = std::move(about.name),
+            .description = std::move(about.description),
+            .section = std::move(about.section),
+            .defaults = {.h = h, .dt = 0, .interface = coarse_interface()},
+            .prepare = grow};
+}
+
+std::vector<Scene> scaling_scenes() {
+    return {scaling_scene({"scaling", "a circle grows to four times its radius", "9.2"}, 0.02)};
+}
+
+} // namespace dsc::scenes

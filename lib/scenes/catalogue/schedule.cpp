@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/base/error.h"
+#include "scenes/catalogue/families.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc::scenes {
+
+Schedule schedule(const Parameters& p, double duration, double default_dt) {
+    Schedule s{p.dt > 0 ? p.dt : (p.steps > 0 ? duration / p.steps : default_dt), p.steps};
+    if (s.steps == 0) {
+        const double count = std::max(1.0, std::round(duration / s.dt));
+        if (count > 1e8) {
+            throw InputError("time step too small", "--set dt", std::to_string(s.dt),
+                             "at most 100000000 steps for a duration of " +
+                                 std::to_string(duration));
+        }
+        s.steps = static_cast<int>(count);
+        if (p.dt <= 0) {
+            s.dt = duration / s.steps; // whole steps end where the scene ends
+        }
+    }
+    return s;
+}
+
+} // namespace dsc::scenes

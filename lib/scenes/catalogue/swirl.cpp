@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The swirl [thesis 9.6, equation 11] and the field's single vortex: shapes are drawn out into
+// filaments, and most come back.
+#include "flows/exact.h"
+#include "scenes/catalogue/families.h"
+#include "shapes/shapes.h"
+
+#include <cmath>
+
+namespace dsc::scenes {
+
+namespace {
+
+constexpr double radius = 0.15;
+
+Point<double> centre() { return {0.5, 0.75}; }
+
+Setup swirl_one_way(const Parameters& p) {
+    Setup setup;
+    setup.outlines = {slotted_disc({}, p.h)};
+    setup.flow = steady(Swirl{});
+    setup.dt = p.dt;
+    setup.steps = p.steps;
+    setup.exact = [flow = setup.flow](double t) {
+        return advected_shape(slotted_disc_curve({}), flow, t);
+    };
+    return setup;
+}
+
+Setup reversing_vortex(const Parameters& p) {
+    const Schedule s = schedule(p, p.period, 0.01);
+    Setup setup;
+    setup.outlines = {circle(centre(), radius, p.h)};
+    setup.flow = steady(Swirl{1.0, p.period});
+    setup.dt = s.dt;
+    setup.steps = s.steps;
+    if (s.steps % 2 == 0 && std::abs(s.steps * s.dt - p.period) < 1e-9 * p.period) {
+        setup.half_step = s.steps / 2;
+    }
+    setup.exact = [flow = setup.flow, period = p.period](double t) {
+        const Curve curve = circle_curve(centre(), radius);
+        return std::abs(t - period) < 1e-9 * period ? unmoved_shape(curve)
+                                                    : advected_shape(curve, flow, t);
+    };
+    return setup;
+}
+
+std::vector<std::string> with_period() {
+    std::vector<std::string> keys = common_keys();
+    keys.emplace_back("period");
+    return keys;
+}
+
+} // namespace
+
+std::vector<Scene> swirl_scenes() {
+    return {
+        there_and_back_scene({"swirl", "a circle is swirled for `steps` steps, and back", "9.6"},
+                             0.01, 0.01, 260, Swirl{}, circle_curve(centre(), radius),
+                             [](double h) { return circle(centre(), radius, h); }),
+        // The disc's legs are drawn out until they are thinner than an edge: at the default end,
+        // time 4, the mean width of the shape, 2 A / P, is 0.0067.
+        {.name = "swirl-zalesak",
+         .description = "Zalesak's slotted disc is swirled, one way",
+         .section = "9.6",
+         .defaults = {.h = 0.01, .dt = 0.01, .steps = 400},
+         .prepare = swirl_one_way},
+        {.name = "single-vortex",
+         .description = "LeVeque's reversing vortex stretches a circle into a filament",
+         .section = "anchors: section 3 of the field's literature",
+         .defaults = {.h = 0.01, .dt = 0.01, .period = 8},
+         .prepare = reversing_vortex,
+         .keys = with_period()},
+    };
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/command_line/scene_program.h"
+
+#include "dsc/base/error.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/command_line/command_line.h"
+#include "scenes/output/write_file.h"
+#include "scenes/run/json.h"
+#include "scenes/run/run.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+
+namespace dsc::scenes {
+
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+void on_interrupt(int) { interrupted.store(true); }
+
+struct Arguments {
+    std::string scene;
+    std::vector<std::string> settings;
+    std::string strategy = "sequential";
+    std::string angle = "0";
+    RunOptions run;
+    std::optional<std::string> json;
+};
+
+void list_scenes(const std::vector<Scene>& scenes) {
+    for (const Scene& scene : scenes) {
+        std::cout << std::left << std::setw(22) << scene.name << scene.description << " ["
+                  << scene.section << "]; keys:";
+        for (const auto& key : scene.keys) {
+            std::cout << ' ' << key;
+        }
+        std::cout << '\n';
+    }
+}
+
+void print_summary(const RunResult& r) {
+    std::cout << r.scene << " (" << to_string(r.strategy) << ", " << r.threads << " thread"
+              << (r.threads == 1 ? "" : "s") << "): " << r.steps << " steps, " << r.triangles_last
+              << " triangles, " << r.interface_vertices_last << " interface vertices\n"
+              << std::setprecision(8) << "  area ratio " << r.area_ratio
+              << ", symmetric difference " << std::setprecision(3) << number(r.last, "sd_rel")
+              << " of the area";
+    if (r.half) {
+        std::cout << " (half-way " << number(*r.half, "sd_rel") << ")";
+    }
+    std::cout << "\n  worst quality " << number(r.last, "min_quality") << " (ever "
+              << r.min_quality_ever << "), smallest angle " << number(r.last, "min_angle_deg")
+              << " degrees\n  inverted " << r.inverted << ", unreached " << r.unreached << "\n  "
+              << r.step_us_median << " us a step (median), " << r.cpu_s << " s CPU, "
+              << std::setprecision(4) << r.peak_memory_mb << " MB\n";
+}
+
+void parse_angle(const std::string& angle, Submeshing& submeshing) {
+    if (angle == "shape") {
+        submeshing.follow_shape = true;
+        return;
+    }
+    const char* end = angle.data() + angle.size();
+    const auto [stop, error] = std::from_chars(angle.data(), end, submeshing.degrees);
+    if (error != std::errc{} || stop != end || !std::isfinite(submeshing.degrees)) {
+        throw InputError("not a direction", "--angle", "'" + angle + "'",
+                         "degrees from the x axis, or shape");
+    }
+}
+
+// What a key takes and what a strategy is, a line each.
+std::string details() {
+    std::ostringstream text;
+    text << "Keys of --set (each scene takes those that `list` shows):\n" << std::left;
+    for (const Key& key : parameter_keys()) {
+        text << "  " << std::setw(12) << key.name << key.allowed << '\n';
+    }
+    text << "Strategies:\n";
+    for (const StrategyEntry& strategy : strategies()) {
+        text << "  " << std::setw(12) << strategy.name << strategy.description << '\n';
+    }
+    text << "Measures, in the result with _last and _half:\n";
+    for (const Measure& measure : default_measures()) {
+        text << "  " << std::setw(18) << measure.name << measure.description << " [" << measure.unit
+             << "]\n";
+    }
+    return text.str();
+}
+
+std::string names_of_strategies() {
+    std::string names;
+    for (const StrategyEntry& strategy : strategies()) {
+        names += (names.empty() ? "" : ", ") + strategy.name;
+    }
+    return names;
+}
+
+int run(const std::string& program, const std::vector<Scene>& scenes, const Arguments& arguments) {
+    const Scene& scene = find_scene(arguments.scene, scenes);
+    Parameters parameters = scene.defaults;
+    for (const std::string& setting : arguments.settings) {
+        apply_setting(parameters, scene.keys, setting);
+    }
+    RunOptions options = arguments.run;
+    options.strategy = parse_strategy(arguments.strategy);
+    parse_angle(arguments.angle, options.submeshing);
+    options.progress = isatty(STDERR_FILENO) != 0;
+    options.interrupted = &interrupted;
+    if (arguments.json) {
+        check_writable(*arguments.json, "--json");
+    }
+    std::signal(SIGINT, on_interrupt);
+    std::signal(SIGTERM, on_interrupt);
+
+    const RunResult result = run_scene(scene, parameters, options);
+    print_summary(result);
+    if (arguments.json) {
+        write_file(*arguments.json, to_json(result));
+    }
+    if (!result.gave_up.empty()) {
+        std::cerr << program << ": gave up: " << result.gave_up << '\n';
+    }
+    if (result.held > 0) {
+        std::cerr << program << ": " << result.held
+                  << " times a vertex was held, for its velocity was not finite\n";
+    }
+    if (result.interrupted) {
+        std::cerr << program << ": interrupted after step " << result.steps << '\n';
+    }
+    return result.holds() && !result.interrupted ? 0 : 1;
+}
+
+} // namespace
+
+int scene_program(const std::string& program, const std::vector<Scene>& scenes, int argc,
+                  const char* const* argv) {
+    CLI::App app{"Runs the scenes of a deformable simplicial complex and measures them."};
+    app.require_subcommand(1);
+    app.add_subcommand("list", "all scenes and the keys they take");
+    auto* run_command = app.add_subcommand("run", "run one scene");
+    run_command->footer(details());
+    Arguments arguments;
+    run_command->add_option("scene", arguments.scene, "a name from the list")->required();
+    run_command->add_option("--set", arguments.settings, "key=value; may be repeated")
+        ->allow_extra_args(false);
+    run_command->add_option("--strategy", arguments.strategy,
+                            names_of_strategies() + " (default sequential)");
+    run_command
+        ->add_option("--submeshes", arguments.run.submeshing.submeshes,
+                     "default: 8 slabs, 16 blocks, or as many cells as pay")
+        ->check(CLI::Range(1, 65536));
+    run_command->add_option(
+        "--angle", arguments.angle,
+        "slabs are cut across this direction, in degrees from the x axis (default 0); "
+        "shape: across the direction of the interface");
+    run_command->add_option("--threads", arguments.run.submeshing.threads, "threads (default 1)")
+        ->check(CLI::Range(1, 1024));
+    run_command->add_option("--frames", arguments.run.frames, "folder for .vtu and .pvd files");
+    run_command->add_option("--json", arguments.json, "file for the result");
+    return list_or_run(
+        app, program, argc, argv, [&] { list_scenes(scenes); },
+        [&] { return run(program, scenes, arguments); });
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/keys.h"
+
+#include "dsc/base/error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace dsc::scenes {
+
+namespace {
+
+std::string join(const std::vector<std::string>& words) {
+    std::string text;
+    for (const auto& word : words) {
+        text += (text.empty() ? "" : ", ") + word;
+    }
+    return text;
+}
+
+template <class Number>
+bool read_number(const std::string& text, Number low, Number high, Number& number) {
+    Number read = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, read);
+    // Written so that NaN is refused too.
+    if (error != std::errc{} || stop != end || !(read >= low && read <= high)) {
+        return false;
+    }
+    number = read;
+    return true;
+}
+
+// In these rows `field` gives a reference to what the key stands for, in Parameters of either
+// constness.
+
+template <class Number, class Field>
+Key number(std::string name, Number low, Number high, std::string allowed, Field field) {
+    return {std::move(name), std::move(allowed),
+            [=](Parameters& p, const std::string& text) {
+                return read_number(text, low, high, field(p));
+            },
+            [=](const Parameters& p) { return Setting(field(p)); }};
+}
+
+template <class Enum, std::size_t n, class Field>
+Key choice(std::string name, const EnumTable<Enum, n>& table, Field field) {
+    return {std::move(name), names_in(table),
+            [=](Parameters& p, const std::string& text) {
+                const auto value = value_in(table, text);
+                if (value) {
+                    field(p) = *value;
+                }
+                return value.has_value();
+            },
+            [=](const Parameters& p) { return Setting(std::string(name_in(table, field(p)))); }};
+}
+
+Key for_some_scenes(Key key) {
+    key.is_common = false;
+    return key;
+}
+
+std::vector<Key> make_keys() {
+    return {
+        number(
+            "h", 1e-5, 1.0, "a length from 1e-5 to 1, in units of the domain",
+            [](auto& p) -> auto& { return p.h; }),
+        number(
+            "dt", 1e-12, 1e3, "a time from 1e-12 to 1000", [](auto& p) -> auto& { return p.dt; }),
+        number(
+            "steps", 1, 100'000'000, "a whole number from 1 to 100000000",
+            [](auto& p) -> auto& { return p.steps; }),
+        for_some_scenes(number(
+            "period", 1e-6, 1e6, "a time from 1e-6 to 1e6",
+            [](auto& p) -> auto& { return p.period; })),
+        choice(
+            "integrator", integrator_names, [](auto& p) -> auto& { return p.integrator; }),
+        number(
+            "tolerance", 1e-12, 1.0, "1e-12 to 1, an error in edge lengths",
+            [](auto& p) -> auto& { return p.tolerance; }),
+        choice(
+            "insertion", insertion_names, [](auto& p) -> auto& { return p.insertion; }),
+        choice(
+            "coarsening", coarsening_names,
+            [](auto& p) -> auto& { return p.interface.coarsening; }),
+        choice(
+            "reading", reading_names, [](auto& p) -> auto& { return p.interface.reading; }),
+        number(
+            "longest", 0.1, 10.0, "0.1 to 10, in edge lengths",
+            [](auto& p) -> auto& { return p.interface.longest; }),
+        number(
+            "shortest", 0.0, 5.0, "0 to 5, in edge lengths",
+            [](auto& p) -> auto& { return p.interface.shortest; }),
+        number(
+            "deviation", 0.0, 1.0, "0 to 1, in edge lengths",
+            [](auto& p) -> auto& { return p.interface.deviation; }),
+        number(
+            "turn", 0.0, 180.0, "0 (off), 1 to 180 degrees",
+            [](auto& p) -> auto& { return p.interface.turn_degrees; }),
+        number(
+            "gap", 0.0, 100.0, "0 (off), 0.1 to 100",
+            [](auto& p) -> auto& { return p.interface.gap; }),
+        number(
+            "grading", 0.0, 100.0, "0 (off), 2 to 100",
+            [](auto& p) -> auto& { return p.interface.grading; }),
+        number(
+            "finest", 1e-3, 1.0, "0.001 to 1, in edge lengths",
+            [](auto& p) -> auto& { return p.interface.finest; }),
+        choice(
+            "real", real_type_names, [](auto& p) -> auto& { return p.real; }),
+        number(
+            "seed", std::uint64_t{0}, UINT64_MAX, "a whole number from 0 to 2^64 - 1",
+            [](auto& p) -> auto& { return p.seed; }),
+    };
+}
+
+} // namespace
+
+const std::vector<Key>& parameter_keys() {
+    static const std::vector<Key> keys = make_keys();
+    return keys;
+}
+
+std::vector<std::string> common_keys() {
+    std::vector<std::string> names;
+    for (const Key& key : parameter_keys()) {
+        if (key.is_common) {
+            names.push_back(key.name);
+        }
+    }
+    return names;
+}
+
+void set_parameter(Parameters& parameters, const std::vector<std::string>& keys,
+                   const std::string& key, const std::string& value) {
+    const auto found =
+        std::ranges::find_if(parameter_keys(), [&](const Key& one) { return one.name == key; });
+    if (found == parameter_keys().end() || std::ranges::find(keys, key) == keys.end()) {
+        throw InputError("unknown key", "--set", "'" + key + "'", "for this scene: " + join(keys));
+    }
+    if (!found->parse(parameters, value)) {
+        throw InputError("bad value", "--set " + key, "'" + value + "'", found->allowed);
+    }
+}
+
+void apply_setting(Parameters& parameters, const std::vector<std::string>& keys,
+                   const std::string& setting) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos) {
+        throw InputError("not a setting", "--set", "'" + setting + "'", "key=value");
+    }
+    set_parameter(parameters, keys, setting.substr(0, equals), setting.substr(equals + 1));
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The keys of a scene's parameters, in one table: what `--set key=value` takes and refuses, what
+// help texts say of it, and what result files hold all come from there.
+#pragma once
+
+#include "scenes/parameters.h"
+
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace dsc::scenes {
+
+/// The value of a key, as result files print it.
+using Setting = std::variant<double, int, std::uint64_t, std::string>;
+
+struct Key {
+    std::string name;
+    std::string allowed; ///< the values that it takes, with their unit, for errors and help texts
+    /// Sets it from text. False, with nothing set, where the text is no value that is allowed.
+    std::function<bool(Parameters&, const std::string& text)> parse;
+    std::function<Setting(const Parameters&)> value;
+    bool is_common = true; ///< every scene takes it; else those that name it
+};
+
+/// All of them, in the order of result files.
+[[nodiscard]] const std::vector<Key>& parameter_keys();
+
+/// The names of those that every scene takes.
+[[nodiscard]] std::vector<std::string> common_keys();
+
+/// Sets one key from text. Throws InputError for a key that is not one of `keys` (naming those), a
+/// value that is no number, or one out of range; then nothing has changed.
+void set_parameter(Parameters& parameters, const std::vector<std::string>& keys,
+                   const std::string& key, const std::string& value);
+
+/// The same for "key=value".
+void apply_setting(Parameters& parameters, const std::vector<std::string>& keys,
+                   const std::string& setting);
+
+} // namespace dsc::scenes

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// The mesh under way, in either precision, as a run drives it.
+#pragma once
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/parallel/in_place/submesh_executor.h"
+#include "scenes/output/submesh_map.h"
+#include "scenes/run/run.h"
+#include "scenes/run/start.h"
+
+#include <filesystem>
+
+namespace dsc::scenes {
+
+template <class Real>
+dsc::Velocity<Real> velocity_in(const Velocity& velocity) {
+    if constexpr (std::is_same_v<Real, double>) {
+        return velocity;
+    } else {
+        // The fields are evaluated in double, whatever the mesh is in.
+        return [&velocity](std::span<const Point<Real>> positions, Real time,
+                           std::span<Point<Real>> velocities) {
+            std::vector<Point<double>> in(positions.size());
+            std::vector<Point<double>> out(positions.size());
+            for (std::size_t i = 0; i < in.size(); ++i) {
+                in[i] = positions[i].template cast<double>();
+            }
+            velocity(in, static_cast<double>(time), out);
+            for (std::size_t i = 0; i < in.size(); ++i) {
+                velocities[i] = out[i].template cast<Real>();
+            }
+        };
+    }
+}
+
+inline void add_operations(RunResult& result, const OperationCounts& counts) {
+    auto& o = result.operations;
+    o["moves"] += counts.moves;
+    o["flips"] += counts.flips;
+    o["interface_splits"] += counts.interface_splits;
+    o["interface_collapses"] += counts.interface_collapses;
+    o["splits"] += counts.splits;
+    o["collapses"] += counts.collapses;
+    o["smoothed"] += counts.smoothed;
+    o["subdivisions"] += counts.subdivisions;
+    o["retriangulations"] += counts.retriangulations;
+    o["examined"] += counts.examined;
+}
+
+template <class Real>
+class DscMethod {
+public:
+    DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run)
+        : complex_(first_complex<Real>(setup, parameters)),
+          options_(scene_options<Real>(parameters)) {
+        Submeshing submeshing = run.submeshing;
+        submeshing.profile = !run.frames.empty(); // the submeshes are drawn by their work
+        auto executor = make_executor(complex_, options_, run.strategy, submeshing);
+        submeshes_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
+        simulation_ = std::make_unique<Simulation<Real>>(complex_, options_, std::move(executor));
+    }
+
+    void step(const Velocity& velocity, double time, double dt, RunResult& result) {
+        if (&velocity != leg_) {
+            simulation_->forget();
+            leg_ = &velocity;
+        }
+        const StepReport report = simulation_->step(velocity_in<Real>(velocity),
+                                                    static_cast<Real>(time), static_cast<Real>(dt));
+        result.unreached += report.unreached;
+        result.held += report.held;
+        result.sub_steps += report.sub_steps;
+        if (report.gave_up == GiveUp::too_many_sub_steps) {
+            result.gave_up = "a step at time " + std::to_string(time) + " asks for more than " +
+                             std::to_string(options_.max_sub_steps) + " sub-steps: vertex " +
+                             std::to_string(report.where.id) + " moves at " +
+                             std::to_string(report.speed);
+        }
+        vertex_steps_ += report.interface_vertices;
+        add_operations(result, report.operations);
+    }
+    [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
+    [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
+    [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
+    /// The submeshes beside a frame, where there are any.
+    void map_submeshes(const std::string& frame) const {
+        if (submeshes_ != nullptr && !submeshes_->partition().colours.empty() && !frame.empty()) {
+            write_submesh_map(*submeshes_,
+                              std::filesystem::path(frame).replace_extension("submeshes.json"));
+        }
+    }
+
+private:
+    Complex<Real> complex_;
+    Options<Real> options_;
+    std::unique_ptr<Simulation<Real>> simulation_;
+    const SubmeshExecutor<Real>* submeshes_ = nullptr;
+    const Velocity* leg_ = nullptr; ///< the velocity of the step before
+    std::uint64_t vertex_steps_ = 0;
+};
+
+} // namespace dsc::scenes

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/run/json.h"
+
+#include "scenes/output/machine.h"
+#include "scenes/run/run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace dsc::scenes {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json histogram_json(const Histogram& histogram) {
+    return {{"edges", histogram.edges}, {"counts", histogram.counts}};
+}
+
+// JSON has no NaN: what could not be measured is null.
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json to_json(const Value& value);
+
+struct ValueToJson {
+    Json operator()(double number) const { return finite(number); }
+    Json operator()(const Point<double>& p) const { return {finite(p.x()), finite(p.y())}; }
+    Json operator()(const Figures& parts) const {
+        Json json = Json::object();
+        for (const Figure& part : parts) {
+            json[part.name] = to_json(part.value);
+        }
+        return json;
+    }
+    template <class Other>
+    Json operator()(const Other& other) const {
+        return other;
+    }
+};
+
+Json to_json(const Value& value) { return std::visit(ValueToJson{}, value); }
+
+// The measures of both moments. Null where there was no such moment.
+void add_figures(const RunResult& r, Json& json) {
+    for (const Figure& figure : r.last) {
+        json[figure.name + "_last"] = to_json(figure.value);
+    }
+    for (std::size_t i = 0; i < r.last.size(); ++i) {
+        json[r.last[i].name + "_half"] = r.half ? to_json((*r.half)[i].value) : Json(nullptr);
+    }
+}
+
+Json parameters_json(const Parameters& parameters) {
+    Json json;
+    for (const Key& key : parameter_keys()) {
+        json[key.name] =
+            std::visit([](const auto& value) { return Json(value); }, key.value(parameters));
+    }
+    return json;
+}
+
+} // namespace
+
+std::string to_json(const RunResult& r) {
+    char hash[17];
+    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(r.mesh_hash));
+    Json json{
+        {"scene", r.scene},
+        {"parameters", parameters_json(r.parameters)},
+        {"steps", r.steps},
+        {"interrupted", r.interrupted},
+        {"gave_up", r.gave_up.empty() ? Json(nullptr) : Json(r.gave_up)},
+        {"triangles_first", r.triangles_first},
+        {"triangles_last", r.triangles_last},
+        {"interface_vertices_first", r.interface_vertices_first},
+        {"interface_vertices_last", r.interface_vertices_last},
+        {"area_first", finite(r.area_first)},
+        {"area_exact_first", finite(r.area_exact_first)},
+        {"area_ratio", finite(r.area_ratio)},
+    };
+    add_figures(r, json);
+    json.update({
+        {"min_quality_ever", finite(r.min_quality_ever)},
+        {"quality_sampled_every", r.quality_sampled_every},
+        {"inverted", r.inverted},
+        {"unreached", r.unreached},
+        {"held", r.held},
+        {"sub_steps", r.sub_steps},
+        {"operations", r.operations},
+        {"cpu_s", r.cpu_s},
+        {"wall_s", r.wall_s},
+        {"step_us_median", r.step_us_median},
+        {"us_per_vertex_step", r.us_per_vertex_step},
+        {"peak_memory_mb", r.peak_memory_mb},
+        {"threads", r.threads},
+        {"submeshes", r.submeshes},
+        {"strategy", to_string(r.strategy)},
+        {"mesh_hash", hash},
+        {"commit", commit()},
+        {"machine", machine()},
+        {"histograms",
+         {{"area", histogram_json(r.area_histogram)},
+          {"quality", histogram_json(r.quality_histogram)},
+          {"angle", histogram_json(r.angle_histogram)}}},
+    });
+    return json.dump(2) + "\n";
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/run/reference_run.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
+#include "measures/interface_outlines.h"
+#include "scenes/run/start.h"
+
+#include <map>
+
+namespace dsc::scenes {
+
+reference::Complex to_reference(const Complex<double>& complex) {
+    std::vector<Point<double>> points;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<Phase> phases;
+    std::vector<std::uint32_t> number(complex.vertex_bound(), no_id);
+    for (const Vertex v : vertices(complex)) {
+        if (complex.vertices[v.id].corner != no_id) {
+            number[v.id] = static_cast<std::uint32_t>(points.size());
+            points.push_back(complex.position(v));
+        }
+    }
+    for (const Triangle t : dsc::triangles(complex)) {
+        const auto& v = complex.triangles[t.id].v;
+        triangles.push_back({number[v[0]], number[v[1]], number[v[2]]});
+        phases.push_back(complex.phase(t));
+    }
+    return reference::make_complex(points, triangles, phases);
+}
+
+Complex<double> from_reference(const reference::Complex& complex) {
+    std::vector<Point<double>> points;
+    std::vector<std::uint32_t> number(complex.vertex_bound(), no_id);
+    for (const Vertex v : complex.vertices()) {
+        number[v.id] = static_cast<std::uint32_t>(points.size());
+        points.push_back(complex.coord(v));
+    }
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<Phase> phases;
+    for (const auto& [key, oriented] : complex.triangles()) {
+        triangles.push_back(
+            {number[oriented[0].id], number[oriented[1].id], number[oriented[2].id]});
+        phases.push_back(complex.phase(key));
+    }
+    return make_complex<double>(points, triangles, phases);
+}
+
+namespace {
+
+InputError not_in_reference(const char* key, std::string_view value) {
+    return {"the reference does not know this", key, std::string(value),
+            "what the thesis has; see reference/"};
+}
+
+} // namespace
+
+reference::Options reference_options(const Parameters& parameters) {
+    reference::Options options;
+    options.passes.edge_length = parameters.h;
+    options.passes.interface_point = parameters.insertion == Insertion::cubic
+                                         ? &reference::cubic_point
+                                         : &reference::linear_point;
+    switch (parameters.integrator) {
+    case Integrator::euler: options.integrator = reference::Integrator::euler; break;
+    case Integrator::midpoint: options.integrator = reference::Integrator::midpoint; break;
+    case Integrator::rk4: options.integrator = reference::Integrator::rk4; break;
+    case Integrator::centred:
+    case Integrator::adaptive:
+        throw not_in_reference("--set integrator", to_string(parameters.integrator));
+    }
+    if (parameters.insertion == Insertion::arc) {
+        throw not_in_reference("--set insertion", to_string(parameters.insertion));
+    }
+    if (parameters.interface.reading != Reading::chords) {
+        throw not_in_reference("--set reading", to_string(parameters.interface.reading));
+    }
+    return options;
+}
+
+ReferenceMethod::ReferenceMethod(const Setup& setup, const Parameters& parameters,
+                                 const RunOptions&)
+    : method_(to_reference(first_complex<double>(setup, parameters))),
+      options_(reference_options(parameters)) {}
+
+void ReferenceMethod::step(const Velocity& velocity, double time, double dt, RunResult& result) {
+    const reference::Velocity one = [&velocity](const Point<double>& p, double at) {
+        Point<double> v;
+        velocity({&p, 1}, at, {&v, 1});
+        return v;
+    };
+    const reference::StepCounts counts = reference::step(method_, one, time, dt, options_);
+    stale_ = true;
+    result.unreached += counts.unreached;
+    result.sub_steps += counts.substeps;
+    auto& o = result.operations;
+    o["moves"] += counts.moved;
+    o["flips"] += counts.flips;
+    o["splits"] += counts.splits;
+    o["collapses"] += counts.collapses;
+    o["smoothed"] += counts.smoothed;
+    o["subdivisions"] += counts.subdivisions;
+    o["retriangulations"] += counts.retriangulations;
+    vertex_steps_ += counts.moved;
+}
+
+const Complex<double>& ReferenceMethod::complex() {
+    if (stale_) {
+        converted_ = from_reference(method_);
+        stale_ = false;
+    }
+    return converted_;
+}
+
+std::uint64_t ReferenceMethod::interface_vertices() {
+    std::uint64_t count = 0;
+    for (const Outline& outline : interface_outlines(complex())) {
+        count += outline.size();
+    }
+    return count;
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/run/run.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/hash.h"
+#include "measures/interface_outlines.h"
+#include "measures/mesh_quality.h"
+#include "scenes/output/frames.h"
+#include "scenes/output/progress.h"
+#include "scenes/run/clock.h"
+#include "scenes/run/dsc_method.h"
+#include "scenes/run/reference_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dsc::scenes {
+
+namespace {
+
+/// Looking at every triangle after each step is fine for small meshes only.
+constexpr std::uint64_t few_triangles = 60000;
+constexpr int seldom = 16;
+
+template <class Method>
+class Runner {
+public:
+    Runner(const Setup& setup, const RunOptions& options, Method& method, RunResult& result)
+        : setup_(setup), options_(options), method_(method), result_(result) {}
+
+    void run() {
+        first();
+        Frames frames(options_.frames, result_.scene + "_" + to_string(options_.strategy),
+                      options_.frame_count, setup_.steps, setup_.half_step);
+        Progress progress(options_.progress, result_.scene, setup_.steps);
+        frames.write(0, 0.0, complex());
+        std::vector<double> step_us;
+        for (int step = 1; step <= setup_.steps; ++step) {
+            if (options_.interrupted != nullptr && options_.interrupted->load()) {
+                result_.interrupted = true;
+                break;
+            }
+            // Multiplied, not summed: the last step ends where the scene ends.
+            const double begin = (step - 1) * setup_.dt;
+            const double end = step * setup_.dt;
+            const Velocity& velocity = velocity_of_step(setup_.flow, begin, end);
+            const Stopwatch watch;
+            method_.step(velocity, begin, setup_.dt, result_);
+            step_us.push_back(watch.wall() * 1e6);
+            result_.wall_s += watch.wall();
+            result_.cpu_s += watch.cpu();
+            result_.steps = step;
+            time_ = end;
+            after(step);
+            map_submeshes(frames.write(step, time_, complex()));
+            progress.show(step, complex().triangle_count());
+            if (!result_.gave_up.empty()) {
+                break;
+            }
+        }
+        frames.finish();
+        last(step_us);
+    }
+
+private:
+    const auto& complex() { return method_.complex(); }
+
+    void observe(int step) {
+        if constexpr (std::is_same_v<Method, DscMethod<double>>) {
+            if (options_.observer) {
+                options_.observer(step, method_.complex());
+            }
+        }
+    }
+
+    void map_submeshes(const std::string& frame) {
+        if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
+            method_.map_submeshes(frame);
+        }
+    }
+
+    // The interface as the scene reads it.
+    std::vector<Outline> outlines() {
+        return interface_outlines(complex(), result_.parameters.interface.reading);
+    }
+
+    Figures figures() {
+        const auto read = outlines();
+        const auto polygons = interface_outlines(complex());
+        std::optional<ExactShape> exact;
+        if (options_.measure_shape) {
+            exact = setup_.exact(time_);
+        }
+        return measure(options_.measures, {.mesh = &complex(),
+                                           .outlines = read,
+                                           .polygons = polygons,
+                                           .exact = exact ? &*exact : nullptr,
+                                           .area_first = result_.area_first,
+                                           .area_exact_first = result_.area_exact_first});
+    }
+
+    void first() {
+        result_.triangles_first = complex().triangle_count();
+        result_.interface_vertices_first = method_.interface_vertices();
+        result_.area_first = signed_area(outlines());
+        result_.area_exact_first = setup_.exact(0.0).area;
+        result_.min_quality_ever = 1;
+        look_at_the_worst();
+        result_.quality_sampled_every = result_.triangles_first <= few_triangles ? 1 : seldom;
+        observe(0);
+    }
+
+    void look_at_the_worst() {
+        const MeshQuality quality = measure_worst(complex());
+        result_.min_quality_ever = std::min(result_.min_quality_ever, quality.min_quality);
+        result_.inverted += quality.inverted;
+    }
+
+    void after(int step) {
+        if (step % result_.quality_sampled_every == 0) {
+            look_at_the_worst();
+        }
+        if (setup_.half_step == step) {
+            result_.half = figures();
+        }
+        observe(step);
+    }
+
+    void last(std::vector<double>& step_us) {
+        result_.peak_memory_mb = peak_memory_mb();
+        result_.triangles_last = complex().triangle_count();
+        result_.interface_vertices_last = method_.interface_vertices();
+        result_.last = figures();
+        result_.area_ratio = signed_area(outlines()) / result_.area_first;
+        look_at_the_worst();
+        result_.mesh_hash = mesh_hash(complex());
+        const double h = result_.parameters.h;
+        result_.area_histogram = area_histogram(
+            complex(), {.bins = 60, .low = 0, .high = 3 * std::sqrt(3.0) / 4 * h * h});
+        result_.quality_histogram = quality_histogram(complex(), {.bins = 50});
+        result_.angle_histogram = min_angle_histogram(complex(), {.bins = 60});
+        if (!step_us.empty()) {
+            const auto half = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);
+            std::nth_element(step_us.begin(), half, step_us.end());
+            result_.step_us_median = *half;
+        }
+        if (method_.vertex_steps() > 0) {
+            result_.us_per_vertex_step =
+                result_.cpu_s * 1e6 / static_cast<double>(method_.vertex_steps());
+        }
+    }
+
+    const Setup& setup_;
+    const RunOptions& options_;
+    Method& method_;
+    RunResult& result_;
+    double time_ = 0;
+};
+
+template <class Method>
+void run_method(const Setup& setup, const Parameters& parameters, const RunOptions& options,
+                RunResult& result) {
+    Method method(setup, parameters, options);
+    Runner<Method>(setup, options, method, result).run();
+}
+
+} // namespace
+
+RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunOptions& options) {
+    const Setup setup = scene.prepare(parameters);
+    const Submeshing& submeshing = options.submeshing;
+    if (!is_parallel(options.strategy) && submeshing.threads > 1) {
+        throw InputError("this strategy runs on one thread", "--threads",
+                         std::to_string(submeshing.threads),
+                         "1, or one of the strategies " + parallel_strategies());
+    }
+    RunResult result;
+    result.scene = scene.name;
+    result.parameters = parameters;
+    result.parameters.dt = setup.dt;
+    result.parameters.steps =
+        setup.half_step && scene.defaults.steps > 0 ? *setup.half_step : setup.steps;
+    result.strategy = options.strategy;
+    result.submeshes = submeshes_of(options.strategy, submeshing);
+    result.threads = submeshing.threads;
+    if (options.strategy == Strategy::reference) {
+        if (parameters.real != RealType::double_precision) {
+            throw InputError("the reference is written for double", "--set real", "'float'",
+                             "double");
+        }
+        run_method<ReferenceMethod>(setup, parameters, options, result);
+    } else if (parameters.real == RealType::double_precision) {
+        run_method<DscMethod<double>>(setup, parameters, options, result);
+    } else {
+        run_method<DscMethod<float>>(setup, parameters, options, result);
+    }
+    return result;
+}
+
+} // namespace dsc::scenes

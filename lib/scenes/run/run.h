@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Runs a scene and measures it. Measuring is not timed, and nothing is measured that costs the step
+// anything.
+#pragma once
+
+#include "dsc/quality/histogram.h"
+#include "measures/measures.h"
+#include "scenes/run/strategy.h"
+#include "scenes/scene.h"
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <optional>
+
+namespace dsc::scenes {
+
+struct RunOptions {
+    Strategy strategy = Strategy::sequential;
+    Submeshing submeshing; ///< of the parallel strategies
+    std::string frames;    ///< folder for frames (.vtu, .pvd); empty: none
+    int frame_count = 9;   ///< about so many, evenly spread, with the first and the last
+    bool progress = false; ///< a line on stderr
+    /// What is measured at the end, and where a reversing flow is farthest out.
+    std::vector<Measure> measures = default_measures();
+    /// false: NaN stands for what needs the exact shape. Where that has no closed form, it takes
+    /// longer than a run on a coarse mesh.
+    bool measure_shape = true;
+    const std::atomic<bool>* interrupted = nullptr; ///< ends the run after the current step
+    /// Called after each step (0: before the first) with the double complex; for tests. Not called
+    /// by float runs nor by the reference.
+    std::function<void(int step, const Complex<double>& complex)> observer;
+};
+
+struct RunResult {
+    std::string scene;
+    Parameters parameters;
+    Strategy strategy = Strategy::sequential;
+    std::uint32_t submeshes = 1;
+    std::uint32_t threads = 1;
+    int steps = 0; ///< done; fewer than asked for where `interrupted` or `gave_up`
+    bool interrupted = false;
+    std::string gave_up; ///< empty, or why
+
+    std::uint64_t triangles_first = 0;
+    std::uint64_t triangles_last = 0;
+    std::uint64_t interface_vertices_first = 0;
+    std::uint64_t interface_vertices_last = 0;
+    double area_first = 0; ///< of the first polygon
+    double area_exact_first = 0;
+    double area_ratio = 0;       ///< A(t_n) / A(t_0), as the thesis
+    Figures last;                ///< of the measures, at the end
+    std::optional<Figures> half; ///< where a reversing flow is farthest out
+    double min_quality_ever = 0;
+    int quality_sampled_every = 1; ///< steps between two looks at `min_quality_ever` and `inverted`
+    std::uint64_t inverted = 0;    ///< triangles that an exact predicate found not positive, summed
+    std::uint64_t unreached = 0;
+    std::uint64_t held = 0; ///< of these, for a velocity that was not finite
+    std::uint64_t sub_steps = 0;
+    std::map<std::string, std::uint64_t> operations;
+    double cpu_s = 0; ///< of all steps, without measuring
+    double wall_s = 0;
+    double step_us_median = 0;     ///< wall time
+    double us_per_vertex_step = 0; ///< CPU time over interface vertices, summed over steps
+    std::uint64_t mesh_hash = 0;
+    double peak_memory_mb = 0;   ///< of the process, so far
+    Histogram area_histogram;    ///< over 0 to 3 areas of an equilateral triangle of edge h
+    Histogram quality_histogram; ///< over 0 to 1
+    Histogram angle_histogram;   ///< over 0 to 60 degrees
+
+    /// No triangle inverted, no vertex unreached, not given up.
+    [[nodiscard]] bool holds() const { return inverted == 0 && unreached == 0 && gave_up.empty(); }
+};
+
+/// Throws InputError before anything has run; FileError where a frame cannot be written.
+RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunOptions& options);
+
+} // namespace dsc::scenes

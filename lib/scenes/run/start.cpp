@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/run/start.h"
+
+#include "dsc/algorithm/simulation.h"
+
+namespace dsc::scenes {
+
+template <class Real>
+Complex<Real> first_complex(const Setup& setup, const Parameters& parameters) {
+    std::vector<Shape> shapes;
+    for (const Outline& outline : setup.outlines) {
+        shapes.push_back({outline, 1});
+    }
+    InitialOptions options;
+    options.edge_length = parameters.h;
+    return initial_complex<Real>(setup.domain, shapes, options);
+}
+
+template <class Real>
+Options<Real> scene_options(const Parameters& parameters) {
+    Options<Real> options;
+    options.edge_length = static_cast<Real>(parameters.h);
+    options.integrator = parameters.integrator;
+    options.tolerance = parameters.tolerance;
+    options.insertion = parameters.insertion;
+    options.interface = parameters.interface;
+    options.shuffle_seed = parameters.seed;
+    return options;
+}
+
+template <class Real>
+std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,
+                                                  const Options<Real>& options, Strategy strategy,
+                                                  const Submeshing& submeshing) {
+    return std::make_unique<Simulation<Real>>(
+        complex, options, make_executor(complex, options, strategy, submeshing));
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template Complex<Real> first_complex(const Setup&, const Parameters&);                         \
+    template Options<Real> scene_options(const Parameters&);                                       \
+    template std::unique_ptr<Simulation<Real>> make_simulation(                                    \
+        Complex<Real>&, const Options<Real>&, Strategy, const Submeshing&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc::scenes

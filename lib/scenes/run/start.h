@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The complex and the options that a run of a scene starts with: for runs, benchmarks and tests.
+#pragma once
+
+#include "dsc/complex/complex.h"
+#include "scenes/run/strategy.h"
+#include "scenes/scene.h"
+
+#include <memory>
+
+namespace dsc {
+template <class Real>
+class Simulation;
+} // namespace dsc
+
+namespace dsc::scenes {
+
+template <class Real>
+Complex<Real> first_complex(const Setup& setup, const Parameters& parameters);
+template <class Real>
+Options<Real> scene_options(const Parameters& parameters);
+/// A simulation of `complex`, which must outlive it, as must `options`.
+template <class Real>
+std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,
+                                                  const Options<Real>& options, Strategy strategy,
+                                                  const Submeshing& submeshing);
+
+} // namespace dsc::scenes

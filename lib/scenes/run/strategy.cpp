@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/run/strategy.h"
+
+#include "dsc/base/error.h"
+
+namespace dsc::scenes {
+
+namespace {
+
+// Between the first and the last strategy stand the divisions of the library, in their order.
+std::vector<StrategyEntry> make_strategies() {
+    std::vector<StrategyEntry> all{
+        {Strategy::sequential, "sequential", "the whole mesh at once", 1, std::nullopt}};
+    for (const DivisionEntry& entry : divisions()) {
+        all.push_back({static_cast<Strategy>(all.size()), std::string(entry.name),
+                       std::string(entry.description), entry.submeshes, entry.division});
+    }
+    all.push_back({Strategy::reference, "reference", "the literal sequential method of the thesis",
+                   1, std::nullopt});
+    return all;
+}
+
+} // namespace
+
+const std::vector<StrategyEntry>& strategies() {
+    static const std::vector<StrategyEntry> all = make_strategies();
+    return all;
+}
+
+const StrategyEntry& entry_of(Strategy strategy) {
+    return strategies().at(static_cast<std::size_t>(strategy));
+}
+
+const std::vector<Strategy>& all_strategies() {
+    static const std::vector<Strategy> all = [] {
+        std::vector<Strategy> values;
+        for (const StrategyEntry& entry : strategies()) {
+            values.push_back(entry.strategy);
+        }
+        return values;
+    }();
+    return all;
+}
+
+std::string to_string(Strategy strategy) { return entry_of(strategy).name; }
+
+namespace {
+
+template <class Keep>
+std::string names_where(Keep keep) {
+    std::string names;
+    for (const StrategyEntry& entry : strategies()) {
+        if (keep(entry.strategy)) {
+            names += (names.empty() ? "" : ", ") + entry.name;
+        }
+    }
+    return names;
+}
+
+} // namespace
+
+Strategy parse_strategy(const std::string& name) {
+    for (const StrategyEntry& entry : strategies()) {
+        if (entry.name == name) {
+            return entry.strategy;
+        }
+    }
+    throw InputError("unknown strategy", "--strategy", "'" + name + "'",
+                     names_where([](Strategy) { return true; }));
+}
+
+bool is_parallel(Strategy strategy) { return entry_of(strategy).division.has_value(); }
+
+std::string parallel_strategies() { return names_where(is_parallel); }
+
+std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing) {
+    return is_parallel(strategy) && submeshing.submeshes > 0 ? submeshing.submeshes
+                                                             : entry_of(strategy).submeshes;
+}
+
+template <class Real>
+std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
+                                              Strategy strategy, const Submeshing& submeshing) {
+    const std::optional<Division> division = entry_of(strategy).division;
+    if (!division) {
+        return nullptr;
+    }
+    Parallel parallel = submeshing;
+    parallel.division = *division;
+    return dsc::make_executor(complex, options, parallel);
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template std::unique_ptr<Executor<Real>> make_executor(Complex<Real>&, const Options<Real>&,   \
+                                                           Strategy, const Submeshing&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc::scenes

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// A new partitioner: left and right at once, and then below and above for what lay near the cut.
+#include "dsc/dsc.h"
+#include "support/random_scene.h"
+
+#include <gtest/gtest.h>
+
+using namespace dsc;
+
+class Halves final : public Partitioner<double> {
+    [[nodiscard]] Recut is_due(const PartitionStatus& status) const override {
+        return status.step == 0 ? Recut::all : Recut::none;
+    }
+    void divide(const PartitionInput<double>&, Recut, Partition& partition) override {
+        constexpr double all = std::numeric_limits<double>::infinity();
+        constexpr std::array cuts{-all, 0.5, all};
+        partition.colours = {slab_colour(cuts, 1, 0, false), slab_colour(cuts, 0, 1, false)};
+    }
+};
+
+static std::uint64_t hash_after_ten_steps(std::uint32_t threads) {
+    auto complex = test::disc_complex<double>(0.03);
+    const Options<double> options{.edge_length = 0.03};
+    Simulation<double> simulation(
+        complex, options,
+        std::make_unique<SubmeshExecutor<double>>(complex, options, default_algorithm<double>(),
+                                                  std::make_unique<Halves>(), // the line
+                                                  SubmeshOptions{.threads = threads}));
+    for (int step = 0; step < 10; ++step) {
+        simulation.step([](auto p, double, auto v) { std::ranges::copy(p, v.begin()); },
+                        0.01 * step, 0.01); // everything grows away from the origin
+    }
+    EXPECT_TRUE(validate(complex).problem.empty());
+    return mesh_hash(complex);
+}
+
+TEST(Recipe, APartitionerIsHandedToTheExecutor) {
+    EXPECT_EQ(hash_after_ten_steps(1), hash_after_ten_steps(2));
+}
