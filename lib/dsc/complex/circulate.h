@@ -6,17 +6,19 @@
 
 namespace dsc {
 
-/// The corner at the same vertex in the next triangle, counter-clockwise. Where the domain ends it
-/// is one of the border, which `is_border` tells. O(1).
+/// The corner at the same vertex in the next triangle, counter-clockwise. `border_corner` where the
+/// domain ends. O(1).
 template <class Real>
 [[nodiscard]] Corner corner_ccw(const Complex<Real>& complex, Corner c) {
-    return next(complex.twin(next(c)));
+    const Corner across = complex.twin(next(c));
+    return is_border(across) ? border_corner : next(across);
 }
 
 /// The same, clockwise. O(1).
 template <class Real>
 [[nodiscard]] Corner corner_cw(const Complex<Real>& complex, Corner c) {
-    return prev(complex.twin(prev(c)));
+    const Corner across = complex.twin(prev(c));
+    return is_border(across) ? border_corner : prev(across);
 }
 
 /// Where to begin so as to meet all triangles about the vertex of `start` counter-clockwise: at a

@@ -38,4 +38,49 @@ Verdict edge_collapse(Complex<Real>& complex, Edge edge) {
     return edge_collapse(complex, whole_submesh(complex), edge);
 }
 
+// For applications: by handle, which is checked. The forms above that take corners are for the
+// library's algorithms, which know theirs to live.
+
+/// Whether `vanishing` may be merged into the other end of the edge; also answers not_a_simplex,
+/// where the edge does not live or `vanishing` is none of its ends. O(degree). Exact.
+template <class Real>
+Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Edge edge,
+                            Vertex vanishing) {
+    if (!complex.is_alive(edge)) {
+        return Verdict::not_a_simplex;
+    }
+    const auto ends = complex.vertices_of(edge);
+    if (vanishing == ends[0]) {
+        return edge_collapse_guard(complex, region, edge.id, rewire::Vanishing::next);
+    }
+    return vanishing == ends[1]
+               ? edge_collapse_guard(complex, region, edge.id, rewire::Vanishing::prev)
+               : Verdict::not_a_simplex;
+}
+
+template <class Real>
+Verdict edge_collapse_guard(const Complex<Real>& complex, Edge edge, Vertex vanishing) {
+    return edge_collapse_guard(complex, Region{}, edge, vanishing);
+}
+
+/// Merges `vanishing` into the other end of the edge if that is legal; the other end is not tried.
+/// Thread-safe for disjoint submeshes.
+template <class Real>
+Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge, Vertex vanishing) {
+    if (!complex.is_alive(edge)) {
+        return Verdict::not_a_simplex;
+    }
+    const auto ends = complex.vertices_of(edge);
+    if (vanishing == ends[0]) {
+        return edge_collapse(complex, submesh, edge.id, rewire::Vanishing::next);
+    }
+    return vanishing == ends[1] ? edge_collapse(complex, submesh, edge.id, rewire::Vanishing::prev)
+                                : Verdict::not_a_simplex;
+}
+
+template <class Real>
+Verdict edge_collapse(Complex<Real>& complex, Edge edge, Vertex vanishing) {
+    return edge_collapse(complex, whole_submesh(complex), edge, vanishing);
+}
+
 } // namespace dsc

@@ -54,4 +54,19 @@ Verdict edge_flip(Complex<Real>& complex, Edge edge) {
     return edge_flip(complex, whole_submesh(complex), edge);
 }
 
+// For applications: by handle, which is checked. The forms above that take corners are for the
+// library's algorithms, which know theirs to live.
+
+/// The guard by handle; also answers not_a_simplex. O(1). Exact.
+template <class Real>
+Verdict edge_flip_guard(const Complex<Real>& complex, const Region& region, Edge edge) {
+    return complex.is_alive(edge) ? edge_flip_guard(complex, region, edge.id)
+                                  : Verdict::not_a_simplex;
+}
+
+template <class Real>
+Verdict edge_flip_guard(const Complex<Real>& complex, Edge edge) {
+    return edge_flip_guard(complex, Region{}, edge);
+}
+
 } // namespace dsc

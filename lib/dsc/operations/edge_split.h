@@ -86,4 +86,25 @@ SplitResult edge_split(Complex<Real>& complex, Edge edge) {
     return edge_split(complex, whole_submesh(complex), edge);
 }
 
+// For applications: by handle, which is checked. The forms above that take corners are for the
+// library's algorithms, which know theirs to live.
+
+/// The guard by handle; also answers not_a_simplex. O(1). Exact.
+template <class Real>
+Verdict edge_split_guard(const Complex<Real>& complex, const Region& region, Edge edge,
+                         const Point<Real>& point) {
+    return complex.is_alive(edge) ? edge_split_guard(complex, region, edge.id, point)
+                                  : Verdict::not_a_simplex;
+}
+
+template <class Real>
+Verdict edge_split_guard(const Complex<Real>& complex, Edge edge, const Point<Real>& point) {
+    return edge_split_guard(complex, Region{}, edge, point);
+}
+
+template <class Real>
+SplitResult edge_split(Complex<Real>& complex, Edge edge, const Point<Real>& point) {
+    return edge_split(complex, whole_submesh(complex), edge, point);
+}
+
 } // namespace dsc

@@ -39,4 +39,9 @@ local_retriangulation(Complex<Real>& complex, Triangle triangle,
     return local_retriangulation(complex, whole_submesh(complex), triangle, method);
 }
 
+template <class Real>
+Verdict local_retriangulation_guard(const Complex<Real>& complex, Triangle triangle) {
+    return local_retriangulation_guard(complex, Region{}, triangle);
+}
+
 } // namespace dsc

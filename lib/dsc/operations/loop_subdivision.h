@@ -35,4 +35,9 @@ LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, Triangle triangle
     return loop_subdivision(complex, whole_submesh(complex), triangle);
 }
 
+template <class Real>
+Verdict loop_subdivision_guard(const Complex<Real>& complex, Triangle triangle) {
+    return loop_subdivision_guard(complex, Region{}, triangle);
+}
+
 } // namespace dsc
