@@ -37,6 +37,7 @@
 #include "dsc/initial/unit_box.h"
 
 #include "dsc/motion/integrator.h"
+#include "dsc/motion/interface_flow.h"
 #include "dsc/motion/interpolation.h"
 #include "dsc/motion/unit_velocity.h"
 

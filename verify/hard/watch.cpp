@@ -47,20 +47,19 @@ WatchingExecutor<Real>::WatchingExecutor(const Complex<Real>& complex, const Rec
     : complex_(complex), domain_(domain), inner_(std::move(inner)), sighting_(sighting) {}
 
 template <class Real>
-AimReport<Real> WatchingExecutor<Real>::aim(const Velocity<Real>& velocity, Real time, Real dt) {
-    velocity_ = &velocity;
+AimReport<Real> WatchingExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
+    velocity_ = flow.velocity();
     time_ = time;
     dt_ = dt;
-    const AimReport<Real> report = inner_->aim(velocity, time, dt);
+    const AimReport<Real> report = inner_->aim(flow, time, dt);
     held_ = report.held;
     return report;
 }
 
 template <class Real>
-auto WatchingExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt)
-    -> Again {
+auto WatchingExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) -> Again {
     dt_ = dt;
-    return inner_->aim_again(velocity, time, dt);
+    return inner_->aim_again(flow, time, dt);
 }
 
 // The classical scheme, in doubles and one vertex at a time.

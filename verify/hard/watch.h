@@ -22,13 +22,13 @@ struct Sighting {
 };
 
 /// An executor that hands everything on to another one, and sees for itself where the vertices are
-/// before and after each movement. RK4 only.
+/// before and after each movement. RK4 and functions of positions and time only.
 template <class Real>
 class WatchingExecutor final : public Executor<Real> {
 public:
     /// Whatever an executor says of targets that are found anew: it is handed on.
     using Again = decltype(std::declval<Executor<Real>&>().aim_again(
-        std::declval<const Velocity<Real>&>(), Real(0), Real(0)));
+        std::declval<const Flow<Real>&>(), Real(0), Real(0)));
 
     /// `domain`: vertices on its sides are expected to slide, corners to stay. `sighting` takes the
     /// sums.
@@ -40,8 +40,8 @@ public:
     void keep_edits(bool keep) override { inner_->keep_edits(keep); }
     [[nodiscard]] std::vector<Edit> take_edits() override { return inner_->take_edits(); }
     void begin_step() override { inner_->begin_step(); }
-    AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
-    Again aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
+    Again aim_again(const Flow<Real>& flow, Real time, Real dt) override;
     MoveReport move() override;
     void end_step() override { inner_->end_step(); }
     [[nodiscard]] std::size_t interface_size() const override { return inner_->interface_size(); }

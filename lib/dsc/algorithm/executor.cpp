@@ -9,6 +9,16 @@
 
 namespace dsc {
 
+namespace {
+
+/// Calls `act` with the flow as a function of positions and time.
+template <class Real, class Act>
+auto with_velocity(InterfaceSight<Real>& sight, const Flow<Real>& flow, Act act) {
+    return flow.velocity() != nullptr ? act(*flow.velocity()) : act(sight.velocity(*flow.seeing()));
+}
+
+} // namespace
+
 MoveReport& MoveReport::operator+=(const MoveReport& other) {
     passes = std::max(passes, other.passes);
     unreached += other.unreached;
@@ -56,15 +66,28 @@ std::uint64_t give_up_movers(Work<Real>& work) {
 
 template <class Real>
 AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkeep,
-                          const Velocity<Real>& velocity, Real time, Real dt) {
+                          InterfaceSight<Real>& sight, const Flow<Real>& flow, Real time, Real dt) {
     for (const auto& pass : upkeep) {
         run_pass(work, pass);
     }
     // Alone on the complex, nothing is put off.
     work.put_off_interface.clear();
-    AimReport<Real> report = find_velocities(work, velocity, time);
-    report.reach = find_targets(work, velocity, time, dt);
-    return report;
+    if (flow.seeing() != nullptr) {
+        sight.look(work);
+    }
+    return with_velocity(sight, flow, [&](const Velocity<Real>& velocity) {
+        AimReport<Real> report = find_velocities(work, velocity, time);
+        report.reach = find_targets(work, velocity, time, dt);
+        return report;
+    });
+}
+
+template <class Real>
+Reach<Real> aim_whole_again(Work<Real>& work, InterfaceSight<Real>& sight, const Flow<Real>& flow,
+                            Real time, Real dt) {
+    return with_velocity(sight, flow, [&](const Velocity<Real>& velocity) {
+        return find_targets(work, velocity, time, dt);
+    });
 }
 
 template <class Real>
@@ -124,14 +147,13 @@ void SequentialExecutor<Real>::begin_step() {
 }
 
 template <class Real>
-AimReport<Real> SequentialExecutor<Real>::aim(const Velocity<Real>& velocity, Real time, Real dt) {
-    return aim_whole(work_, algorithm_.upkeep, velocity, time, dt);
+AimReport<Real> SequentialExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
+    return aim_whole(work_, algorithm_.upkeep, sight_, flow, time, dt);
 }
 
 template <class Real>
-Reach<Real> SequentialExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time,
-                                                Real dt) {
-    return find_targets(work_, velocity, time, dt);
+Reach<Real> SequentialExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
+    return aim_whole_again(work_, sight_, flow, time, dt);
 }
 
 template <class Real>
@@ -165,7 +187,9 @@ OperationCounts SequentialExecutor<Real>::take_counts() {
                                       std::uint32_t&);                                             \
     template std::uint64_t give_up_movers(Work<Real>&);                                            \
     template AimReport<Real> aim_whole(Work<Real>&, const std::vector<Pass<Real>>&,                \
-                                       const Velocity<Real>&, Real, Real);                         \
+                                       InterfaceSight<Real>&, const Flow<Real>&, Real, Real);      \
+    template Reach<Real> aim_whole_again(Work<Real>&, InterfaceSight<Real>&, const Flow<Real>&,    \
+                                         Real, Real);                                              \
     template void absorb_edits(Work<Real>&, std::span<const Edit>);                                \
     template class SequentialExecutor<Real>;
 DSC_INSTANTIATE(double)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/algorithm/aim.h"
+#include "dsc/algorithm/interface_sight.h"
 #include "dsc/passes/algorithm.h"
 
 namespace dsc {
@@ -42,9 +43,9 @@ public:
     virtual void begin_step() {}
     /// Interface upkeep; then velocities at `time` and targets at time + dt. `dt` is what the
     /// driver expects to do; the velocities may make it change its mind.
-    virtual AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) = 0;
-    /// New targets for another dt, from the same positions.
-    virtual Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) = 0;
+    virtual AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) = 0;
+    /// New targets for another dt, from the same positions and for the same flow.
+    virtual Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) = 0;
     /// Movement and mesh update, until all vertices are at their targets or do not get any further.
     virtual MoveReport move() = 0;
     virtual void end_step() {}
@@ -69,10 +70,15 @@ bool is_in_contact(const VertexRecord<Real>& record) {
 template <class Real>
 std::uint64_t give_up_movers(Work<Real>& work);
 
-/// Upkeep, velocities and targets by a work that has the complex for itself.
+/// Upkeep, velocities and targets by a work that has the complex for itself. `sight`: kept from
+/// call to call, for flows that see the interface.
 template <class Real>
 AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkeep,
-                          const Velocity<Real>& velocity, Real time, Real dt);
+                          InterfaceSight<Real>& sight, const Flow<Real>& flow, Real time, Real dt);
+/// Other targets, for the same flow.
+template <class Real>
+Reach<Real> aim_whole_again(Work<Real>& work, InterfaceSight<Real>& sight, const Flow<Real>& flow,
+                            Real time, Real dt);
 
 /// Repeats the motion passes over `work.movers` until all have arrived but those in contact, for
 /// `max_passes` at most, and no longer than `max_idle_passes` without any progress. `next_epoch`
@@ -101,8 +107,8 @@ public:
     void keep_edits(bool keep) override { work_.log.readers = keep ? 1 : 0; }
     [[nodiscard]] std::vector<Edit> take_edits() override;
     void begin_step() override;
-    AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
-    Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
+    Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;
     MoveReport move() override;
     void end_step() override;
     [[nodiscard]] std::size_t interface_size() const override { return work_.interface.size(); }
@@ -113,6 +119,7 @@ private:
     Options<Real> options_;
     Algorithm<Real> algorithm_;
     Work<Real> work_;
+    InterfaceSight<Real> sight_;
     std::uint32_t epoch_ = 0;
     std::uint64_t steps_ = 0; ///< begun
 };

@@ -109,7 +109,7 @@ std::vector<std::uint32_t> Simulation<Real>::interface() const {
 }
 
 template <class Real>
-StepReport Simulation<Real>::step(const Velocity<Real>& velocity, Real time, Real dt) {
+StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real dt) {
     if (!std::isfinite(dt) || dt < 0 || !std::isfinite(time)) {
         throw InputError("not a time step", "Simulation::step", std::to_string(dt),
                          "a finite time and a step of 0 or more");
@@ -119,7 +119,7 @@ StepReport Simulation<Real>::step(const Velocity<Real>& velocity, Real time, Rea
     executor_->begin_step();
     Real remaining = dt;
     try {
-        while (remaining > 0 && sub_step(velocity, time, remaining, report)) {
+        while (remaining > 0 && sub_step(flow, time, remaining, report)) {
             if (!listeners_.empty()) {
                 tell(executor_->take_edits());
             }
@@ -155,13 +155,13 @@ Real Simulation<Real>::pieces_of(Real remaining, Real fastest) const {
 }
 
 template <class Real>
-bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real& remaining,
+bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remaining,
                                 StepReport& report) {
     const auto dt_of = [&](Real pieces) { return pieces > 1 ? remaining / pieces : remaining; };
     // Aimed with the speed of the sub-step before, which is nearly always right: the velocities and
     // the targets are then found in one go, and submeshes need not wait for each other in between.
     Real dt = dt_of(pieces_of(remaining, fastest_));
-    AimReport<Real> aim = executor_->aim(velocity, time, dt);
+    AimReport<Real> aim = executor_->aim(flow, time, dt);
     fastest_ = aim.fastest;
     report.held += aim.held;
     report.unreached += aim.held;
@@ -172,14 +172,14 @@ bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real
           static_cast<Real>(options_.max_sub_steps))) {
         report.gave_up = GiveUp::too_many_sub_steps;
         report.unreached += aim.vertices;
-        find_fastest(velocity, time, report);
+        find_fastest(flow, time, report);
         return false;
     }
     if (dt_of(pieces) != dt) {
         dt = dt_of(pieces);
-        aim.reach = executor_->aim_again(velocity, time, dt);
+        aim.reach = executor_->aim_again(flow, time, dt);
     }
-    dt = shorten(velocity, time, dt, aim.reach);
+    dt = shorten(flow, time, dt, aim.reach);
     report.error = std::max(report.error, static_cast<double>(aim.reach.error));
 
     const MoveReport moved = executor_->move();
@@ -196,8 +196,7 @@ bool Simulation<Real>::sub_step(const Velocity<Real>& velocity, Real& time, Real
 // bounded number of times. Errors that do not become smaller are those of a flow without
 // derivatives; they are reported.
 template <class Real>
-Real Simulation<Real>::shorten(const Velocity<Real>& velocity, Real time, Real dt,
-                               Reach<Real>& reach) {
+Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach) {
     constexpr int most_halvings = 6;
     constexpr int most_trials = 12;
     constexpr Real tolerated = 2;
@@ -210,11 +209,11 @@ Real Simulation<Real>::shorten(const Velocity<Real>& velocity, Real time, Real d
     };
     for (int trial = 0; trial < most_trials && reach.error > tolerance; ++trial) {
         dt *= factor(Real(0.9));
-        reach = executor_->aim_again(velocity, time, dt);
+        reach = executor_->aim_again(flow, time, dt);
     }
     for (int halving = 0; reach.farthest > farthest && halving < most_halvings; ++halving) {
         dt *= Real(0.5);
-        reach = executor_->aim_again(velocity, time, dt);
+        reach = executor_->aim_again(flow, time, dt);
     }
     most_dt_ = reach.error > 0 ? dt * factor(Real(4)) : std::numeric_limits<Real>::infinity();
     return dt;
@@ -222,15 +221,20 @@ Real Simulation<Real>::shorten(const Velocity<Real>& velocity, Real time, Real d
 
 // Who asks for too many sub-steps. O(interface vertices), once.
 template <class Real>
-void Simulation<Real>::find_fastest(const Velocity<Real>& velocity, Real time,
-                                    StepReport& report) const {
+void Simulation<Real>::find_fastest(const Flow<Real>& flow, Real time, StepReport& report) const {
     const std::vector<std::uint32_t> list = interface();
     std::vector<Point<Real>> positions;
     for (const std::uint32_t v : list) {
         positions.push_back(complex_.position(Vertex{v}));
     }
-    std::vector<Point<Real>> velocities(list.size());
-    velocity(positions, time, velocities);
+    std::vector<Point<Real>> velocities(list.size(), Point<Real>(0, 0));
+    if (flow.velocity() != nullptr) {
+        (*flow.velocity())(positions, time, velocities);
+    } else {
+        InterfaceGraph<Real> graph;
+        graph.build(complex_, list);
+        (*flow.seeing())(graph.view(complex_, positions), 0, list.size(), time, velocities);
+    }
     for (std::size_t i = 0; i < list.size(); ++i) {
         const double speed = velocities[i].template cast<double>().norm();
         if (std::isfinite(speed) && speed > report.speed) {

@@ -76,7 +76,13 @@ public:
 
     /// Moves the interface from `time` to `time + dt`. O(interface vertices and what changes about
     /// them), never O(mesh). Throws InputError where dt is negative or not finite.
-    StepReport step(const Velocity<Real>& velocity, Real time, Real dt);
+    StepReport step(const Velocity<Real>& velocity, Real time, Real dt) {
+        return step_along(velocity, time, dt);
+    }
+    /// The same by a flow that sees the interface (motion/interface_flow.h).
+    StepReport step(const InterfaceFlow<Real>& flow, Real time, Real dt) {
+        return step_along(flow, time, dt);
+    }
 
     /// The flow has changed from one moment to the next: integrators with a memory start anew.
     /// O(interface vertices) for those, O(1) for all others.
@@ -87,11 +93,12 @@ public:
     [[nodiscard]] std::size_t interface_size() const { return executor_->interface_size(); }
 
 private:
-    bool sub_step(const Velocity<Real>& velocity, Real& time, Real& remaining, StepReport& report);
+    StepReport step_along(const Flow<Real>& flow, Real time, Real dt);
+    bool sub_step(const Flow<Real>& flow, Real& time, Real& remaining, StepReport& report);
     [[nodiscard]] Real pieces_of_speed(Real remaining, Real fastest) const;
     [[nodiscard]] Real pieces_of(Real remaining, Real fastest) const;
-    Real shorten(const Velocity<Real>& velocity, Real time, Real dt, Reach<Real>& reach);
-    void find_fastest(const Velocity<Real>& velocity, Real time, StepReport& report) const;
+    Real shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach);
+    void find_fastest(const Flow<Real>& flow, Real time, StepReport& report) const;
 
     void absorb();
     void forget_vertex(Vertex v);

@@ -64,16 +64,16 @@ std::vector<Edit> CopyExecutor<Real>::take_edits() {
 }
 
 template <class Real>
-AimReport<Real> CopyExecutor<Real>::aim(const Velocity<Real>& velocity, Real time, Real dt) {
+AimReport<Real> CopyExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
     under_way_ = true;
-    const AimReport<Real> report = aim_whole(whole_, algorithm_.upkeep, velocity, time, dt);
+    const AimReport<Real> report = aim_whole(whole_, algorithm_.upkeep, sight_, flow, time, dt);
     under_way_ = false;
     return report;
 }
 
 template <class Real>
-Reach<Real> CopyExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
-    return find_targets(whole_, velocity, time, dt);
+Reach<Real> CopyExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
+    return aim_whole_again(whole_, sight_, flow, time, dt);
 }
 
 template <class Real>

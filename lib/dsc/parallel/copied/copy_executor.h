@@ -52,8 +52,8 @@ public:
     /// Edits within submeshes name the ids of copies and are not told: each merge is one `rebuild`.
     [[nodiscard]] std::vector<Edit> take_edits() override;
     void begin_step() override { ++costs_.steps; }
-    AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
-    Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
+    Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;
     /// O(mesh) for each colour, however little moves.
     MoveReport move() override;
     void end_step() override;
@@ -90,6 +90,7 @@ private:
     CopiedSubmeshes<Real> submeshes_;
     std::vector<std::unique_ptr<Task>> tasks_;
     Work<Real> whole_; ///< upkeep and aim; between the rounds, what there is to do
+    InterfaceSight<Real> sight_;
     // What lies on submesh boundaries waits for the next round, by vertex of the mesh.
     std::vector<Mover<Real>> waiting_movers_;
     std::vector<std::uint32_t> waiting_active_;

@@ -17,6 +17,9 @@ void SubmeshExecutor<Real>::set_options(const Options<Real>& options) {
     for (const auto& part : parts_) {
         part->work.find_past();
     }
+    if (joined_) {
+        joined_->work.find_past();
+    }
 }
 
 template <class Real>

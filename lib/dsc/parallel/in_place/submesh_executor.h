@@ -43,8 +43,8 @@ public:
     void keep_edits(bool keep) override;
     [[nodiscard]] std::vector<Edit> take_edits() override;
     void begin_step() override;
-    AimReport<Real> aim(const Velocity<Real>& velocity, Real time, Real dt) override;
-    Reach<Real> aim_again(const Velocity<Real>& velocity, Real time, Real dt) override;
+    AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
+    Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;
     MoveReport move() override;
     void end_step() override;
     [[nodiscard]] std::size_t interface_size() const override;
@@ -62,6 +62,7 @@ public:
 
 private:
     struct Part;
+    struct Joined;
 
     // Set-up.
     void divide();
@@ -78,12 +79,12 @@ private:
     [[nodiscard]] std::uint32_t next_epochs();
     // Tasks.
     void begin_part(Part& part);
-    void aim_part(Part& part, std::size_t pass, const Velocity<Real>& velocity, Real time, Real dt);
+    void aim_part(Part& part, std::size_t pass, const Flow<Real>& flow, Real time, Real dt);
     void move_part(std::size_t task);
     void take_from_predecessors(Part& part, std::size_t task);
     void route(Part& part);
     // Between and after them.
-    AimReport<Real> hand_over(const Velocity<Real>& velocity, Real time, Real dt);
+    AimReport<Real> hand_over(const Flow<Real>& flow, Real time, Real dt);
     void take_displaced();
     void unlist(std::uint32_t vertex);
     void clean_up(MoveReport& report);
@@ -92,6 +93,11 @@ private:
     void collect_changes();
     void change_interface(std::span<const std::uint32_t> changed);
     void forget_ids();
+    // Flows that see the interface: submesh_sight.cpp.
+    AimReport<Real> aim_by_sight(const InterfaceFlow<Real>& flow, Real time, Real dt);
+    Reach<Real> aim_again_by_sight(const InterfaceFlow<Real>& flow, Real time, Real dt);
+    void join_interface();
+    void hand_out_aims();
     [[nodiscard]] Part& owner_of(std::uint32_t vertex);
     [[nodiscard]] Point<double> place_of(std::uint32_t vertex) const;
     [[nodiscard]] std::vector<float> work_of(const std::vector<std::uint32_t>& list) const;
@@ -109,6 +115,7 @@ private:
     Schedule aiming_;
     Schedule moving_;
     Work<Real> whole_;                  // for what all colours left
+    std::unique_ptr<Joined> joined_;    // made when a flow sees the interface
     std::vector<std::uint32_t> listed_; // scratch of hand_over
     std::vector<Point<double>> listed_places_;
     std::uint32_t threads_ = 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the two files of the executor share: one submesh, and its account of times.
+// What the files of the executor share: one submesh, its account of times, and the interface of
+// all.
 #pragma once
 
 #include "dsc/parallel/in_place/submesh_executor.h"
@@ -52,6 +53,13 @@ struct SubmeshExecutor<Real>::Part {
         reserve(emigrants, newcomers, immigrants, mover_routes, active_routes);
     }
 
+    void forget_aims() {
+        work.aim.positions.clear();
+        work.aim.targets.clear();
+        work.aim.held.clear();
+        work.aim.scratch.first.clear();
+    }
+
     void forget_put_off() {
         work.put_off_movers.clear();
         work.put_off_active.clear();
@@ -60,6 +68,17 @@ struct SubmeshExecutor<Real>::Part {
         active_routes.clear();
         emigrants.clear();
     }
+};
+
+/// The interface of all submeshes, one after the other, for flows that see it: they are asked and
+/// integrated all at once.
+template <class Real>
+struct SubmeshExecutor<Real>::Joined {
+    Joined(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {}
+
+    Work<Real> work;
+    std::vector<std::size_t> ends; // of each submesh, and of what is in none
+    InterfaceSight<Real> sight;
 };
 
 } // namespace dsc

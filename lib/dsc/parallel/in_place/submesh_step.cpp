@@ -61,7 +61,7 @@ void SubmeshExecutor<Real>::begin_part(Part& part) {
 
 // One pass of upkeep; with the last one velocities and targets.
 template <class Real>
-void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Velocity<Real>& velocity,
+void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Real>& flow,
                                      Real time, Real dt) {
     Timer timer(submeshes_.profile);
     Work<Real>& work = part.work;
@@ -73,8 +73,13 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Velocit
     }
     part.upkeep_s += timer.lap();
     if (pass + 1 >= algorithm_.upkeep.size()) {
-        part.aimed = find_velocities(work, velocity, time);
-        part.aimed.reach = find_targets(work, velocity, time, dt);
+        if (const Velocity<Real>* velocity = flow.velocity()) {
+            part.aimed = find_velocities(work, *velocity, time);
+            part.aimed.reach = find_targets(work, *velocity, time, dt);
+        } else {
+            part.aimed = {};
+            part.forget_aims(); // until the whole interface can be seen
+        }
         part.velocities_s = timer.lap();
         part.aim_s = part.upkeep_s + part.velocities_s;
     }
@@ -141,7 +146,7 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
 // --- the step ----------------------------------------------------------------------------------
 
 template <class Real>
-AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>& velocity, Real time, Real dt) {
+AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
     Timer timer(submeshes_.profile);
     under_way_ = true;
     std::size_t number = 0;
@@ -156,7 +161,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>& velocity, Real 
     // A pass may move what the next one looks at across a boundary: one section for each.
     const std::size_t sections = std::max<std::size_t>(algorithm_.upkeep.size(), 1);
     std::size_t pass = 0;
-    const auto task = [&](std::size_t i) { aim_part(*parts_[i], pass, velocity, time, dt); };
+    const auto task = [&](std::size_t i) { aim_part(*parts_[i], pass, flow, time, dt); };
     for (; pass < sections; ++pass) {
         aiming_.run(threads_, submeshes_.assignment,
                     std::cref(task)); // by reference: no allocation
@@ -167,8 +172,11 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>& velocity, Real 
     for (std::size_t i = 0; i < first_colour_; ++i) {
         report += parts_[i]->aimed;
     }
-    report += hand_over(velocity, time, dt);
+    report += hand_over(flow, time, dt);
     collect_edits();
+    if (flow.seeing() != nullptr) {
+        report = aim_by_sight(*flow.seeing(), time, dt);
+    }
     if (submeshes_.profile) {
         SubStepProfile& profile = profile_.sub_steps.emplace_back();
         profile.set_up = set_up;
@@ -186,8 +194,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>& velocity, Real 
 // What upkeep may not touch in any submesh, and vertices that have left theirs: few, and done here.
 // Those that are new to a submesh are aimed here as well, and listed when the sub-step is over.
 template <class Real>
-AimReport<Real> SubmeshExecutor<Real>::hand_over(const Velocity<Real>& velocity, Real time,
-                                                 Real dt) {
+AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real time, Real dt) {
     whole_.interface.clear();
     listed_.clear();
     for (std::size_t i = 0; i < first_colour_; ++i) {
@@ -224,13 +231,16 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Velocity<Real>& velocity,
         }
     }
     listed_.resize(kept);
-    if (options_.interface.coarsening == Coarsening::area) {
+    if (options_.interface.coarsening == Coarsening::area && flow.velocity() != nullptr) {
         take_displaced();
     }
     std::erase_if(whole_.interface,
                   [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
-    AimReport<Real> report = find_velocities(whole_, velocity, time);
-    report.reach = find_targets(whole_, velocity, time, dt);
+    if (flow.velocity() == nullptr) {
+        return {};
+    }
+    AimReport<Real> report = find_velocities(whole_, *flow.velocity(), time);
+    report.reach = find_targets(whole_, *flow.velocity(), time, dt);
     return report;
 }
 
@@ -263,6 +273,9 @@ void SubmeshExecutor<Real>::unlist(std::uint32_t vertex) {
             const auto at = found - work.interface.begin();
             const auto drop = [at](auto& list) { list.erase(list.begin() + at); };
             drop(work.interface);
+            if (work.aim.positions.empty()) {
+                return; // not aimed yet
+            }
             drop(work.aim.positions);
             drop(work.aim.targets);
             drop(work.aim.held);
@@ -273,7 +286,11 @@ void SubmeshExecutor<Real>::unlist(std::uint32_t vertex) {
 }
 
 template <class Real>
-Reach<Real> SubmeshExecutor<Real>::aim_again(const Velocity<Real>& velocity, Real time, Real dt) {
+Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
+    if (flow.seeing() != nullptr) {
+        return aim_again_by_sight(*flow.seeing(), time, dt);
+    }
+    const Velocity<Real>& velocity = *flow.velocity();
     aiming_.run(threads_, submeshes_.assignment, [&](std::size_t i) {
         Part& part = *parts_[i];
         part.aimed.reach = find_targets(part.work, velocity, time, dt);
@@ -364,8 +381,8 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template AimReport<Real> SubmeshExecutor<Real>::aim(const Velocity<Real>&, Real, Real);        \
-    template Reach<Real> SubmeshExecutor<Real>::aim_again(const Velocity<Real>&, Real, Real);      \
+    template AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>&, Real, Real);            \
+    template Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>&, Real, Real);          \
     template MoveReport SubmeshExecutor<Real>::move();
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

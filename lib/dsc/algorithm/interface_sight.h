@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A flow that sees the interface, for what knows functions of positions and time only: of all
+// interface vertices at once, so that they are all at the same stage.
+#pragma once
+
+#include "dsc/algorithm/interface_graph.h"
+#include "dsc/passes/work.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace dsc {
+
+/// Calls `run` for ranges 0, 1, ..., at once or one after the other, and returns when all are done.
+using RunRanges = std::function<void(const std::function<void(std::size_t range)>& run)>;
+
+/// Not to be moved while a velocity from it is in use. Keeps its memory.
+template <class Real>
+class InterfaceSight {
+public:
+    /// Looks at `work.interface`, which must be all of the interface and is cut into ranges that
+    /// end at `ends`. O(its stars), shared among the ranges.
+    void look(Work<Real>& work, std::span<const std::size_t> ends, RunRanges run_ranges);
+    /// The same in one range, on the thread that calls.
+    void look(Work<Real>& work);
+
+    /// The flow as a function of the positions of all of `work.interface`, in that order: for
+    /// `find_velocities` and `find_targets` of the work that was looked at. To be used until the
+    /// next look, and while `flow` lives. Locked and held vertices are seen where they are, those
+    /// whose stage is not finite as well: what was asked of one vertex in vain must not become its
+    /// neighbours' trouble.
+    [[nodiscard]] Velocity<Real> velocity(const InterfaceFlow<Real>& flow);
+
+private:
+    void evaluate(std::span<const Point<Real>> positions, Real time,
+                  std::span<Point<Real>> velocities);
+    [[nodiscard]] std::size_t begin_of(std::size_t range) const {
+        return range == 0 ? 0 : ends_[range - 1];
+    }
+    [[nodiscard]] bool stays(std::size_t i) const;
+
+    InterfaceGraph<Real> graph_;
+    Work<Real>* work_ = nullptr;
+    std::vector<std::size_t> ends_;
+    RunRanges run_ranges_;
+    const InterfaceFlow<Real>* flow_ = nullptr;
+    std::vector<Point<Real>> stage_;
+};
+
+} // namespace dsc

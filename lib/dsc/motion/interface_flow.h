@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Flows that see the interface: beside where its vertices are they know who is next to whom along
+// the curve, which phases meet there, which way the normal points and how the curve bends.
+#pragma once
+
+#include "dsc/complex/complex.h"
+#include "dsc/motion/integrator.h"
+
+#include <functional>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace dsc {
+
+/// Bits of `InterfaceView::flags`.
+enum InterfaceFlag : std::uint8_t {
+    /// No ordinary point of a curve: it has no previous and no next vertex, only arms. Three phases
+    /// meet here, two sheets of the interface touch, or a curve arrives at the domain boundary.
+    /// For one sub-step so are the neighbours of what a pass of the application has just put on the
+    /// interface.
+    interface_junction = 1U,
+    interface_corner = 2U,   ///< is kept; its normal and curvature are not those of a smooth curve
+    interface_boundary = 4U, ///< lies on the domain boundary, along which alone it can slide
+    interface_locked = 8U,   ///< stays, whatever its velocity
+};
+
+/// An interface edge that leaves a junction.
+struct InterfaceArm {
+    std::uint32_t neighbour = no_id; ///< index in the view
+    Phase left = border_phase; ///< as seen from the junction; border_phase: outside the domain
+    Phase right = border_phase;
+};
+
+/// The interface at one moment. Entry i of each array is the same interface vertex; neighbours are
+/// indices into these arrays. Curves are directed so that the larger of their two phases is on the
+/// left: the outline of a disc of phase 1 in phase 0 runs counter-clockwise, that of a hole in it
+/// clockwise. The outside of the domain, `border_phase`, is always on the right. A closed curve has
+/// no first vertex: following `next` leads around it.
+///
+/// Vertices are in about the order of the curves, submesh by submesh; no flow should depend on
+/// that. A view is only valid during the call that it is handed to.
+template <class Real>
+struct InterfaceView {
+    /// The mesh around the interface, at the start of the sub-step and not at the stage; and
+    /// attributes: `view.complex.attributes.get<Vertex, double>("speed")[view.vertices[i]]`, looked
+    /// up by name once for a range and not for each vertex.
+    const Complex<Real>& complex;
+    std::span<const Vertex> vertices;
+    /// Where they are in this stage of the integrator.
+    std::span<const Point<Real>> positions;
+    std::span<const std::uint32_t> previous; ///< no_id at junctions
+    std::span<const std::uint32_t> next;     ///< no_id at junctions
+    std::span<const Phase> left;             ///< border_phase at junctions
+    std::span<const Phase> right;            ///< border_phase at junctions, and on the boundary
+    std::span<const std::uint8_t> flags;     ///< InterfaceFlag
+
+    std::span<const std::uint32_t> junctions; ///< their indices, ascending
+    std::span<const std::uint32_t> arm_begin; ///< junction k: arms arm_begin[k] to arm_begin[k + 1]
+    std::span<const InterfaceArm> arms;       ///< counter-clockwise about each junction
+
+    [[nodiscard]] std::size_t size() const { return vertices.size(); }
+    [[nodiscard]] bool is_junction(std::size_t i) const {
+        return (flags[i] & interface_junction) != 0;
+    }
+    [[nodiscard]] bool is_corner(std::size_t i) const { return (flags[i] & interface_corner) != 0; }
+    [[nodiscard]] bool is_on_boundary(std::size_t i) const {
+        return (flags[i] & interface_boundary) != 0;
+    }
+};
+
+/// The arms of a junction, counter-clockwise; none of any other vertex. O(log junctions).
+template <class Real>
+[[nodiscard]] std::span<const InterfaceArm> arms_of(const InterfaceView<Real>& view, std::size_t i);
+
+/// Whether the phase lies at the interface there. O(1); O(log junctions + arms) at junctions.
+template <class Real>
+[[nodiscard]] bool borders_on(const InterfaceView<Real>& view, std::size_t i, Phase phase);
+
+/// The unit normal of the circle through the vertex and its two neighbours, from the left phase to
+/// the right one: outwards for a disc of phase 1 in phase 0. Zero at junctions, and where
+/// neighbours coincide. Second order in the edge length, and exact on circles. O(1).
+template <class Real>
+[[nodiscard]] Point<Real> normal(const InterfaceView<Real>& view, std::size_t i);
+
+/// The curvature of that circle, in 1 / length; positive where the left phase is convex. Zero at
+/// junctions. First order in the edge length, second where neighbouring edges are equally long;
+/// exact on circles. O(1).
+template <class Real>
+[[nodiscard]] Real curvature(const InterfaceView<Real>& view, std::size_t i);
+
+/// The part of the interface that belongs to the vertex: half of each of its edges. O(1); O(log
+/// junctions + arms) at junctions.
+template <class Real>
+[[nodiscard]] Real length(const InterfaceView<Real>& view, std::size_t i);
+
+/// A velocity that is given the interface: writes velocities[i] for each i in [begin, end). Entries
+/// that it does not write are zero: the vertex stays. NaN or infinity: the vertex is held and
+/// counted.
+///
+/// It is called in every stage of the integrator, with the positions of that stage for all vertices
+/// (locked and held ones stay where they are), once for each submesh, from several threads at once:
+/// it may read the whole view, and from the complex what it likes, while nothing is modified; it
+/// must write nothing else. What is written for i must not depend on begin and end: then the result
+/// is the same to the bit for any number of threads. What it throws comes out of
+/// `Simulation::step`, and leaves a valid complex.
+///
+/// Explicit integrators limit the step of a flow that smooths, which the limit by speed does not
+/// see: where v = -curvature * normal, dt * 4 / l^2 must stay below 2 (euler, midpoint) or 2.78
+/// (rk4, adaptive), with l the shortest edge, `shortest * edge_length` of the options; the centred
+/// difference is unstable for any step.
+template <class Real>
+using InterfaceFlow =
+    std::function<void(const InterfaceView<Real>& view, std::size_t begin, std::size_t end,
+                       Real time, std::span<Point<Real>> velocities)>;
+
+/// A flow from a function of one vertex, `Point<Real> function(view, i, time)`.
+template <class Real, class Function>
+[[nodiscard]] InterfaceFlow<Real> vertex_flow(Function function) {
+    using Result =
+        std::invoke_result_t<const Function&, const InterfaceView<Real>&, std::size_t, Real>;
+    // An expression of Eigen would refer to temporaries that are gone.
+    static_assert(std::is_same_v<Result, Point<Real>>,
+                  "the function must return a dsc::Point: write -> dsc::Point<Real>");
+    return [function = std::move(function)](const InterfaceView<Real>& view, std::size_t begin,
+                                            std::size_t end, Real time,
+                                            std::span<Point<Real>> velocities) {
+        for (std::size_t i = begin; i < end; ++i) {
+            velocities[i] = function(view, i, time);
+        }
+    };
+}
+
+/// Either kind of flow, as the driver hands it to an executor. Refers to the function, and costs
+/// nothing to copy.
+template <class Real>
+class Flow {
+public:
+    Flow(const Velocity<Real>& velocity) : velocity_(&velocity) {} // NOLINT: both are flows
+    Flow(const InterfaceFlow<Real>& along_curves) : seeing_(&along_curves) {} // NOLINT: the same
+
+    /// The function of positions and time; null where the flow sees the interface.
+    [[nodiscard]] const Velocity<Real>* velocity() const { return velocity_; }
+    /// The function of the interface; null where it is one of positions and time.
+    [[nodiscard]] const InterfaceFlow<Real>* seeing() const { return seeing_; }
+
+private:
+    const Velocity<Real>* velocity_ = nullptr;
+    const InterfaceFlow<Real>* seeing_ = nullptr;
+};
+
+} // namespace dsc

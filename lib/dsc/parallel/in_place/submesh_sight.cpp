@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Aiming by a flow that sees the interface: its vertices in all submeshes have to be at the same
+// stage whenever it is asked, so that they are integrated together. The flow itself is asked
+// submesh by submesh, in parallel.
+#include "dsc/parallel/in_place/submesh_part.h"
+
+namespace dsc {
+
+// All lists, once upkeep is over: of the submeshes, and of what is on its way between them.
+template <class Real>
+void SubmeshExecutor<Real>::join_interface() {
+    auto& list = joined_->work.interface;
+    auto& ends = joined_->ends;
+    list.clear();
+    ends.clear();
+    const auto append = [&](const std::vector<std::uint32_t>& part) {
+        list.insert(list.end(), part.begin(), part.end());
+        ends.push_back(list.size());
+    };
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        append(parts_[i]->work.interface);
+    }
+    append(whole_.interface);
+}
+
+template <class Real>
+AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const InterfaceFlow<Real>& flow, Real time,
+                                                    Real dt) {
+    if (!joined_) {
+        joined_ = std::make_unique<Joined>(complex_, options_);
+    }
+    join_interface();
+    joined_->sight.look(joined_->work, joined_->ends, [this](const auto& run) {
+        aiming_.run(threads_, submeshes_.assignment, run);
+        run(first_colour_); // those in no submesh: few
+    });
+    const Velocity<Real> velocity = joined_->sight.velocity(flow);
+    AimReport<Real> report = find_velocities(joined_->work, velocity, time);
+    report.reach = find_targets(joined_->work, velocity, time, dt);
+    hand_out_aims();
+    return report;
+}
+
+template <class Real>
+Reach<Real> SubmeshExecutor<Real>::aim_again_by_sight(const InterfaceFlow<Real>& flow, Real time,
+                                                      Real dt) {
+    const Reach<Real> reach = find_targets(joined_->work, joined_->sight.velocity(flow), time, dt);
+    hand_out_aims();
+    return reach;
+}
+
+// To those that have the vertices in their lists: what `collect_movers` looks at.
+template <class Real>
+void SubmeshExecutor<Real>::hand_out_aims() {
+    const Aim<Real>& from = joined_->work.aim;
+    std::size_t begin = 0;
+    for (std::size_t range = 0; range < joined_->ends.size(); ++range) {
+        const std::size_t end = joined_->ends[range];
+        Aim<Real>& to = range < first_colour_ ? parts_[range]->work.aim : whole_.aim;
+        const auto take = [&](const auto& all, auto& part) {
+            const auto first = all.begin();
+            part.assign(first + static_cast<std::ptrdiff_t>(begin),
+                        first + static_cast<std::ptrdiff_t>(end));
+        };
+        take(from.positions, to.positions);
+        take(from.targets, to.targets);
+        take(from.held, to.held);
+        to.dt = from.dt;
+        begin = end;
+    }
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const InterfaceFlow<Real>&, Real, \
+                                                                 Real);                            \
+    template Reach<Real> SubmeshExecutor<Real>::aim_again_by_sight(const InterfaceFlow<Real>&,     \
+                                                                   Real, Real);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc
