@@ -13,7 +13,10 @@ constexpr std::size_t fewest_markers = 8;
 
 void check_count(std::size_t count, const std::string& where) {
     if (count < 4) {
-        throw InputError("too few markers", where, std::to_string(count), "at least 4");
+        throw InputError({.what = "too few markers",
+                          .where = where,
+                          .value = std::to_string(count),
+                          .allowed = "at least 4"});
     }
 }
 
@@ -57,9 +60,11 @@ void move_markers(Markers& markers, const BatchVelocity& velocity, double time, 
 MarkerCounts space_markers(Markers& markers, const MarkerOptions& options) {
     check_count(markers.size(), "space_markers");
     if (!(options.shortest >= 0 && options.shortest < 0.5 * options.longest)) {
-        throw InputError("bad band of edge lengths", "space_markers: shortest",
-                         std::to_string(options.shortest),
-                         "from 0 to half of longest (" + std::to_string(options.longest) + ")");
+        throw InputError(
+            {.what = "bad band of edge lengths",
+             .where = "space_markers: shortest",
+             .value = std::to_string(options.shortest),
+             .allowed = "from 0 to half of longest (" + std::to_string(options.longest) + ")"});
     }
     MarkerCounts counts;
     Markers halved;
@@ -90,8 +95,10 @@ MarkerCounts space_markers(Markers& markers, const MarkerOptions& options) {
 Markers read_as_cubic(std::span<const Point<double>> markers, int parts) {
     check_count(markers.size(), "read_as_cubic");
     if (parts < 1) {
-        throw InputError("bad number of parts", "read_as_cubic", std::to_string(parts),
-                         "at least 1");
+        throw InputError({.what = "bad number of parts",
+                          .where = "read_as_cubic",
+                          .value = std::to_string(parts),
+                          .allowed = "at least 1"});
     }
     Markers result;
     result.reserve(markers.size() * static_cast<std::size_t>(parts));

@@ -157,15 +157,20 @@ Complex make_complex(std::span<const Point<double>> points,
                      std::span<const Phase> phases) {
     const std::string where = "reference::make_complex";
     if (phases.size() != triangles.size()) {
-        throw InputError("wrong number of phases", where, std::to_string(phases.size()),
-                         "one for each of the " + std::to_string(triangles.size()) + " triangles");
+        throw InputError(
+            {.what = "wrong number of phases",
+             .where = where,
+             .value = std::to_string(phases.size()),
+             .allowed = "one for each of the " + std::to_string(triangles.size()) + " triangles"});
     }
     Complex K;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y())) {
-            throw InputError("coordinate of point " + std::to_string(i), where,
-                             std::to_string(points[i].x()) + ", " + std::to_string(points[i].y()),
-                             "finite numbers");
+            throw InputError(
+                {.what = "coordinate of point " + std::to_string(i),
+                 .where = where,
+                 .value = std::to_string(points[i].x()) + ", " + std::to_string(points[i].y()),
+                 .allowed = "finite numbers"});
         }
         K.insert(points[i]);
     }
@@ -175,19 +180,25 @@ Complex make_complex(std::span<const Point<double>> points,
         const std::string value =
             std::to_string(a) + ", " + std::to_string(b) + ", " + std::to_string(c);
         if (a >= points.size() || b >= points.size() || c >= points.size()) {
-            throw InputError("vertices of " + name, where, value,
-                             "numbers below " + std::to_string(points.size()));
+            throw InputError({.what = "vertices of " + name,
+                              .where = where,
+                              .value = value,
+                              .allowed = "numbers below " + std::to_string(points.size())});
         }
         if (dsc::orientation(points[a], points[b], points[c]) == 0) {
-            throw InputError(name + " has no area", where, value,
-                             "three vertices that are not collinear");
+            throw InputError({.what = name + " has no area",
+                              .where = where,
+                              .value = value,
+                              .allowed = "three vertices that are not collinear"});
         }
         const TriangleKey t = K.insert(Vertex{a}, Vertex{b}, Vertex{c});
         K.set_phase(t, phases[i]);
         for (const EdgeKey& e : edges_of(t)) {
             if (K.triangles_at(e).size() > 2) {
-                throw InputError("an edge of " + name + " has more than two triangles", where,
-                                 value, "a manifold with boundary");
+                throw InputError({.what = "an edge of " + name + " has more than two triangles",
+                                  .where = where,
+                                  .value = value,
+                                  .allowed = "a manifold with boundary"});
             }
         }
     }

@@ -128,14 +128,17 @@ StepCounts step(Complex& K, const Velocity& velocity, double time, double dt,
                 const Options& options) {
     const std::string where = "reference::step";
     if (!std::isfinite(time) || !std::isfinite(dt)) {
-        throw InputError("time or time step", where,
-                         std::to_string(time) + ", " + std::to_string(dt), "finite numbers");
+        throw InputError({.what = "time or time step",
+                          .where = where,
+                          .value = std::to_string(time) + ", " + std::to_string(dt),
+                          .allowed = "finite numbers"});
     }
     if (!(options.passes.edge_length > 0) || !(options.substep > 0)) {
-        throw InputError("edge length h or sub-step", where,
-                         std::to_string(options.passes.edge_length) + ", " +
-                             std::to_string(options.substep),
-                         "above 0");
+        throw InputError({.what = "edge length h or sub-step",
+                          .where = where,
+                          .value = std::to_string(options.passes.edge_length) + ", " +
+                                   std::to_string(options.substep),
+                          .allowed = "above 0"});
     }
     const double reach = options.substep * options.passes.edge_length;
     StepCounts counts;
@@ -150,10 +153,11 @@ StepCounts step(Complex& K, const Velocity& velocity, double time, double dt,
         while (next.furthest > reach) {
             parts = std::max(parts + 1, std::ceil(parts * next.furthest / reach));
             if (!(parts + static_cast<double>(counts.substeps) <= options.max_substeps)) {
-                throw InputError("way of a vertex in one step", where,
-                                 std::to_string(next.furthest),
-                                 "at most " + std::to_string(options.max_substeps) +
-                                     " sub-steps of " + std::to_string(reach));
+                throw InputError({.what = "way of a vertex in one step",
+                                  .where = where,
+                                  .value = std::to_string(next.furthest),
+                                  .allowed = "at most " + std::to_string(options.max_substeps) +
+                                             " sub-steps of " + std::to_string(reach)});
             }
             next = targets(K, moving, velocity, time + done * dt, rest / parts, options.integrator);
         }

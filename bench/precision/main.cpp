@@ -69,7 +69,10 @@ std::vector<const Item*> chosen(const std::vector<Item>& table,
     for (const std::string& name : names) {
         if (std::none_of(table.begin(), table.end(),
                          [&](const Item& item) { return item.name == name; })) {
-            throw dsc::InputError("unknown name", option, "'" + name + "'", all);
+            throw dsc::InputError({.what = "unknown name",
+                                   .where = option,
+                                   .value = "'" + name + "'",
+                                   .allowed = all});
         }
     }
     std::vector<const Item*> result;
@@ -119,8 +122,10 @@ int run(const Arguments& arguments) {
     std::error_code error;
     fs::create_directories(arguments.out, error);
     if (error || !fs::is_directory(arguments.out) || access(arguments.out.c_str(), W_OK) != 0) {
-        throw dsc::InputError("cannot write here", "--out", "'" + arguments.out + "'",
-                              "a folder with permission to write");
+        throw dsc::InputError({.what = "cannot write here",
+                               .where = "--out",
+                               .value = "'" + arguments.out + "'",
+                               .allowed = "a folder with permission to write"});
     }
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);

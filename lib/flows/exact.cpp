@@ -172,8 +172,10 @@ ExactShape rotated_shape(std::span<const Outline> first, const Point<double>& ce
 
 ExactShape exact_circle(const Point<double>& centre, double radius, int vertices) {
     if (vertices < 8) {
-        throw InputError("number of vertices", "exact_circle", std::to_string(vertices),
-                         "at least 8");
+        throw InputError({.what = "number of vertices",
+                          .where = "exact_circle",
+                          .value = std::to_string(vertices),
+                          .allowed = "at least 8"});
     }
     const Curve curve = circle_curve(centre, radius);
     const double angle = 2.0 * pi / vertices;
@@ -198,9 +200,11 @@ ExactShape exact_circle(const Point<double>& centre, double radius, int vertices
 ExactShape mapped_shape(const Curve& curve, const FlowMap& map, const FlowMap& rough,
                         const std::string& description, const MarkerOptions& options) {
     if (!(options.spacing > 0.0) || !(options.deviation > 0.0)) {
-        throw InputError("spacing and deviation of markers", "mapped_shape",
-                         std::to_string(options.spacing) + ", " + std::to_string(options.deviation),
-                         "above 0");
+        throw InputError(
+            {.what = "spacing and deviation of markers",
+             .where = "mapped_shape",
+             .value = std::to_string(options.spacing) + ", " + std::to_string(options.deviation),
+             .allowed = "above 0"});
     }
     const double unit = std::sqrt(curve.area);
     const double spacing = options.spacing * unit;

@@ -104,11 +104,16 @@ FlowMap vortex_map(const Vortex& field, double time) {
 
 FlowMap runge_kutta_map(Flow flow, double begin, double end, int steps) {
     if (!(begin <= end) || !std::isfinite(begin) || !std::isfinite(end)) {
-        throw InputError("end of the time", "runge_kutta_map", std::to_string(end),
-                         "finite, from " + std::to_string(begin));
+        throw InputError({.what = "end of the time",
+                          .where = "runge_kutta_map",
+                          .value = std::to_string(end),
+                          .allowed = "finite, from " + std::to_string(begin)});
     }
     if (steps < 1) {
-        throw InputError("number of steps", "runge_kutta_map", std::to_string(steps), "at least 1");
+        throw InputError({.what = "number of steps",
+                          .where = "runge_kutta_map",
+                          .value = std::to_string(steps),
+                          .allowed = "at least 1"});
     }
     std::vector<double> ends;
     for (const Leg& leg : flow) {

@@ -105,7 +105,10 @@ Flow there_and_back(const Velocity& velocity, double half_time) {
 
 const Velocity& velocity_of_step(const Flow& flow, double begin, double end) {
     if (flow.empty()) {
-        throw InputError("flow without legs", "velocity_of_step", "0", "at least 1");
+        throw InputError({.what = "flow without legs",
+                          .where = "velocity_of_step",
+                          .value = "0",
+                          .allowed = "at least 1"});
     }
     const double middle = 0.5 * (begin + end);
     for (const Leg& leg : flow) {

@@ -18,8 +18,10 @@ namespace {
 void check_positive(std::span<const double> values, const std::string& what) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!(values[i] > 0.0) || !std::isfinite(values[i])) {
-            throw InputError(what + " " + std::to_string(i), "fit_order", std::to_string(values[i]),
-                             "finite and above 0");
+            throw InputError({.what = what + " " + std::to_string(i),
+                              .where = "fit_order",
+                              .value = std::to_string(values[i]),
+                              .allowed = "finite and above 0"});
         }
     }
 }
@@ -28,12 +30,16 @@ void check_positive(std::span<const double> values, const std::string& what) {
 
 Order fit_order(std::span<const double> sizes, std::span<const double> errors) {
     if (sizes.size() != errors.size()) {
-        throw InputError("number of errors", "fit_order", std::to_string(errors.size()),
-                         std::to_string(sizes.size()) + ", as many as sizes");
+        throw InputError({.what = "number of errors",
+                          .where = "fit_order",
+                          .value = std::to_string(errors.size()),
+                          .allowed = std::to_string(sizes.size()) + ", as many as sizes"});
     }
     if (sizes.size() < 2) {
-        throw InputError("number of sizes", "fit_order", std::to_string(sizes.size()),
-                         "at least 2");
+        throw InputError({.what = "number of sizes",
+                          .where = "fit_order",
+                          .value = std::to_string(sizes.size()),
+                          .allowed = "at least 2"});
     }
     check_positive(sizes, "size");
     check_positive(errors, "error");
@@ -61,8 +67,10 @@ Order fit_order(std::span<const double> sizes, std::span<const double> errors) {
         if (i > 0) {
             const double step = size - logs[i - 1].first;
             if (!(step > 0.0)) {
-                throw InputError("a size given twice", "fit_order", std::to_string(std::exp(size)),
-                                 "sizes that differ");
+                throw InputError({.what = "a size given twice",
+                                  .where = "fit_order",
+                                  .value = std::to_string(std::exp(size)),
+                                  .allowed = "sizes that differ"});
             }
             const double order = (error - logs[i - 1].second) / step;
             result.smallest = std::min(result.smallest, order);

@@ -26,7 +26,10 @@ double number(const Figures& figures, std::string_view name) {
     for (const Figure& figure : figures) {
         names += (names.empty() ? "" : ", ") + figure.name;
     }
-    throw InputError("no such number", "figure", "'" + std::string(name) + "'", names);
+    throw InputError({.what = "no such number",
+                      .where = "figure",
+                      .value = "'" + std::string(name) + "'",
+                      .allowed = names});
 }
 
 } // namespace dsc::scenes

@@ -85,7 +85,10 @@ Farthest directed(const std::vector<Segment>& from, const SegmentTree& to, doubl
 HausdorffDistance hausdorff(std::span<const Outline> first, std::span<const Outline> second,
                             const HausdorffOptions& options) {
     if (!(options.tolerance > 0.0)) {
-        throw InputError("tolerance", "hausdorff", std::to_string(options.tolerance), "above 0");
+        throw InputError({.what = "tolerance",
+                          .where = "hausdorff",
+                          .value = std::to_string(options.tolerance),
+                          .allowed = "above 0"});
     }
     const double scale = unit_scale(first, second, "hausdorff");
     HausdorffDistance result;

@@ -140,10 +140,16 @@ void set_parameter(Parameters& parameters, const std::vector<std::string>& keys,
     const auto found =
         std::ranges::find_if(parameter_keys(), [&](const Key& one) { return one.name == key; });
     if (found == parameter_keys().end() || std::ranges::find(keys, key) == keys.end()) {
-        throw InputError("unknown key", "--set", "'" + key + "'", "for this scene: " + join(keys));
+        throw InputError({.what = "unknown key",
+                          .where = "--set",
+                          .value = "'" + key + "'",
+                          .allowed = "for this scene: " + join(keys)});
     }
     if (!found->parse(parameters, value)) {
-        throw InputError("bad value", "--set " + key, "'" + value + "'", found->allowed);
+        throw InputError({.what = "bad value",
+                          .where = "--set " + key,
+                          .value = "'" + value + "'",
+                          .allowed = found->allowed});
     }
 }
 
@@ -151,7 +157,10 @@ void apply_setting(Parameters& parameters, const std::vector<std::string>& keys,
                    const std::string& setting) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos) {
-        throw InputError("not a setting", "--set", "'" + setting + "'", "key=value");
+        throw InputError({.what = "not a setting",
+                          .where = "--set",
+                          .value = "'" + setting + "'",
+                          .allowed = "key=value"});
     }
     set_parameter(parameters, keys, setting.substr(0, equals), setting.substr(equals + 1));
 }

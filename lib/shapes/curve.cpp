@@ -17,7 +17,10 @@ constexpr double pi = std::numbers::pi;
 
 Curve circle_curve(const Point<double>& centre, double radius) {
     if (!(radius > 0.0) || !std::isfinite(radius)) {
-        throw InputError("radius", "circle_curve", std::to_string(radius), "finite and above 0");
+        throw InputError({.what = "radius",
+                          .where = "circle_curve",
+                          .value = std::to_string(radius),
+                          .allowed = "finite and above 0"});
     }
     const auto point = [centre, radius](double s) {
         return Point<double>{centre.x() + radius * std::cos(2.0 * pi * s),

@@ -137,15 +137,18 @@ bool is_simple(const Outline& outline) { return is_simple(std::span(&outline, 1)
 
 void check_outline(const Outline& outline, const std::string& where) {
     if (outline.size() < 3) {
-        throw InputError("too few points in an outline", where, std::to_string(outline.size()),
-                         "at least 3");
+        throw InputError({.what = "too few points in an outline",
+                          .where = where,
+                          .value = std::to_string(outline.size()),
+                          .allowed = "at least 3"});
     }
     for (std::size_t i = 0; i < outline.size(); ++i) {
         if (!outline[i].allFinite()) {
-            throw InputError("point " + std::to_string(i) + " of an outline is not finite", where,
-                             "(" + std::to_string(outline[i].x()) + ", " +
-                                 std::to_string(outline[i].y()) + ")",
-                             "finite coordinates");
+            throw InputError({.what = "point " + std::to_string(i) + " of an outline is not finite",
+                              .where = where,
+                              .value = "(" + std::to_string(outline[i].x()) + ", " +
+                                       std::to_string(outline[i].y()) + ")",
+                              .allowed = "finite coordinates"});
         }
     }
 }

@@ -19,7 +19,10 @@ constexpr double most_vertices = 1e8;
 
 void check_positive(double value, const std::string& what, const std::string& where) {
     if (!(value > 0.0) || !std::isfinite(value)) {
-        throw InputError(what, where, std::to_string(value), "finite and above 0");
+        throw InputError({.what = what,
+                          .where = where,
+                          .value = std::to_string(value),
+                          .allowed = "finite and above 0"});
     }
 }
 
@@ -28,8 +31,10 @@ int parts(double length, double edge_length, const std::string& where) {
     check_positive(edge_length, "edge length", where);
     const double count = std::ceil(length / edge_length);
     if (!(count <= most_vertices)) {
-        throw InputError("edge length too small for the shape", where, std::to_string(edge_length),
-                         "at most 1e8 edges");
+        throw InputError({.what = "edge length too small for the shape",
+                          .where = where,
+                          .value = std::to_string(edge_length),
+                          .allowed = "at most 1e8 edges"});
     }
     return std::max(1, static_cast<int>(count));
 }
@@ -101,8 +106,10 @@ std::vector<Point<double>> slot_corners(const SlottedDisc& disc) {
     check_positive(disc.slot_width, "slot width", "slotted_disc");
     const double half = 0.5 * disc.slot_width;
     if (half >= disc.radius) {
-        throw InputError("slot width", "slotted_disc", std::to_string(disc.slot_width),
-                         "less than the diameter");
+        throw InputError({.what = "slot width",
+                          .where = "slotted_disc",
+                          .value = std::to_string(disc.slot_width),
+                          .allowed = "less than the diameter"});
     }
     const double reach = std::sqrt((disc.radius - half) * (disc.radius + half));
     const double left = disc.centre.x() - half;
@@ -110,8 +117,10 @@ std::vector<Point<double>> slot_corners(const SlottedDisc& disc) {
     const double bottom = disc.centre.y() - reach;
     const double top = disc.centre.y() - disc.radius + disc.slot_height;
     if (!(top > bottom && top < disc.centre.y() + reach)) {
-        throw InputError("slot height", "slotted_disc", std::to_string(disc.slot_height),
-                         "ends inside the disc");
+        throw InputError({.what = "slot height",
+                          .where = "slotted_disc",
+                          .value = std::to_string(disc.slot_height),
+                          .allowed = "ends inside the disc"});
     }
     return {{left, bottom}, {left, top}, {right, top}, {right, bottom}};
 }
@@ -146,8 +155,10 @@ Outline crescent(const Crescent& crescent, double edge_length) {
     const double r = crescent.radius;
     const double b = crescent.bite_radius;
     if (!(distance > std::abs(r - b) && distance < r + b)) {
-        throw InputError("distance of the bite's centre", "crescent", std::to_string(distance),
-                         "such that the two circles cross");
+        throw InputError({.what = "distance of the bite's centre",
+                          .where = "crescent",
+                          .value = std::to_string(distance),
+                          .allowed = "such that the two circles cross"});
     }
     // The horns: `along` from the centre on the axis, `across` to either side of it.
     const double along = 0.5 * (distance + (r - b) * (r + b) / distance);
@@ -173,7 +184,10 @@ Outline star(const Point<double>& centre, double outer_radius, double inner_radi
     check_positive(outer_radius, "outer radius", "star");
     check_positive(inner_radius, "inner radius", "star");
     if (tips < 2) {
-        throw InputError("number of tips", "star", std::to_string(tips), "at least 2");
+        throw InputError({.what = "number of tips",
+                          .where = "star",
+                          .value = std::to_string(tips),
+                          .allowed = "at least 2"});
     }
     Outline corners;
     for (int i = 0; i < 2 * tips; ++i) {
@@ -188,8 +202,10 @@ Outline star(const Point<double>& centre, double outer_radius, double inner_radi
 std::vector<Outline> four_circles(const Point<double>& centre, double spacing, double radius,
                                   double edge_length) {
     if (!(spacing > 2.0 * radius)) {
-        throw InputError("spacing", "four_circles", std::to_string(spacing),
-                         "more than the diameter");
+        throw InputError({.what = "spacing",
+                          .where = "four_circles",
+                          .value = std::to_string(spacing),
+                          .allowed = "more than the diameter"});
     }
     const double half = 0.5 * spacing;
     std::vector<Outline> outlines;

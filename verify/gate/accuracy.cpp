@@ -57,7 +57,10 @@ const RunResult& run_of(Runs& runs, const std::string& name) {
     const auto flow =
         std::ranges::find_if(flows(), [&](const Flow& one) { return one.name == name; });
     if (flow == flows().end()) {
-        throw InputError("unknown flow", "accuracy", "'" + name + "'", "those of its table");
+        throw InputError({.what = "unknown flow",
+                          .where = "accuracy",
+                          .value = "'" + name + "'",
+                          .allowed = "those of its table"});
     }
     Configuration configuration;
     configuration.scene = flow->scene;

@@ -226,7 +226,10 @@ std::vector<const Check*> select_checks(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         if (std::none_of(checks.begin(), checks.end(),
                          [&](const Check& check) { return check.name == name; })) {
-            throw InputError("unknown check", "run", "'" + name + "'", known);
+            throw InputError({.what = "unknown check",
+                              .where = "run",
+                              .value = "'" + name + "'",
+                              .allowed = known});
         }
     }
     std::vector<const Check*> selected;
@@ -252,9 +255,10 @@ void check_limits(const std::vector<const Check*>& checks, const Limits& limits)
     }
     for (const auto& [key, limit] : limits.all()) {
         if (read.count(key) == 0) {
-            throw InputError("a limit that no check reads", limits.path(),
-                             "'" + key.first + "', '" + key.second + "'",
-                             "the checks and scenes of `dsc_verify list`");
+            throw InputError({.what = "a limit that no check reads",
+                              .where = limits.path(),
+                              .value = "'" + key.first + "', '" + key.second + "'",
+                              .allowed = "the checks and scenes of `dsc_verify list`"});
         }
     }
 }

@@ -43,7 +43,10 @@ std::string shortened(const Json& value) {
 const Json& member(const Json& object, const char* key, const std::string& where,
                    const std::string& allowed) {
     if (!object.is_object() || !object.contains(key)) {
-        throw InputError(std::string("no '") + key + "'", where, shortened(object), allowed);
+        throw InputError({.what = std::string("no '") + key + "'",
+                          .where = where,
+                          .value = shortened(object),
+                          .allowed = allowed});
     }
     return object.at(key);
 }
@@ -54,7 +57,8 @@ Limit read_limit(const Json& entry, const std::string& where) {
     const Json& note = member(entry, "note", where, allowed);
     if (!value.is_number() || !std::isfinite(value.get<double>()) || !note.is_string() ||
         note.get<std::string>().empty()) {
-        throw InputError("not a limit", where, shortened(entry), allowed);
+        throw InputError(
+            {.what = "not a limit", .where = where, .value = shortened(entry), .allowed = allowed});
     }
     return {value.get<double>(), note.get<std::string>()};
 }
@@ -66,21 +70,31 @@ Limits Limits::read(const std::string& path) {
     try {
         json = Json::parse(read_file(path));
     } catch (const Json::out_of_range& error) {
-        throw InputError("a number beyond all bounds", path, error.what(), "finite limits");
+        throw InputError({.what = "a number beyond all bounds",
+                          .where = path,
+                          .value = error.what(),
+                          .allowed = "finite limits"});
     } catch (const Json::parse_error& error) {
-        throw InputError("not whole JSON", path, "an error at byte " + std::to_string(error.byte),
-                         "a limits file, which this one may have been before it was cut off");
+        throw InputError(
+            {.what = "not whole JSON",
+             .where = path,
+             .value = "an error at byte " + std::to_string(error.byte),
+             .allowed = "a limits file, which this one may have been before it was cut off"});
     }
     const std::string allowed = R"({"limits": {CHECK: {SCENE: {"value", "note"}}}})";
     const Json& checks = member(json, "limits", path, allowed);
     if (!checks.is_object()) {
-        throw InputError("no limits", path, shortened(checks), allowed);
+        throw InputError(
+            {.what = "no limits", .where = path, .value = shortened(checks), .allowed = allowed});
     }
     Limits limits;
     limits.path_ = path;
     for (const auto& [check, scenes] : checks.items()) {
         if (!scenes.is_object()) {
-            throw InputError("no limits", path + ": " + check, shortened(scenes), allowed);
+            throw InputError({.what = "no limits",
+                              .where = path + ": " + check,
+                              .value = shortened(scenes),
+                              .allowed = allowed});
         }
         for (const auto& [scene, entry] : scenes.items()) {
             limits.limits_[{check, scene}] = read_limit(entry, path + ": " + check + ", " + scene);
@@ -92,9 +106,10 @@ Limits Limits::read(const std::string& path) {
 const Limit& Limits::find(const std::string& check, const std::string& scene) const {
     const auto found = limits_.find({check, scene});
     if (found == limits_.end()) {
-        throw InputError("a limit is missing", path_,
-                         "none for check '" + check + "', scene '" + scene + "'",
-                         "one for every scene of the checks that run");
+        throw InputError({.what = "a limit is missing",
+                          .where = path_,
+                          .value = "none for check '" + check + "', scene '" + scene + "'",
+                          .allowed = "one for every scene of the checks that run"});
     }
     return found->second;
 }

@@ -48,8 +48,10 @@ void prepare_folder(const std::string& folder) {
         std::filesystem::remove(probe, error);
     }
     if (!good) {
-        throw dsc::InputError("cannot write to this folder", "--out", "'" + folder + "'",
-                              "a folder with permission to write, and room");
+        throw dsc::InputError({.what = "cannot write to this folder",
+                               .where = "--out",
+                               .value = "'" + folder + "'",
+                               .allowed = "a folder with permission to write, and room"});
     }
 }
 

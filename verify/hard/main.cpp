@@ -29,8 +29,10 @@ std::vector<const HardCase*> select(const Arguments& arguments) {
     for (const std::string& name : arguments.cases) {
         const auto at = std::ranges::find(all_cases(), name, &HardCase::name);
         if (at == all_cases().end()) {
-            throw dsc::InputError("unknown case", "run", "'" + name + "'",
-                                  "the names that dsc_hard list prints");
+            throw dsc::InputError({.what = "unknown case",
+                                   .where = "run",
+                                   .value = "'" + name + "'",
+                                   .allowed = "the names that dsc_hard list prints"});
         }
         selected.push_back(&*at);
     }

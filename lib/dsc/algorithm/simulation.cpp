@@ -111,8 +111,10 @@ std::vector<std::uint32_t> Simulation<Real>::interface() const {
 template <class Real>
 StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real dt) {
     if (!std::isfinite(dt) || dt < 0 || !std::isfinite(time)) {
-        throw InputError("not a time step", "Simulation::step", std::to_string(dt),
-                         "a finite time and a step of 0 or more");
+        throw InputError({.what = "not a time step",
+                          .where = "Simulation::step",
+                          .value = std::to_string(dt),
+                          .allowed = "a finite time and a step of 0 or more"});
     }
     StepReport report;
     absorb();

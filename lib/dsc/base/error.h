@@ -4,37 +4,54 @@
 
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace dsc {
 
 /// Bad input: says what was wrong, where, the value that was given and what is allowed.
 class InputError : public std::runtime_error {
 public:
-    InputError(const std::string& what, const std::string& where, const std::string& value,
-               const std::string& allowed)
-        : std::runtime_error(where + ": " + what + ": got " + value + "; allowed: " + allowed),
-          where_(where), value_(value), allowed_(allowed) {}
+    /// Named, as four strings in a row are easily swapped:
+    /// `throw InputError({.what = "no bins", .where = "histogram", .value = "0", .allowed = "1"})`.
+    struct Fields {
+        std::string what;    ///< what was wrong
+        std::string where;   ///< the function, option, file or shape
+        std::string value;   ///< as it was given
+        std::string allowed; ///< the values that would have been right
+    };
 
-    [[nodiscard]] const std::string& where() const { return where_; }
-    [[nodiscard]] const std::string& value() const { return value_; }
-    [[nodiscard]] const std::string& allowed() const { return allowed_; }
+    explicit InputError(Fields fields)
+        : std::runtime_error(fields.where + ": " + fields.what + ": got " + fields.value +
+                             "; allowed: " + fields.allowed),
+          fields_(std::move(fields)) {}
+
+    /// The field `what` alone; `what()` is the whole sentence.
+    [[nodiscard]] const std::string& problem() const { return fields_.what; }
+    [[nodiscard]] const std::string& where() const { return fields_.where; }
+    [[nodiscard]] const std::string& value() const { return fields_.value; }
+    [[nodiscard]] const std::string& allowed() const { return fields_.allowed; }
 
 private:
-    std::string where_;
-    std::string value_;
-    std::string allowed_;
+    Fields fields_;
 };
 
 /// The file system refused: an unwritable folder, a full disk, an unreadable or truncated file.
 class FileError : public std::runtime_error {
 public:
-    FileError(const std::string& what, const std::string& path)
-        : std::runtime_error(path + ": " + what), path_(path) {}
+    /// `error` is the value of errno, whose text is appended, or 0.
+    FileError(const std::string& what, const std::string& path, int error = 0)
+        : std::runtime_error(path + ": " + what +
+                             (error == 0 ? "" : ": " + std::generic_category().message(error))),
+          path_(path), error_(error) {}
 
     [[nodiscard]] const std::string& path() const { return path_; }
+    /// 0 where the system gave no reason.
+    [[nodiscard]] int error() const { return error_; }
 
 private:
     std::string path_;
+    int error_;
 };
 
 /// A broken invariant of the library itself: a defect, never the caller's fault.

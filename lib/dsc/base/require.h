@@ -13,7 +13,8 @@ inline void require(bool good, const char* name, double value, const char* allow
     if (!good) {
         std::ostringstream text;
         text << value;
-        throw InputError("value out of range", name, text.str(), allowed);
+        throw InputError(
+            {.what = "value out of range", .where = name, .value = text.str(), .allowed = allowed});
     }
 }
 

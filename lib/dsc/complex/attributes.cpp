@@ -138,8 +138,11 @@ void AttributeSet::swap_entries(AttributeSet& other) noexcept {
 }
 
 void AttributeSet::refuse(const std::string& name, const char* problem) {
-    throw InputError(problem, "attribute", "'" + name + "'",
-                     "the name, kind and type of one that exists, or a new name to add");
+    throw InputError(
+        {.what = problem,
+         .where = "attribute",
+         .value = "'" + name + "'",
+         .allowed = "the name, kind and type of one that exists, or a new name to add"});
 }
 
 } // namespace dsc

@@ -107,10 +107,15 @@ private:
     template <class Tell>
     void tell(SimplexKind kind, Tell one) {
         if (!empty(kind)) [[unlikely]] {
-            for (const auto& attribute : list_) {
-                if (attribute->kind() == kind) {
-                    one(*attribute);
-                }
+            tell_each(kind, one);
+        }
+    }
+    // Out of line, so that hot loops stay small.
+    template <class Tell>
+    [[gnu::noinline]] void tell_each(SimplexKind kind, Tell one) {
+        for (const auto& attribute : list_) {
+            if (attribute->kind() == kind) {
+                one(*attribute);
             }
         }
     }

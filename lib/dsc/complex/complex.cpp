@@ -19,7 +19,7 @@ constexpr TriangleRecord border_record{
 
 [[noreturn]] void refuse(const std::string& what, const std::string& value,
                          const std::string& allowed) {
-    throw InputError(what, "make_complex", value, allowed);
+    throw InputError({.what = what, .where = "make_complex", .value = value, .allowed = allowed});
 }
 
 } // namespace

@@ -39,7 +39,10 @@ Location locate(const Complex<Real>& complex, const Point<Real>& point, Triangle
     if (!std::isfinite(point.x()) || !std::isfinite(point.y())) {
         std::ostringstream value;
         value << '(' << point.x() << ", " << point.y() << ')';
-        throw InputError("a coordinate is not finite", "locate", value.str(), "finite coordinates");
+        throw InputError({.what = "a coordinate is not finite",
+                          .where = "locate",
+                          .value = value.str(),
+                          .allowed = "finite coordinates"});
     }
     const auto all = triangles(complex);
     if (all.empty()) {

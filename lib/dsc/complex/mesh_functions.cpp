@@ -41,10 +41,11 @@ bool any_edge_of(Triangle t, Test test) {
 
 [[noreturn]] void refuse_triangle(const std::string& what, const std::array<std::uint32_t, 3>& v,
                                   const std::string& allowed) {
-    throw InputError(what, "insert_triangle",
-                     "(" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
-                         std::to_string(v[2]) + ")",
-                     allowed);
+    throw InputError({.what = what,
+                      .where = "insert_triangle",
+                      .value = "(" + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
+                               std::to_string(v[2]) + ")",
+                      .allowed = allowed});
 }
 
 // The corners opposite to the half-edges v[i+2] -> v[i+1], which the new triangle is to face.
@@ -91,13 +92,17 @@ Vertex insert_vertex(Complex<Real>& complex, const Point<Real>& p) {
     if (!std::isfinite(p.x()) || !std::isfinite(p.y())) {
         std::ostringstream value;
         value << '(' << p.x() << ", " << p.y() << ')';
-        throw InputError("a coordinate is not finite", "insert_vertex", value.str(),
-                         "finite coordinates");
+        throw InputError({.what = "a coordinate is not finite",
+                          .where = "insert_vertex",
+                          .value = value.str(),
+                          .allowed = "finite coordinates"});
     }
     const std::uint32_t id = complex.take_vertex(complex.ids);
     if (id == no_id) {
-        throw InputError("no id is left", "insert_vertex", "an empty pool that may not grow",
-                         "a pool with free ids, or one that may grow");
+        throw InputError({.what = "no id is left",
+                          .where = "insert_vertex",
+                          .value = "an empty pool that may not grow",
+                          .allowed = "a pool with free ids, or one that may grow"});
     }
     complex.attributes.reset_vertex(id);
     complex.vertices[id].x = p.x();
@@ -123,8 +128,10 @@ Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, P
         refuse_triangle("a vertex is named twice", v, "three distinct vertices");
     }
     if (phase == border_phase) {
-        throw InputError("a phase is reserved", "insert_triangle", std::to_string(phase),
-                         "0 to 4294967294");
+        throw InputError({.what = "a phase is reserved",
+                          .where = "insert_triangle",
+                          .value = std::to_string(phase),
+                          .allowed = "0 to 4294967294"});
     }
     const int sign =
         dsc::orientation(complex.position(a), complex.position(b), complex.position(c));
@@ -137,8 +144,10 @@ Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, P
     const std::array<Corner, 3> neighbours = find_neighbours(complex, v);
     const std::uint32_t id = complex.take_triangle(complex.ids);
     if (id == no_id) {
-        throw InputError("no id is left", "insert_triangle", "an empty pool that may not grow",
-                         "a pool with free ids, or one that may grow");
+        throw InputError({.what = "no id is left",
+                          .where = "insert_triangle",
+                          .value = "an empty pool that may not grow",
+                          .allowed = "a pool with free ids, or one that may grow"});
     }
     complex.triangles[id] = TriangleRecord{v, neighbours, phase, 0};
     complex.attributes.reset_triangle(id);

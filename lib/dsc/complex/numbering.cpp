@@ -198,10 +198,11 @@ Renumbering renumber(Complex<Real>& complex) {
     // A simulation that reads the journal hears of it, and lends its submeshes new ids.
     const bool is_heard = complex.journal.readers > 0;
     if (!is_heard && (complex.lent_vertices != 0 || complex.lent_triangles != 0)) {
-        throw InputError("submeshes hold free ids of the complex", "renumber",
-                         std::to_string(complex.lent_vertices) + " vertices and " +
-                             std::to_string(complex.lent_triangles) + " triangles",
-                         "0 of each: let the submeshes give them back first");
+        throw InputError({.what = "submeshes hold free ids of the complex",
+                          .where = "renumber",
+                          .value = std::to_string(complex.lent_vertices) + " vertices and " +
+                                   std::to_string(complex.lent_triangles) + " triangles",
+                          .allowed = "0 of each: let the submeshes give them back first"});
     }
     Renumbering result;
     {

@@ -59,7 +59,10 @@ std::vector<Simplex> intersect(const std::vector<Simplex>& a, const std::vector<
 
 void check_dimension(int k, const char* where) {
     if (k < 0 || k > 2) {
-        throw InputError("no such dimension", where, std::to_string(k), "0, 1 or 2");
+        throw InputError({.what = "no such dimension",
+                          .where = where,
+                          .value = std::to_string(k),
+                          .allowed = "0, 1 or 2"});
     }
 }
 

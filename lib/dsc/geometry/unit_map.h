@@ -53,9 +53,11 @@ inline UnitMap fit_unit_map(const Point<double>& low, const Point<double>& high)
     if (!low.allFinite() || !(sides.minCoeff() > 0) || !(size >= least && size <= 1 / least)) {
         std::array<char, 32> text{};
         const auto end = std::to_chars(text.data(), text.data() + text.size(), size);
-        throw InputError("not a box that can be mapped", "fit_unit_map",
-                         "a larger side of " + std::string(text.data(), end.ptr),
-                         "low below high, finite, and a larger side of 1e-290 to 1e290");
+        throw InputError(
+            {.what = "not a box that can be mapped",
+             .where = "fit_unit_map",
+             .value = "a larger side of " + std::string(text.data(), end.ptr),
+             .allowed = "low below high, finite, and a larger side of 1e-290 to 1e290"});
     }
     UnitMap map;
     map.exponent = std::ilogb(size);

@@ -59,49 +59,64 @@ template <class Real>
 Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     const double h = options.edge_length;
     if (!std::isfinite(h) || h <= 0) {
-        throw InputError("edge length", "options", text(h), "a finite number above 0");
+        throw InputError({.what = "edge length",
+                          .where = "options",
+                          .value = text(h),
+                          .allowed = "a finite number above 0"});
     }
     if (options.improve_rounds < 0) {
-        throw InputError("rounds of improvement", "options", std::to_string(options.improve_rounds),
-                         "0 or more");
+        throw InputError({.what = "rounds of improvement",
+                          .where = "options",
+                          .value = std::to_string(options.improve_rounds),
+                          .allowed = "0 or more"});
     }
     const Point<double> low = rounded<Real>(domain.low);
     const Point<double> high = rounded<Real>(domain.high);
     if (!is_finite(low) || !is_finite(high)) {
-        throw InputError("a coordinate is not finite", "domain",
-                         text(domain.low) + " to " + text(domain.high), "finite coordinates");
+        throw InputError({.what = "a coordinate is not finite",
+                          .where = "domain",
+                          .value = text(domain.low) + " to " + text(domain.high),
+                          .allowed = "finite coordinates"});
     }
     const double width = high.x() - low.x();
     const double height = high.y() - low.y();
     if (!(width > 0) || !(height > 0) || !std::isfinite(width * height)) {
-        throw InputError("the rectangle is empty or out of range", "domain",
-                         text(domain.low) + " to " + text(domain.high),
-                         "low below high in x and y, and an area that is finite");
+        throw InputError({.what = "the rectangle is empty or out of range",
+                          .where = "domain",
+                          .value = text(domain.low) + " to " + text(domain.high),
+                          .allowed = "low below high in x and y, and an area that is finite"});
     }
     if (h < least_initial_edge_length || h > 1 / least_initial_edge_length) {
-        throw InputError("edge length is out of range", "options", text(h),
-                         text(least_initial_edge_length) + " to " +
-                             text(1 / least_initial_edge_length) +
-                             "; a UnitMap brings any scene there");
+        throw InputError({.what = "edge length is out of range",
+                          .where = "options",
+                          .value = text(h),
+                          .allowed = text(least_initial_edge_length) + " to " +
+                                     text(1 / least_initial_edge_length) +
+                                     "; a UnitMap brings any scene there"});
     }
     if (h > std::min(width, height)) {
-        throw InputError("edge length is larger than the domain", "options", text(h),
-                         "at most " + text(std::min(width, height)));
+        throw InputError({.what = "edge length is larger than the domain",
+                          .where = "options",
+                          .value = text(h),
+                          .allowed = "at most " + text(std::min(width, height))});
     }
     const double resolution = std::max(largest(low), largest(high)) *
                               static_cast<double>(std::numeric_limits<Real>::epsilon());
     if (h < least_steps * resolution) {
-        throw InputError("edge length is below what coordinates of this size resolve", "options",
-                         text(h),
-                         "at least " + text(least_steps * resolution) +
-                             "; a UnitMap brings a scene near the origin");
+        throw InputError({.what = "edge length is below what coordinates of this size resolve",
+                          .where = "options",
+                          .value = text(h),
+                          .allowed = "at least " + text(least_steps * resolution) +
+                                     "; a UnitMap brings a scene near the origin"});
     }
     // An equilateral triangle has the area sqrt(3)/4 h^2.
     const double triangles = width / h * (height / h) / 0.43301270189221933;
     if (!(triangles <= most_triangles)) {
-        throw InputError("the complex would be absurdly large", "options",
-                         "edge length " + text(h) + ", about " + text(triangles) + " triangles",
-                         "at most " + text(most_triangles) + " triangles");
+        throw InputError(
+            {.what = "the complex would be absurdly large",
+             .where = "options",
+             .value = "edge length " + text(h) + ", about " + text(triangles) + " triangles",
+             .allowed = "at most " + text(most_triangles) + " triangles"});
     }
     return fit_lattice(low, high, h);
 }
@@ -117,8 +132,10 @@ void check_collinear(const std::vector<Point<double>>& points, std::size_t shape
             return;
         }
     }
-    throw InputError("the outline encloses no area", shape_name(shape),
-                     std::to_string(points.size()) + " collinear vertices", "a simple polygon");
+    throw InputError({.what = "the outline encloses no area",
+                      .where = shape_name(shape),
+                      .value = std::to_string(points.size()) + " collinear vertices",
+                      .allowed = "a simple polygon"});
 }
 
 void check_extent(const std::vector<Point<double>>& points, std::size_t shape,
@@ -130,18 +147,23 @@ void check_extent(const std::vector<Point<double>>& points, std::size_t shape,
         const double margin = std::min({p.x() - lattice.low.x(), lattice.high.x() - p.x(),
                                         p.y() - lattice.low.y(), lattice.high.y() - p.y()});
         if (!(margin >= least_margin * h)) {
-            throw InputError(
-                "the outline is not strictly inside the domain", vertex_name(shape, i), text(p),
-                "a distance of at least " + text(least_margin * h) + " to the sides of " +
-                    text(lattice.low) + " to " + text(lattice.high));
+            throw InputError({.what = "the outline is not strictly inside the domain",
+                              .where = vertex_name(shape, i),
+                              .value = text(p),
+                              .allowed = "a distance of at least " + text(least_margin * h) +
+                                         " to the sides of " + text(lattice.low) + " to " +
+                                         text(lattice.high)});
         }
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     }
     const double side = (high - low).minCoeff();
     if (h > side) {
-        throw InputError("edge length is larger than the shape", shape_name(shape), text(h),
-                         "at most " + text(side) + ", the smaller side of its bounding box");
+        throw InputError(
+            {.what = "edge length is larger than the shape",
+             .where = shape_name(shape),
+             .value = text(h),
+             .allowed = "at most " + text(side) + ", the smaller side of its bounding box"});
     }
 }
 
@@ -151,30 +173,38 @@ std::vector<Point<double>> check_shape(const Shape& shape, std::size_t index,
                                        const Lattice& lattice, double h) {
     const auto& outline = shape.outline;
     if (shape.phase == border_phase) {
-        throw InputError("the phase is reserved", shape_name(index), std::to_string(shape.phase),
-                         "0 to 4294967294");
+        throw InputError({.what = "the phase is reserved",
+                          .where = shape_name(index),
+                          .value = std::to_string(shape.phase),
+                          .allowed = "0 to 4294967294"});
     }
     if (outline.size() < 3) {
-        throw InputError("the outline has too few vertices", shape_name(index),
-                         std::to_string(outline.size()), "3 or more");
+        throw InputError({.what = "the outline has too few vertices",
+                          .where = shape_name(index),
+                          .value = std::to_string(outline.size()),
+                          .allowed = "3 or more"});
     }
     std::vector<Point<double>> points;
     points.reserve(outline.size());
     for (std::size_t i = 0; i < outline.size(); ++i) {
         points.push_back(rounded<Real>(outline[i]));
         if (!is_finite(outline[i]) || !is_finite(points.back())) {
-            throw InputError("a coordinate is not finite", vertex_name(index, i), text(outline[i]),
-                             "finite coordinates");
+            throw InputError({.what = "a coordinate is not finite",
+                              .where = vertex_name(index, i),
+                              .value = text(outline[i]),
+                              .allowed = "finite coordinates"});
         }
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t j = i + 1 < points.size() ? i + 1 : 0;
         if (points[i] == points[j]) {
             const bool zero = outline[i] == outline[j];
-            throw InputError(zero ? "the edge has no length"
-                                  : "vertices collide when rounded to the scalar of the complex",
-                             edge_name(index, i), text(outline[i]) + " to " + text(outline[j]),
-                             "distinct vertices; the first is not repeated at the end");
+            throw InputError(
+                {.what = zero ? "the edge has no length"
+                              : "vertices collide when rounded to the scalar of the complex",
+                 .where = edge_name(index, i),
+                 .value = text(outline[i]) + " to " + text(outline[j]),
+                 .allowed = "distinct vertices; the first is not repeated at the end"});
         }
     }
     check_collinear(points, index);
@@ -229,10 +259,11 @@ CutOutline cut(const std::vector<Point<double>>& given, const std::vector<Point<
 [[noreturn]] void refuse_contact(const Contact& contact, std::uint32_t edge,
                                  std::uint32_t other_edge) {
     const bool same = contact.polygon == contact.other_polygon;
-    throw InputError(same ? "the outline crosses or touches itself" : "two outlines cross or touch",
-                     edge_name(contact.polygon, edge),
-                     "contact with " + edge_name(contact.other_polygon, other_edge),
-                     "outlines that are simple and apart");
+    throw InputError(
+        {.what = same ? "the outline crosses or touches itself" : "two outlines cross or touch",
+         .where = edge_name(contact.polygon, edge),
+         .value = "contact with " + edge_name(contact.other_polygon, other_edge),
+         .allowed = "outlines that are simple and apart"});
 }
 
 std::vector<SweepPolygon> polygons_of(const std::vector<std::vector<Point<double>>>& outlines) {
@@ -259,8 +290,10 @@ CheckedInput check_input(const Rectangle& domain, std::span<const Shape> shapes,
             pieces += piece_count(shapes[k].outline, i, h);
         }
         if (pieces > most_triangles / 4) {
-            throw InputError("the outlines would be cut into absurdly many pieces", shape_name(k),
-                             text(pieces), "at most " + text(most_triangles / 4));
+            throw InputError({.what = "the outlines would be cut into absurdly many pieces",
+                              .where = shape_name(k),
+                              .value = text(pieces),
+                              .allowed = "at most " + text(most_triangles / 4)});
         }
     }
     const SweepResult result = sweep(polygons_of(outlines));
@@ -271,9 +304,10 @@ CheckedInput check_input(const Rectangle& domain, std::span<const Shape> shapes,
         const std::uint32_t parent = result.parent[k];
         const Phase around = parent == no_id ? exterior_phase : shapes[parent].phase;
         if (shapes[k].phase == around) {
-            throw InputError("the shape has the phase of what is around it", shape_name(k),
-                             std::to_string(shapes[k].phase),
-                             "any other; phase 0 only in a shape of another phase");
+            throw InputError({.what = "the shape has the phase of what is around it",
+                              .where = shape_name(k),
+                              .value = std::to_string(shapes[k].phase),
+                              .allowed = "any other; phase 0 only in a shape of another phase"});
         }
     }
     // Rounding moves the vertices that cut an edge; they too must keep the outlines apart.

@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -102,9 +103,10 @@ void write_edits(const std::string& path, std::span<const Edit> edits) {
 }
 
 std::vector<Edit> read_edits(const std::string& path) {
+    errno = 0;
     std::ifstream file(path);
     if (!file) {
-        throw FileError("cannot be opened for reading", path);
+        throw FileError("cannot be opened for reading", path, errno);
     }
     std::string line;
     if (!std::getline(file, line) || line != header) {

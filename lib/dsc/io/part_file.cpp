@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
-#include <cstring>
 #include <utility>
 
 #include <fcntl.h>
@@ -34,7 +33,7 @@ PartFile::PartFile(std::string path) : path_(std::move(path)), part_(path_ + ".p
     buffer_.reserve(block_size + 1024);
     descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
-        throw FileError(std::string("cannot be written: ") + std::strerror(errno), path_);
+        throw FileError("cannot be written", path_, errno);
     }
 }
 
@@ -51,7 +50,7 @@ void PartFile::fail(const std::string& what, int error) {
         descriptor_ = -1;
     }
     ::unlink(part_.c_str());
-    throw FileError(what + ": " + std::strerror(error), path_);
+    throw FileError(what, path_, error);
 }
 
 void PartFile::write_block() {

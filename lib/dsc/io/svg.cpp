@@ -62,7 +62,10 @@ private:
 
 void check(const SvgOptions& options) {
     const auto refuse = [](const char* what, double value, const char* allowed) {
-        throw InputError(what, "write_svg", std::to_string(value), allowed);
+        throw InputError({.what = what,
+                          .where = "write_svg",
+                          .value = std::to_string(value),
+                          .allowed = allowed});
     };
     if (!(options.size_px > 0) || !std::isfinite(options.size_px)) {
         refuse("no size", options.size_px, "a positive number of pixels");

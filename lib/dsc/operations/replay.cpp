@@ -37,8 +37,10 @@ public:
         case EditKind::insert_triangle: return insert_triangle(edit);
         case EditKind::remove_triangle: return remove_triangle(edit);
         case EditKind::rebuild:
-            throw InputError("what create and merge did to copies is not in a log", "replay",
-                             std::string(to_string(edit.kind)), "records of any other kind");
+            throw InputError({.what = "what create and merge did to copies is not in a log",
+                              .where = "replay",
+                              .value = std::string(to_string(edit.kind)),
+                              .allowed = "records of any other kind"});
         }
         return false;
     }

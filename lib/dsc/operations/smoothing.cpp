@@ -155,11 +155,16 @@ template <class Real>
 Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex,
                             const InterfaceSmoothingOptions& options) {
     if (!(options.corner_degrees >= 0 && options.corner_degrees <= 180)) {
-        throw InputError("corner_degrees", "interface_smoothing",
-                         std::to_string(options.corner_degrees), "0 to 180 degrees");
+        throw InputError({.what = "corner_degrees",
+                          .where = "interface_smoothing",
+                          .value = std::to_string(options.corner_degrees),
+                          .allowed = "0 to 180 degrees"});
     }
     if (!(options.step >= 0 && options.step <= 1)) {
-        throw InputError("step", "interface_smoothing", std::to_string(options.step), "0 to 1");
+        throw InputError({.what = "step",
+                          .where = "interface_smoothing",
+                          .value = std::to_string(options.step),
+                          .allowed = "0 to 1"});
     }
     Fan fan;
     const Verdict verdict = check_star(complex, submesh.region, vertex, fan);

@@ -36,7 +36,8 @@ std::uint64_t Histogram::total() const {
 
 std::vector<double> uniform_edges(double low, double high, std::size_t bins) {
     if (bins == 0) {
-        throw InputError("no bins", "uniform_edges", "0", "1 or more");
+        throw InputError(
+            {.what = "no bins", .where = "uniform_edges", .value = "0", .allowed = "1 or more"});
     }
     std::vector<double> edges;
     edges.reserve(bins + 1);
@@ -46,9 +47,10 @@ std::vector<double> uniform_edges(double low, double high, std::size_t bins) {
     }
     if (!std::isfinite(low) || !std::isfinite(high) ||
         std::adjacent_find(edges.begin(), edges.end(), std::greater_equal<>()) != edges.end()) {
-        throw InputError("no range for " + std::to_string(bins) + " bins", "uniform_edges",
-                         std::to_string(low) + " to " + std::to_string(high),
-                         "finite ends, the second larger");
+        throw InputError({.what = "no range for " + std::to_string(bins) + " bins",
+                          .where = "uniform_edges",
+                          .value = std::to_string(low) + " to " + std::to_string(high),
+                          .allowed = "finite ends, the second larger"});
     }
     return edges;
 }
@@ -58,16 +60,20 @@ Histogram make_histogram(std::span<const double> values, std::vector<double> edg
                                return !(a < b);
                            }) == edges.end();
     if (edges.size() < 2 || !ascending) {
-        throw InputError("edges do not ascend", "make_histogram",
-                         std::to_string(edges.size()) + " edges",
-                         "two or more, each larger than the one before");
+        throw InputError({.what = "edges do not ascend",
+                          .where = "make_histogram",
+                          .value = std::to_string(edges.size()) + " edges",
+                          .allowed = "two or more, each larger than the one before"});
     }
     Histogram histogram{std::move(edges), {}};
     const std::size_t bins = histogram.edges.size() - 1;
     histogram.counts.assign(bins, 0);
     for (const double value : values) {
         if (std::isnan(value)) {
-            throw InputError("a value is not a number", "make_histogram", "nan", "numbers");
+            throw InputError({.what = "a value is not a number",
+                              .where = "make_histogram",
+                              .value = "nan",
+                              .allowed = "numbers"});
         }
         // Only the inner edges: a value beyond an end goes to the bin at that end.
         const auto inner = histogram.edges.begin() + 1;
@@ -106,18 +112,20 @@ Histogram min_angle_histogram(const Complex<Real>& complex, const HistogramOptio
 
 double histogram_distance(const Histogram& a, const Histogram& b) {
     if (a.edges != b.edges) {
-        throw InputError("the bins differ", "histogram_distance",
-                         std::to_string(a.counts.size()) + " and " +
-                             std::to_string(b.counts.size()) + " bins",
-                         "two histograms over the same edges");
+        throw InputError({.what = "the bins differ",
+                          .where = "histogram_distance",
+                          .value = std::to_string(a.counts.size()) + " and " +
+                                   std::to_string(b.counts.size()) + " bins",
+                          .allowed = "two histograms over the same edges"});
     }
     const auto total_a = static_cast<double>(a.total());
     const auto total_b = static_cast<double>(b.total());
     if (!(total_a > 0) || !(total_b > 0)) {
-        throw InputError("a histogram is empty", "histogram_distance",
-                         std::to_string(a.total()) + " and " + std::to_string(b.total()) +
-                             " values",
-                         "one or more in each");
+        throw InputError(
+            {.what = "a histogram is empty",
+             .where = "histogram_distance",
+             .value = std::to_string(a.total()) + " and " + std::to_string(b.total()) + " values",
+             .allowed = "one or more in each"});
     }
     std::uint64_t sum_a = 0;
     std::uint64_t sum_b = 0;

@@ -35,7 +35,8 @@ const Scene& find_scene(const std::string& name, const std::vector<Scene>& scene
         }
         names += (names.empty() ? "" : ", ") + scene.name;
     }
-    throw InputError("unknown scene", "run", "'" + name + "'", names);
+    throw InputError(
+        {.what = "unknown scene", .where = "run", .value = "'" + name + "'", .allowed = names});
 }
 
 InterfaceThresholds coarse_interface() {

@@ -12,9 +12,11 @@ Schedule schedule(const Parameters& p, double duration, double default_dt) {
     if (s.steps == 0) {
         const double count = std::max(1.0, std::round(duration / s.dt));
         if (count > 1e8) {
-            throw InputError("time step too small", "--set dt", std::to_string(s.dt),
-                             "at most 100000000 steps for a duration of " +
-                                 std::to_string(duration));
+            throw InputError({.what = "time step too small",
+                              .where = "--set dt",
+                              .value = std::to_string(s.dt),
+                              .allowed = "at most 100000000 steps for a duration of " +
+                                         std::to_string(duration)});
         }
         s.steps = static_cast<int>(count);
         if (p.dt <= 0) {

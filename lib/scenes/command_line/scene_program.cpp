@@ -72,8 +72,10 @@ void parse_angle(const std::string& angle, Submeshing& submeshing) {
     const char* end = angle.data() + angle.size();
     const auto [stop, error] = std::from_chars(angle.data(), end, submeshing.degrees);
     if (error != std::errc{} || stop != end || !std::isfinite(submeshing.degrees)) {
-        throw InputError("not a direction", "--angle", "'" + angle + "'",
-                         "degrees from the x axis, or shape");
+        throw InputError({.what = "not a direction",
+                          .where = "--angle",
+                          .value = "'" + angle + "'",
+                          .allowed = "degrees from the x axis, or shape"});
     }
 }
 

@@ -21,8 +21,11 @@ Frames::Frames(std::string folder, std::string name, int count, int steps, std::
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
     if (error || access(folder_.c_str(), W_OK) != 0) {
-        throw InputError("cannot write to this folder", "--frames", "'" + folder_ + "'",
-                         "a folder that exists or can be made, with permission to write");
+        throw InputError(
+            {.what = "cannot write to this folder",
+             .where = "--frames",
+             .value = "'" + folder_ + "'",
+             .allowed = "a folder that exists or can be made, with permission to write"});
     }
 }
 

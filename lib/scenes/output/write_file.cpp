@@ -16,8 +16,10 @@ void check_writable(const std::string& path, const std::string& where) {
     std::error_code error;
     if (path.empty() || !std::filesystem::is_directory(folder, error) ||
         std::filesystem::is_directory(file, error) || access(folder.c_str(), W_OK) != 0) {
-        throw InputError("cannot write this file", where, "'" + path + "'",
-                         "a file in a folder that exists, with permission to write");
+        throw InputError({.what = "cannot write this file",
+                          .where = where,
+                          .value = "'" + path + "'",
+                          .allowed = "a file in a folder that exists, with permission to write"});
     }
 }
 

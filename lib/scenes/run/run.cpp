@@ -171,9 +171,10 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
     const Setup setup = scene.prepare(parameters);
     const Submeshing& submeshing = options.submeshing;
     if (!is_parallel(options.strategy) && submeshing.threads > 1) {
-        throw InputError("this strategy runs on one thread", "--threads",
-                         std::to_string(submeshing.threads),
-                         "1, or one of the strategies " + parallel_strategies());
+        throw InputError({.what = "this strategy runs on one thread",
+                          .where = "--threads",
+                          .value = std::to_string(submeshing.threads),
+                          .allowed = "1, or one of the strategies " + parallel_strategies()});
     }
     RunResult result;
     result.scene = scene.name;
@@ -186,8 +187,10 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
     result.threads = submeshing.threads;
     if (options.strategy == Strategy::reference) {
         if (parameters.real != RealType::double_precision) {
-            throw InputError("the reference is written for double", "--set real", "'float'",
-                             "double");
+            throw InputError({.what = "the reference is written for double",
+                              .where = "--set real",
+                              .value = "'float'",
+                              .allowed = "double"});
         }
         run_method<ReferenceMethod>(setup, parameters, options, result);
     } else if (parameters.real == RealType::double_precision) {

@@ -65,8 +65,10 @@ Strategy parse_strategy(const std::string& name) {
             return entry.strategy;
         }
     }
-    throw InputError("unknown strategy", "--strategy", "'" + name + "'",
-                     names_where([](Strategy) { return true; }));
+    throw InputError({.what = "unknown strategy",
+                      .where = "--strategy",
+                      .value = "'" + name + "'",
+                      .allowed = names_where([](Strategy) { return true; })});
 }
 
 bool is_parallel(Strategy strategy) { return entry_of(strategy).division.has_value(); }

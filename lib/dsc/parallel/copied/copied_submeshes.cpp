@@ -323,10 +323,11 @@ void create_submeshes(const Complex<Real>& mesh, const CountingDivision& divisio
                       CopiedSubmeshes<Real>& submeshes) {
     check_division(division);
     if (mesh.lent_vertices != 0 || mesh.lent_triangles != 0) {
-        throw InputError("submeshes hold free ids of the complex", "create_submeshes",
-                         std::to_string(mesh.lent_vertices) + " vertices and " +
-                             std::to_string(mesh.lent_triangles) + " triangles",
-                         "0 of each: let the submeshes give them back first");
+        throw InputError({.what = "submeshes hold free ids of the complex",
+                          .where = "create_submeshes",
+                          .value = std::to_string(mesh.lent_vertices) + " vertices and " +
+                                   std::to_string(mesh.lent_triangles) + " triangles",
+                          .allowed = "0 of each: let the submeshes give them back first"});
     }
     submeshes.list.resize(division.submeshes);
     number_simplices(mesh, division, submeshes);

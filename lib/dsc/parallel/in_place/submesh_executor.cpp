@@ -35,7 +35,10 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
     check_options(options); // a partitioner goes by the edge length
     check(submeshes);
     if (!partitioner_) {
-        throw InputError("no partitioner", "SubmeshExecutor", "null", "an object");
+        throw InputError({.what = "no partitioner",
+                          .where = "SubmeshExecutor",
+                          .value = "null",
+                          .allowed = "an object"});
     }
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);

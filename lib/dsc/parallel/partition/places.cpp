@@ -42,8 +42,10 @@ template <class Real>
 PlacePartitioner<Real>::PlacePartitioner(PlaceFunction<Real> function, std::uint32_t recut)
     : function_(std::move(function)), recut_(recut) {
     if (!function_ || recut < 1) {
-        throw InputError("not a partition", "PlacePartitioner", !function_ ? "no function" : "0",
-                         "a function, and 1 step or more between two divisions");
+        throw InputError({.what = "not a partition",
+                          .where = "PlacePartitioner",
+                          .value = !function_ ? "no function" : "0",
+                          .allowed = "a function, and 1 step or more between two divisions"});
     }
 }
 
@@ -58,13 +60,17 @@ void PlacePartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*r
     std::vector<PlaceColour> colours = function_(input);
     for (const PlaceColour& colour : colours) {
         if (!colour.number_of || colour.submeshes < 1) {
-            throw InputError("not a colour", "PlacePartitioner",
-                             std::to_string(colour.submeshes) + " submeshes",
-                             "a function and 1 submesh or more");
+            throw InputError({.what = "not a colour",
+                              .where = "PlacePartitioner",
+                              .value = std::to_string(colour.submeshes) + " submeshes",
+                              .allowed = "a function and 1 submesh or more"});
         }
     }
     if (colours.empty()) {
-        throw InputError("no colour", "PlacePartitioner", "0", "1 colour or more");
+        throw InputError({.what = "no colour",
+                          .where = "PlacePartitioner",
+                          .value = "0",
+                          .allowed = "1 colour or more"});
     }
     colours_ = std::move(colours);
     partition.colours.assign(colours_.size(), {});
