@@ -1,28 +1,29 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Sets up, builds, and tests everything: unit tests, the gate, and the tests again under the
-# address, undefined behaviour and thread sanitizers.
+# Sets up, builds, and tests everything: what is run optimised, the gate, and the tests under the
+# address, undefined behaviour and thread sanitizers. Quick unit tests run under the former two alone,
+# unless these are left out; see the labels in verify/CMakeLists.txt.
 set -euo pipefail
 
 usage() {
     cat <<'USAGE'
 usage: verify/run.sh [--all] [--sanitizers | --no-sanitizers] [ctest options]
-  --all            the tests labelled long as well
+  --all            the tests labelled long as well, all others optimised as well, and the preset lto
   --sanitizers     nothing but the tests under the sanitizers
   --no-sanitizers  everything but them
-Other options go to each run of ctest, e.g. -R predicates. Installs missing Debian packages as root
+Other options go to each run of ctest, e.g. -R test_geometry. Installs missing Debian packages as root
 or through sudo. DSC_JOBS sets the number of jobs, PYTHON the interpreter for the plots.
 Exit code: 0 all passed, 1 something failed, 2 nothing was run.
 USAGE
 }
 
-preset=release
+all=false
 with_release=true
 with_sanitizers=true
 ctest_options=()
 for argument in "$@"; do
     case $argument in
-        --all) preset=release-all ;;
+        --all) all=true ;;
         --sanitizers) with_release=false ;;
         --no-sanitizers) with_sanitizers=false ;;
         -h | --help) usage; exit 0 ;;
@@ -70,12 +71,23 @@ else
 fi
 
 if $with_release; then
-    if ! build_preset release; then
+    preset=release
+    targets=()
+    if $all; then
+        preset=release-all
+    elif $with_sanitizers && [[ ${#ctest_options[@]} -eq 0 ]]; then
+        preset=release-optimised
+        targets=(--target dsc_tests_optimised)
+    fi
+    if ! build_preset release "${targets[@]}"; then
         say "the release build failed: nothing was tested"
         exit 1
     fi
     run_tests "$preset"
     run_gate
+    if $all && ! build_preset lto; then
+        failed+=("build of preset lto")
+    fi
 fi
 
 if $with_sanitizers; then

@@ -4,6 +4,8 @@
 # `results`, `labels`, `processors`, `timeout`, and `each_case`, which names the suites whose cases
 # take long and are run each by itself; of all others one process runs the whole suite.
 
+cmake_minimum_required(VERSION 3.25)
+
 # What a preset selects by label but did not build has to fail, not to vanish.
 if(NOT EXISTS ${program})
     add_test(${name}_NOT_BUILT ${program})
@@ -33,8 +35,9 @@ foreach(line IN LISTS lines)
             set(filter "${base}/?.*") # all types together
         endif()
     elseif(line MATCHES "^  (.+)$")
+        set(case ${CMAKE_MATCH_1})
         if(base MATCHES "(^|/)(${each_case})$")
-            set(test ${suite}.${CMAKE_MATCH_1})
+            set(test ${suite}.${case})
             set(filter ${test})
         endif()
         if(test IN_LIST known)

@@ -2,6 +2,7 @@
 # Installs the public headers: dsc/dsc.h and what it includes, directly or not. Run by
 # `cmake --install`, so that the headers are those of that moment and there is no list to keep.
 # `source` is the folder that holds dsc/, `destination` where it goes.
+cmake_minimum_required(VERSION 3.25)
 set(found dsc/dsc.h)
 set(waiting ${found})
 while(waiting)
