@@ -47,7 +47,8 @@ HardResult zalesak_case(int revolutions) {
     const double lag =
         std::pow(2 * std::numbers::pi / steps, 4) / 120 * 2 * std::numbers::pi * revolutions;
     const double cost = lag * 0.4 * scenes::perimeter(outlines) / scenes::signed_area(outlines);
-    result.values.push_back({"what RK4's own lag costs", cost});
+    const Value of_lag{"what RK4's own lag costs", cost};
+    result.values.push_back(of_lag);
     result.happened = "the error grows in proportion to time, as RK4's own lag does";
     expect(result, going, "the run ended early");
     expect(result, *result.error <= 2 * cost + 1e-9,

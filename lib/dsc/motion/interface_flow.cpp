@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/motion/interface_flow.h"
 
+#include "dsc/geometry/turn.h"
+
 #include "dsc/motion/interpolation.h"
 
 #include <algorithm>

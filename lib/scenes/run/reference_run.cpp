@@ -49,8 +49,10 @@ Complex<double> from_reference(const reference::Complex& complex) {
 namespace {
 
 InputError not_in_reference(const char* key, std::string_view value) {
-    return {"the reference does not know this", key, std::string(value),
-            "what the thesis has; see reference/"};
+    return InputError({.what = "the reference does not know this",
+                       .where = key,
+                       .value = std::string(value),
+                       .allowed = "what the thesis has; see reference/"});
 }
 
 } // namespace
