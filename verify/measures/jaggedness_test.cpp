@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What is said of a shape at one moment, and of errors at several sizes: against closed forms, and
-// where a measure of smoothness is easily fooled.
+// Turning angles, and where a measure of smoothness is easily fooled.
 #include "dsc/base/error.h"
-#include "dsc/initial/initial_complex.h"
 #include "flows/exact.h"
-#include "measures/convergence.h"
 #include "measures/jaggedness.h"
-#include "measures/measures.h"
-#include "measures/mesh_quality.h"
 #include "shapes/curve.h"
 #include "shapes/shapes.h"
 
@@ -19,9 +14,8 @@
 #include <cstddef>
 #include <numbers>
 #include <random>
-#include <set>
 #include <span>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -51,8 +45,6 @@ std::size_t index_of(const Outline& outline, const Point<double>& p) {
                                                      }) -
                                     outline.begin());
 }
-
-// --- jaggedness ---------------------------------------------------------------------------------
 
 TEST(Jaggedness, OfAnInscribedPolygonIsThatOfTheCircle) {
     // Vertices at very unequal distances, on the circle: each turns by half of both angles beside
@@ -216,127 +208,6 @@ TEST(Jaggedness, OfNothing) {
     const Outline bad{{0, 0}, {1, 0}, {NAN, 1}};
     EXPECT_THROW((void)jaggedness(bad, one), InputError);
     EXPECT_THROW((void)jaggedness(one, {{0, 0}, {1, 0}}), InputError);
-}
-
-// --- the moment ---------------------------------------------------------------------------------
-
-// A circle that is too large, in a mesh that does not matter.
-struct TooLarge {
-    Complex<float> mesh = initial_complex<float>({}, {}, {.edge_length = 0.5});
-    ExactShape exact = exact_circle({0.5, 0.5}, 0.2);
-    std::vector<Outline> outlines{circle({0.5, 0.5}, 0.21, 1e-4)};
-    std::vector<Outline> polygons{circle({0.5, 0.5}, 0.21, 0.02)};
-    Moment moment{.mesh = &mesh,
-                  .outlines = outlines,
-                  .polygons = polygons,
-                  .exact = &exact,
-                  .area_first = 0.1,
-                  .area_exact_first = 0.2};
-};
-
-TEST(Measures, OfACircleThatIsTooLarge) {
-    const TooLarge large;
-    const Figures f = measure(default_measures(), large.moment);
-    const double area = pi * 0.21 * 0.21;
-    const double sd = area - pi * 0.2 * 0.2;
-    EXPECT_NEAR(number(f, "area"), area, 1e-7);
-    EXPECT_EQ(number(f, "area_exact"), pi * 0.2 * 0.2);
-    EXPECT_NEAR(number(f, "area_drift_exact"), 0.21 * 0.21 / (0.2 * 0.2) - 1, 1e-6);
-    EXPECT_NEAR(number(f, "area_drift_first"), area / 0.1 - 1, 1e-6);
-    EXPECT_NEAR(number(f, "sd"), sd, 1e-7);
-    EXPECT_NEAR(number(f, "sd_rel"), sd / 0.2, 1e-6);
-    EXPECT_NEAR(number(f, "hausdorff"), 0.01, 1e-7);
-    EXPECT_NEAR(number(f, "perimeter"), 2 * pi * 0.21, 1e-6);
-    const auto vertices = static_cast<double>(large.polygons[0].size());
-    EXPECT_EQ(number(f, "jaggedness.vertices"), vertices);
-    EXPECT_NEAR(number(f, "jaggedness.largest_turn_deg"), 360.0 / vertices, 1e-9);
-    EXPECT_EQ(number(f, "exact_error"), large.exact.own_error);
-    EXPECT_EQ(std::get<std::string>(f.at(9).value), large.exact.description);
-    EXPECT_EQ(number(f, "min_quality"), measure_quality(large.mesh).min_quality);
-    EXPECT_EQ(number(f, "min_angle_deg"), measure_quality(large.mesh).min_angle_deg);
-    EXPECT_EQ(number(f, "median_angle_deg"), measure_quality(large.mesh).median_angle_deg);
-}
-
-TEST(Measures, OfAShapeThatIsGone) {
-    TooLarge gone;
-    gone.moment.outlines = {};
-    gone.moment.polygons = {};
-    const Figures f = measure(default_measures(), gone.moment);
-    EXPECT_EQ(number(f, "area"), 0.0);
-    EXPECT_NEAR(number(f, "sd"), gone.exact.area, 1e-9);
-    EXPECT_EQ(number(f, "hausdorff"), INFINITY);
-}
-
-TEST(Measures, WithoutAnExactShapeSayNothingOfIt) {
-    TooLarge large;
-    large.moment.exact = nullptr;
-    const Figures f = measure(default_measures(), large.moment);
-    ASSERT_EQ(f.size(), default_measures().size());
-    for (std::size_t i = 0; i < f.size(); ++i) {
-        const bool can = default_measures()[i].needs != Needs::exact_shape;
-        EXPECT_EQ(f[i].name, default_measures()[i].name);
-        EXPECT_EQ(std::isfinite(number(f, f[i].name)), can) << f[i].name;
-    }
-}
-
-TEST(Measures, HaveNamesUnitsAndDescriptions) {
-    std::set<std::string> names;
-    for (const Measure& one : default_measures()) {
-        EXPECT_TRUE(names.insert(one.name).second) << one.name << " twice";
-        EXPECT_FALSE(one.unit.empty() || one.description.empty()) << one.name;
-    }
-}
-
-// A list of one's own: a measure may rest on those before it, and may say several things.
-TEST(Measures, MayRestOnEachOther) {
-    const TooLarge large;
-    const std::vector<Measure> list{
-        {"count", "1", "of outlines", Needs::outlines,
-         [](const Moment& m) { return Value(std::uint64_t{m.outlines.size()}); }},
-        {"more", "1", "two of it", Needs::outlines, [](const Moment& m) {
-             return Figures{{"twice", 2 * number(*m.figures, "count")}, {"word", "so"}};
-         }}};
-    const Figures f = measure(list, large.moment);
-    EXPECT_EQ(number(f, "count"), 1.0);
-    EXPECT_EQ(number(f, "more.twice"), 2.0);
-    for (const char* name : {"", "cou", "more", "more.", "more.word", "count.twice", "twice"}) {
-        EXPECT_THROW((void)number(f, name), InputError) << name;
-    }
-}
-
-// --- convergence --------------------------------------------------------------------------------
-
-TEST(Order, OfAPowerIsItsExponent) {
-    const std::array sizes{0.02, 0.005, 0.01, 0.04};
-    std::array<double, 4> errors{};
-    std::transform(sizes.begin(), sizes.end(), errors.begin(),
-                   [](double h) { return 1e-200 * std::pow(h, 2.5); });
-    const Order order = fit_order(sizes, errors);
-    EXPECT_NEAR(order.order, 2.5, 1e-12);
-    EXPECT_NEAR(order.smallest, 2.5, 1e-12);
-    EXPECT_NEAR(order.spread(), 0.0, 1e-11);
-}
-
-TEST(Order, IsTheLeastSquaresLine) {
-    const std::array sizes{1.0, 2.0, 4.0, 8.0};
-    const std::array errors{1.0, 2.0, 16.0, 32.0};
-    const Order order = fit_order(sizes, errors);
-    EXPECT_NEAR(order.order, 1.8, 1e-12); // (1.5 * 2.5 + 0.5 * 1.5) * 2 / 5
-    EXPECT_NEAR(order.smallest, 1.0, 1e-12);
-    EXPECT_NEAR(order.largest, 3.0, 1e-12);
-}
-
-TEST(Order, RefusesWhatHasNone) {
-    using Values = std::vector<double>;
-    EXPECT_THROW((void)fit_order(Values{1}, Values{1}), InputError);
-    EXPECT_THROW((void)fit_order(Values{}, Values{}), InputError);
-    EXPECT_THROW((void)fit_order(Values{1, 2}, Values{1}), InputError);
-    EXPECT_THROW((void)fit_order(Values{1, 2}, Values{1, 0}), InputError);
-    EXPECT_THROW((void)fit_order(Values{1, -2}, Values{1, 1}), InputError);
-    EXPECT_THROW((void)fit_order(Values{1, 2}, Values{1, NAN}), InputError);
-    EXPECT_THROW((void)fit_order(Values{1, INFINITY}, Values{1, 2}), InputError);
-    EXPECT_THROW((void)fit_order(Values{1, 2, 1}, Values{1, 2, 3}), InputError);
-    EXPECT_EQ(fit_order(Values{1, 2}, Values{1, 2}).order, 1.0);
 }
 
 } // namespace

@@ -2,9 +2,8 @@
 // The measures judge everything else, so they are judged here: against closed forms, against
 // slower methods that share no code with them, and where inputs are degenerate.
 #include "dsc/base/error.h"
-#include "measures/hausdorff.h"
-#include "shapes/shapes.h"
 #include "measures/symmetric_difference.h"
+#include "shapes/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -111,84 +110,6 @@ double half_of_difference(const Outline& of, const Outline& other) {
 double brute_force_difference(const Outline& p, const Outline& q) {
     return half_of_difference(p, q) + half_of_difference(q, p);
 }
-
-// --- outlines and shapes ---------------------------------------------------------------------
-
-TEST(Outline, AreaDoesNotLoseDigitsFarFromTheOrigin) {
-    const Outline near = transformed(circle({0.0, 0.0}, 0.5, 0.01), 1.0, {0.0, 0.0});
-    Outline grid = near; // coordinates that survive the offset exactly
-    for (Point<double>& p : grid) {
-        p = {std::round(std::ldexp(p.x(), 20)) * 0x1p-20,
-             std::round(std::ldexp(p.y(), 20)) * 0x1p-20};
-    }
-    const Outline far = transformed(grid, 1.0, {0x1p30, -0x1p31});
-    EXPECT_EQ(signed_area(far), signed_area(grid));
-    EXPECT_EQ(signed_area(reversed(grid)), -signed_area(grid));
-    EXPECT_NEAR(signed_area(near), 0.5 * 315 * 0.25 * std::sin(2.0 * pi / 315), 1e-16);
-}
-
-TEST(Outline, SimplicityIsDecidedExactly) {
-    EXPECT_TRUE(is_simple(square(0.0, 0.0, 1.0)));
-    EXPECT_FALSE(is_simple(Outline{{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
-    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {2, 1}, {1, 0}, {0, 1}})) << "touches an edge";
-    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {1, 0}, {1, 1}})) << "folds back";
-    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {1, 0}})) << "folds back";
-    EXPECT_FALSE(is_simple(Outline{{1, 0}, {2, 0}, {0, 0}})) << "folds back";
-    EXPECT_FALSE(is_simple(Outline{{0, 0}, {0, 0}, {1, 0}, {1, 1}})) << "point twice";
-    const std::vector<Outline> nested{square(0, 0, 3), reversed(square(1, 1, 1))};
-    EXPECT_TRUE(is_simple(nested));
-    const std::vector<Outline> crossing{square(0, 0, 3), square(2, 2, 3)};
-    EXPECT_FALSE(is_simple(crossing));
-    EXPECT_THROW(check_outline({{0, 0}, {1, 1}}, "test"), InputError);
-    EXPECT_THROW(check_outline({{0, 0}, {1, NAN}, {1, 1}}, "test"), InputError);
-}
-
-void expect_sound(const Outline& outline, double edge_length, double area, double tolerance) {
-    EXPECT_TRUE(is_simple(outline));
-    EXPECT_LE(longest_edge(outline), edge_length * (1.0 + 1e-12));
-    EXPECT_NEAR(signed_area(outline), area, tolerance);
-}
-
-TEST(Shapes, KeepTheirAreaCornersAndEdgeLength) {
-    const Outline round = circle({0.5, 0.75}, 0.15, 0.0196);
-    EXPECT_EQ(round.size(), 49U);
-    expect_sound(round, 0.0196, pi * 0.15 * 0.15, 3e-4);
-    EXPECT_EQ(circle({0, 0}, 1.0, 100.0).size(), 8U);
-    for (const Point<double>& p : round) {
-        EXPECT_NEAR(std::hypot(p.x() - 0.5, p.y() - 0.75), 0.15, 1e-16);
-    }
-    expect_sound(rectangle({1, 2}, {4, 3}, 0.3), 0.3, 3.0, 1e-15);
-
-    const SlottedDisc disc;
-    const Outline zalesak = slotted_disc(disc, 1e-3);
-    expect_sound(zalesak, 1e-3, slotted_disc_area(disc), 1e-6);
-    for (const Point<double>& corner :
-         {Point<double>{0.475, 0.85}, {0.525, 0.85}, {0.475, slot_corners(disc)[0].y()}}) {
-        EXPECT_EQ(std::count(zalesak.begin(), zalesak.end(), corner), 1) << corner.transpose();
-    }
-    const std::vector<Outline> slot_alone{circle({0.5, 0.75}, 0.15, 1e-4),
-                                          rectangle({0.475, 0.55}, {0.525, 0.85}, 1.0)};
-    const OverlapAreas cut =
-        overlap_areas({std::span(slot_alone).first(1)}, {std::span(slot_alone).last(1)});
-    EXPECT_NEAR(cut.only_first, slotted_disc_area(disc), 6e-9);
-
-    const Crescent moon{{1, 2}, 1.0, {1.5, 2.5}, 0.8};
-    const OverlapAreas bitten = areas_of(circle({1, 2}, 1.0, 1e-4), circle({1.5, 2.5}, 0.8, 1e-4));
-    expect_sound(crescent(moon, 1e-3), 1e-3, bitten.only_first, 1e-6);
-
-    expect_sound(star({0, 0}, 1.0, 0.4, 5, 0.05), 0.05, 5 * 0.4 * std::sin(pi / 5), 1e-14);
-    const std::vector<Outline> four = four_circles({0.5, 0.5}, 0.4, 0.1, 0.01);
-    EXPECT_TRUE(is_simple(four));
-    EXPECT_EQ(four.size(), 4U);
-    EXPECT_NEAR(signed_area(four), 4.0 * 0.5 * 63 * 0.01 * std::sin(2.0 * pi / 63), 1e-15);
-    EXPECT_THROW((void)circle({0, 0}, -1.0, 0.1), InputError);
-    EXPECT_THROW((void)circle({0, 0}, 1.0, NAN), InputError);
-    EXPECT_THROW((void)slotted_disc({.slot_width = 0.4}, 0.1), InputError);
-    EXPECT_THROW((void)crescent({{0, 0}, 1.0, {3, 0}, 1.0}, 0.1), InputError);
-    EXPECT_THROW((void)four_circles({0, 0}, 0.1, 0.1, 0.1), InputError);
-}
-
-// --- symmetric difference --------------------------------------------------------------------
 
 TEST(SymmetricDifference, ShiftedSquaresInClosedForm) {
     for (const double shift : {0.5, 1e-3, 1e-9, 1e-12}) {
@@ -352,70 +273,6 @@ TEST(SymmetricDifference, FollowsOffsetAndScale) {
     const Point<double> none{0.0, 0.0};
     EXPECT_EQ(symmetric_difference(transformed(p, 0x1p-400, none), transformed(q, 0x1p-400, none)),
               std::ldexp(area, -800));
-}
-
-// --- Hausdorff distance ----------------------------------------------------------------------
-
-double hausdorff(const Outline& p, const Outline& q) {
-    return dsc::scenes::hausdorff(std::span(&p, 1), std::span(&q, 1)).distance();
-}
-
-TEST(Hausdorff, ClosedForms) {
-    const Outline p = square(0, 0, 1);
-    EXPECT_EQ(hausdorff(p, p), 0.0);
-    EXPECT_EQ(hausdorff(p, square(0.25, 0, 1)), 0.25);
-    EXPECT_NEAR(hausdorff(p, transformed(p, 1.0, {3.0, 4.0})), 5.0, 1e-15);
-    const Outline inner = circle({0, 0}, 0.6, 1e-3);
-    const Outline outer = circle({0, 0}, 0.7, 1.1e-3);
-    EXPECT_NEAR(hausdorff(inner, outer), 0.1, 1e-6);
-    // The farthest point lies inside an edge: half-way between two boxes at its ends.
-    const std::vector<Outline> bar{rectangle({0, 0}, {10, 0.5}, 100.0)};
-    const std::vector<Outline> ends{rectangle({-1, 0}, {0, 0.5}, 1.0),
-                                    rectangle({10, 0}, {13, 0.5}, 1.0)};
-    const HausdorffDistance far = dsc::scenes::hausdorff(bar, ends);
-    EXPECT_NEAR(far.first_to_second, 5.0, 1e-9 * 14);
-    EXPECT_NEAR(far.farthest.x(), 5.0, 1e-8);
-    EXPECT_NEAR(far.second_to_first, 3.0, 1e-15);
-    const double tiny = 0x1p-600;
-    EXPECT_NEAR(hausdorff(transformed(inner, tiny, {0, 0}), transformed(outer, tiny, {0, 0})) /
-                    tiny,
-                hausdorff(inner, outer), 1e-15);
-    EXPECT_EQ(dsc::scenes::hausdorff({}, bar).distance(), INFINITY);
-    EXPECT_EQ(dsc::scenes::hausdorff({}, {}).distance(), 0.0);
-    EXPECT_THROW((void)dsc::scenes::hausdorff(bar, ends, {.tolerance = 0.0}), InputError);
-}
-
-double sampled_distance(const Outline& from, const Outline& to, int samples) {
-    double farthest = 0.0;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        for (int k = 0; k < samples; ++k) {
-            const Point<double> p = from[i] + (static_cast<double>(k) / samples) *
-                                                  (from[(i + 1) % from.size()] - from[i]);
-            double nearest = INFINITY;
-            for (std::size_t j = 0; j < to.size(); ++j) {
-                const Point<double> d = to[(j + 1) % to.size()] - to[j];
-                const double t = std::clamp((p - to[j]).dot(d) / d.squaredNorm(), 0.0, 1.0);
-                nearest = std::min(nearest, (p - to[j] - t * d).norm());
-            }
-            farthest = std::max(farthest, nearest);
-        }
-    }
-    return farthest;
-}
-
-TEST(Hausdorff, AgreesWithDenseSampling) {
-    Random random(7);
-    for (int i = 0; i < 40; ++i) {
-        const Outline p = random_star(random, 4 + i % 40);
-        const Outline q = transformed(random_star(random, 3 + i % 30), 1.2, {0.1, 0.4});
-        const double there = sampled_distance(p, q, 100);
-        const double back = sampled_distance(q, p, 100);
-        const auto result = dsc::scenes::hausdorff(std::span(&p, 1), std::span(&q, 1));
-        EXPECT_GE(result.first_to_second, there - 1e-9);
-        EXPECT_GE(result.second_to_first, back - 1e-9);
-        EXPECT_LE(result.first_to_second, there + 0.02);
-        EXPECT_LE(result.second_to_first, back + 0.02);
-    }
 }
 
 } // namespace

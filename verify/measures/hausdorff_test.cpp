@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The Hausdorff distance against closed forms and dense sampling.
+#include "dsc/base/error.h"
+#include "measures/hausdorff.h"
+#include "shapes/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace {
+
+using namespace dsc;
+using namespace dsc::scenes;
+
+constexpr double pi = std::numbers::pi;
+using Random = std::mt19937_64;
+
+double uniform(Random& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+Outline square(double x, double y, double side) {
+    return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
+
+/// A star-shaped polygon about the origin with random radii.
+Outline random_star(Random& random, int count) {
+    Outline outline;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * pi * (i + uniform(random, 0.0, 0.9)) / count;
+        const double radius = uniform(random, 0.3, 1.0);
+        outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    return outline;
+}
+
+Outline transformed(Outline outline, double scale, const Point<double>& shift) {
+    for (Point<double>& p : outline) {
+        p = scale * p + shift;
+    }
+    return outline;
+}
+
+double hausdorff(const Outline& p, const Outline& q) {
+    return dsc::scenes::hausdorff(std::span(&p, 1), std::span(&q, 1)).distance();
+}
+
+TEST(Hausdorff, ClosedForms) {
+    const Outline p = square(0, 0, 1);
+    EXPECT_EQ(hausdorff(p, p), 0.0);
+    EXPECT_EQ(hausdorff(p, square(0.25, 0, 1)), 0.25);
+    EXPECT_NEAR(hausdorff(p, transformed(p, 1.0, {3.0, 4.0})), 5.0, 1e-15);
+    const Outline inner = circle({0, 0}, 0.6, 1e-3);
+    const Outline outer = circle({0, 0}, 0.7, 1.1e-3);
+    EXPECT_NEAR(hausdorff(inner, outer), 0.1, 1e-6);
+    // The farthest point lies inside an edge: half-way between two boxes at its ends.
+    const std::vector<Outline> bar{rectangle({0, 0}, {10, 0.5}, 100.0)};
+    const std::vector<Outline> ends{rectangle({-1, 0}, {0, 0.5}, 1.0),
+                                    rectangle({10, 0}, {13, 0.5}, 1.0)};
+    const HausdorffDistance far = dsc::scenes::hausdorff(bar, ends);
+    EXPECT_NEAR(far.first_to_second, 5.0, 1e-9 * 14);
+    EXPECT_NEAR(far.farthest.x(), 5.0, 1e-8);
+    EXPECT_NEAR(far.second_to_first, 3.0, 1e-15);
+    const double tiny = 0x1p-600;
+    EXPECT_NEAR(hausdorff(transformed(inner, tiny, {0, 0}), transformed(outer, tiny, {0, 0})) /
+                    tiny,
+                hausdorff(inner, outer), 1e-15);
+    EXPECT_EQ(dsc::scenes::hausdorff({}, bar).distance(), INFINITY);
+    EXPECT_EQ(dsc::scenes::hausdorff({}, {}).distance(), 0.0);
+    EXPECT_THROW((void)dsc::scenes::hausdorff(bar, ends, {.tolerance = 0.0}), InputError);
+}
+
+double sampled_distance(const Outline& from, const Outline& to, int samples) {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        for (int k = 0; k < samples; ++k) {
+            const Point<double> p = from[i] + (static_cast<double>(k) / samples) *
+                                                  (from[(i + 1) % from.size()] - from[i]);
+            double nearest = INFINITY;
+            for (std::size_t j = 0; j < to.size(); ++j) {
+                const Point<double> d = to[(j + 1) % to.size()] - to[j];
+                const double t = std::clamp((p - to[j]).dot(d) / d.squaredNorm(), 0.0, 1.0);
+                nearest = std::min(nearest, (p - to[j] - t * d).norm());
+            }
+            farthest = std::max(farthest, nearest);
+        }
+    }
+    return farthest;
+}
+
+TEST(Hausdorff, AgreesWithDenseSampling) {
+    Random random(7);
+    for (int i = 0; i < 40; ++i) {
+        const Outline p = random_star(random, 4 + i % 40);
+        const Outline q = transformed(random_star(random, 3 + i % 30), 1.2, {0.1, 0.4});
+        const double there = sampled_distance(p, q, 100);
+        const double back = sampled_distance(q, p, 100);
+        const auto result = dsc::scenes::hausdorff(std::span(&p, 1), std::span(&q, 1));
+        EXPECT_GE(result.first_to_second, there - 1e-9);
+        EXPECT_GE(result.second_to_first, back - 1e-9);
+        EXPECT_LE(result.first_to_second, there + 0.02);
+        EXPECT_LE(result.second_to_first, back + 0.02);
+    }
+}
+
+} // namespace

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Outlines and the shapes of the scenes: areas in closed form, corners where they are asked for.
+#include "dsc/base/error.h"
+#include "measures/symmetric_difference.h"
+#include "shapes/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+namespace {
+
+using namespace dsc;
+using namespace dsc::scenes;
+
+constexpr double pi = std::numbers::pi;
+
+Outline square(double x, double y, double side) {
+    return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
+
+OverlapAreas areas_of(const Outline& p, const Outline& q, FillRule rule = FillRule::even_odd) {
+    return overlap_areas({std::span(&p, 1), rule}, {std::span(&q, 1), rule});
+}
+
+Outline transformed(Outline outline, double scale, const Point<double>& shift) {
+    for (Point<double>& p : outline) {
+        p = scale * p + shift;
+    }
+    return outline;
+}
+
+TEST(Outline, AreaDoesNotLoseDigitsFarFromTheOrigin) {
+    const Outline near = transformed(circle({0.0, 0.0}, 0.5, 0.01), 1.0, {0.0, 0.0});
+    Outline grid = near; // coordinates that survive the offset exactly
+    for (Point<double>& p : grid) {
+        p = {std::round(std::ldexp(p.x(), 20)) * 0x1p-20,
+             std::round(std::ldexp(p.y(), 20)) * 0x1p-20};
+    }
+    const Outline far = transformed(grid, 1.0, {0x1p30, -0x1p31});
+    EXPECT_EQ(signed_area(far), signed_area(grid));
+    EXPECT_EQ(signed_area(reversed(grid)), -signed_area(grid));
+    EXPECT_NEAR(signed_area(near), 0.5 * 315 * 0.25 * std::sin(2.0 * pi / 315), 1e-16);
+}
+
+TEST(Outline, SimplicityIsDecidedExactly) {
+    EXPECT_TRUE(is_simple(square(0.0, 0.0, 1.0)));
+    EXPECT_FALSE(is_simple(Outline{{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
+    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {2, 1}, {1, 0}, {0, 1}})) << "touches an edge";
+    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {1, 0}, {1, 1}})) << "folds back";
+    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {1, 0}})) << "folds back";
+    EXPECT_FALSE(is_simple(Outline{{1, 0}, {2, 0}, {0, 0}})) << "folds back";
+    EXPECT_FALSE(is_simple(Outline{{0, 0}, {0, 0}, {1, 0}, {1, 1}})) << "point twice";
+    const std::vector<Outline> nested{square(0, 0, 3), reversed(square(1, 1, 1))};
+    EXPECT_TRUE(is_simple(nested));
+    const std::vector<Outline> crossing{square(0, 0, 3), square(2, 2, 3)};
+    EXPECT_FALSE(is_simple(crossing));
+    EXPECT_THROW(check_outline({{0, 0}, {1, 1}}, "test"), InputError);
+    EXPECT_THROW(check_outline({{0, 0}, {1, NAN}, {1, 1}}, "test"), InputError);
+}
+
+void expect_sound(const Outline& outline, double edge_length, double area, double tolerance) {
+    EXPECT_TRUE(is_simple(outline));
+    EXPECT_LE(longest_edge(outline), edge_length * (1.0 + 1e-12));
+    EXPECT_NEAR(signed_area(outline), area, tolerance);
+}
+
+TEST(Shapes, KeepTheirAreaCornersAndEdgeLength) {
+    const Outline round = circle({0.5, 0.75}, 0.15, 0.0196);
+    EXPECT_EQ(round.size(), 49U);
+    expect_sound(round, 0.0196, pi * 0.15 * 0.15, 3e-4);
+    EXPECT_EQ(circle({0, 0}, 1.0, 100.0).size(), 8U);
+    for (const Point<double>& p : round) {
+        EXPECT_NEAR(std::hypot(p.x() - 0.5, p.y() - 0.75), 0.15, 1e-16);
+    }
+    expect_sound(rectangle({1, 2}, {4, 3}, 0.3), 0.3, 3.0, 1e-15);
+
+    const SlottedDisc disc;
+    const Outline zalesak = slotted_disc(disc, 1e-3);
+    expect_sound(zalesak, 1e-3, slotted_disc_area(disc), 1e-6);
+    for (const Point<double>& corner :
+         {Point<double>{0.475, 0.85}, {0.525, 0.85}, {0.475, slot_corners(disc)[0].y()}}) {
+        EXPECT_EQ(std::count(zalesak.begin(), zalesak.end(), corner), 1) << corner.transpose();
+    }
+    const std::vector<Outline> slot_alone{circle({0.5, 0.75}, 0.15, 1e-4),
+                                          rectangle({0.475, 0.55}, {0.525, 0.85}, 1.0)};
+    const OverlapAreas cut =
+        overlap_areas({std::span(slot_alone).first(1)}, {std::span(slot_alone).last(1)});
+    EXPECT_NEAR(cut.only_first, slotted_disc_area(disc), 6e-9);
+
+    const Crescent moon{{1, 2}, 1.0, {1.5, 2.5}, 0.8};
+    const OverlapAreas bitten = areas_of(circle({1, 2}, 1.0, 1e-4), circle({1.5, 2.5}, 0.8, 1e-4));
+    expect_sound(crescent(moon, 1e-3), 1e-3, bitten.only_first, 1e-6);
+
+    expect_sound(star({0, 0}, 1.0, 0.4, 5, 0.05), 0.05, 5 * 0.4 * std::sin(pi / 5), 1e-14);
+    const std::vector<Outline> four = four_circles({0.5, 0.5}, 0.4, 0.1, 0.01);
+    EXPECT_TRUE(is_simple(four));
+    EXPECT_EQ(four.size(), 4U);
+    EXPECT_NEAR(signed_area(four), 4.0 * 0.5 * 63 * 0.01 * std::sin(2.0 * pi / 63), 1e-15);
+    EXPECT_THROW((void)circle({0, 0}, -1.0, 0.1), InputError);
+    EXPECT_THROW((void)circle({0, 0}, 1.0, NAN), InputError);
+    EXPECT_THROW((void)slotted_disc({.slot_width = 0.4}, 0.1), InputError);
+    EXPECT_THROW((void)crescent({{0, 0}, 1.0, {3, 0}, 1.0}, 0.1), InputError);
+    EXPECT_THROW((void)four_circles({0, 0}, 0.1, 0.1, 0.1), InputError);
+}
+
+} // namespace
