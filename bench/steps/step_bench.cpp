@@ -11,6 +11,7 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
 #include "scenes/run/reference_run.h"
+#include "scenes/run/start.h"
 
 #include <benchmark/benchmark.h>
 

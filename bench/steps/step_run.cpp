@@ -8,6 +8,7 @@
 #include "measures/mesh_quality.h"
 #include "scenes/run/clock.h"
 #include "scenes/run/reference_run.h"
+#include "scenes/run/start.h"
 
 #include <algorithm>
 #include <chrono>

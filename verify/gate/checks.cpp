@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "checks.h"
 
+#include "scenes/catalogue/catalogue.h"
+
 #include "accuracy.h"
 
 #include "dsc/base/error.h"

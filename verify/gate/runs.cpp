@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "runs.h"
 
+#include "scenes/catalogue/catalogue.h"
+
 namespace dsc::gate {
 
 namespace {

@@ -17,16 +17,16 @@ using test::ways_to_divide;
 // Where all that grows with the mesh lies.
 std::vector<const void*> storage_of(Complex<double>& complex) {
     return {complex.vertices.data(), complex.triangles.data(),
-            complex.attributes.get<double>("at vertices").data().data(),
-            complex.attributes.get<double>("at edges").data().data(),
-            complex.attributes.get<double>("at triangles").data().data()};
+            complex.attributes.get<Vertex, double>("at vertices").data().data(),
+            complex.attributes.get<Edge, double>("at edges").data().data(),
+            complex.attributes.get<Triangle, double>("at triangles").data().data()};
 }
 
 // Attributes of all kinds must be there before the executor is made: room is made for them too.
 void add_attributes(Complex<double>& complex) {
-    complex.attributes.add<double>("at vertices", SimplexKind::vertex);
-    complex.attributes.add<double>("at edges", SimplexKind::edge);
-    complex.attributes.add<double>("at triangles", SimplexKind::triangle);
+    complex.attributes.add<Vertex, double>("at vertices");
+    complex.attributes.add<Edge, double>("at edges");
+    complex.attributes.add<Triangle, double>("at triangles");
 }
 
 TEST(FirstStep, CopiesNoArrayOfTheMesh) {

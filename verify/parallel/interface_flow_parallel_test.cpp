@@ -19,11 +19,12 @@ namespace {
 
 constexpr double h = 0.02;
 
-// Grows, is smoothed, and turns: what a vertex does depends on its neighbours.
+// Grows, is smoothed, and turns: what a vertex does depends on its neighbours. The smoothing is weak
+// enough for these steps to be stable.
 const InterfaceFlow<double> mixed =
     vertex_flow<double>([](const auto& view, std::size_t i, double time) -> Point<double> {
         const Point<double> p = view.positions[i] - Point<double>(0.5, 0.5);
-        const double speed = 0.3 * std::cos(3 * time) - 0.002 * curvature(view, i);
+        const double speed = 0.3 * std::cos(3 * time) - 0.0002 * curvature(view, i);
         return speed * normal(view, i) + Point<double>(-p.y(), p.x());
     });
 
@@ -53,9 +54,9 @@ std::vector<Strategy> strategies() {
 
 // Two discs of different phases, one with a hole.
 Complex<double> two_discs() {
-    const std::vector<Shape> shapes{{test::circle_points({0.32, 0.5}, 0.16, 60), 1},
-                                    {test::circle_points({0.32, 0.5}, 0.06, 24), exterior_phase},
-                                    {test::circle_points({0.7, 0.5}, 0.16, 60), 2}};
+    const std::vector<Shape> shapes{{test::circle_points({0.25, 0.5}, 0.16, 60), 1},
+                                    {test::circle_points({0.25, 0.5}, 0.1, 40), exterior_phase},
+                                    {test::circle_points({0.75, 0.5}, 0.16, 60), 2}};
     return initial_complex<double>({}, shapes, {.edge_length = h});
 }
 

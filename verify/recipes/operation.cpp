@@ -19,19 +19,22 @@ TEST(Recipe, AnOperationIsOnePassMore) {
     const Options<double> options{.edge_length = 0.03};
     int flips = 0;
     auto algorithm = default_algorithm<double>();
-    algorithm.motion.push_back(mesh_update_pass<double, Edge>( // the line
-        {.name = "shorter diagonals",
-         .quality = [](const auto& mesh, Edge edge) { return -gain(mesh, edge); },
-         .select = below<Edge>(0),
-         .operation =
-             [&](auto& work, Edge edge) {
-                 if (gain(work.complex, edge) <= 0) {
-                     return Verdict::no_gain; // a flip before this one has done it
-                 }
-                 const Verdict verdict = edge_flip(work.complex, work.submesh, edge);
-                 flips += verdict == Verdict::legal ? 1 : 0;
-                 return verdict;
-             }}));
+    auto& passes = algorithm.motion;
+    // The line; before the mesh update, which empties the active set.
+    passes.insert(passes.end() - 1,
+                  mesh_update_pass<double, Edge>(
+                      {.name = "shorter diagonals",
+                       .quality = [](const auto& mesh, Edge edge) { return -gain(mesh, edge); },
+                       .select = below<Edge>(0),
+                       .operation =
+                           [&](auto& work, Edge edge) {
+                               if (gain(work.complex, edge) <= 0) {
+                                   return Verdict::no_gain; // a flip before this one has done it
+                               }
+                               const Verdict verdict = edge_flip(work.complex, work.submesh, edge);
+                               flips += verdict == Verdict::legal ? 1 : 0;
+                               return verdict;
+                           }}));
     Simulation<double> simulation(
         complex, options,
         std::make_unique<SequentialExecutor<double>>(complex, options, std::move(algorithm)));

@@ -2,6 +2,7 @@
 // Dividing the mesh makes no work: submeshes split and collapse about as often as the whole mesh
 // does. What a boundary keeps from being done for a while looks like a fault of the mesh; vertices
 // that are made for it have to go again.
+#include "scenes/catalogue/catalogue.h"
 #include "scenes/run/run.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ class Effort : public testing::TestWithParam<std::string> {};
 TEST_P(Effort, IsAboutTheSameInSubmeshes) {
     const std::uint64_t whole = splits_and_collapses(GetParam(), Strategy::sequential);
     ASSERT_GT(whole, 10'000U);
-    for (const Strategy strategy : all_strategies) {
+    for (const Strategy strategy : all_strategies()) {
         if (is_parallel(strategy)) {
             EXPECT_LT(static_cast<double>(splits_and_collapses(GetParam(), strategy)),
                       most_of_sequential * static_cast<double>(whole))

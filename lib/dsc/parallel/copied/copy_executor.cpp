@@ -160,7 +160,8 @@ void CopyExecutor<Real>::hand_out() {
         Task& task = *tasks_[i];
         task.given = task.work.interface;
         lend_ids(*submeshes_.list[i], spare_vertices + 2 * task.given.size());
-        task.work.submesh.region = submeshes_.list[i]->region();
+        // One submesh is the whole mesh: nobody else has anything to move first.
+        task.work.submesh.region = tasks_.size() > 1 ? submeshes_.list[i]->region() : Region{};
     }
 }
 
