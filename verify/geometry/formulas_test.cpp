@@ -51,10 +51,12 @@ TEST(Distance, ToASegmentIsTheLeastOverItsPoints) {
 }
 
 TEST(Distance, BesideALineKeepsItsDigits) {
-    // The nearest point of the segment is rounded to 1e-16; the distance is 1e-20.
+    // The nearest point of the diagonal has no coordinates in doubles.
     const P a(0, 0);
-    const P b(1, 0);
-    EXPECT_EQ(distance<double>(P(0.3, 1e-20), a, b), 1e-20);
+    const P b(1, 1);
+    const double above = std::nextafter(0.7, 1.0);
+    const double step = above - 0.7;
+    EXPECT_NEAR(distance<double>(P(0.7, above), a, b), step / std::numbers::sqrt2, 1e-6 * step);
 }
 
 TEST(Turn, HasTheAngleBetweenTheEdges) {
