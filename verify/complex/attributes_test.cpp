@@ -180,10 +180,13 @@ TEST(OwnAttributes, AreSharedOutByArea) {
             continue;
         }
         const Edge e = complex.edge(corner_of(t.id, random.below(3)));
+        const auto [a, b] = complex.vertices_of(e);
+        const Point<double> third = (2 * complex.position(a) + complex.position(b)) / 3;
         const std::uint32_t what = random.below(3);
-        const Verdict verdict = what == 0   ? edge_flip(complex, e)
-                                : what == 1 ? edge_split(complex, e).verdict
-                                            : loop_subdivision(complex, t).verdict;
+        const Verdict verdict = what == 0 ? edge_flip(complex, e)
+                                : what == 1
+                                    ? edge_split(complex, whole_submesh(complex), e, third).verdict
+                                    : loop_subdivision(complex, t).verdict;
         done += verdict == Verdict::legal ? 1 : 0;
     }
     EXPECT_GT(done, 100);
