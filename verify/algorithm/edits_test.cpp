@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Edits in and out of a simulation: listeners, replay, and what the application does between steps
 // and in passes of its own.
-#include "support/random_scene.h"
+#include "support/courses.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/hash.h"
@@ -23,46 +23,15 @@
 namespace dsc {
 namespace {
 
-constexpr double h = 0.03;
-
-// Which of the ways to run: no division is the sequential one.
-struct Way {
-    const char* name;
-    std::optional<Division> division;
-    std::uint32_t threads = 1;
-};
-
-std::unique_ptr<Simulation<double>> make(Complex<double>& complex, const Options<double>& options,
-                                         const Way& way) {
-    if (!way.division) {
-        return std::make_unique<Simulation<double>>(complex, options);
-    }
-    return std::make_unique<Simulation<double>>(
-        complex, options,
-        Parallel{.threads = way.threads, .division = *way.division, .always_all_threads = true});
-}
-
-const Velocity<double> swirl = [](std::span<const Point<double>> positions, double,
-                                  std::span<Point<double>> velocities) {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const double x = std::numbers::pi * positions[i].x();
-        const double y = std::numbers::pi * positions[i].y();
-        velocities[i] = {std::pow(std::sin(x), 2) * std::sin(2 * y),
-                         -std::pow(std::sin(y), 2) * std::sin(2 * x)};
-    }
-};
-
-const Velocity<double> still = [](std::span<const Point<double>>, double,
-                                  std::span<Point<double>> velocities) {
-    std::ranges::fill(velocities, Point<double>::Zero());
-};
-
-Complex<double> disc() { return test::disc_complex<double>(h, {0.5, 0.7}, 0.2); }
-
-void expect_sound(const Complex<double>& complex, const Simulation<double>& simulation) {
-    EXPECT_EQ(validate(complex).problem, "");
-    EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
-}
+using test::all_courses;
+using test::Course;
+using test::course_name;
+using test::disc;
+using test::disc_h;
+using test::expect_whole;
+using test::make_simulation;
+using test::still;
+using test::swirl;
 
 bool same(const Edit& a, const Edit& b) {
     return a.kind == b.kind && a.reason == b.reason && a.on_interface == b.on_interface &&
@@ -70,8 +39,8 @@ bool same(const Edit& a, const Edit& b) {
            a.apexes == b.apexes && a.made == b.made && a.x == b.x && a.y == b.y;
 }
 
-class Edits : public testing::TestWithParam<Way> {};
-class EditsInPlace : public testing::TestWithParam<Way> {};
+class Edits : public testing::TestWithParam<Course> {};
+class EditsInPlace : public testing::TestWithParam<Course> {};
 
 // --- out -------------------------------------------------------------------------------------
 
@@ -81,10 +50,11 @@ struct Heard {
     std::uint64_t hash = 0;
 };
 
-Heard hear(const Way& way, int steps, Integrator integrator = Integrator::rk4) {
+Heard hear(const Course& way, int steps, Integrator integrator = Integrator::rk4) {
     Complex<double> complex = disc();
     Heard heard;
-    auto simulation = make(complex, {.edge_length = h, .integrator = integrator}, way);
+    auto simulation =
+        make_simulation(complex, {.edge_length = disc_h, .integrator = integrator}, way);
     simulation->add_listener([&](std::span<const Edit> edits) {
         heard.edits.insert(heard.edits.end(), edits.begin(), edits.end());
     });
@@ -131,7 +101,7 @@ TEST_P(EditsInPlace, AreTheSameForAnyNumberOfThreads) {
         GTEST_SKIP() << "one thread by its nature";
     }
     const Heard one = hear(GetParam(), 12);
-    Way way = GetParam();
+    Course way = GetParam();
     way.threads = 2;
     const Heard two = hear(way, 12);
     ASSERT_EQ(one.edits.size(), two.edits.size());
@@ -143,7 +113,7 @@ TEST_P(EditsInPlace, AreTheSameForAnyNumberOfThreads) {
 TEST(EditLogs, OfRetriangulationAndSubdivisionAreReplayed) {
     Complex<double> complex = disc();
     const Complex<double> first = complex;
-    const Options<double> options{.edge_length = 0.8 * h};
+    const Options<double> options{.edge_length = 0.8 * disc_h};
     std::vector<Edit> edits;
     Simulation<double> simulation(
         complex, options,
@@ -192,9 +162,9 @@ TEST(EditLogs, AreCutDownToThoseThatFail) {
 
 TEST_P(Edits, OfTheApplicationBetweenStepsAreTakenUp) {
     Complex<double> complex = disc();
-    auto simulation = make(complex, {.edge_length = h}, GetParam());
+    auto simulation = make_simulation(complex, {.edge_length = disc_h}, GetParam());
     simulation->step(swirl, 0, 0.02);
-    expect_sound(complex, *simulation);
+    expect_whole(complex, *simulation);
 
     // An interface edge is split, another one collapsed.
     const std::vector<std::uint32_t> list = simulation->interface();
@@ -216,14 +186,14 @@ TEST_P(Edits, OfTheApplicationBetweenStepsAreTakenUp) {
     const Triangle outer = complex.phase(beside) == exterior_phase ? beside : other;
     complex.set_phase(outer, 1);
     simulation->step(still, 0.02, 0.001);
-    expect_sound(complex, *simulation);
+    expect_whole(complex, *simulation);
 
     // A disc of its own, far from the first.
     Triangle seed;
     for (std::uint32_t t = 1; t < complex.triangle_bound() && !seed.is_valid(); ++t) {
         if (complex.is_alive(Triangle{t}) &&
             (complex.position(complex.vertices_of(Triangle{t})[0]) - Point<double>(0.8, 0.2))
-                    .norm() < h) {
+                    .norm() < disc_h) {
             seed = Triangle{t};
         }
     }
@@ -231,7 +201,7 @@ TEST_P(Edits, OfTheApplicationBetweenStepsAreTakenUp) {
     complex.set_phase(seed, 2);
     const std::size_t before = simulation->interface_size();
     simulation->step(swirl, 0.03, 0.02);
-    expect_sound(complex, *simulation);
+    expect_whole(complex, *simulation);
     EXPECT_GE(simulation->interface_size(), before + 3);
 
     renumber(complex);
@@ -239,7 +209,7 @@ TEST_P(Edits, OfTheApplicationBetweenStepsAreTakenUp) {
     for (int step = 0; step < 3; ++step) {
         const StepReport report = simulation->step(swirl, 0.05 + 0.02 * step, 0.02);
         EXPECT_EQ(report.unreached, 0U);
-        expect_sound(complex, *simulation);
+        expect_whole(complex, *simulation);
     }
     EXPECT_NEAR(phase_area(complex, 2), area, 0.3 * area);
 }
@@ -247,12 +217,12 @@ TEST_P(Edits, OfTheApplicationBetweenStepsAreTakenUp) {
 // Stars that the application spoilt are mended by the next step.
 TEST_P(Edits, OfTheApplicationAreLookedAtByTheMeshUpdate) {
     Complex<double> complex = disc();
-    auto simulation = make(complex, {.edge_length = h}, GetParam());
+    auto simulation = make_simulation(complex, {.edge_length = disc_h}, GetParam());
     simulation->step(swirl, 0, 0.01);
     Vertex victim;
     for (std::uint32_t v = 0; v < complex.vertex_bound() && !victim.is_valid(); ++v) {
         if (complex.is_alive(Vertex{v}) &&
-            (complex.position(Vertex{v}) - Point<double>(0.75, 0.25)).norm() < h) {
+            (complex.position(Vertex{v}) - Point<double>(0.75, 0.25)).norm() < disc_h) {
             victim = Vertex{v};
         }
     }
@@ -279,12 +249,12 @@ TEST_P(Edits, OfTheApplicationAreLookedAtByTheMeshUpdate) {
     ASSERT_LT(spoilt, 0.2);
     simulation->step(swirl, 0.01, 0.001);
     EXPECT_GT(worst(), 2 * spoilt);
-    expect_sound(complex, *simulation);
+    expect_whole(complex, *simulation);
 }
 
 TEST_P(Edits, OfAPassOfTheApplicationNeedNoBookkeeping) {
     Complex<double> complex = disc();
-    const Options<double> options{.edge_length = h};
+    const Options<double> options{.edge_length = disc_h};
     Algorithm<double> algorithm = default_algorithm<double>();
     // Triangles of the exterior that lie deep in a box become phase 2: a new interface.
     algorithm.motion.insert(
@@ -309,7 +279,7 @@ TEST_P(Edits, OfAPassOfTheApplicationNeedNoBookkeeping) {
                  rewire::relabel(mesh, *work.submesh.log, t, 2);
              }
          }});
-    const Way way = GetParam();
+    const Course way = GetParam();
     std::unique_ptr<Executor<double>> executor;
     if (way.division) {
         executor = make_executor(complex, options, Parallel{.division = *way.division}, algorithm);
@@ -319,99 +289,16 @@ TEST_P(Edits, OfAPassOfTheApplicationNeedNoBookkeeping) {
     Simulation<double> simulation(complex, options, std::move(executor));
     for (int step = 0; step < 4; ++step) {
         simulation.step(swirl, 0.02 * step, 0.02);
-        expect_sound(complex, simulation);
+        expect_whole(complex, simulation);
     }
     EXPECT_GT(phase_area(complex, 2), 0.04);
 }
 
-// --- options ---------------------------------------------------------------------------------
-
-TEST(SimulationOptions, AreCopied) {
-    Complex<double> complex = disc();
-    Complex<double> other = complex;
-    auto options = std::make_unique<Options<double>>();
-    options->edge_length = h;
-    Simulation<double> simulation(complex, *options);
-    Simulation<double> temporary(other, {.edge_length = h});
-    *options = {}; // an edge length of 0 would be refused, or worse
-    options.reset();
-    for (int step = 0; step < 3; ++step) {
-        simulation.step(swirl, 0.02 * step, 0.02);
-        temporary.step(swirl, 0.02 * step, 0.02);
-    }
-    EXPECT_EQ(mesh_hash(complex), mesh_hash(other));
-    expect_sound(complex, simulation);
-}
-
-TEST_P(Edits, SetOptionsTakesThemAsAWhole) {
-    Complex<double> complex = disc();
-    auto simulation = make(complex, {.edge_length = h}, GetParam());
-    simulation->step(swirl, 0, 0.02);
-    Options<double> wrong = simulation->options();
-    wrong.sub_step = -1;
-    wrong.edge_length = h / 2;
-    EXPECT_THROW(simulation->set_options(wrong), InputError);
-    EXPECT_EQ(simulation->options().edge_length, h);
-
-    // A memory that begins with the switch: the first step of `centred` is one of `midpoint`.
-    Options<double> centred = simulation->options();
-    centred.integrator = Integrator::centred;
-    simulation->set_options(centred);
-    Options<double> finer = centred;
-    simulation->step(swirl, 0.02, 0.02);
-    simulation->step(swirl, 0.04, 0.02);
-    finer.edge_length = h / 2;
-    finer.integrator = Integrator::rk4;
-    simulation->set_options(finer);
-    const std::size_t before = simulation->interface_size();
-    simulation->step(swirl, 0.06, 0.02);
-    EXPECT_GT(simulation->interface_size(), before * 3 / 2);
-    expect_sound(complex, *simulation);
-}
-
-TEST(SimulationOptions, AStepEndsWhereItIsInterrupted) {
-    Complex<double> complex = disc();
-    Simulation<double> simulation(complex, {.edge_length = h});
-    std::atomic<bool> flag = false;
-    simulation.interrupt_by(&flag);
-    int calls = 0;
-    const Velocity<double> velocity = [&](auto positions, double time, auto velocities) {
-        swirl(positions, time, velocities);
-        flag = ++calls > 12;
-    };
-    const StepReport report = simulation.step(velocity, 0, 1);
-    EXPECT_EQ(report.gave_up, GiveUp::interrupted);
-    EXPECT_GT(report.reached, 0);
-    EXPECT_LT(report.reached, 0.5);
-    expect_sound(complex, simulation);
-    flag = false;
-    const Velocity<double> rest = swirl;
-    EXPECT_EQ(simulation.step(rest, report.reached, 0.1).gave_up, GiveUp::none);
-}
-
-TEST(SimulationOptions, TheJournalOfACopyIsItsOwn) {
-    Complex<double> complex = disc();
-    Simulation<double> simulation(complex, {.edge_length = h});
-    Complex<double> copy = complex;
-    copy.set_phase(Triangle{1}, 3);
-    EXPECT_TRUE(copy.journal.records.empty());
-    EXPECT_TRUE(complex.journal.records.empty());
-    complex.set_phase(Triangle{1}, 3);
-    EXPECT_EQ(complex.journal.records.size(), 1U);
-}
-
-const std::vector<Way> in_place{
+const std::vector<Course> in_place{
     {"sequential", {}},           {"fixed", Division::fixed},   {"counting", Division::counting},
     {"active", Division::active}, {"blocks", Division::blocks}, {"cells", Division::cells}};
-const std::vector<Way> all_ways{{"sequential", {}},
-                                {"active", Division::active},
-                                {"blocks", Division::blocks},
-                                {"cells", Division::cells},
-                                {"copy", Division::copy}};
-
-const auto name = [](const auto& one) { return std::string(one.param.name); };
-INSTANTIATE_TEST_SUITE_P(Ways, EditsInPlace, testing::ValuesIn(in_place), name);
-INSTANTIATE_TEST_SUITE_P(Ways, Edits, testing::ValuesIn(all_ways), name);
+INSTANTIATE_TEST_SUITE_P(Ways, EditsInPlace, testing::ValuesIn(in_place), course_name);
+INSTANTIATE_TEST_SUITE_P(Ways, Edits, testing::ValuesIn(all_courses), course_name);
 
 } // namespace
 } // namespace dsc

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The algorithm is the application's: passes that it replaces, removes or adds.
+#include "dsc/algorithm/simulation.h"
+
+#include "support/simulation_testing.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/hash.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/passes/interface_list.h"
+#include "dsc/passes/mesh_update.h"
+#include "dsc/passes/move_vertices.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace dsc {
+namespace {
+
+using test::coarse;
+using test::constant;
+using test::disc_complex;
+using test::expect_sound;
+using test::options_for;
+using test::pointwise;
+
+template <class Real>
+class Driver : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(Driver, Reals);
+
+TYPED_TEST(Driver, RunsTheApplicationsPassesInsteadOfTheDefault) {
+    using Real = TypeParam;
+    auto complex = disc_complex<Real>(coarse);
+    const auto options = options_for<Real>(coarse);
+    std::vector<std::string> calls;
+    const auto noting = [&](const char* name, auto pass) {
+        return Pass<Real>{name, [&calls, name, pass](Work<Real>& work) {
+                              calls.emplace_back(name);
+                              pass(work);
+                          }};
+    };
+    // Movement alone: no upkeep of the interface, and no mesh update.
+    const Algorithm<Real> algorithm{
+        .upkeep = {noting("upkeep", [](Work<Real>&) {})},
+        .motion = {noting("move", &move_vertices<Real>),
+                   noting("forget", [](Work<Real>& work) { work.active.clear(); })}};
+    Simulation<Real> simulation(
+        complex, options, std::make_unique<SequentialExecutor<Real>>(complex, options, algorithm));
+    const StepReport report = simulation.step(constant<Real>(0.02, 0), 0, 1);
+    EXPECT_EQ(calls, (std::vector<std::string>{"upkeep", "move", "forget"}));
+    EXPECT_EQ(report.operations.moves, simulation.interface().size());
+    EXPECT_EQ(report.operations.flips, 0U);
+    EXPECT_EQ(report.operations.smoothed, 0U);
+    EXPECT_EQ(report.operations.examined, 0U);
+    expect_sound(complex, simulation);
+
+    // Without a mesh update it soon comes to an end, and says so.
+    std::uint64_t unreached = 0;
+    for (int step = 0; step < 20; ++step) {
+        unreached += simulation.step(constant<Real>(0.02, 0), 0, 1).unreached;
+        expect_sound(complex, simulation);
+    }
+    EXPECT_GT(unreached, 0U);
+}
+
+TYPED_TEST(Driver, TakesThresholdsForEachPhase) {
+    using Real = TypeParam;
+    // Phase 1 is kept twice as fine as phase 0 by its longest spoke.
+    auto complex = disc_complex<Real>(coarse);
+    auto options = options_for<Real>(coarse);
+    options.per_phase.resize(2);
+    options.per_phase[1].longest = 0.8;
+    options.per_phase[1].shortest = 0.2;
+    Simulation<Real> simulation(complex, options);
+    const auto triangles_of = [&](Phase phase) {
+        return static_cast<int>(std::ranges::distance(triangles(complex, phase)));
+    };
+    const int inside = triangles_of(1);
+    const int outside = triangles_of(0);
+    for (int step = 0; step < 10; ++step) {
+        EXPECT_EQ(simulation.step(constant<Real>(step < 5 ? 0.02 : -0.02, 0), 0, 1).unreached, 0U);
+        expect_sound(complex, simulation);
+    }
+    // Some of it spreads into the neighbour, where qualities are mended.
+    EXPECT_GT(triangles_of(1), 1.5 * inside);
+    EXPECT_LT(triangles_of(0), 1.25 * outside);
+}
+
+TYPED_TEST(Driver, TheSeedOnlyChangesTheOrder) {
+    using Real = TypeParam;
+    std::array<std::uint64_t, 3> hashes{};
+    std::array<std::size_t, 3> vertices{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        auto complex = disc_complex<Real>(coarse);
+        auto options = options_for<Real>(coarse);
+        options.shuffle_seed = i == 0 ? 0 : 7;
+        Simulation<Real> simulation(complex, options);
+        for (int step = 0; step < 20; ++step) {
+            EXPECT_EQ(simulation.step(constant<Real>(0.01, 0.01), 0, 1).unreached, 0U);
+        }
+        expect_sound(complex, simulation);
+        hashes[i] = mesh_hash(complex);
+        vertices[i] = simulation.interface().size();
+    }
+    EXPECT_NE(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[1], hashes[2]);
+    EXPECT_NEAR(static_cast<double>(vertices[0]), static_cast<double>(vertices[1]), 2);
+}
+
+} // namespace
+} // namespace dsc

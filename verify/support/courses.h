@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// What the tests of edits and options share: a disc in a swirl, run in each of the ways that there
+// are.
+#pragma once
+
+#include "random_scene.h"
+
+#include "dsc/complex/validate.h"
+#include "dsc/parallel/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dsc::test {
+
+inline constexpr double disc_h = 0.03;
+
+// Which of the ways to run: no division is the sequential one.
+struct Course {
+    const char* name;
+    std::optional<Division> division;
+    std::uint32_t threads = 1;
+};
+
+inline std::unique_ptr<Simulation<double>>
+make_simulation(Complex<double>& complex, const Options<double>& options, const Course& way) {
+    if (!way.division) {
+        return std::make_unique<Simulation<double>>(complex, options);
+    }
+    return std::make_unique<Simulation<double>>(
+        complex, options,
+        Parallel{.threads = way.threads, .division = *way.division, .always_all_threads = true});
+}
+
+inline const Velocity<double> swirl = [](std::span<const Point<double>> positions, double,
+                                         std::span<Point<double>> velocities) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const double x = std::numbers::pi * positions[i].x();
+        const double y = std::numbers::pi * positions[i].y();
+        velocities[i] = {std::pow(std::sin(x), 2) * std::sin(2 * y),
+                         -std::pow(std::sin(y), 2) * std::sin(2 * x)};
+    }
+};
+
+inline const Velocity<double> still = [](std::span<const Point<double>>, double,
+                                         std::span<Point<double>> velocities) {
+    std::ranges::fill(velocities, Point<double>::Zero());
+};
+
+inline Complex<double> disc() { return disc_complex<double>(disc_h, {0.5, 0.7}, 0.2); }
+
+inline void expect_whole(const Complex<double>& complex, const Simulation<double>& simulation) {
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_EQ(interface_fault(complex, simulation.interface()), "");
+}
+
+inline const std::vector<Course> all_courses{{"sequential", {}},
+                                             {"active", Division::active},
+                                             {"blocks", Division::blocks},
+                                             {"cells", Division::cells},
+                                             {"copy", Division::copy}};
+
+inline const auto course_name = [](const auto& one) { return std::string(one.param.name); };
+
+} // namespace dsc::test
