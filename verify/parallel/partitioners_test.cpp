@@ -237,6 +237,38 @@ TEST(Slabs, FollowTheShape) {
     }
 }
 
+// The domain does not change: slabs that follow the shape need not look through the mesh again.
+TEST(Slabs, KnowHowFarTheDomainReachesAlongEveryDirection) {
+    Divided ellipse(ellipse_complex(0.01, 30), 0.01);
+    const Complex<double> first = ellipse.complex;
+    SlabOptions options = slab_options(Slabbing::fixed, 4, 77);
+    options.follow_shape = true;
+    SlabPartitioner<double> partitioner(options);
+    for (int turn = 0; turn < 5; ++turn) {
+        ellipse.divide(partitioner);
+        const std::vector<Region>& slabs = ellipse.regions(0);
+        ASSERT_EQ(slabs.size(), 4U);
+        double low = infinity;
+        double high = -infinity;
+        for (const auto& record : first.vertices) {
+            low = std::min(low, slabs[1].along(record.x, record.y));
+            high = std::max(high, slabs[1].along(record.x, record.y));
+        }
+        EXPECT_NEAR(slabs[1].high - slabs[1].low, (high - low) / 4, 1e-12) << turn;
+        EXPECT_NEAR(slabs[1].high, (low + high) / 2, 1e-12) << turn;
+        // The shape turns, and all else is gone from where it was looked at.
+        for (std::uint32_t v = 0; v < ellipse.complex.vertex_bound(); ++v) {
+            const Point<double> p = ellipse.complex.position(Vertex{v}) - Point<double>(0.5, 0.5);
+            const bool is_on = std::ranges::find(ellipse.interface, v) != ellipse.interface.end();
+            ellipse.complex.set_position(
+                Vertex{v},
+                Point<double>(0.5, 0.5) +
+                    (is_on ? Point<double>(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y())
+                           : Point<double>(0, 0)));
+        }
+    }
+}
+
 // --- blocks -------------------------------------------------------------------------------------
 
 TEST(Blocks, AreSquaresShiftedByThirds) {

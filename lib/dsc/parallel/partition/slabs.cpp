@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 namespace dsc {
 
@@ -20,6 +21,39 @@ constexpr std::size_t most_counted = 32768;
 template <class Real>
 double along(const Point<double>& normal, const VertexRecord<Real>& record) {
     return normal.x() * static_cast<double>(record.x) + normal.y() * static_cast<double>(record.y);
+}
+
+// The corners of the convex hull of the living vertices (Andrew's monotone chain): along whatever
+// direction, one of them is the farthest. O(n log n).
+template <class Real>
+std::vector<Point<double>> hull_corners(const Complex<Real>& complex) {
+    std::vector<Point<double>> points;
+    for (const auto& record : complex.vertices) {
+        if ((record.flags & vertex_dead) == 0) {
+            points.emplace_back(static_cast<double>(record.x), static_cast<double>(record.y));
+        }
+    }
+    std::ranges::sort(points, [](const Point<double>& a, const Point<double>& b) {
+        return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+    });
+    std::vector<Point<double>> hull;
+    const auto add_chain = [&hull](const auto& chain) {
+        const std::size_t first = hull.size();
+        for (const Point<double>& p : chain) {
+            while (hull.size() >= first + 2) {
+                const Point<double> last = hull.back() - hull[hull.size() - 2];
+                const Point<double> next = p - hull.back();
+                if (last.x() * next.y() - last.y() * next.x() > 0) {
+                    break;
+                }
+                hull.pop_back();
+            }
+            hull.push_back(p);
+        }
+    };
+    add_chain(points);
+    add_chain(std::views::reverse(points));
+    return hull;
 }
 
 // Inner cuts with the outer ones, which are infinite.
@@ -154,7 +188,8 @@ Recut SlabPartitioner<Real>::is_due(const PartitionStatus& status) const {
     return status.steps_since_all >= options_.recut ? Recut::all : Recut::none;
 }
 
-// How far the mesh reaches along the normal: once, for its domain does not change.
+// How far the mesh reaches along the normal. The mesh is looked through once, for its domain does
+// not change.
 template <class Real>
 void SlabPartitioner<Real>::find_extent(const Complex<Real>& complex, const Point<double>& normal) {
     if (normal == extent_of_) {
@@ -163,6 +198,16 @@ void SlabPartitioner<Real>::find_extent(const Complex<Real>& complex, const Poin
     extent_of_ = normal;
     low_ = infinity;
     high_ = -infinity;
+    if (options_.follow_shape) { // along another direction each time
+        if (corners_.empty()) {
+            corners_ = hull_corners(complex);
+        }
+        for (const Point<double>& corner : corners_) {
+            low_ = std::min(low_, normal.dot(corner));
+            high_ = std::max(high_, normal.dot(corner));
+        }
+        return;
+    }
     for (const auto& record : complex.vertices) {
         if ((record.flags & vertex_dead) == 0) {
             low_ = std::min(low_, along(normal, record));

@@ -77,6 +77,7 @@ private:
     Point<double> extent_of_ = Point<double>::Zero(); // the normal that these belong to
     double low_ = 0;
     double high_ = 0;
+    std::vector<Point<double>> corners_; // of the domain's hull; of `follow_shape` alone
 };
 
 } // namespace dsc
