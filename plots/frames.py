@@ -5,7 +5,7 @@ import numpy
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Rectangle
 
-import load
+import load_frames
 import style
 
 CLOSE_UP = 6_000  # from this many triangles on, a second row shows about CLOSE_COUNT of them
@@ -99,9 +99,9 @@ def sentence(scene, strategy, shown):
 def read(folder):
     """[(scene, strategy, [(number, time, Frame)])] of the runs in the folder."""
     runs = []
-    for (scene, strategy), files in sorted(load.frame_files(folder).items(), key=lambda pair: (
+    for (scene, strategy), files in sorted(load_frames.frame_files(folder).items(), key=lambda pair: (
             pair[0][0], style.order(pair[0][1]))):
-        shown = [(number, time, load.read_frame(path)) for number, time, path in picked(files)]
+        shown = [(number, time, load_frames.read_frame(path)) for number, time, path in picked(files)]
         shown = [item for item in shown if len(item[2].triangles)]
         if shown:
             runs.append((scene, strategy, shown))

@@ -14,6 +14,7 @@ from matplotlib.patches import Rectangle
 
 import frames
 import load
+import load_frames
 import style
 
 STRADDLING = "#C3C9CE"
@@ -34,7 +35,7 @@ class Division:
     number: int
     time: object
     frame: object
-    colours: list  # of lists of load.Region
+    colours: list  # of lists of load_frames.Region
 
 
 def owns(region, points):
@@ -144,14 +145,14 @@ def read(folder):
     """A Division for each run in the folder with submeshes beside its frames: of several frames
     the one with the longest interface, where there is most work to divide."""
     result = []
-    for (scene, strategy), files in sorted(load.frame_files(folder).items(), key=lambda pair: (
+    for (scene, strategy), files in sorted(load_frames.frame_files(folder).items(), key=lambda pair: (
             pair[0][0], style.order(pair[0][1]))):
         best = None
         for number, time, path in files:
-            beside = path[:-len(".vtu")] + load.SUBMESHES
+            beside = path[:-len(".vtu")] + load_frames.SUBMESHES
             if not os.path.exists(beside):
                 continue
-            frame, colours = load.read_frame(path), load.read_submeshes(beside)
+            frame, colours = load_frames.read_frame(path), load_frames.read_submeshes(beside)
             if len(frame.triangles) and (best is None or length(frame) > best[0]):
                 best = length(frame), Division(scene, strategy, number, time, frame, colours)
         if best:

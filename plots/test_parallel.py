@@ -12,6 +12,7 @@ import breakdown
 import copies
 import granularity
 import load
+import load_frames
 import per_operation
 import series
 import speedup
@@ -250,7 +251,7 @@ class Parallel(Case):
 
         def owned(**keys):
             path = self.write("s.json", {"colours": [{"regions": [box(**keys)]}]})
-            return list(submeshes.owns(load.read_submeshes(path)[0][0], points))
+            return list(submeshes.owns(load_frames.read_submeshes(path)[0][0], points))
 
         self.assertEqual(owned(low=0.5), [False, True, True, False])
         self.assertEqual(owned(high=0.5), [True, False, False, True])
@@ -275,7 +276,7 @@ class Parallel(Case):
 
     def test_boundaries_are_finite(self):
         path = self.write("s.json", DIVIDED)
-        cuts = [submeshes.boundaries(r, 9) for c in load.read_submeshes(path) for r in c]
+        cuts = [submeshes.boundaries(r, 9) for c in load_frames.read_submeshes(path) for r in c]
         self.assertEqual(cuts, [[((0.5, -9), (0.5, 9))]] * 2 + [[((9, 0.5), (-9, 0.5))]] * 2
                          + [[]])
 

@@ -13,6 +13,7 @@ sys.path.insert(0, HERE)
 import frames  # noqa: E402
 import histograms  # noqa: E402
 import load  # noqa: E402
+import load_frames  # noqa: E402
 import per_operation  # noqa: E402
 import series  # noqa: E402
 import speedup  # noqa: E402
@@ -220,19 +221,19 @@ class Plots(Case):
 
     def test_frame_interface_and_area(self):
         path = self.write("frames/swirl_sequential_00000.vtu", VTU.format(x=1))
-        frame = load.read_frame(path)
+        frame = load_frames.read_frame(path)
         self.assertEqual(sorted(map(tuple, frames.interface(frame))), [(1, 4), (2, 4)])
         self.assertEqual(frames.areas(frame), {0: 3.0, 1: 1.0})
         later = self.write("frames/swirl_sequential_00007.vtu", VTU.format(x=1.5))
         text = frames.sentence("swirl", "sequential", [(0, None, frame),
-                                                       (7, None, load.read_frame(later))])
+                                                       (7, None, load_frames.read_frame(later))])
         self.assertIn("4 and 4 triangles in frames 0 and 7", text)
         self.assertIn("from 1.0000 to 0.50000 (-50.000 %)", text)
 
     def test_frame_names(self):
         for number in (3, 0, 12, 7):
             self.write(f"frames/swirl-zalesak_cells_{number:05d}.vtu", "")
-        files = load.frame_files(os.path.join(self.folder, "frames"))
+        files = load_frames.frame_files(os.path.join(self.folder, "frames"))
         self.assertEqual([n for n, _, _ in frames.picked(files[("swirl-zalesak", "cells")])],
                          [0, 3, 12])
 
