@@ -9,7 +9,7 @@ namespace dsc {
 
 namespace {
 
-// Simplices as they come; the constructor of SimplexSet sorts them once at the end.
+// Simplices in any order; the constructor of SimplexSet sorts them once at the end.
 struct Collector {
     std::vector<Vertex> vertices;
     std::vector<Edge> edges;
@@ -20,8 +20,8 @@ struct Collector {
     }
 };
 
-// Each relation once, for a simplex: relation_of(complex, simplex, out). What is below the table
-// derives the forms for a single simplex and for a set from it.
+// Each relation is written once, for one simplex: relation_of(complex, simplex, out). The code
+// below the table derives from it the forms for a single simplex and for a set.
 struct Boundary {
     template <class Real>
     static void add(const Complex<Real>&, Vertex, Collector&) {}
@@ -58,8 +58,8 @@ struct Star {
         out.vertices.push_back(v);
         for_each_corner(complex, v, [&](Corner c) {
             out.triangles.push_back(Triangle{triangle_of(c)});
-            // The edge that begins this triangle, counter-clockwise; where the fan ends, the edge
-            // that ends it as well.
+            // The edge where this triangle begins, counter-clockwise; at the last triangle of an
+            // open fan, also the edge where it ends.
             out.edges.push_back(complex.edge(prev(c)));
             if (is_border(complex.twin(next(c)))) {
                 out.edges.push_back(complex.edge(next(c)));
@@ -111,8 +111,8 @@ struct Link {
     }
     template <class Real>
     static void add(const Complex<Real>& complex, Edge e, Collector& out) {
-        // Every other face of the star's closure holds an end of the edge, and so is in the star of
-        // the closure.
+        // Every other face of the closure of the star contains an end of the edge, and so is in the
+        // star of the closure.
         out.vertices.push_back(Vertex{complex.vertex(e.id)});
         const Corner across = complex.twin(e.id);
         if (!is_border(across)) {
@@ -132,7 +132,7 @@ SimplexSet of_simplex(const Complex<Real>& complex, Simplex simplex) {
     return out.take();
 }
 
-// op(Sigma) is the union of op(sigma) over its members [3.1].
+// op(Sigma) is the union of op(sigma) over its members (thesis, section 3.1).
 template <class Relation, class Real>
 SimplexSet of_set(const Complex<Real>& complex, const SimplexSet& set) {
     Collector out;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The simplex relations and operations of thesis section 3.1 (after Misztal & Baerentzen):
 // boundary, full boundary, star, closure, link; skeleton and filter live with the sets. They are
-// the readable way to ask a complex; the mesh operations navigate by corners instead, because they
-// cannot afford the arrays.
+// the readable way to query a complex; the mesh operations navigate by corners instead, because
+// allocating the arrays would be too slow for them.
 //
-// A simplex that does not live in the complex has no relatives: the answer is the empty set.
-// Complexities: d is the degree of the vertex (or the sum of the degrees), k the number of
-// simplices collected for a set.
+// For a simplex that is not in the complex the answer is the empty set. Complexities: d is the
+// degree of the vertex (or the sum of the degrees), k the number of simplices collected for a set.
 #pragma once
 
 #include "dsc/complex/circulate.h"
@@ -14,8 +13,8 @@
 
 namespace dsc {
 
-/// The simplices that have one dimension less and are faces [figure 3.3]: of an edge its two
-/// vertices, of a triangle its three edges, of a vertex nothing. O(1).
+/// The faces of one dimension less (thesis, figure 3.3): of an edge its two vertices, of a triangle
+/// its three edges, of a vertex nothing. O(1).
 template <class Real>
 [[nodiscard]] SimplexSet boundary(const Complex<Real>& complex, Vertex v);
 template <class Real>
@@ -26,7 +25,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] SimplexSet boundary(const Complex<Real>& complex, const SimplexSet& set);
 
-/// All simplices of lower dimension that are faces, boundary* [figure 3.4]. O(1).
+/// All simplices of lower dimension that are faces, boundary* (thesis, figure 3.4). O(1).
 template <class Real>
 [[nodiscard]] SimplexSet full_boundary(const Complex<Real>& complex, Vertex v);
 template <class Real>
@@ -34,8 +33,8 @@ template <class Real>
 template <class Real>
 [[nodiscard]] SimplexSet full_boundary(const Complex<Real>& complex, Triangle t);
 
-/// The simplices that have this one as a face, itself included [figure 3.5]. O(d log d) for a
-/// vertex, O(1) for an edge and for a triangle.
+/// The simplices that have this one as a face, itself included (thesis, figure 3.5). O(d log d) for
+/// a vertex, O(1) for an edge and for a triangle.
 template <class Real>
 [[nodiscard]] SimplexSet star(const Complex<Real>& complex, Vertex v);
 template <class Real>
@@ -46,7 +45,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] SimplexSet star(const Complex<Real>& complex, const SimplexSet& set);
 
-/// The simplex and its full boundary [figure 3.6]. O(1).
+/// The simplex and its full boundary (thesis, figure 3.6). O(1).
 template <class Real>
 [[nodiscard]] SimplexSet closure(const Complex<Real>& complex, Vertex v);
 template <class Real>
@@ -57,8 +56,8 @@ template <class Real>
 template <class Real>
 [[nodiscard]] SimplexSet closure(const Complex<Real>& complex, const SimplexSet& set);
 
-/// closure(star(s)) \ star(closure(s)) [figure 3.7]: around a vertex the ring of vertices and
-/// edges, of an edge the one or two vertices opposite to it, of a triangle nothing (its star is
+/// closure(star(s)) \ star(closure(s)) (thesis, figure 3.7): around a vertex the ring of vertices
+/// and edges, of an edge the one or two vertices opposite to it, of a triangle nothing (its star is
 /// itself). O(d log d) for a vertex, O(1) otherwise.
 template <class Real>
 [[nodiscard]] SimplexSet link(const Complex<Real>& complex, Vertex v);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data that an application hangs on the simplices of one kind: contiguous, one array per attribute
-// (thesis, sections 2.2 and 8.3), and kept in step by the operations themselves.
+// Data that an application attaches to the simplices of one kind: contiguous, one array per
+// attribute (thesis, sections 2.2 and 8.3), and kept in step by the operations themselves.
 //
 //   vertex attributes    a new vertex between a and b gets `blend(data[a], data[b], fraction)`
 //   edge attributes      stored per corner; the halves of a split edge inherit, a new edge gets
@@ -37,10 +37,10 @@ inline constexpr SimplexKind kind_of = std::same_as<Simplex, Vertex> ? SimplexKi
                                        : std::same_as<Simplex, Edge> ? SimplexKind::edge
                                                                      : SimplexKind::triangle;
 
-/// What a complex and its operations tell an attribute, in entries: vertex ids, corners (four to a
-/// triangle; both corners opposite to an edge are its entries) or triangle ids. Operations on
-/// disjoint submeshes run at the same time: a function that is told of an edit may touch no entry
-/// but those named, and nothing that is shared without a lock.
+/// What a complex and its operations report to an attribute. Entries are named by vertex ids,
+/// corners (four to a triangle; both corners opposite to an edge are its entries) or triangle ids.
+/// Operations on disjoint submeshes run at the same time: a function that is told of an edit may
+/// touch only the entries named, and shared data only under a lock.
 class AttributeBase {
 public:
     AttributeBase(std::string name, SimplexKind kind) : name_(std::move(name)), kind_(kind) {}
@@ -57,7 +57,7 @@ public:
     [[nodiscard]] virtual std::size_t size() const = 0;
     /// New entries take the initial value.
     virtual void resize(std::size_t size) = 0;
-    /// Room for so many entries, so that growth up to there copies nothing. May be left out.
+    /// Reserves room for `size` entries, so that growth up to that size copies nothing. Optional.
     virtual void reserve(std::size_t /*size*/) {}
     /// Entry i of the result is the old entry order[i]; no_id: the initial value.
     virtual void permute(const std::vector<std::uint32_t>& order) = 0;
@@ -88,7 +88,7 @@ public:
     }
     /// `gone` vanishes; `into` is one of the triangles that take its place.
     virtual void merge([[maybe_unused]] std::uint32_t into, [[maybe_unused]] std::uint32_t gone) {}
-    /// The two triangles have changed their common edge for the other diagonal; `share` is the part
+    /// The common edge of the two triangles was flipped to the other diagonal; `share` is the part
     /// of `one` in the area of both.
     virtual void flip([[maybe_unused]] std::uint32_t one, [[maybe_unused]] std::uint32_t other,
                       [[maybe_unused]] double share) {}
@@ -114,7 +114,7 @@ public:
           blend_(std::move(blend)) {}
 
     [[nodiscard]] const T& operator[](Simplex simplex) const { return data_[simplex.id]; }
-    /// An edge has two entries, so that it is written by `set`.
+    /// An edge has two entries, so it is written with `set`.
     [[nodiscard]] T& operator[](Simplex simplex) requires(!of_edges) { return data_[simplex.id]; }
     /// Writes both entries of a living edge of this complex.
     template <class AnyComplex>

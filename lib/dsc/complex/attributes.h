@@ -20,7 +20,7 @@ public:
     ~AttributeSet() = default;
 
     /// Adds an attribute, `add<Vertex>("heat", 20.0)`, and returns it; the reference stays valid
-    /// until the attribute is removed or its complex is gone. Throws InputError where the name is
+    /// until the attribute is removed or its complex is gone. Throws InputError if the name is
     /// taken. `blend` empty: linear for floating point numbers and Eigen vectors, otherwise the
     /// value of the first vertex.
     template <SimplexHandle Simplex, class T>
@@ -31,8 +31,8 @@ public:
     Attribute<T, Simplex>& add(std::string name) {
         return add<Simplex, T>(std::move(name), T{});
     }
-    /// Adds an attribute of a class of the application's own and resizes it. Throws InputError
-    /// where there is none or the name is taken.
+    /// Adds an attribute of a class defined by the application, and resizes it. Throws InputError
+    /// if it is null or the name is taken.
     template <std::derived_from<AttributeBase> Own>
     Own& add(std::unique_ptr<Own> attribute) {
         Own* const added = attribute.get();
@@ -42,7 +42,7 @@ public:
 
     [[nodiscard]] bool contains(const std::string& name) const { return find(name) != nullptr; }
     /// The attribute of that name, kind and type, `get<Vertex, double>("heat")`; throws InputError
-    /// where there is none.
+    /// if there is none.
     template <SimplexHandle Simplex, class T>
     [[nodiscard]] Attribute<T, Simplex>& get(const std::string& name) {
         return cast<Attribute<T, Simplex>>(name, kind_of<Simplex>);
@@ -51,22 +51,22 @@ public:
     [[nodiscard]] const Attribute<T, Simplex>& get(const std::string& name) const {
         return cast<Attribute<T, Simplex>>(name, kind_of<Simplex>);
     }
-    /// The attribute of that name and class; throws InputError where there is none.
+    /// The attribute of that name and class; throws InputError if there is none.
     template <std::derived_from<AttributeBase> Own>
     [[nodiscard]] Own& get(const std::string& name) {
         return cast<Own>(name, find_or_throw(name).kind());
     }
-    /// Throws InputError where there is none of that name.
+    /// Throws InputError if there is none of that name.
     void remove(const std::string& name);
 
     [[nodiscard]] bool empty() const { return list_.empty(); }
     [[nodiscard]] bool empty(SimplexKind kind) const { return counts_[index(kind)] == 0; }
     [[nodiscard]] const std::vector<std::unique_ptr<AttributeBase>>& list() const { return list_; }
 
-    // --- told by the operations; nothing happens where there is no attribute of the kind
+    // --- called by the operations; nothing happens if there is no attribute of the kind
     void resize_vertices(std::size_t bound);
     void resize_triangles(std::size_t bound);
-    /// Room for so many entries, so that growth up to there copies nothing.
+    /// Reserves room for that many entries, so that growth up to there copies nothing.
     void reserve(std::size_t vertex_bound, std::size_t triangle_bound);
     void blend_vertex(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
         tell(SimplexKind::vertex, [&](AttributeBase& each) { each.blend(to, a, b, fraction); });
@@ -77,7 +77,7 @@ public:
     }
     void reset_edge(Corner to) { reset(SimplexKind::edge, to); }
     void reset_triangle(std::uint32_t to) { reset(SimplexKind::triangle, to); }
-    /// See AttributeBase; `share()` is only called where there is somebody to tell.
+    /// See AttributeBase; `share()` is only called if there is an attribute to tell.
     template <class Share>
     void split_triangle(std::uint32_t to, std::uint32_t from, Share share) {
         tell(SimplexKind::triangle, [&](AttributeBase& each) { each.split(to, from, share()); });
@@ -98,7 +98,7 @@ public:
     /// Appends the entries order[i] of `from`; no_id: the initial value.
     void append(SimplexKind kind, const AttributeSet& from,
                 const std::vector<std::uint32_t>& order);
-    /// Swaps the entries; references to the attributes of either set stay what they are.
+    /// Swaps the entries; references to the attributes of either set stay valid.
     void swap_entries(AttributeSet& other) noexcept;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Circulating: from triangle to triangle about a vertex, and from edge to edge along a curve.
+// Circulation: from triangle to triangle about a vertex, and from edge to edge along a curve.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -21,8 +21,8 @@ template <class Real>
     return is_border(across) ? border_corner : prev(across);
 }
 
-/// Where to begin so as to meet all triangles about the vertex of `start` counter-clockwise: at a
-/// vertex of the domain boundary the corner at the clockwise end, elsewhere `start`. O(degree).
+/// Where to start in order to visit all triangles about the vertex of `start` counter-clockwise: at
+/// a vertex of the domain boundary the corner at the clockwise end, elsewhere `start`. O(degree).
 template <class Real>
 [[nodiscard]] Corner first_corner(const Complex<Real>& complex, Corner start) {
     Corner first = start;
@@ -38,8 +38,8 @@ template <class Real>
     }
 }
 
-/// Calls `visit(corner)` from `first` on counter-clockwise, until the domain ends or `first` comes
-/// again, and returns the last corner visited. O(degree).
+/// Calls `visit(corner)` counter-clockwise from `first` on, until the domain ends or `first` is
+/// reached again, and returns the last corner visited. O(degree).
 template <class Real, class Visit>
 Corner circulate(const Complex<Real>& complex, Corner first, Visit visit) {
     Corner c = first;
@@ -63,8 +63,8 @@ void for_each_corner(const Complex<Real>& complex, Vertex v, Visit visit) {
     }
 }
 
-/// A corner at `v` for which `test(corner)` holds, or no_id. They are met in no particular order,
-/// each once; the search ends with the first that passes. O(degree).
+/// A corner at `v` for which `test(corner)` holds, or no_id. Corners are tested in no particular
+/// order, each once; the search ends with the first that passes. O(degree).
 template <class Real, class Test>
 [[nodiscard]] Corner find_corner(const Complex<Real>& complex, Vertex v, Test test) {
     const Corner start = complex.vertices[v.id].corner;
@@ -81,7 +81,7 @@ template <class Real, class Test>
     if (c == start) {
         return no_id;
     }
-    // The domain ends there: on from the start, clockwise.
+    // The domain ends there: continue clockwise from the start.
     for (c = corner_cw(complex, start); !is_border(c); c = corner_cw(complex, c)) {
         if (test(c)) {
             return c;
@@ -91,10 +91,11 @@ template <class Real, class Test>
 }
 
 /// A half-edge is named by the corner opposite to it and runs from next(c) to prev(c), with its
-/// triangle on the left. From `c` about the end of its half-edge, clockwise, to the next half-edge
-/// that leaves it and for which `is_edge(corner)` holds: one step along the boundary of a region,
-/// if `is_edge` tells the half-edges that have the region on their left alone. Every half-edge of
-/// the domain boundary that is met must pass. O(degree).
+/// triangle on the left. Turns clockwise from `c` about the end of its half-edge, to the next
+/// half-edge that leaves that end and for which `is_edge(corner)` holds. This is one step along the
+/// boundary of a region if `is_edge` holds for the half-edges that have the region on their left
+/// and not on their right. Every half-edge of the domain boundary on the way must pass the test.
+/// O(degree).
 template <class Real, class IsEdge>
 [[nodiscard]] Corner next_along(const Complex<Real>& complex, Corner c, IsEdge is_edge) {
     c = next(c);

@@ -182,7 +182,8 @@ void link_twins(Complex<Real>& complex) {
     }
 }
 
-// A vertex is manifold if rotating about it meets every triangle that names it [3.2].
+// A vertex is manifold if rotating about it visits every triangle that names it (thesis, section
+// 3.2).
 template <class Real>
 void check_manifold(const Complex<Real>& complex) {
     std::vector<std::uint32_t> named(complex.vertex_bound(), 0);

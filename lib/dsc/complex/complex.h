@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The data structure: a triangulated domain whose triangles carry phases. The interface, the domain
-// boundary and the submesh boundary are derived from it, never stored twice [thesis 8.6].
+// boundary and the submesh boundary are derived from it, never stored twice (thesis, section 8.6).
 //
 // Triangles and vertices are contiguous records of 32 bytes (vertices of float: 24). The complex
 // owns connectivity, phases, positions and the attributes; algorithms are free functions.
@@ -20,18 +20,19 @@ namespace dsc {
 /// Bits of `VertexRecord::flags`.
 enum VertexFlag : std::uint32_t {
     vertex_dead = 1U,   ///< the id is free
-    vertex_locked = 2U, ///< the application forbids that it moves or vanishes
-    /// One step in which it did not arrive; two bits count such steps up to three. With both the
-    /// vertex is in contact: it is asked once a step, not again and again, until it arrives.
+    vertex_locked = 2U, ///< the application forbids it to move or vanish
+    /// The vertex did not arrive in one step; two bits count such steps, up to three. With both
+    /// bits set the vertex is in contact: until it arrives it is tried only once a step, not
+    /// repeatedly.
     vertex_missed = 4U,
     vertex_contact = 12U,
     vertex_corner = 16U, ///< of the interface: it is kept, and the curve has no tangent there
-    vertex_on_way = 32U, ///< it was moved, or put off, and has not arrived yet
+    vertex_on_way = 32U, ///< it was moved or postponed, and has not arrived yet
 };
 
 struct TriangleRecord {
     std::array<std::uint32_t, 3> v; ///< vertices, counter-clockwise; v[0] == no_id: the id is free
-    std::array<Corner, 3> n;        ///< across the edge opposite to v[i]: the corner over there
+    std::array<Corner, 3> n;        ///< the corner on the other side of the edge opposite to v[i]
     Phase phase;
     std::uint32_t mark; ///< scratch of algorithms; holds no state between calls
 };
@@ -49,14 +50,14 @@ struct VertexRecord {
 static_assert(sizeof(VertexRecord<double>) == 32);
 
 /// Free ids. The whole complex grows its arrays when its pool is empty; a submesh that runs in
-/// parallel may not, and refuses instead (`Verdict::out_of_ids`).
+/// parallel may not, and refuses the edit instead (`Verdict::out_of_ids`).
 struct IdPool {
     std::vector<std::uint32_t> vertices;
     std::vector<std::uint32_t> triangles;
     bool may_grow = true;
 };
 
-/// A two-dimensional simplicial complex that is a manifold with boundary [3.2].
+/// A two-dimensional simplicial complex that is a manifold with boundary (thesis, section 3.2).
 /// Reading is thread-safe; writing is safe from several threads only through submeshes that own
 /// disjoint regions (see submesh.h).
 template <class Real>
@@ -77,7 +78,8 @@ public:
         return static_cast<std::uint32_t>(triangles.size());
     }
 
-    // --- who lives ----------------------------------------------------------------------------
+    // --- what is alive
+    // ----------------------------------------------------------------------------
     [[nodiscard]] bool is_alive(Vertex v) const {
         return v.id < vertices.size() && (vertices[v.id].flags & vertex_dead) == 0;
     }
@@ -124,7 +126,7 @@ public:
     /// Does not ask whether a triangle turns over. Noted in `journal`.
     void set_position(Vertex v, const Point<Real>& p);
     /// All positions as a 2 x vertex_bound() matrix, without a copy; free ids hold stale values.
-    /// What is written through it is noted nowhere.
+    /// Changes made through it are not recorded in any log.
     using Positions = Eigen::Map<Eigen::Matrix<Real, 2, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
     [[nodiscard]] Positions positions();
     [[nodiscard]] Phase phase(Triangle t) const { return triangles[t.id].phase; }
@@ -136,20 +138,20 @@ public:
     void set_locked(Vertex v, bool locked);
 
     // --- ids ----------------------------------------------------------------------------------
-    /// Takes an id from the pool, or grows; no_id where the pool is empty and may not grow.
+    /// Takes an id from the pool, or grows; no_id if the pool is empty and may not grow.
     std::uint32_t take_vertex(IdPool& pool);
     std::uint32_t take_triangle(IdPool& pool);
     void give_vertex(IdPool& pool, std::uint32_t id);
     void give_triangle(IdPool& pool, std::uint32_t id);
-    /// Room for so many vertices and triangles, and for the attributes that there are of them: up
-    /// to there new ids copy nothing. O(n) where there is less.
+    /// Reserves room for that many vertices and triangles and for their existing attributes: up to
+    /// there new ids copy nothing. O(n) if there is less room.
     void reserve(std::size_t vertex_total, std::size_t triangle_total);
 
     // --- attributes ---------------------------------------------------------------------------
     AttributeSet attributes; ///< data of the application; follows every operation
 
-    /// What was done to the complex as a whole, rather than to a submesh: the edits of the
-    /// application, which a simulation under way reads before its next step.
+    /// Edits of the complex as a whole rather than of a submesh: those of the application, which a
+    /// running simulation reads before its next step.
     EditLog journal;
 
     // --- the records themselves: for algorithms of the library --------------------------------
@@ -164,10 +166,10 @@ extern template class Complex<double>;
 extern template class Complex<float>;
 
 /// Builds a complex from arrays: `triangles` index into `points` and may be oriented either way;
-/// `phases` has one entry per triangle. Throws InputError where a coordinate is not finite, an
-/// index is out of range, a triangle is degenerate, an edge has more than two triangles, a vertex
-/// is not manifold, or a phase is reserved. O(n log n). Vertex i of the complex is point i,
-/// triangle t the id t + 1.
+/// `phases` has one entry per triangle. Throws InputError if a coordinate is not finite, an index
+/// is out of range, a triangle is degenerate, an edge has more than two triangles, a vertex is not
+/// manifold, or a phase is reserved. O(n log n). Vertex i of the complex is point i, triangle t the
+/// id t + 1.
 template <class Real>
 Complex<Real> make_complex(std::span<const Point<Real>> points,
                            std::span<const std::array<std::uint32_t, 3>> triangles,

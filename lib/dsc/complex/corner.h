@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A corner is 4 * triangle + 0, 1 or 2. It names a vertex of a triangle, the edge opposite to it,
-// and the half-edge of that edge inside the triangle, so that no index is ever searched for.
+// and the half-edge of that edge inside the triangle, so no index ever has to be searched for.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -9,8 +9,8 @@ namespace dsc {
 
 using Corner = std::uint32_t;
 
-/// Triangle 0 is the border: the neighbour where there is none. Its phase differs from all others,
-/// so that "phases differ" means "constrained" for interface and domain boundary alike.
+/// Triangle 0 is the border: it stands in for a missing neighbour. Its phase differs from all
+/// others, so "phases differ" means "constrained" for both the interface and the domain boundary.
 inline constexpr std::uint32_t border_triangle = 0;
 inline constexpr Corner border_corner = 0;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The log of edits. Connectivity, positions and phases change in one place (rewire.h), which notes
-// each change here: always by a count, and by a record where somebody wants to read it. Active
-// sets, interface lists, counts and the listeners of an application are readers of such logs.
+// each change here: it is always counted, and recorded if there is a reader. Active sets, interface
+// lists, counts and the listeners of an application are readers of such logs.
 //
 // Each submesh has a log of its own, so that no two threads share one. The logs are read in the
-// order of the submeshes: what is read does not depend on threads.
+// order of the submeshes, so the result does not depend on threads.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -30,8 +30,8 @@ enum class EditKind : std::uint8_t {
     remove_vertex,   ///< a vertex that no triangle uses any more
     insert_triangle, ///< between three vertices
     remove_triangle, ///< leaves its vertices behind
-    renumber,        ///< `renumber` was called: all ids are new, handles from before are void
-    rebuild,         ///< another mesh is in its place: all ids are new (create and merge)
+    renumber,        ///< `renumber` was called: all ids are new, earlier handles are invalid
+    rebuild,         ///< another mesh took its place: all ids are new (create and merge)
 };
 inline constexpr int edit_kind_count = 12;
 
@@ -55,13 +55,13 @@ inline constexpr int edit_kind_count = 12;
 
 /// Why a vertex moved.
 enum class MoveReason : std::uint8_t {
-    application, ///< somebody else's edit
+    application, ///< an edit by the application
     flow,        ///< towards the target that the velocity gave it
     smoothing,   ///< for the quality of its star
-    coarsening,  ///< to keep an area when its neighbour on the interface went
+    coarsening,  ///< to preserve an area when its neighbour on the interface was removed
 };
 
-/// One edit. What does not belong to a kind is invalid (no_id).
+/// One edit. Fields that a kind of edit does not use are invalid (no_id).
 struct Edit {
     EditKind kind = EditKind::flip;
     MoveReason reason = MoveReason::application; ///< of a move
@@ -70,10 +70,10 @@ struct Edit {
     /// retriangulate, insert_triangle, remove_triangle: 4 * triangle.
     Corner corner = no_id;
     /// split: the new vertex; collapse: the one that vanished; move, insert_vertex, remove_vertex:
-    /// the one.
+    /// the vertex concerned.
     Vertex vertex = {};
     /// flip: the ends of the edge before; split: the parents; collapse: the one that vanished, and
-    /// the one that it went into. insert_triangle, remove_triangle: its first two vertices.
+    /// the one that it was merged into. insert_triangle, remove_triangle: its first two vertices.
     std::array<Vertex, 2> ends = {};
     /// flip: the ends of the edge after; split, collapse: the vertices opposite to the edge, the
     /// second invalid on the domain boundary. insert_triangle, remove_triangle: the third vertex.
@@ -87,7 +87,7 @@ struct Edit {
 };
 static_assert(sizeof(Edit) == 56);
 
-/// How many edits of each sort there were. Sums over submeshes do not depend on threads.
+/// How many edits of each kind there were. Sums over submeshes do not depend on threads.
 struct OperationCounts {
     std::uint64_t moves = 0; ///< vertices moved by the flow, wholly or partly
     std::uint64_t flips = 0;
@@ -96,7 +96,7 @@ struct OperationCounts {
     std::uint64_t splits = 0;    ///< of other edges
     std::uint64_t collapses = 0; ///< along other edges
     std::uint64_t smoothed = 0;
-    std::uint64_t subdivisions = 0; ///< whose splits and flips count as well
+    std::uint64_t subdivisions = 0; ///< their splits and flips are counted as well
     std::uint64_t retriangulations = 0;
     std::uint64_t relabelled = 0; ///< triangles that changed their phase
     std::uint64_t examined = 0;   ///< stars that were gathered for the mesh update
@@ -104,13 +104,13 @@ struct OperationCounts {
     OperationCounts& operator+=(const OperationCounts& other);
 };
 
-/// Hears edits, some at a time, in an order that does not depend on threads. The handles are those
-/// of the moment of the edit: a vertex of one record may have vanished by a later one. Called by
-/// the thread that calls `Simulation::step`, between sub-steps; must not change the complex.
+/// Receives edits in batches, in an order that does not depend on threads. The handles are those at
+/// the moment of the edit: a vertex of one record may have vanished by a later one. Called by the
+/// thread that calls `Simulation::step`, between sub-steps; must not change the complex.
 using EditListener = std::function<void(std::span<const Edit> edits)>;
 
-/// Counts edits, and keeps their records while somebody reads them. A copy is empty and has no
-/// reader: whoever reads the log of a complex does not read that of its copies.
+/// Counts edits, and keeps their records while there is a reader. A copy is empty and has no
+/// reader: a reader of the log of a complex does not read the logs of its copies.
 class EditLog {
 public:
     EditLog() = default;

@@ -30,7 +30,7 @@ struct Segment {
     }
 };
 
-// Numbers the triangles that hang together by edges.
+// Numbers the components: triangles that are connected through edges.
 template <class Real>
 std::vector<std::uint32_t> label_components(const Complex<Real>& complex, std::uint64_t& count) {
     std::vector<std::uint32_t> label(complex.triangle_bound(), no_id);
@@ -95,7 +95,8 @@ Boundary<Real> collect_boundary(const Complex<Real>& complex,
     return boundary;
 }
 
-// A sweep along x. Segments that share a vertex meet there alone: its half disc goes around once.
+// A sweep along x. Segments that share a vertex meet only there, because its half disc goes around
+// once.
 template <class Real>
 std::string find_meeting(std::vector<Segment<Real>>& segments) {
     std::sort(segments.begin(), segments.end(), [](const auto& s, const auto& t) {
@@ -118,7 +119,7 @@ std::string find_meeting(std::vector<Segment<Real>>& segments) {
     return {};
 }
 
-// How often the boundaries of the other components wind about the start of `loop`.
+// The winding number of the boundaries of the other components about the start of `loop`.
 template <class Real>
 int winding_of_others(const std::vector<Segment<Real>>& segments, const Segment<Real>& loop) {
     int winding = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The global half of validation: a complex whose vertices are all discs or half discs, and whose
-// triangles are all positive, may still lie over itself. That no two of its triangles overlap
-// [3, condition 2] follows from its boundary alone:
+// triangles are all positive, may still overlap itself. That no two of its triangles overlap
+// (thesis, chapter 3, condition 2) follows from its boundary alone:
 //   each component is a sphere with holes (Euler: V - E + T = 2 - loops), and its map to the plane
 //   is locally one to one. The number of triangles over a point is then the winding number of the
 //   boundary about it. If no two loops meet, and one loop of each component turns left (Hopf: the
@@ -16,12 +16,12 @@
 
 namespace dsc {
 
-/// How a complex with sound links hangs together.
+/// How a complex with consistent links is connected.
 struct Embedding {
     std::uint64_t components = 0;
     std::uint64_t boundary_loops = 0;
     std::uint64_t boundary_edges = 0;
-    std::string problem; ///< where two boundary edges meet, or one component lies over another
+    std::string problem; ///< where two boundary edges meet, or one component overlaps another
 };
 
 /// \pre links are symmetric, every vertex is a disc or half disc that goes around it once, every

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fingerprint of the mesh, to say "the same bits" of two runs, whatever their ids are.
+// A fingerprint of the mesh, to check that two runs agree bit for bit, whatever their ids are.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -9,10 +9,9 @@
 namespace dsc {
 
 /// A 64-bit hash of the living triangles: the coordinates of their corners, bit by bit, and their
-/// phases. Independent of ids, of the order of triangles and of which corner is the first; the
-/// order of corners (orientation) counts; -0.0 counts as 0. Coordinates are hashed as doubles: a
-/// float complex and its double copy agree. Unused vertices, attributes and locks do not count.
-/// O(n).
+/// phases. Independent of ids, of the order of triangles and of which corner comes first; the order
+/// of corners (orientation) counts; -0.0 counts as 0. Coordinates are hashed as doubles: a float
+/// complex and its double copy agree. Unused vertices, attributes and locks do not count. O(n).
 template <class Real>
 [[nodiscard]] std::uint64_t mesh_hash(const Complex<Real>& complex);
 

@@ -26,7 +26,7 @@ Location found(const Complex<Real>& complex, const WalkEnd& end) {
     return {};
 }
 
-// Looks into one triangle; `stopped` where the point is outside.
+// Tests one triangle; `stopped` if the point is outside.
 template <class Real>
 WalkEnd look_into(const Complex<Real>& complex, Triangle t, const Point<Real>& point) {
     return walk(complex, t, point, 1, [](Corner) { return false; });
@@ -48,7 +48,7 @@ Location locate(const Complex<Real>& complex, const Point<Real>& point, Triangle
     if (all.empty()) {
         return {};
     }
-    // A walk over each triangle once costs no more than to look into all of them.
+    // A walk that visits each triangle once costs no more than testing them all.
     const WalkEnd end =
         walk(complex, complex.is_alive(hint) ? hint : *all.begin(), point, complex.triangle_count(),
              [&](Corner c) { return !is_border(complex.twin(c)); });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Point location: which simplex holds a point.
+// Point location: which simplex contains a point.
 #pragma once
 
 #include "dsc/complex/complex.h"
 
 namespace dsc {
 
-/// What of a complex holds a point.
+/// The part of a complex that contains a point.
 struct Location {
     enum class Kind : std::uint8_t { outside, triangle, edge, vertex };
 
@@ -18,14 +18,14 @@ struct Location {
     friend bool operator==(const Location&, const Location&) = default;
 };
 
-/// The simplex that holds the point; exact. The walk begins at `hint`, or at the first living
-/// triangle where `hint` does not live; it matters for the time, and of the triangles at an edge or
-/// vertex for the one that is named. Throws InputError where a coordinate is not finite.
+/// The simplex that contains the point; exact. The walk begins at `hint`, or at the first living
+/// triangle if `hint` is not alive. The start affects the running time, and, for a point on an edge
+/// or vertex, which of the triangles there is named. Throws InputError if a coordinate is not
+/// finite.
 ///
-/// O(triangles on the way) where the walk arrives: O(sqrt(n)) in an even mesh, O(1) with a hint
-/// near by. It may fail to arrive where the domain is not convex, or end at the domain boundary
-/// because the point is outside: then all triangles are looked at, O(n). Thread-safe while nobody
-/// writes.
+/// O(triangles on the way) if the walk arrives: O(sqrt(n)) in a uniform mesh, O(1) with a hint
+/// nearby. It may fail to arrive if the domain is not convex, or end at the domain boundary because
+/// the point is outside: then all triangles are tested, O(n). Thread-safe while nobody writes.
 template <class Real>
 [[nodiscard]] Location locate(const Complex<Real>& complex, const Point<Real>& point,
                               Triangle hint = {});

@@ -48,8 +48,8 @@ bool any_edge_of(Triangle t, Test test) {
                       .allowed = allowed});
 }
 
-// The corners opposite to the half-edges v[i+2] -> v[i+1], which the new triangle is to face.
-// Throws where one of its own half-edges is taken.
+// The corners opposite to the half-edges v[i+2] -> v[i+1], which will be the neighbours of the new
+// triangle. Throws if one of its own half-edges is taken.
 template <class Real>
 std::array<Corner, 3> find_neighbours(const Complex<Real>& complex,
                                       const std::array<std::uint32_t, 3>& v) {
@@ -176,8 +176,8 @@ Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, P
 
 namespace {
 
-// The triangles that go: those named, those of named edges, those that hold a named vertex. The
-// last ones by a sweep: rotation would miss the second fan of a vertex that is no manifold.
+// The triangles to remove: those named, those of named edges, those that contain a named vertex.
+// The last are found by a sweep: rotation would miss the second fan of a non-manifold vertex.
 template <class Real>
 std::vector<Triangle> doomed_triangles(const Complex<Real>& complex, const SimplexSet& set) {
     std::vector<Triangle> doomed;
@@ -208,7 +208,7 @@ std::vector<Triangle> doomed_triangles(const Complex<Real>& complex, const Simpl
     return SimplexSet({}, {}, std::move(doomed)).triangles();
 }
 
-// Takes the triangle out of the links and leaves its vertices a corner next door, if there is one.
+// Unlinks the triangle and gives its vertices a corner in a neighbouring triangle, if there is one.
 template <class Real>
 void unlink(Complex<Real>& complex, Triangle t, std::vector<std::uint32_t>& orphans) {
     const auto record = complex.triangles[t.id];
@@ -223,7 +223,7 @@ void unlink(Complex<Real>& complex, Triangle t, std::vector<std::uint32_t>& orph
         if (vertex.corner != corner_of(t.id, i)) {
             continue;
         }
-        const Corner after = record.n[(i + 1) % 3]; // across the edge that ends the triangle
+        const Corner after = record.n[(i + 1) % 3]; // across the edge where the triangle ends
         const Corner before = record.n[(i + 2) % 3];
         if (!is_border(after)) {
             vertex.corner = next(after);
@@ -236,7 +236,7 @@ void unlink(Complex<Real>& complex, Triangle t, std::vector<std::uint32_t>& orph
     }
 }
 
-// A vertex that lost the fan it knew of may have another one.
+// A vertex that lost the fan its corner was in may have another one.
 template <class Real>
 void adopt(Complex<Real>& complex) {
     for (const Triangle t : triangles(complex)) {
@@ -378,7 +378,7 @@ std::vector<Phase> phases(const Complex<Real>& complex) {
 
 template <class Real>
 double phase_area(const Complex<Real>& complex, Phase phase) {
-    // Neumaier's sum: what each addition rounds away is gathered apart.
+    // Neumaier's sum: the rounding error of each addition is accumulated separately.
     double sum = 0;
     double lost = 0;
     for (const Triangle t : triangles(complex, phase)) {

@@ -126,15 +126,15 @@ std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& order, std:
     return result;
 }
 
-// Entry i becomes the old entry order[i], cycle by cycle and in place; what no entry takes is
-// dropped. Uses up `order`.
+// Entry i becomes the old entry order[i], cycle by cycle and in place; old entries not in `order`
+// are dropped. Uses up `order`.
 template <class Record>
 void permute(std::vector<Record>& records, std::vector<std::uint32_t>& order,
              const std::vector<std::uint32_t>& new_of_old) {
     const std::size_t kept = order.size();
     for (std::uint32_t old = 0; old < new_of_old.size(); ++old) {
         if (new_of_old[old] == no_id) {
-            order.push_back(old); // the dead go to the end, and off it
+            order.push_back(old); // dead entries go to the end and are cut off
         }
     }
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -195,7 +195,7 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y) {
 
 template <class Real>
 Renumbering renumber(Complex<Real>& complex) {
-    // A simulation that reads the journal hears of it, and lends its submeshes new ids.
+    // A simulation that reads the journal learns of it there, and lends its submeshes new ids.
     const bool is_heard = complex.journal.readers > 0;
     if (!is_heard && (complex.lent_vertices != 0 || complex.lent_triangles != 0)) {
         throw InputError({.what = "submeshes hold free ids of the complex",

@@ -39,12 +39,12 @@ public:
     }
 
 private:
-    // The edges of the phase on the left, whatever is beyond them.
+    // The edges of the phase on the left, whatever is on their other side.
     [[nodiscard]] auto around(Phase left) const {
         return [this, left](Corner c) { return complex_.phase_at(complex_.twin(c)) != left; };
     }
 
-    // Back to the first half-edge of the curve, or round to `c`.
+    // Back to the first half-edge of the curve, or all the way around to `c`.
     [[nodiscard]] Corner find_begin(Corner c, bool& is_closed) const {
         Corner begin = c;
         while (true) {
@@ -63,10 +63,10 @@ private:
         const Corner after = next_along(complex_, c, around(complex_.phase_at(c)));
         return goes_on(c, after) ? after : no_id;
     }
-    // Whether nothing but these two edges leaves the vertex that the first one leads to and from
-    // which the second one starts. On the left there is nothing between them. They are two edges of
-    // the domain boundary, or the other side of the second leads to the first without meeting
-    // another phase or the border.
+    // Whether these two are the only interface edges at the vertex where the first one ends and the
+    // second one starts. On the left there is nothing between them. So either both are edges of the
+    // domain boundary, or turning from the other side of the second one leads to the first one
+    // without meeting another phase or the border.
     [[nodiscard]] bool goes_on(Corner before, Corner after) const {
         Corner beyond = complex_.twin(after);
         const Corner wanted = complex_.twin(before);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where phases meet, as curves: ordered lists of vertices, derived from the phases [thesis 8.6].
-// `interface_curves` cuts the whole interface at its junctions; `outlines` gives the closed loops
-// around one phase, or around several taken together.
+// Where phases meet, as curves: ordered lists of vertices, derived from the phases (thesis, section
+// 8.6). `interface_curves` cuts the whole interface at its junctions; `outlines` gives the closed
+// loops around one phase, or around several taken together.
 #pragma once
 
 #include "dsc/complex/circulate.h"
@@ -12,24 +12,24 @@
 
 namespace dsc {
 
-/// A piece of the interface with the same two phases along its whole way.
+/// A piece of the interface with the same two phases along its whole length.
 struct InterfaceCurve {
-    /// In order; each is the other end of an interface edge of the one before. A closed curve does
-    /// not repeat its first vertex. An open one has two vertices or more; they differ, but for the
-    /// ends of a curve that comes back to its junction.
+    /// In order; each is joined to the one before by an interface edge. A closed curve does not
+    /// repeat its first vertex. An open one has two vertices or more; they are distinct, except for
+    /// the ends of a curve that returns to its junction.
     std::vector<Vertex> vertices;
     bool is_closed = false;
-    Phase left = exterior_phase;  ///< the larger one; at the domain boundary that of the domain
+    Phase left = exterior_phase;  ///< the larger one; at the domain boundary, the phase inside
     Phase right = exterior_phase; ///< `border_phase` at the domain boundary
 
     friend bool operator==(const InterfaceCurve&, const InterfaceCurve&) = default;
 };
 
-/// The interface as curves. Each interface edge is in one of them: edges between two phases, and
-/// edges of the domain boundary with another phase than `exterior_phase` inside. A curve ends at
-/// vertices with more or fewer than two interface edges (junctions, points where a phase touches
-/// itself), and a curve between two phases ends at the domain boundary. Curves of the domain
-/// boundary are curves of their own; they go through its corners.
+/// The interface as curves. Each interface edge is in exactly one of them: edges between two
+/// phases, and edges of the domain boundary with a phase other than `exterior_phase` inside. A
+/// curve ends at vertices with more or fewer than two interface edges (junctions, points where a
+/// phase touches itself), and a curve between two phases ends at the domain boundary. The domain
+/// boundary has separate curves of its own; they continue through its corners.
 ///
 /// They come in the order of the smallest corner of the triangles on their left; a closed one
 /// begins where the edge opposite to that corner does. So the same complex gives the same lists,
@@ -42,8 +42,8 @@ using VertexLoop = std::vector<Vertex>;
 
 /// The outlines of the phases for which `belongs(phase)` holds, taken together: counter-clockwise
 /// around them, clockwise around holes, with edges of the domain boundary where they reach it.
-/// Where only a vertex joins two triangles of these phases the outlines touch, or one passes twice:
-/// at each vertex they go on to the next edge of the same fan of triangles.
+/// Where two triangles of these phases meet only at a vertex, two outlines touch, or one passes
+/// through it twice: at each vertex they continue with the next edge of the same fan of triangles.
 ///
 /// They come in the order of their smallest corner (of the triangles inside) and begin where the
 /// edge opposite to it does. O(triangles). Thread-safe while nobody writes.

@@ -4,13 +4,14 @@
 //     for (const Triangle t : triangles(complex, 1)) {
 //         for (const Vertex v : complex.vertices_of(t)) ...
 //
-// All are forward ranges and views, so that std::ranges and std::views take them. They allocate
-// nothing and cost what a loop over the ids costs. Iterators hold a pointer to the complex, which
+// All are forward ranges and views, so they work with std::ranges and std::views. They allocate
+// nothing and cost as much as a loop over the ids. Iterators hold a pointer to the complex, which
 // must outlive them.
 //
-// Positions and phases may change during a loop. Over vertices, edges and triangles so may
-// connectivity, by the operations: what is reached is alive at that moment, and ids that did not
-// exist when the loop began are not met. The star and the link of a vertex must stay as they are.
+// Positions and phases may change during a loop. In loops over vertices, edges and triangles,
+// operations may also change connectivity: each simplex is alive when it is reached, and ids that
+// did not exist when the loop began are not visited. In loops over the star or the link of a
+// vertex, that star must not change.
 #pragma once
 
 #include "dsc/complex/circulate.h"
@@ -56,7 +57,7 @@ private:
 
 } // namespace detail
 
-/// A range of handles that is walked by a cursor. It knows where it begins and ends, no more.
+/// A range of handles that a cursor walks through. It only knows where it begins and ends.
 template <class Cursor>
 class HandleRange : public std::ranges::view_base {
 public:
@@ -77,7 +78,7 @@ private:
 
 namespace detail {
 
-/// Ids from one on that live, up to the bound that there was at the beginning.
+/// Living ids from a given one on, up to the bound at the beginning.
 template <class Real, class Handle>
 struct IdCursor {
     const Complex<Real>* complex = nullptr;
@@ -89,7 +90,7 @@ struct IdCursor {
         ++id;
         settle();
     }
-    /// On to the first that lives, this one included.
+    /// Advances to the first living id, this one included.
     void settle() {
         while (id < bound && !complex->is_alive(Handle{id})) {
             ++id;
@@ -168,8 +169,8 @@ struct StarCursor : CornerCursor<Real> {
     [[nodiscard]] Triangle handle() const { return Triangle{triangle_of(this->corner)}; }
 };
 
-/// The vertex that follows in each triangle; behind the last triangle of an open star, also the one
-/// that closes it.
+/// The next vertex in each triangle; after the last triangle of an open star, also its last link
+/// vertex.
 template <class Real>
 struct LinkCursor : CornerCursor<Real> {
     bool is_behind = false;
@@ -202,8 +203,8 @@ CornerCursor<Real> corners_at(const Complex<Real>& complex, Vertex v) {
 
 } // namespace detail
 
-/// The living vertices by ascending id, those without triangles included. Begins in O(1) but for
-/// free ids in front; O(ids) as a whole.
+/// The living vertices by ascending id, those without triangles included. Begins in O(1), apart
+/// from free ids in front; O(ids) as a whole.
 template <class Real>
 [[nodiscard]] auto vertices(const Complex<Real>& complex) {
     const std::uint32_t bound = complex.vertex_bound();
@@ -247,8 +248,8 @@ template <class Real>
 }
 
 /// The vertices of the link of a living vertex, that is, its neighbours, in the order of
-/// `star_triangles`; one more than triangles on the domain boundary. O(degree) as a whole. The link
-/// as a set of simplices is `link` in algebra.h.
+/// `star_triangles`; on the domain boundary there is one more than triangles. O(degree) as a whole.
+/// The link as a set of simplices is `link` in algebra.h.
 template <class Real>
 [[nodiscard]] auto link_vertices(const Complex<Real>& complex, Vertex v) {
     using Cursor = detail::LinkCursor<Real>;

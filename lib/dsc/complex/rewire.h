@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The one door: every change of connectivity, positions and phases of a complex under way goes
-// through a function of this file, which changes the complex, tells its attributes and notes the
-// edit in a log. No guards here: lib/dsc/operations decides what is legal. Each is O(1), collapse
+// Every change of connectivity, positions and phases of a complex in use goes through a function of
+// this file, which changes the complex, informs its attributes and notes the edit in a log. There
+// are no guards here: lib/dsc/operations decides what is legal. Each function is O(1), collapse
 // O(degree). Thread-safe for submeshes that own disjoint regions, each with a log of its own: a
-// triangle that straddles two of them is never rewritten, but for the neighbour slot that faces the
-// submesh that calls.
+// triangle that straddles two of them is never rewritten, except for the neighbour slot that faces
+// the calling submesh.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -14,7 +14,7 @@
 
 namespace dsc::rewire {
 
-/// Appends the record that `edit()` makes, where the log keeps records.
+/// Appends the record that `edit()` makes, if the log keeps records.
 template <class MakeEdit>
 void note(EditLog& log, MakeEdit edit) {
     if (log.readers > 0) [[unlikely]] {
@@ -22,7 +22,7 @@ void note(EditLog& log, MakeEdit edit) {
     }
 }
 
-/// The part of the first triangle in the area of both, for attributes that share a quantity out.
+/// The part of the first triangle in the area of both, for attributes that distribute a quantity.
 template <class Real>
 double area_share(const Complex<Real>& complex, const std::array<std::uint32_t, 3>& one,
                   const std::array<std::uint32_t, 3>& other) {
@@ -37,7 +37,7 @@ double area_share(const Complex<Real>& complex, const std::array<std::uint32_t, 
 
 template <class Real>
 void link(Complex<Real>& complex, Corner a, Corner b) {
-    // The border takes no notes: several submeshes would write there at once.
+    // The border is not updated: several submeshes would write there at once.
     if (!is_border(a)) {
         complex.triangles[triangle_of(a)].n[index_of(a)] = b;
     }
@@ -73,7 +73,7 @@ void flip(Complex<Real>& complex, EditLog& log, Corner c) {
     ur.n[index_of(uw)] = tb;
     complex.vertices[b].corner = tb;
     complex.vertices[w].corner = uw;
-    // An edge is stored at the corners opposite to it, and two edges changed theirs.
+    // Edge data are stored at the corners opposite to the edge, and two edges changed theirs.
     complex.attributes.copy_edge(c, uw);
     complex.attributes.copy_edge(o, tb);
     complex.attributes.reset_edge(tb);
@@ -91,9 +91,9 @@ void flip(Complex<Real>& complex, EditLog& log, Corner c) {
 }
 
 /// Splits the edge opposite to `c` at the new vertex `m`. `t2` and `u2` are new triangles; `u2` is
-/// not used where the edge is on the domain boundary. Before: t = (a, b, w), u = (d, w, b). After:
-/// t = (a, b, m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex attributes are blended at
-/// the midpoint.
+/// not used if the edge is on the domain boundary. Before: t = (a, b, w), u = (d, w, b). After: t =
+/// (a, b, m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex attributes are blended at the
+/// midpoint.
 template <class Real>
 void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
            const Point<Real>& place, std::uint32_t t2, std::uint32_t u2) {
@@ -171,7 +171,8 @@ void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
     note_split(d);
 }
 
-/// What is left where a triangle at the collapsed edge vanishes: its two outer neighbours meet.
+/// Closes the gap where a triangle at the collapsed edge vanishes: its two outer neighbours are
+/// linked.
 template <class Real>
 void close_gap(Complex<Real>& complex, Corner outer_a, Corner outer_b, std::uint32_t apex,
                std::uint32_t base) {
@@ -221,14 +222,14 @@ void collapse(Complex<Real>& complex, EditLog& log, Corner c, Vanishing end, IdP
         complex.triangles[triangle_of(here)].v[index_of(here)] = keep;
         across = complex.twin(ccw ? next(here) : prev(here));
     }
-    // An edge that vanishes leaves its place, not its data: the kept one's data stay.
+    // Two edges become one: the data of the kept edge stay, those of the vanishing one go.
     const auto close = [&](Corner apex, Corner at_v, Corner at_keep) {
         const Corner beyond_keep = complex.twin(at_v); // across (keep, apex)
         const Corner beyond_v = complex.twin(at_keep); // across (v, apex)
         if (!is_border(beyond_v)) {
             complex.attributes.copy_edge(beyond_v, at_v);
         }
-        // The neighbour that is part of the star: that one belongs to the submesh.
+        // The neighbour that is part of the star: it belongs to the submesh.
         if (const Corner heir = is_border(beyond_v) ? beyond_keep : beyond_v; !is_border(heir)) {
             complex.attributes.merge_triangle(triangle_of(heir), triangle_of(apex));
         }
@@ -243,7 +244,7 @@ void collapse(Complex<Real>& complex, EditLog& log, Corner c, Vanishing end, IdP
     complex.give_vertex(pool, v);
 }
 
-/// Puts a vertex elsewhere; another submesh may be reading its place.
+/// Moves a vertex; another submesh may be reading its position.
 template <class Real>
 void move(Complex<Real>& complex, EditLog& log, std::uint32_t v, Real x, Real y,
           MoveReason reason) {

@@ -27,9 +27,9 @@ struct Ring {
 
     // Triangle i is the centre, (x, y)[i] and (x_next, y_next)[i], counter-clockwise; the padding
     // repeats triangle 0. These are the link vertices i and i + 1; link[size] closes the ring, or
-    // is the last vertex of an open one. Before spoke 0 of an open ring there is nothing: its
-    // (x_previous, y_previous) is link vertex 0 itself. Neighbours are stored, not shuffled: a
-    // vector that is loaded across two fresh stores waits for both.
+    // is the last vertex of an open one. Spoke 0 of an open ring has no predecessor: its
+    // (x_previous, y_previous) is link vertex 0 itself. Neighbours are stored rather than shuffled:
+    // a vector load that spans two recent stores has to wait for both.
     alignas(64) std::array<Real, room> x;
     alignas(64) std::array<Real, room> y;
     alignas(64) std::array<Real, room> x_next;
@@ -63,7 +63,7 @@ namespace detail {
 /// How a star is tested for ownership while it is walked.
 enum class Owned : std::uint8_t {
     surely,  ///< the region is the whole mesh
-    upright, ///< a box along the axes: the extent of the star is kept, which costs next to nothing
+    upright, ///< an axis-aligned box: the extent of the star is kept, which costs almost nothing
     tested,  ///< any other region: vertex by vertex
 };
 
@@ -150,8 +150,8 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
         }
     };
 
-    // Not `circulate`: most stars are closed, so this sets out at once and begins again where the
-    // domain turns out to end, and it reads each triangle's record once.
+    // Not `circulate`: most stars are closed, so this starts at once and starts again if it reaches
+    // the end of the domain, and it reads each triangle's record once.
     Corner first = start;
     std::uint32_t n = 0;
     Corner c = start;
@@ -216,8 +216,8 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
 } // namespace detail
 
 /// Gathers the star of `vertex`, counter-clockwise; an open star from its clockwise end. Returns
-/// false where it has more triangles than fit, or none, or where the region does not own the centre
-/// (then `owned` is false and nothing was read). O(degree).
+/// false if it has more triangles than fit, or none, or if the region does not own the centre (then
+/// `owned` is false and nothing was read). O(degree).
 template <class Real>
 bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
             Ring<Real>& ring) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coordinates of a vertex that another submesh may be moving at this moment: such a vertex can only
-// fail the test of ownership, so the order of reads and writes does not matter, but none may tear.
+// Coordinates of a vertex that another submesh may be moving at this moment: such a vertex always
+// fails the test of ownership, so the order of reads and writes does not matter, but none may tear.
 #pragma once
 
 #include <atomic>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sets of simplices, grouped by dimension [thesis 3.1, 8.2]. The thesis keeps three std::set; three
-// sorted flat arrays do the same with neither a node nor a pointer per simplex.
+// Sets of simplices, grouped by dimension (thesis, sections 3.1 and 8.2). The thesis keeps three
+// std::set; three sorted flat arrays do the same without a node or pointer per simplex.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -12,8 +12,8 @@
 namespace dsc {
 
 /// A set of vertices, edges and triangles of one complex. Each array is sorted by id and free of
-/// duplicates at all times. An edge's handle changes when its triangles do: a set that holds edges
-/// is good until the complex changes next to them.
+/// duplicates at all times. An edge's handle changes when its triangles do: a set with edges is
+/// valid until the complex changes next to them.
 class SimplexSet {
 public:
     SimplexSet() = default;
@@ -24,7 +24,7 @@ public:
     [[nodiscard]] const std::vector<Vertex>& vertices() const& { return vertices_; }
     [[nodiscard]] const std::vector<Edge>& edges() const& { return edges_; }
     [[nodiscard]] const std::vector<Triangle>& triangles() const& { return triangles_; }
-    // A temporary gives its arrays away, so that `for (Vertex v : link(k, w).vertices())` is sound.
+    // A temporary gives away its arrays, so that `for (Vertex v : link(k, w).vertices())` is sound.
     [[nodiscard]] std::vector<Vertex> vertices() && { return std::move(vertices_); }
     [[nodiscard]] std::vector<Edge> edges() && { return std::move(edges_); }
     [[nodiscard]] std::vector<Triangle> triangles() && { return std::move(triangles_); }
@@ -65,12 +65,12 @@ private:
     std::vector<Triangle> triangles_;
 };
 
-/// The k-skeleton: the simplices of dimension k or lower [3.1, figure 3.8]. O(size of the result).
-/// Throws InputError where k is not 0, 1 or 2.
+/// The k-skeleton: the simplices of dimension k or lower (thesis, section 3.1, figure 3.8). O(size
+/// of the result). Throws InputError where k is not 0, 1 or 2.
 [[nodiscard]] SimplexSet skeleton(const SimplexSet& set, int k);
 
-/// The k-filter: the simplices of dimension exactly k [3.1, figure 3.9]. O(size of the result).
-/// Throws InputError where k is not 0, 1 or 2.
+/// The k-filter: the simplices of dimension exactly k (thesis, section 3.1, figure 3.9). O(size of
+/// the result). Throws InputError where k is not 0, 1 or 2.
 [[nodiscard]] SimplexSet filter(const SimplexSet& set, int k);
 
 } // namespace dsc

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The part of a complex that an operation may change [6.4]. A vertex is owned by its place, or by a
-// label; a simplex lies in the submesh if all its vertices are owned; everything else is locked:
-// triangles that straddle two submeshes are never rewritten, so that submeshes need neither locks
-// nor copies.
+// The part of a complex that an operation may change (thesis, section 6.4). A vertex is owned by
+// its position or by a label; a simplex lies in the submesh if all its vertices are owned;
+// everything else is locked: triangles that straddle two submeshes are never rewritten, so that
+// submeshes need neither locks nor copies.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -21,8 +21,9 @@ struct Region {
 
     Kind kind = Kind::whole;
     /// box: with u along the normal and w along its left, owns (u, w) where low <= u < high and
-    /// side_low <= w < side_high. Where low > high the slab goes round the ends of the mesh: it
-    /// owns u < high and u >= low, as the first and the last black slab form one [thesis 8.5].
+    /// side_low <= w < side_high. If low > high the slab wraps around the ends of the mesh: it owns
+    /// u < high and u >= low, because the first and the last black slab form one (thesis, section
+    /// 8.5).
     double normal_x = 1;
     double normal_y = 0;
     double low = -infinity;
@@ -37,7 +38,7 @@ struct Region {
     std::uint32_t label = 0;
 
     [[nodiscard]] bool is_whole() const { return kind == Kind::whole; }
-    /// A box along the axes that does not go round.
+    /// An axis-aligned box that does not wrap around.
     [[nodiscard]] bool is_upright() const {
         return kind == Kind::box && low <= high && normal_y == 0 && normal_x == 1;
     }
@@ -58,7 +59,7 @@ struct Region {
         }
         return false;
     }
-    /// False only where no point can lie in both; labels and places are not looked into.
+    /// False only if no point can lie in both; labels and places are not examined.
     [[nodiscard]] bool may_meet(const Region& other) const {
         const bool comparable = kind == Kind::box && other.kind == Kind::box &&
                                 normal_x == other.normal_x && normal_y == other.normal_y;
@@ -79,8 +80,8 @@ struct Region {
     }
 };
 
-/// A region, the ids that its operations draw from, and the log that notes them. Neither pointer
-/// may be null.
+/// A region, the pool of ids that its operations draw from, and the log that records them. Neither
+/// pointer may be null.
 struct Submesh {
     Region region;
     IdPool* pool;
@@ -102,7 +103,7 @@ bool owns(const Complex<Real>& complex, const Region& region, std::uint32_t vert
                        static_cast<double>(read_shared(record.y)));
 }
 
-/// Whether the region holds a point; labels do not ask where a vertex is.
+/// Whether the region contains a point; labels do not depend on where a vertex is.
 template <class Real>
 bool owns_place(const Region& region, const Point<Real>& point) {
     return region.is_whole() || region.kind == Region::Kind::labels ||

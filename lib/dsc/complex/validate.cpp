@@ -172,8 +172,8 @@ Problem check_orientation(const Complex<Real>& complex, std::uint32_t t) {
     return name_triangle(complex, t) + (sign == 0 ? ": it is degenerate" : ": it is inverted");
 }
 
-// All triangles by one check before the next: a bad vertex also breaks the links of its triangle's
-// neighbours, and shall be named first.
+// Each check runs over all triangles before the next one: a bad vertex also breaks the links of its
+// triangle's neighbours, and is to be reported first.
 template <class Real, class Check>
 Problem check_triangles(const Complex<Real>& complex, Check check) {
     for (const Triangle t : triangles(complex)) {
@@ -184,7 +184,7 @@ Problem check_triangles(const Complex<Real>& complex, Check check) {
     return {};
 }
 
-// The pool and the dead are the same ids, but for those that submeshes hold at this moment.
+// The pool holds exactly the dead ids, except for those that submeshes hold at this moment.
 template <class IsAlive>
 Problem check_pool(const char* kind, const std::vector<std::uint32_t>& pool, std::uint32_t first,
                    std::uint32_t bound, std::uint32_t lent, IsAlive is_alive) {
@@ -225,8 +225,7 @@ bool is_upper(const Point<Real>& centre, const Point<Real>& p) {
     return p.y() > centre.y() || (p.y() == centre.y() && p.x() > centre.x());
 }
 
-// Rotates about v; the links are known to be right, so that this ends. `expected` triangles name
-// it.
+// Rotates about v; the links are known to be correct, so this ends. `expected` triangles name it.
 template <class Real>
 Problem check_fan(const Complex<Real>& complex, std::uint32_t v, std::uint32_t expected) {
     const Corner first = first_corner(complex, complex.vertices[v].corner);
@@ -234,7 +233,7 @@ Problem check_fan(const Complex<Real>& complex, std::uint32_t v, std::uint32_t e
     const Point<Real> centre = complex.position(Vertex{v});
     const Point<Real> begin = complex.position(Vertex{complex.vertex(next(first))});
     std::uint32_t met = 0;
-    std::uint32_t rounds = 0;  // of a closed fan: how often it passes direction 0
+    std::uint32_t rounds = 0;  // of a closed fan: how many times it passes direction 0
     bool begins_again = false; // an open fan that comes back to where it began
     circulate(complex, first, [&](Corner c) {
         ++met;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Is this a simplicial complex [3], and a manifold [3.2]? Everything that can be wrong, with exact
-// predicates, and the first bad element by name. It may be called on any bytes: broken links
-// neither crash it nor trap it in a loop.
+// Is this a simplicial complex (thesis, chapter 3), and a manifold (section 3.2)? Checks everything
+// that can be wrong, with exact predicates, and names the first bad element. It may be called on
+// arbitrary data: broken links neither crash it nor trap it in a loop.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -11,15 +11,15 @@
 
 namespace dsc {
 
-/// What `validate` found. The counts are of what lives; those below `unused_vertices` are filled in
-/// only where the links are sound.
+/// What `validate` found. The counts are of living simplices; those below `unused_vertices` are
+/// filled in only if the links are consistent.
 struct ValidationReport {
-    std::string problem; ///< empty where all is well; else the first bad element and what is wrong
+    std::string problem; ///< empty if all is well; else the first bad element and what is wrong
     std::uint64_t vertices = 0;        ///< living vertices, unused ones included
     std::uint64_t triangles = 0;       ///< living triangles
     std::uint64_t unused_vertices = 0; ///< living vertices without triangles: allowed
     std::uint64_t edges = 0;
-    std::uint64_t components = 0;     ///< pieces that hang together by edges
+    std::uint64_t components = 0;     ///< parts connected through edges
     std::uint64_t boundary_loops = 0; ///< one around each component, and one around each hole
     /// V - E + T of the vertices in use: 1 for each component, less 1 for each hole.
     std::int64_t euler_characteristic = 0;
@@ -36,7 +36,7 @@ struct ValidationReport {
 template <class Real>
 [[nodiscard]] ValidationReport validate(const Complex<Real>& complex);
 
-/// Throws InvariantError with the report's words where the complex is not valid.
+/// Throws InvariantError with the problem reported if the complex is not valid.
 template <class Real>
 void validate_or_throw(const Complex<Real>& complex);
 

@@ -15,7 +15,7 @@ struct WalkEnd {
         triangle, ///< the point is strictly inside the triangle of `corner`
         edge,     ///< inside the edge opposite to `corner`
         vertex,   ///< on the vertex at `corner`
-        stopped,  ///< beyond the edge opposite to `corner`, which may not be crossed
+        stopped,  ///< beyond the edge opposite to `corner`, which must not be crossed
         lost,     ///< the steps are used up
     };
     Kind kind = Kind::lost;
@@ -40,14 +40,15 @@ struct WalkEnd {
 }
 
 /// Walks from the living triangle `start`, in at most `limit` steps. Each step crosses an edge that
-/// has the point strictly on its other side, and stops where `may_cross(corner opposite to it)`
-/// says no; it must do so at the domain boundary. In a mesh that is not Delaunay such a walk could
-/// go in circles, so the edge that is tried first changes with a reproducible coin. O(limit).
+/// has the point strictly on its other side, and the walk stops if `may_cross(corner opposite to
+/// it)` is false; it must be false at the domain boundary. In a mesh that is not Delaunay such a
+/// walk could go in circles, so the edge that is tried first is chosen by a reproducible
+/// pseudo-random bit. O(limit).
 template <class Real, class MayCross>
 [[nodiscard]] WalkEnd walk(const Complex<Real>& complex, Triangle start, const Point<Real>& point,
                            std::size_t limit, MayCross may_cross) {
     Corner here = corner_of(start.id, 0);
-    Corner entered = no_id; // the walk never steps back through the edge that it came by
+    Corner entered = no_id; // the walk never steps back through the edge that it came through
     std::uint32_t coin = 0x9e3779b9U;
     for (std::size_t step = 0; step < limit; ++step) {
         coin = coin * 1664525U + 1013904223U;

@@ -13,7 +13,7 @@ bool is_constrained(const Complex<Real>& complex, Corner corner) {
     return complex.phase_at(corner) != complex.phase_at(complex.twin(corner));
 }
 
-// link(v) and link(v') meet in more than link(e): a vertex or an edge too many.
+// True if link(v) and link(v') have more in common than link(e): an additional vertex or edge.
 template <class Real>
 bool links_meet_elsewhere(const Complex<Real>& complex, std::uint32_t v, std::uint32_t keep,
                           std::uint32_t apex_a, std::uint32_t apex_b) {
@@ -32,7 +32,7 @@ bool links_meet_elsewhere(const Complex<Real>& complex, std::uint32_t v, std::ui
                 found = near_keep(w);
             }
         }
-        // A common edge needs two common vertices: only (apex_a, apex_b) is left to look at.
+        // A common edge needs two common vertices: only (apex_a, apex_b) remains to be checked.
         const std::uint32_t p = complex.vertex(next(c));
         const std::uint32_t q = complex.vertex(prev(c));
         if (!found && apex_b != no_id &&
@@ -56,7 +56,7 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
     const Corner other = complex.twin(corner);
     const std::uint32_t v = complex.vertex(ccw ? next(corner) : prev(corner));
     const std::uint32_t keep = complex.vertex(ccw ? prev(corner) : next(corner));
-    // An edge outside the submesh answers so before anything else is asked: another submesh may be
+    // An edge outside the submesh is refused before anything else is tested: another submesh may be
     // rewriting the stars of its ends at this moment.
     if (!owns(complex, region, v) || !owns(complex, region, keep) ||
         (!owns_triangle(complex, region, triangle_of(corner)) &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edge collapse [4.2, 7.5]: an edge shrinks to one of its ends.
+// Edge collapse (thesis, sections 4.2 and 7.5): an edge shrinks to one of its ends.
 #pragma once
 
 #include "dsc/base/verdict.h"
@@ -10,8 +10,8 @@
 namespace dsc {
 
 /// Whether the vanishing end v of the edge opposite to `corner` may be merged into the other end.
-/// An interface vertex may go along its interface, a boundary vertex along a straight boundary
-/// [6.5]. O(degree). Exact.
+/// An interface vertex may be merged along its interface, a boundary vertex along a straight
+/// boundary (thesis, section 6.5). O(degree). Exact.
 template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
                             rewire::Vanishing end);
@@ -21,8 +21,8 @@ template <class Real>
 Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Corner corner,
                       rewire::Vanishing end);
 
-/// Tries both ends, the vertex of smaller id first, as algorithm 7.7; if neither may vanish, the
-/// answer is that of the first.
+/// Tries both ends, the vertex with the smaller id first, as in algorithm 7.7 of the thesis; if
+/// neither may vanish, the answer is that of the first.
 template <class Real>
 Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge);
 
@@ -39,10 +39,10 @@ Verdict edge_collapse(Complex<Real>& complex, Edge edge) {
 }
 
 // For applications: by handle, which is checked. The forms above that take corners are for the
-// library's algorithms, which know theirs to live.
+// library's algorithms, which know that their corners are alive.
 
-/// Whether `vanishing` may be merged into the other end of the edge; also answers not_a_simplex,
-/// where the edge does not live or `vanishing` is none of its ends. O(degree). Exact.
+/// Whether `vanishing` may be merged into the other end of the edge; also answers not_a_simplex if
+/// the edge is not alive or `vanishing` is not one of its ends. O(degree). Exact.
 template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Edge edge,
                             Vertex vanishing) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edge flip [4.2, 7.1]: the other diagonal of the two triangles at an edge.
+// Edge flip (thesis, sections 4.2 and 7.1): the other diagonal of the two triangles at an edge.
 #pragma once
 
 #include "dsc/base/verdict.h"
@@ -16,7 +16,7 @@ Verdict edge_flip_guard(const Complex<Real>& complex, const Region& region, Corn
     const Corner other = complex.twin(corner);
     const bool owned = owns_triangle(complex, region, triangle_of(corner));
     if (is_border(other)) {
-        // Outside the submesh every simplex gives the same answer.
+        // Every simplex outside the submesh gets the same answer.
         return owned ? Verdict::on_boundary : Verdict::on_submesh_boundary;
     }
     if (!owned || !owns_triangle(complex, region, triangle_of(other))) {
@@ -55,7 +55,7 @@ Verdict edge_flip(Complex<Real>& complex, Edge edge) {
 }
 
 // For applications: by handle, which is checked. The forms above that take corners are for the
-// library's algorithms, which know theirs to live.
+// library's algorithms, which know that their corners are alive.
 
 /// The guard by handle; also answers not_a_simplex. O(1). Exact.
 template <class Real>

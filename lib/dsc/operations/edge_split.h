@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Edge split [4.2, 7.4]: a new vertex on an edge, and its one or two triangles cut in two.
+// Edge split (thesis, sections 4.2 and 7.4): a new vertex on an edge, and its one or two triangles
+// cut in two.
 #pragma once
 
 #include "dsc/base/verdict.h"
@@ -11,8 +12,8 @@
 namespace dsc {
 
 /// Whether the edge opposite to `corner` may be split at `point`. O(1). Exact. Only the triangles
-/// at the edge are looked at: a point off an edge of the domain boundary changes the domain, and
-/// that it meets nothing out there is the caller's word.
+/// at the edge are tested: a point off an edge of the domain boundary changes the domain, and the
+/// caller must ensure that it touches nothing outside.
 template <class Real>
 Verdict edge_split_guard(const Complex<Real>& complex, const Region& region, Corner corner,
                          const Point<Real>& point) {
@@ -38,12 +39,12 @@ Verdict edge_split_guard(const Complex<Real>& complex, const Region& region, Cor
 
 struct SplitResult {
     Verdict verdict = Verdict::legal;
-    Vertex vertex; ///< the new vertex, where legal
+    Vertex vertex; ///< the new vertex, if legal
 };
 
-/// Splits the edge opposite to `corner` at `point` if that is legal: nothing else than that
-/// position needs to be known, so the interpolator is the caller's. Vertex attributes are blended
-/// at the midpoint. Thread-safe for disjoint submeshes.
+/// Splits the edge opposite to `corner` at `point` if that is legal. Only the position needs to be
+/// known, so the choice of interpolator is the caller's. Vertex attributes are blended at the
+/// midpoint. Thread-safe for disjoint submeshes.
 template <class Real>
 SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner corner,
                        const Point<Real>& point) {
@@ -87,7 +88,7 @@ SplitResult edge_split(Complex<Real>& complex, Edge edge) {
 }
 
 // For applications: by handle, which is checked. The forms above that take corners are for the
-// library's algorithms, which know theirs to live.
+// library's algorithms, which know that their corners are alive.
 
 /// The guard by handle; also answers not_a_simplex. O(1). Exact.
 template <class Real>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What one turn about a vertex tells a guard: whether the domain ends there, whether the submesh
-// owns the whole star, and how many interface edges meet. Any degree; nothing is gathered.
+// What a guard learns in one turn about a vertex: whether the domain ends there, whether the
+// submesh owns the whole star, and how many interface edges meet there. Works for any degree; the
+// star is not gathered.
 #pragma once
 
 #include "dsc/complex/circulate.h"
@@ -13,7 +14,7 @@ struct Fan {
     bool on_boundary = false;
     bool owned = true; ///< every triangle of the star is in the submesh
     std::uint32_t interface_edges = 0;
-    std::uint32_t first = no_id; ///< the two boundary neighbours, where on_boundary
+    std::uint32_t first = no_id; ///< the two boundary neighbours, if on_boundary
     std::uint32_t last = no_id;
 };
 

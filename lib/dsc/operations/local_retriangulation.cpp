@@ -20,8 +20,8 @@ namespace {
 struct PolygonEdge {
     std::uint32_t from;
     std::uint32_t to;
-    Corner inside; // opposite to it in the region: where its data are on the domain boundary
-    Corner across; // opposite to it on the other side: where its data are otherwise
+    Corner inside; // opposite to it in the region: holds its data on the domain boundary
+    Corner across; // opposite to it on the other side: holds its data otherwise
 };
 
 // What the guard finds and the operation carries out.
@@ -48,7 +48,7 @@ Plan<Real>& scratch() {
     return plan;
 }
 
-// R = star(closure(t)): each triangle once, at the first vertex of t that it has.
+// R = star(closure(t)): each triangle once, at the first vertex of t that it contains.
 template <class Real>
 void collect_region(const Complex<Real>& complex, Triangle triangle, Plan<Real>& plan) {
     plan.region.assign(1, triangle.id);
@@ -65,10 +65,10 @@ void collect_region(const Complex<Real>& complex, Triangle triangle, Plan<Real>&
     }
 }
 
-// R' = closure(R) \ R, where R has lost the domain boundary, as half-edges with R on their left. It
-// is one simple polygon if one loop goes through all of them and each vertex is left but once. (An
-// edge with R on both sides is two half-edges, which no such loop takes both; and as the complex is
-// a planar manifold, no vertex of R' is without an edge.)
+// R' = closure(R) \ R, where R does not include the domain boundary, as half-edges with R on their
+// left. It is one simple polygon if one loop goes through all of them and only one half-edge leaves
+// each vertex. (An edge with R on both sides is two half-edges, and no such loop contains both; and
+// as the complex is a planar manifold, no vertex of R' is without an edge.)
 template <class Real>
 bool find_polygon(const Complex<Real>& complex, Plan<Real>& plan) {
     const auto in_t = [&](std::uint32_t v) {
@@ -89,7 +89,8 @@ bool find_polygon(const Complex<Real>& complex, Plan<Real>& plan) {
     }
     const auto by_from = [](const PolygonEdge& a, const PolygonEdge& b) { return a.from < b.from; };
     std::sort(found.begin(), found.end(), by_from);
-    // Of several ways out of a vertex this takes the first, and comes back with some left over.
+    // If several half-edges leave a vertex, this takes the first, and the loop closes with some
+    // left over.
     auto& polygon = plan.polygon;
     polygon.assign(1, found.front());
     while (polygon.back().to != found.front().from) {
@@ -144,8 +145,9 @@ Verdict make_plan(const Complex<Real>& complex, const Region& region, Triangle t
                                                                               : Verdict::inverts;
 }
 
-// Edge data of the domain boundary live in the very triangles that are rewritten, so that one may
-// have to make room for another: exchanges through the unused fourth entry of a triangle.
+// Edge data of the domain boundary are stored in the very triangles that are rewritten, so one
+// entry may have to make room for another: they are exchanged through the unused fourth entry of a
+// triangle.
 template <class Real>
 void move_edge_data(Complex<Real>& complex, std::vector<std::array<Corner, 2>>& moves,
                     Corner spare) {
@@ -211,7 +213,8 @@ void write_triangles(Complex<Real>& complex, Plan<Real>& plan) {
     }
 }
 
-// All old triangles leave their data to the first, of which the new ones are cut off one by one.
+// The data of all old triangles are merged into the first, from which the new ones are then cut off
+// one by one.
 template <class Real>
 void carry_triangle_data(Complex<Real>& complex, const Plan<Real>& plan) {
     auto& attributes = complex.attributes;
@@ -256,7 +259,8 @@ void carry_edge_data(Complex<Real>& complex, Plan<Real>& plan) {
     }
 }
 
-// Lawson's flips on the edges between the new triangles. Strict and exact, so they come to an end.
+// Lawson's flips on the edges between the new triangles. The test is strict and exact, so they
+// terminate.
 template <class Real>
 void make_delaunay(Complex<Real>& complex, EditLog& log, Plan<Real>& plan) {
     auto& ids = plan.region;
@@ -304,7 +308,7 @@ RetriangulationResult local_retriangulation(Complex<Real>& complex, const Submes
     write_triangles(complex, plan);
     carry_triangle_data(complex, plan);
     carry_edge_data(complex, plan);
-    // n - 2 new triangles: there were two more for each vertex inside the polygon.
+    // n - 2 new triangles: before, there were two more for each vertex inside the polygon.
     for (std::size_t k = plan.ears.triangles.size(); k < plan.region.size(); ++k) {
         complex.give_triangle(*submesh.pool, plan.region[k]);
         ++result.triangles_removed;

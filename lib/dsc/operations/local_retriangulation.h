@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Local retriangulation [4.2, 7.3]: the triangles around one triangle are taken out and the polygon
-// that they leave is triangulated anew, without the vertices that were inside.
+// Local retriangulation (thesis, sections 4.2 and 7.3): the triangles around one triangle are
+// removed and the polygon that they leave is triangulated again, without the vertices that were
+// inside.
 #pragma once
 
 #include "dsc/base/verdict.h"
@@ -9,10 +10,10 @@
 
 namespace dsc {
 
-/// Whether what surrounds the triangle may be retriangulated: no vertex of it on the interface or
-/// on the submesh boundary, none locked that would vanish, and the trace one simple polygon that
-/// ears can be cut from [6.5]. Vertices of the domain boundary stay. O(n^2) for a polygon of n.
-/// Exact.
+/// Whether the surroundings of the triangle may be retriangulated: none of its vertices is on the
+/// interface or on the submesh boundary, none that would vanish is locked, and the trace is one
+/// simple polygon that ears can be cut from (thesis, section 6.5). Vertices of the domain boundary
+/// stay. O(n^2) for a polygon of n. Exact.
 template <class Real>
 Verdict local_retriangulation_guard(const Complex<Real>& complex, const Region& region,
                                     Triangle triangle);
@@ -20,13 +21,13 @@ Verdict local_retriangulation_guard(const Complex<Real>& complex, const Region& 
 struct RetriangulationResult {
     Verdict verdict = Verdict::legal;
     std::uint32_t vertices_removed = 0;
-    std::uint32_t triangles_removed = 0; ///< the old ones less the new ones
+    std::uint32_t triangles_removed = 0; ///< old minus new ones
 };
 
-/// Retriangulates if that is legal. The new triangles take ids of the old ones, the given
+/// Retriangulates if that is legal. The new triangles reuse ids of the old ones, the given
 /// triangle's first, and inherit its phase and attributes; new edges get the attributes' defaults,
-/// the polygon's keep theirs. Never needs an id. Thread-safe for disjoint submeshes; allocates only
-/// until the scratch of the calling thread has grown to the largest polygon.
+/// the polygon's keep theirs. Never needs a free id. Thread-safe for disjoint submeshes; allocates
+/// only until the scratch of the calling thread has grown to the largest polygon.
 template <class Real>
 RetriangulationResult
 local_retriangulation(Complex<Real>& complex, const Submesh& submesh, Triangle triangle,

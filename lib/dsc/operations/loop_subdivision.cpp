@@ -42,7 +42,7 @@ Verdict loop_subdivision_guard(const Complex<Real>& complex, const Region& regio
             return Verdict::on_interface;
         }
     }
-    // In exact arithmetic midpoints invert nothing; rounded ones may, where a triangle is thin.
+    // In exact arithmetic midpoints invert nothing; rounded ones may in a thin triangle.
     const auto m = midpoints(complex, triangle);
     bool positive = orientation<Real>(m[0], m[1], m[2]) > 0;
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -87,8 +87,8 @@ LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, const Submesh& su
         result.vertices[i] = added;
         return t2;
     };
-    // Three splits and a flip; only the last state is one whose geometry was tested. See rewire.h
-    // for which corner a new vertex takes.
+    // Three splits and a flip; only the geometry of the final state was tested. See rewire.h for
+    // which corner a new vertex takes.
     const std::uint32_t t = triangle.id;
     const std::uint32_t r = split(corner_of(t, 0), 0);    // t = (A, B, a), r = (A, a, C)
     split(corner_of(r, 1), 1);                            // r = (b, a, C), and (a, b, A)

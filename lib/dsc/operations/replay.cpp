@@ -79,7 +79,7 @@ private:
                                   : complex_.vertex(across) == edit.apexes[1].id);
     }
 
-    // Makes room for an id that a submesh had of its own.
+    // Makes room for an id that came from the pool of a submesh.
     void have_vertex(std::uint32_t id) {
         while (complex_.vertex_bound() <= id) {
             const std::uint32_t added = complex_.take_vertex(fresh_);
@@ -162,7 +162,7 @@ private:
 
     bool remove_vertex(const Edit& edit) {
         if (!complex_.is_alive(edit.vertex)) {
-            return true; // with the retriangulation before it
+            return true; // done with the retriangulation before it
         }
         if (complex_.vertices[edit.vertex.id].corner != no_id) {
             return false;
@@ -171,7 +171,7 @@ private:
         return true;
     }
 
-    // By ears alone: the flips after it have records of their own.
+    // By ear clipping alone: the flips after it have records of their own.
     bool retriangulate(const Edit& edit) {
         const Triangle t{triangle_of(edit.corner)};
         return complex_.is_alive(t) &&
@@ -195,7 +195,7 @@ private:
         try {
             dsc::insert_triangle(complex_, v[0], v[1], v[2], edit.made[0]);
         } catch (const InputError&) {
-            return false; // it has no place without the records that were left out
+            return false; // there is no room for it without the records that were left out
         }
         return true;
     }
@@ -216,7 +216,7 @@ private:
     Complex<Real>& complex_;
     EditLog silent_;
     IdPool fresh_; // always empty: an id that is asked for is a new one
-    IdPool freed_; // not looked at: the records say which id comes next
+    IdPool freed_; // not used: the records say which id comes next
 };
 
 } // namespace
@@ -246,7 +246,7 @@ std::vector<Edit> cut_down(const Complex<Real>& first, std::vector<Edit> edits,
         return edits;
     }
     for (std::size_t piece = (edits.size() + 1) / 2; piece > 0; piece /= 2) {
-        // From the end: what comes late depends on what came before.
+        // From the end: later records depend on earlier ones.
         for (std::size_t end = edits.size(); end > 0;) {
             const std::size_t begin = end > piece ? end - piece : 0;
             std::vector<Edit> fewer(edits.begin(),

@@ -9,8 +9,9 @@ namespace dsc {
 
 enum class RetriangulationMethod : std::uint8_t {
     ear_clipping, ///< the thesis's method; may leave slivers
-    delaunay,     ///< ear clipping, then flips until it is the constrained Delaunay triangulation
-              ///< (C. L. Lawson, "Software for C1 surface interpolation", 1977), as thesis 13 asks
+    /// Ear clipping, then flips until it is the constrained Delaunay triangulation (C. L. Lawson,
+    /// "Software for C1 surface interpolation", 1977), as the thesis asks in chapter 13.
+    delaunay,
 };
 
 [[nodiscard]] constexpr std::string_view to_string(RetriangulationMethod method) {

@@ -21,7 +21,7 @@ namespace dsc {
 
 namespace {
 
-// What every smoothing asks first; `fan` is filled in where the vertex is in the submesh.
+// The tests common to every smoothing; `fan` is filled in if the vertex is in the submesh.
 template <class Real>
 Verdict check_star(const Complex<Real>& complex, const Region& region, Vertex vertex, Fan& fan) {
     if (!complex.is_alive(vertex)) {
@@ -37,12 +37,12 @@ Verdict check_star(const Complex<Real>& complex, const Region& region, Vertex ve
     return fan.owned ? Verdict::legal : Verdict::on_submesh_boundary;
 }
 
-// Moves the vertex to `target` if its star allows and gains.
+// Moves the vertex to `target` if no star triangle inverts and the quality of the star rises.
 template <class Real>
 Verdict move_if_better(Complex<Real>& complex, const Submesh& submesh, Vertex vertex,
                        const Point<Real>& target) {
-    // A vertex must not walk out of its submesh while others run. Between owned neighbours it
-    // cannot, as long as regions are convex, but for rounding.
+    // A vertex must not walk out of its submesh while others run. If its neighbours are owned and
+    // regions are convex, it cannot, except by rounding.
     if (!submesh.region.owns(vertex.id, static_cast<double>(target.x()),
                              static_cast<double>(target.y()))) {
         return Verdict::on_submesh_boundary;
@@ -86,18 +86,18 @@ std::uint32_t beyond(const Complex<Real>& complex, const Region& region, std::ui
     return turns_more<Real>(position(from), position(at), position(other), cosine) ? no_id : other;
 }
 
-// The second point has the knot 0 and is near all that is asked for.
+// The second point has the knot 0 and is near every point that is evaluated.
 template <class Real>
 Point<Real> on_curve(std::span<const Point<Real>> points, std::span<const Real> knots, Real at) {
     return lagrange<Real>(points, knots, at, points[1]);
 }
 
-// |ends' distances| within this share of their sum count as equal: where exactly the vertex stands
-// on the curve matters to nothing.
+// Distances to the two ends that differ by less than this share of their sum count as equal: the
+// exact position of the vertex on the curve does not matter.
 template <class Real>
 inline constexpr Real equal_lengths = Real(1e-4);
 
-// Bisection halves the bracket each time, so that this suffices whatever the curve does.
+// Bisection halves the bracket each time, so this is enough for any curve.
 inline constexpr int most_halvings = 24;
 
 // The knot in (0, knots[2]) whose point is equally far from points[0] and points[2].
@@ -115,7 +115,7 @@ Real equalising_knot(std::span<const Point<Real>> points, std::span<const Real> 
         }
         (to_near < to_far ? low : high) = at;
         // Along the curve one length grows as the other shrinks: half the difference is the step of
-        // Newton's method, but for the bend.
+        // Newton's method, apart from the effect of the bend.
         const Real newton = at + Real(0.5) * (to_far - to_near);
         at = newton > low && newton < high ? newton : Real(0.5) * (low + high);
     }
@@ -137,7 +137,7 @@ Verdict laplacian_smoothing(Complex<Real>& complex, const Submesh& submesh, Vert
     if (complex.is_locked(vertex)) {
         return Verdict::locked;
     }
-    // Relative to the vertex, so that an offset of the coordinates costs no digits.
+    // Relative to the vertex, so that an offset of the coordinates does not cost precision.
     const Point<Real> here = complex.position(vertex);
     Point<Real> sum = Point<Real>::Zero();
     std::uint32_t count = 0;
@@ -195,7 +195,7 @@ Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vert
     if (far - near <= equal_lengths<Real> * (near + far)) {
         return Verdict::no_gain;
     }
-    // The vertex goes towards the farther neighbour: between it and that one runs the curve.
+    // The vertex moves towards the farther neighbour, so the curve is drawn between the two.
     std::array<Point<Real>, 4> points{position(ends[0]), here, position(ends[1]), here};
     std::array<Real, 4> knots{-near, 0, far, 0};
     std::size_t size = 3;

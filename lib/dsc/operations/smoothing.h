@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Smoothing [5.5]: vertices move so that the triangles around them get better; none is added or
-// removed. The quality is that of equation 4, 2/sqrt(3) sin(smallest angle).
+// Smoothing (thesis, section 5.5): vertices move so that the triangles around them improve; none
+// are added or removed. The quality is that of equation 4 of the thesis, 2/sqrt(3) sin(smallest
+// angle).
 #pragma once
 
 #include "dsc/base/verdict.h"
@@ -20,20 +21,21 @@ Verdict laplacian_smoothing(Complex<Real>& complex, Vertex vertex) {
 }
 
 struct InterfaceSmoothingOptions {
-    /// Degrees. Where the interface turns by more, the vertex is a corner: it stays, and no curve
-    /// is drawn through it.
+    /// Degrees. If the interface turns by more, the vertex is a corner: it stays, and no curve is
+    /// drawn through it.
     double corner_degrees = 30;
-    /// Share of the way to the point of equal lengths, measured along the curve; 0 to 1.
+    /// Share of the distance to the point of equal lengths, measured along the curve; 0 to 1.
     double step = 1;
 };
 
-/// Slides a vertex with exactly two interface edges along the interface, towards where the two are
-/// equally long: on the Lagrange polynomial, by chord length, through the vertex, its two interface
-/// neighbours and the one beyond the farther of them (three points where the curve ends, branches,
-/// has a corner or leaves the submesh there), so that a smooth shape changes by O(h^4) (O(h^3)).
-/// Accepted only if no star triangle inverts and the smallest quality of the star rises. Answers
-/// on_interface at junctions, at corners and away from the interface. O(degree), no allocation.
-/// Thread-safe for disjoint submeshes. Throws InputError where an option is out of range.
+/// Slides a vertex with exactly two interface edges along the interface, towards the point where
+/// the two are equally long. It moves on the Lagrange polynomial, parameterised by chord length,
+/// through the vertex, its two interface neighbours and the one beyond the farther of them (three
+/// points where the curve ends, branches, has a corner or leaves the submesh there), so that a
+/// smooth shape changes by O(h^4) (O(h^3)). Accepted only if no star triangle inverts and the
+/// smallest quality of the star rises. Answers on_interface at junctions, at corners and away from
+/// the interface. O(degree), no allocation. Thread-safe for disjoint submeshes. Throws InputError
+/// if an option is out of range.
 template <class Real>
 Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex,
                             const InterfaceSmoothingOptions& options = {});
