@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""What the tests of the command lines share: a program is called, and a bad call ends with code 2 (1
+where the run had begun) and one sentence on stderr that says what is wrong, the value and what is
+allowed; and it leaves no half-written file.
+
+The programs are named by the environment: DSC_SCENE, DSC_VERIFY and DSC_HARD.
+"""
+import os
+import resource
+import signal
+import subprocess
+import tempfile
+import unittest
+
+SCENE = os.environ["DSC_SCENE"]
+VERIFY = os.environ["DSC_VERIFY"]
+HARD = os.environ["DSC_HARD"]
+ROOM = os.path.dirname(os.path.abspath(__file__))
+LIMITS = os.path.join(os.path.dirname(ROOM), "gate", "limits.json")
+SHORT = ["--set", "h=0.05", "--set", "steps=4"]
+PROMPTLY = 120  # seconds; a bad call takes none
+
+
+def limited_to(size):
+    """No file may grow beyond so many bytes: what a full disk looks like to a program."""
+    def prepare():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+    return prepare
+
+
+class CommandLine(unittest.TestCase):
+    program = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def call(self, *arguments, prepare=None):
+        return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True,
+                              timeout=PROMPTLY, cwd=self.folder, preexec_fn=prepare, check=False)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def files(self):
+        return sorted(name for _, _, names in os.walk(self.folder) for name in names)
+
+    def expect_refusal(self, *arguments, words=(), code=(2,), prepare=None):
+        """One sentence that holds all of the words; nothing left behind."""
+        before = self.files()
+        done = self.call(*arguments, prepare=prepare)
+        self.assertIn(done.returncode, code, f"{arguments}: {done.stderr}")
+        lines = done.stderr.strip().splitlines()
+        self.assertEqual(len(lines), 1, f"{arguments}: not one sentence: {done.stderr!r}")
+        name = os.path.basename(self.program)
+        self.assertTrue(lines[0].startswith(name + ": "), lines[0])
+        for word in words:
+            self.assertIn(word, lines[0])
+        self.assertEqual(self.files(), before, f"{arguments} left something behind")
+        return done
