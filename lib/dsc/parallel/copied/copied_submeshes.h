@@ -59,10 +59,10 @@ struct CopiedSubmeshes {
     /// By vertex of the mesh: the submesh that contains all its triangles, or `several`; no_id for
     /// vertices without triangles.
     std::vector<std::uint32_t> owner;
-    std::vector<std::uint32_t>
-        local; ///< M, by vertex of the mesh: its id in the submesh that owns it
-    std::vector<std::uint32_t>
-        merged; ///< O, by vertex of the mesh: the id of a shared one in the merged mesh
+    /// M, by vertex of the mesh: its id in the submesh that owns it.
+    std::vector<std::uint32_t> local;
+    /// O, by vertex of the mesh: the id of a shared one in the merged mesh.
+    std::vector<std::uint32_t> merged;
 
     /// The vertex of the merged mesh that was vertex v of the divided one; no_id if it vanished.
     [[nodiscard]] std::uint32_t merged_vertex(std::uint32_t v) const {

@@ -23,10 +23,9 @@ struct SubmeshExecutor<Real>::Part {
     std::size_t next_first = 0;   // number of its first part
 
     std::vector<std::uint32_t> emigrants; // interface vertices that have left the region
-    std::vector<std::uint32_t>
-        newcomers; // and those that entered it: listed when the sub-step is over
-    std::vector<Mover<Real>> immigrants; // those that entered, on their way
-    std::uint64_t examined = 0;          // stars, since the last division
+    std::vector<std::uint32_t> newcomers; // that entered it: listed when the sub-step is over
+    std::vector<Mover<Real>> immigrants;  // those that entered, on their way
+    std::uint64_t examined = 0;           // stars, since the last division
     // By entry of the lists of what was put off: the part of the next colour, or nowhere.
     std::vector<std::uint32_t> mover_routes;
     std::vector<std::uint32_t> active_routes;

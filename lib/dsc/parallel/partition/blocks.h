@@ -10,10 +10,9 @@
 namespace dsc {
 
 struct BlockOptions {
-    std::uint32_t submeshes =
-        16;                   ///< of the first colour, approximately: the next lower square number
-    double least_width = 8;   ///< in edge lengths
-    std::uint32_t recut = 64; ///< steps between two choices of the cuts
+    std::uint32_t submeshes = 16; ///< of the first colour; rounded down to a square number
+    double least_width = 8;       ///< in edge lengths
+    std::uint32_t recut = 64;     ///< steps between two choices of the cuts
 };
 
 template <class Real>
