@@ -63,7 +63,8 @@ public:
         begin_.push_back(arc.value());
     }
 
-    /// The point near p where the curve runs along `direction`, if that is no farther than `reach`.
+    /// The nearest point to p; one where the curve runs along `direction` is preferred if it is at
+    /// most `reach` farther away.
     [[nodiscard]] Place project(const Point<double>& p, const Point<double>& direction,
                                 double reach, std::size_t guess) const {
         Near near = tree_.nearest(p, guess, 0.0);
