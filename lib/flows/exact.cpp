@@ -18,11 +18,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// New markers go in by rounds: each looks at the intervals that the last one made.
+/// New markers are inserted in rounds: each looks at the intervals that the previous one made.
 constexpr int most_rounds = 40;
-/// In one round an interval gets at most this many parts: its length is a guess until then.
+/// In one round an interval is cut into at most this many parts: its length is only an estimate so
+/// far.
 constexpr double most_parts = 64.0;
-/// The number of markers to begin with on each smooth piece of a curve.
+/// The initial number of markers on each smooth piece of a curve.
 constexpr int first_markers = 256;
 
 struct Marker {
@@ -112,7 +113,7 @@ std::vector<Marker> spread_markers(const Curve& curve, const FlowMap& map, doubl
     return markers;
 }
 
-/// A chord of length d misses an area of curvature d^3 / 12. Each vertex goes out by its share.
+/// A chord of length d misses an area of curvature d^3 / 12. Each vertex moves out by its share.
 Outline balanced_outline(const std::vector<Marker>& markers) {
     Outline outline;
     outline.reserve(markers.size());
@@ -135,7 +136,7 @@ Outline balanced_outline(const std::vector<Marker>& markers) {
     return outline;
 }
 
-/// What rounding alone does to vertices of this size.
+/// The effect of rounding alone on vertices of this size.
 double rounding_error(std::span<const Outline> outlines) {
     double size = 0.0;
     for (const Outline& outline : outlines) {
@@ -217,9 +218,10 @@ ExactShape mapped_shape(const Curve& curve, const FlowMap& map, const FlowMap& r
     shape.area = curve.area;
     shape.description =
         description + ", " + std::to_string(shape.outlines.front().size()) + " markers";
-    // Chords err with the square of their length and the steps with a higher power: where markers
-    // are twice as far apart, the difference is at least three times the error of the finer one.
-    // Intervals are divided into whole parts, so that they may be less than that.
+    // The error of chords falls with the square of their length and that of the steps with a higher
+    // power: if markers are twice as far apart, the difference is at least three times the error of
+    // the finer result. Intervals are divided into whole parts, so the actual factor may be smaller
+    // than that.
     const double ratio =
         static_cast<double>(shape.outlines.front().size()) / static_cast<double>(check.size());
     shape.own_error = symmetric_difference(shape.outlines.front(), check) /
@@ -236,8 +238,8 @@ ExactShape advected_shape(const Curve& curve, const Flow& flow, double time, int
 }
 
 int advection_steps(double time) {
-    // What a step gets wrong grows with the gradients that it meets, so that long times need more
-    // steps in all; short ones have the least.
+    // The error of a step grows with the gradients that it meets, so that long times need more
+    // steps in all; short times have the minimum number.
     constexpr int least = 768;
     constexpr double per_time = 160.0;
     constexpr double most = 1e6;

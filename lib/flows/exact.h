@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shape that an exact method would have at a time, to measure all others by. No mesh takes part
-// in it, and each shape states how far it may be off itself.
+// The shape that an exact method would have at a time; all others are measured against it. No mesh
+// is involved, and each shape states how large its own error may be.
 #pragma once
 
 #include "flows/flow_map.h"
@@ -13,47 +13,48 @@
 
 namespace dsc::scenes {
 
-/// The first outlines moved rigidly, vertex by vertex: they are the true shape.
+/// The first outlines moved rigidly, vertex by vertex: these are the true shape.
 [[nodiscard]] ExactShape translated_shape(std::span<const Outline> first,
                                           const Point<double>& displacement);
 [[nodiscard]] ExactShape rotated_shape(std::span<const Outline> first, const Point<double>& centre,
                                        double angle);
 
-/// A circle as a polygon of exactly its area.
+/// A circle as a polygon with exactly its area.
 /// Throws InputError for a radius that is not positive, or fewer than 8 vertices.
 [[nodiscard]] ExactShape exact_circle(const Point<double>& centre, double radius,
                                       int vertices = 1 << 15);
 
 /// How closely markers follow a curve, in units of the square root of its area.
 struct MarkerOptions {
-    double spacing = 7.5e-4;    ///< largest distance of neighbours
+    double spacing = 7.5e-4;    ///< largest distance between neighbours
     double deviation = 5e-8;    ///< largest distance of the curve from a chord
-    int most_markers = 1 << 20; ///< more are not added
+    int most_markers = 1 << 20; ///< upper limit; no more are added
 };
 
-/// What an area-preserving map makes of a curve. Where markers come to lie too far apart, or turn
-/// too much, more points *of the curve* are mapped, so that there is no error of insertion. Last,
-/// vertices are pushed out by the mean distance of the curve from its chords, by which the
-/// polygon's area becomes the curve's to fourth order. `rough` is the same map with half the effort
-/// (the same one where it is exact); the result for it, with markers twice as far apart, gives
+/// The image of a curve under an area-preserving map. Where markers come to lie too far apart, or
+/// turn too much, more points *of the curve* are mapped, so that there is no error of insertion.
+/// Finally, vertices are pushed out by the mean distance of the curve from its chords, which makes
+/// the polygon's area that of the curve to fourth order. `rough` is the same map with half the
+/// effort (the same one if it is exact); its result, with markers twice as far apart, gives
 /// own_error.
 [[nodiscard]] ExactShape mapped_shape(const Curve& curve, const FlowMap& map, const FlowMap& rough,
                                       const std::string& description,
                                       const MarkerOptions& options = {});
 
-/// Steps of RK4 for a time in a flow of speeds about 1 in the unit square: they keep the area that
-/// they get wrong near 1e-8 for a curve that is drawn out to a length of some 10.
+/// The number of RK4 steps for a time in a flow of speeds of about 1 in the unit square: they keep
+/// the error in area near 1e-8 for a curve that is drawn out to a length of about 10.
 [[nodiscard]] int advection_steps(double time);
 
-/// What a divergence-free flow has made of a curve at a time, by `steps` steps of RK4 from time 0.
+/// The image of a curve under a divergence-free flow at a time, by `steps` steps of RK4 from time
+/// 0.
 [[nodiscard]] ExactShape advected_shape(const Curve& curve, const Flow& flow, double time,
                                         int steps, const MarkerOptions& options = {});
-/// In `advection_steps(time)` steps: own_error is below 1e-7 for the swirl of a circle of radius
-/// 0.15 until time 4.2, and for the single vortex at the half of a period of up to 8.
+/// With `advection_steps(time)` steps: own_error is below 1e-7 for the swirl of a circle of radius
+/// 0.15 until time 4.2, and for the single vortex at half of a period of up to 8.
 [[nodiscard]] ExactShape advected_shape(const Curve& curve, const Flow& flow, double time);
 
-/// The curve itself: where a flow and its reversal lead. Markers that need no flow cost little, so
-/// there are many: own_error is below 1e-9 for a circle of radius 0.15.
+/// The curve itself, to which a flow and its reversal lead back. Markers that need no flow are
+/// cheap, so there are many: own_error is below 1e-9 for a circle of radius 0.15.
 [[nodiscard]] ExactShape unmoved_shape(const Curve& curve,
                                        const MarkerOptions& options = {.deviation = 2e-9});
 

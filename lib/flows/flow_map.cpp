@@ -19,7 +19,7 @@ constexpr std::size_t block = 256;
 
 using Block = std::array<Point<double>, block>;
 
-/// One leg's part of the time.
+/// The part of the time that falls in one leg.
 struct Stretch {
     double begin, end;
     int steps;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The loop has no branch and calls no function, so that it runs on all lanes of a register.
+// The loop has no branch and calls no function, so that it uses all lanes of a register.
 #include "flows/sine_cosine.h"
 
 #include <bit>
 #include <cstdint>
 
-// One binary serves every x86-64: the loader picks the widest version that the machine can run.
-// No version contracts a product and a sum (-ffp-contract=off), hence all give the same bits.
-// Sanitizers do not survive the resolver that makes the choice.
+// One binary serves every x86-64: the loader picks the widest version that the machine can run. No
+// version contracts a product and a sum (-ffp-contract=off), hence all give the same bits.
+// Sanitizers do not work with the resolver that makes the choice.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) &&       \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define DSC_EACH_INSTRUCTION_SET __attribute__((target_clones("default", "avx2", "avx512f")))

@@ -21,7 +21,7 @@ namespace {
 using Positions = std::span<const Point<double>>;
 using Velocities = std::span<Point<double>>;
 
-// A batch is read as its coordinates in a row: x, y, x, y, ...
+// A batch is read as one sequence of coordinates: x, y, x, y, ...
 static_assert(sizeof(Point<double>) == 2 * sizeof(double));
 
 /// Points per block of the swirl: its sines and cosines stay in the first-level cache.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The velocity fields of the thesis's experiments [9.1 to 9.6] and of the field's single vortex.
-// They are structs that evaluate a batch of positions at once; any of them is a Velocity.
+// The velocity fields of the thesis's experiments (thesis, sections 9.1 to 9.6) and the single
+// vortex that is common in the literature. They are structs that evaluate a batch of positions at
+// once; any of them is a Velocity.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -11,8 +12,8 @@
 
 namespace dsc::scenes {
 
-/// Writes the velocity at each position at one time. The two spans have one size and may be the
-/// same memory. Safe to call from several threads at once.
+/// Writes the velocity at each position at one time. The two spans have the same size and may be
+/// the same memory. Safe to call from several threads at once.
 using Velocity = std::function<void(std::span<const Point<double>> positions, double time,
                                     std::span<Point<double>> velocities)>;
 
@@ -23,7 +24,7 @@ struct Translation {
                     std::span<Point<double>> velocities) const;
 };
 
-/// Equation 8: away from a centre at a constant speed; zero in the centre itself.
+/// Equation 8: away from a centre at a constant speed; zero at the centre itself.
 struct Radial {
     Point<double> centre{0.0, 0.0};
     double speed = 1.0;
@@ -39,7 +40,7 @@ struct Rotation {
                     std::span<Point<double>> velocities) const;
 };
 
-/// Equation 10: counter-clockwise around a centre at a constant speed; zero in the centre itself.
+/// Equation 10: counter-clockwise around a centre at a constant speed; zero at the centre itself.
 struct Vortex {
     Point<double> centre{0.0, 0.0};
     double speed = 1.0;
@@ -62,18 +63,18 @@ struct Swirl {
 /// The opposite flow.
 [[nodiscard]] Velocity reversed(Velocity velocity);
 
-/// A velocity that holds until a time.
+/// A velocity that applies until a time.
 struct Leg {
     double end = 0.0;
     Velocity velocity;
 };
 
-/// Velocities one after the other. A step belongs to one leg as a whole: asked for its velocity at
-/// the very time of a change, a field cannot know whether that is the end of one step or the
-/// beginning of the next, and a Runge-Kutta step that got the wrong answer would lose its order.
+/// Velocities one after the other. A step belongs to one leg as a whole: evaluated at the very time
+/// of a change, a field cannot know whether that is the end of one step or the beginning of the
+/// next, and a Runge-Kutta step that used the wrong velocity would lose its order.
 using Flow = std::vector<Leg>;
 
-/// One velocity for ever.
+/// One velocity for all times.
 [[nodiscard]] Flow steady(Velocity velocity);
 /// `velocity` until `half_time`, and then its opposite.
 [[nodiscard]] Flow there_and_back(const Velocity& velocity, double half_time);

@@ -11,13 +11,13 @@ struct Order {
     double smallest = 0.0; ///< of the orders between neighbouring sizes
     double largest = 0.0;
 
-    /// How much the order itself depends on where it is looked for.
+    /// How much the order itself varies with the sizes considered.
     [[nodiscard]] double spread() const { return largest - smallest; }
 };
 
-/// Of one error for each size, in any order of sizes; a statement about convergence wants four or
-/// more. Throws InputError unless there are as many errors as sizes, at least two, all of them
-/// finite and above 0, and no size twice.
+/// Of one error for each size, in any order of sizes; a statement about convergence should have
+/// four or more. Throws InputError unless there are as many errors as sizes, at least two, all of
+/// them finite and above 0, and no size twice.
 [[nodiscard]] Order fit_order(std::span<const double> sizes, std::span<const double> errors);
 
 } // namespace dsc::scenes

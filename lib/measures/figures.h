@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figures with names: what has been measured, in the order in which it was.
+// Named figures: what has been measured, in the order of measurement.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -24,7 +24,7 @@ struct Figure {
 };
 
 /// The number of this name; of a part: "jaggedness.beyond". Throws InputError, naming the figures
-/// that there are, where there is none or it is no number. O(figures).
+/// that exist, if there is none or it is not a number. O(figures).
 [[nodiscard]] double number(const Figures& figures, std::string_view name);
 
 } // namespace dsc::scenes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Branch and bound. The distance to one fixed segment is convex along an edge, so that the two ends
-// of (a part of) an edge bound it from above; a part whose bound exceeds what was found already is
-// halved.
+// Branch and bound. The distance to one fixed segment is convex along an edge, so that its values
+// at the two ends of (a part of) an edge bound it from above; a part whose bound exceeds the
+// largest distance found so far is halved.
 #include "measures/hausdorff.h"
 
 #include "dsc/base/error.h"
@@ -27,14 +27,14 @@ struct Farthest {
     Point<double> point{0.0, 0.0};
 };
 
-/// A part of an edge, with a segment of the other curve that is near to either end.
+/// A part of an edge, with a segment of the other curve near each of its ends.
 struct Part {
     Point<double> a, b;
     Near near_a, near_b;
     int halvings;
 };
 
-/// No point of the part is farther from the other curve.
+/// Upper bound: no point of the part is farther from the other curve.
 double bound(const Part& part, const std::vector<Segment>& others) {
     const double by_a =
         std::max(part.near_a.distance, others[part.near_a.segment].distance(part.b));

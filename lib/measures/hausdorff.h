@@ -22,10 +22,10 @@ struct HausdorffDistance {
     }
 };
 
-/// Of closed polylines with all the points of their edges, not only their vertices. Never above
-/// the true value (but for rounding) and below it by no more than the tolerance. Infinite if
-/// exactly one of the sets is empty. Throws InputError for an outline of fewer than three points
-/// or with one that is not finite, and for a tolerance that is not above zero.
+/// Of closed polylines with all the points of their edges, not only their vertices. Never above the
+/// true value (except for rounding) and below it by no more than the tolerance. Infinite if exactly
+/// one of the sets is empty. Throws InputError for an outline of fewer than three points or with
+/// one that is not finite, and for a tolerance that is not above zero.
 [[nodiscard]] HausdorffDistance hausdorff(std::span<const Outline> first,
                                           std::span<const Outline> second,
                                           const HausdorffOptions& options = {});

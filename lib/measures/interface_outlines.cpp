@@ -8,7 +8,7 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Whether a cubic goes through this vertex of a loop, between its neighbours. On the domain
+/// Whether a cubic passes through this vertex of a loop, between its neighbours. At the domain
 /// boundary the curve ends.
 template <class Real>
 bool is_smooth_at(const Complex<Real>& complex, Vertex before, Vertex at, Vertex after,

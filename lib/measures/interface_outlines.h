@@ -13,8 +13,9 @@ namespace dsc::scenes {
 template <class Real>
 [[nodiscard]] std::vector<Outline> interface_outlines(const Complex<Real>& complex);
 
-/// The same curves read between their vertices: with `Reading::cubic` each edge becomes `samples`
-/// chords of its cubic, which differ from it by 1 / samples^2 of what the edge itself does. O(n).
+/// The same curves as interpolated between their vertices: with `Reading::cubic` each edge becomes
+/// `samples` chords of its cubic; their distance from it is 1 / samples^2 of that of the edge
+/// itself. O(n).
 template <class Real>
 [[nodiscard]] std::vector<Outline> interface_outlines(const Complex<Real>& complex, Reading reading,
                                                       int samples = 32);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // A vertex p with neighbours a and b is projected to the exact curve, and so are a and b; the exact
 // turn is that of the polyline of the three projections. As these are about as far apart as the
-// vertices, the turn of a chord is compared with that of a chord, and a corner of the exact curve
-// counts wherever between a and b it lies.
+// vertices, a turn between chords is compared with a turn between chords, and a corner of the exact
+// curve counts wherever it lies between a and b.
 //
-// Projections can fail to say what stretch of the curve is meant:
-// - They nearly coincide, where vertices outside of a corner are all nearest to the corner itself,
-//   or an edge stands across the curve. The direction between them would mean nothing.
-// - They come in another order than the vertices, where the polygon folds back. Their polyline
-//   would fold as well and excuse the fold.
+// Projections can fail to tell which stretch of the curve is meant:
+// - They nearly coincide, if vertices outside of a corner are all nearest to the corner itself, or
+//   if an edge stands across the curve. The direction between them would mean nothing.
+// - They come in another order than the vertices, if the polygon folds back. Their polyline would
+//   fold as well and excuse the fold.
 // So the stretch is one of arc length: from p's projection back to a's and on to b's, but in either
 // direction no less than a part of the edge of the polygon. A short edge of the polygon itself
 // needs no such care: if its turn is large, the polygon is jagged.
 // - The nearest point lies on the far side of a filament that is thinner than the error of p. The
-//   curve runs the other way there; a point where it does not is taken instead if it is near.
+//   curve runs the other way there; a point where it does not is used instead if it is near.
 #include "measures/jaggedness.h"
 
 #include "dsc/geometry/turn.h"
@@ -30,21 +30,22 @@ namespace dsc::scenes {
 
 namespace {
 
-/// The shortest stretch of the exact curve to either side of a vertex, over the edge there. Small
-/// enough that projections of a sound polygon are always farther apart.
+/// The shortest stretch of the exact curve on either side of a vertex, relative to the edge there.
+/// Small enough that projections of a sound polygon are always farther apart.
 constexpr double shortest_stretch = 0.25;
 
 double turn_deg(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
     return turn_angle<double>(a, b, c) * (180.0 / std::numbers::pi);
 }
 
-/// A point of the exact curves by the arc length before it, over all outlines one after the other.
+/// A point of the exact curves, given by the arc length before it, counted over all outlines in
+/// turn.
 struct Place {
     std::size_t segment = 0;
     double arc = 0.0;
 };
 
-/// The exact curves, to be asked by place and by arc length.
+/// The exact curves, searchable by place and by arc length.
 class ExactCurves {
 public:
     ExactCurves(std::span<const Outline> outlines, double scale)
@@ -62,7 +63,8 @@ public:
         begin_.push_back(arc.value());
     }
 
-    /// Near to p, where the curve runs along `direction` if that costs no more than `reach`.
+    /// The nearest point to p; one where the curve runs along `direction` is preferred if it is at
+    /// most `reach` farther away.
     [[nodiscard]] Place project(const Point<double>& p, const Point<double>& direction,
                                 double reach, std::size_t guess) const {
         Near near = tree_.nearest(p, guess, 0.0);
@@ -75,8 +77,8 @@ public:
                                   fraction * (begin_[near.segment + 1] - begin_[near.segment])};
     }
 
-    /// The arc length from one place on to another, negative where it is shorter backwards;
-    /// `otherwise` where they are on different curves.
+    /// The arc length from one place forward to another, negative if backwards is shorter;
+    /// `otherwise` if they are on different curves.
     [[nodiscard]] double ahead(const Place& from, const Place& to, double otherwise) const {
         return outline_[from.segment] != outline_[to.segment]
                    ? otherwise
@@ -100,7 +102,7 @@ public:
     }
 
 private:
-    /// Of the curve on which a place is.
+    /// Length of the curve that contains a place.
     [[nodiscard]] double length(const Place& place) const {
         const std::size_t outline = outline_[place.segment];
         return begin_[first_[outline + 1]] - begin_[first_[outline]];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether an interface is as smooth as the curve that it stands for. Neither its area nor its
-// distance from that curve shows a saw edge; its turning angles do.
+// Whether an interface is as smooth as the curve that it represents. Neither its area nor its
+// distance from that curve reveals a sawtooth edge; its turning angles do.
 #pragma once
 
 #include "shapes/outline.h"
@@ -11,20 +11,20 @@
 
 namespace dsc::scenes {
 
-/// A vertex is jagged that turns by more than `factor` times the exact curve's turn plus `slack`.
+/// A vertex is jagged if it turns by more than `factor` times the exact curve's turn plus `slack`.
 struct JaggednessOptions {
     double factor = 2.0;
     double slack_deg = 2.0;
 };
 
-/// Turning angles in degrees, without their sign but for `rms_deg`.
+/// Turning angles in degrees, without their sign except for `rms_deg`.
 struct Jaggedness {
-    std::uint64_t vertices = 0;    ///< looked at
+    std::uint64_t vertices = 0;    ///< examined
     std::uint64_t beyond = 0;      ///< of these, jagged
     double largest_turn_deg = 0.0; ///< of any vertex
     double exact_turn_deg = 0.0;   ///< of the exact curve at that vertex
-    /// The most by which a turn exceeds what the options allow it; not above 0 where no vertex is
-    /// jagged, minus infinity where there are no vertices.
+    /// The largest excess of a turn over what the options allow; not above 0 if no vertex is
+    /// jagged, minus infinity if there are no vertices.
     double largest_excess_deg = -std::numeric_limits<double>::infinity();
     Point<double> worst{0.0, 0.0}; ///< the vertex of the largest excess
     double rms_deg = 0.0;          ///< root of the mean square of turn - exact turn, with signs
@@ -32,7 +32,7 @@ struct Jaggedness {
 
 /// Compares the turn at each vertex of `polygons` with that of the exact outlines over the same
 /// stretch. Both have the region on their left. O((n + m) log m) for n vertices near to m exact
-/// ones. Nothing is looked at where either set is empty. Throws InputError for an outline of fewer
+/// ones. No vertex is examined if either set is empty. Throws InputError for an outline of fewer
 /// than three points or with one that is not finite.
 [[nodiscard]] Jaggedness measure_jaggedness(std::span<const Outline> polygons,
                                             std::span<const Outline> exact,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A measure is a named function of one moment of a run. A run takes a list of them, and each value
-// gets into its result under the measure's name: a new measure is a new entry of the list.
+// is stored in its result under the measure's name: to add a measure, add an entry to the list.
 #pragma once
 
 #include "dsc/base/enum_table.h"
@@ -16,20 +16,20 @@ namespace dsc::scenes {
 /// The mesh in the precision in which it is computed.
 using MeshView = std::variant<const Complex<double>*, const Complex<float>*>;
 
-/// What there is to look at. Lengths and areas are in units of the domain.
+/// What a measure can look at. Lengths and areas are in units of the domain.
 struct Moment {
     MeshView mesh;
     std::span<const Outline> outlines; ///< the interface as it is read between its vertices
     std::span<const Outline> polygons; ///< its vertices with straight edges
-    const ExactShape* exact = nullptr; ///< null: only measures run that need none
+    const ExactShape* exact = nullptr; ///< null: only measures that need none are run
     double area_first = 0;             ///< of the first outlines
     double area_exact_first = 0;       ///< of the first exact shape
-    const Figures* figures = nullptr;  ///< what the measures before this one have said
+    const Figures* figures = nullptr;  ///< the results of the measures before this one
 };
 
 enum class Needs : std::uint8_t {
     outlines,
-    exact_shape, ///< and the outlines; its value is NaN where there is no exact shape
+    exact_shape, ///< and the outlines; its value is NaN if there is no exact shape
     mesh,
 };
 
@@ -41,13 +41,13 @@ inline constexpr std::array needs_names{
 
 struct Measure {
     std::string name;        ///< of its value; results at the end and half-way add _last and _half
-    std::string unit;        ///< "1" where it has none
+    std::string unit;        ///< "1" if it has none
     std::string description; ///< what it is, in a few words
     Needs needs = Needs::outlines;
     std::function<Value(const Moment&)> function;
 };
 
-/// What every run measures unless it is told otherwise.
+/// What every run measures by default.
 [[nodiscard]] const std::vector<Measure>& default_measures();
 
 /// The value of each measure, in their order. `moment.figures` need not be set. Throws what the

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which edge of some outlines is nearest to a point: a tree of boxes over the edges in their order
-// along the curves. Unlike a grid, it does not mind how far apart or how unequal the curves are.
+// along the curves. Unlike a grid, it works well however far apart or unequal the curves are.
 #pragma once
 
 #include "shapes/outline.h"
@@ -32,13 +32,13 @@ struct Segment {
 [[nodiscard]] double unit_scale(std::span<const Outline> first, std::span<const Outline> second,
                                 const std::string& where);
 
-/// A segment and its distance from a point that was asked for.
+/// A segment and its distance from a query point.
 struct Near {
     std::size_t segment = 0;
     double distance = std::numeric_limits<double>::infinity();
 };
 
-/// Of n segments, at least one; built in O(n), asked in O(log n) where the point is near to them.
+/// Of n segments, at least one; built in O(n), queried in O(log n) if the point is near to them.
 class SegmentTree {
 public:
     explicit SegmentTree(std::vector<Segment> segments);
@@ -48,8 +48,8 @@ public:
     /// The segment nearest to p, or any that is not farther than `enough`. `guess` is tried first.
     [[nodiscard]] Near nearest(const Point<double>& p, std::size_t guess, double enough) const;
 
-    /// The nearest to p of the segments that do not run against `direction`; none where there is no
-    /// such segment nearer than `within`.
+    /// The nearest to p of the segments that do not run against `direction`; none if no such
+    /// segment is nearer than `within`.
     [[nodiscard]] std::optional<Near>
     nearest_along(const Point<double>& p, const Point<double>& direction, double within) const;
 
@@ -62,11 +62,11 @@ private:
 
         void include(const Point<double>& p);
         void include(const Box& box);
-        /// No point of the box is nearer. Infinite for an empty box.
+        /// Lower bound: no point of the box is nearer. Infinite for an empty box.
         [[nodiscard]] double distance(const Point<double>& p) const;
     };
 
-    /// The nearest that is accepted and nearer than `best`, else `best`; ends at `enough`.
+    /// The nearest accepted segment nearer than `best`, otherwise `best`; stops at `enough`.
     template <class Accept>
     Near search(const Point<double>& p, Near best, double enough, Accept accept) const;
 

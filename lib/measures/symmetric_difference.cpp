@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A sweep over vertical strips. The abscissae of all vertices bound the strips; within one, the
-// edges in it are ordered, and the gap between neighbours is a trapezoid that belongs to the region
-// its parity (or winding number) names. Edges cross within a strip exactly if their orders at its
-// two sides differ, so crossings need no search and none can be missed or invented: an edge's
-// ordinate at an abscissa is computed once and read by both strips that meet there. A crossing that
-// rounding misplaces costs the product of two rounding errors. (The decomposition is that of the
-// slab method: F. P. Preparata, M. I. Shamos, "Computational geometry", 1985, section 2.2.)
+// edges are ordered, and the gap between neighbours is a trapezoid that belongs to the region given
+// by its parity (or winding number). Edges cross within a strip exactly if their orders at its two
+// sides differ, so crossings need no search and none can be missed or invented: an edge's ordinate
+// at an abscissa is computed once and used by both strips that meet there. A crossing that rounding
+// misplaces causes an error of the product of two rounding errors. (The decomposition is that of
+// the slab method: F. P. Preparata, M. I. Shamos, "Computational geometry", 1985, section 2.2.)
 #include "measures/symmetric_difference.h"
 
 #include "measures/compensated_sum.h"
@@ -21,15 +21,15 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Below this part of the extent, a strip is not searched for crossings: what they could change is
-/// of the size of the rounding errors, and there may be very many where an edge is nearly vertical.
+/// A strip narrower than this part of the extent is not searched for crossings: their effect is of
+/// the size of the rounding errors, and there may be very many if an edge is nearly vertical.
 constexpr double thin_strip = 0x1p-50;
 
 /// With more new edges than this at one abscissa, sorting beats inserting.
 constexpr std::size_t few = 8;
 
-/// An edge from left to right, in coordinates of the unit size. `step` is what crossing it upwards
-/// adds to the winding number of its region.
+/// An edge from left to right, in coordinates scaled to unit size. `step` is what crossing it
+/// upwards adds to the winding number of its region.
 struct Edge {
     double x0, y0, x1, y1;
     int region;
@@ -40,7 +40,7 @@ struct Edge {
     }
 };
 
-/// An edge in the present strip with its ordinates at the two sides of it.
+/// An edge in the current strip with its ordinates at the two sides of the strip.
 struct Active {
     double left, right;
     Edge edge;
@@ -50,8 +50,8 @@ bool below(const Active& s, const Active& t) {
     return s.left < t.left || (s.left == t.left && s.right < t.right);
 }
 
-/// The map to coordinates in which no area can underflow. Differences survive it to the last bit:
-/// the offset is subtracted only where that is exact (Sterbenz), the scale is a power of two.
+/// The map to coordinates in which no area can underflow. It preserves differences to the last bit:
+/// the offset is subtracted only where that is exact (Sterbenz), and the scale is a power of two.
 struct Frame {
     double offset_x = 0.0;
     double offset_y = 0.0;
@@ -204,7 +204,7 @@ private:
         }
     }
 
-    /// Cuts the order into the smallest groups that keep theirs; only edges of a group cross.
+    /// Cuts the order into the smallest groups that stay together; only edges of one group cross.
     void add_crossed_strip(double width) {
         lowest_right_.resize(active_.size());
         double lowest = std::numeric_limits<double>::infinity();
@@ -232,7 +232,7 @@ private:
         }
     }
 
-    /// Adds what lies between the edges of a group, with the given winding numbers below it, and
+    /// Adds the areas between the edges of a group, with the given winding numbers below it, and
     /// returns the mean ordinates of its lower and its upper envelope.
     Slice add_group(std::size_t begin, std::size_t end, double width, const Winding& outside) {
         if (end - begin == 1) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much of two regions lies in one of them only: the field's error norm SD. Unlike the area, it
-// is not blind to errors that cancel.
+// How much of two regions lies in only one of them: the error norm SD that is usual in the
+// literature. Unlike the area, it is not blind to errors that cancel.
 #pragma once
 
 #include "shapes/outline.h"
@@ -33,10 +33,10 @@ struct OverlapAreas {
 /// The areas of first \ second, second \ first and their intersection.
 ///
 /// Exact up to rounding for any outlines: they may share edges, nearly coincide, touch, or cross
-/// themselves. Each area is a sum of slivers that are never negative, so that a small one keeps its
-/// digits beside a large one; equal outlines give exactly zero, and the error is some 1e-16 times
-/// the size of the box around both, squared. The time is that of a sort plus, for each vertex, the
-/// number of edges right above and below it: 1e5 edges take a few hundredths of a second.
+/// themselves. Each area is a sum of slivers that are never negative, so that a small area keeps
+/// its digits next to a large one; equal outlines give exactly zero, and the error is about 1e-16
+/// times the squared size of the box around both. The time is that of a sort plus, for each vertex,
+/// the number of edges right above and below it: 1e5 edges take a few hundredths of a second.
 /// Throws InputError for an outline of fewer than three points or with one that is not finite.
 [[nodiscard]] OverlapAreas overlap_areas(const Region& first, const Region& second);
 

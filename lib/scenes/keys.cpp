@@ -34,8 +34,8 @@ bool read_number(const std::string& text, Number low, Number high, Number& numbe
     return true;
 }
 
-// In these rows `field` gives a reference to what the key stands for, in Parameters of either
-// constness.
+// In these rows `field` gives a reference to the field of the key, for const and non-const
+// Parameters.
 
 template <class Number, class Field>
 Key number(std::string name, Number low, Number high, std::string allowed, Field field) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The keys of a scene's parameters, in one table: what `--set key=value` takes and refuses, what
-// help texts say of it, and what result files hold all come from there.
+// The keys of a scene's parameters, in one table: what `--set key=value` accepts and refuses, what
+// help texts say about it, and what result files contain are all taken from it.
 #pragma once
 
 #include "scenes/parameters.h"
@@ -12,26 +12,26 @@
 
 namespace dsc::scenes {
 
-/// The value of a key, as result files print it.
+/// The value of a key, as printed in result files.
 using Setting = std::variant<double, int, std::uint64_t, std::string>;
 
 struct Key {
     std::string name;
-    std::string allowed; ///< the values that it takes, with their unit, for errors and help texts
-    /// Sets it from text. False, with nothing set, where the text is no value that is allowed.
+    std::string allowed; ///< the values it accepts, with their unit, for errors and help texts
+    /// Sets it from text. Returns false, and sets nothing, if the text is not an allowed value.
     std::function<bool(Parameters&, const std::string& text)> parse;
     std::function<Setting(const Parameters&)> value;
-    bool is_common = true; ///< every scene takes it; else those that name it
+    bool is_common = true; ///< every scene takes it; otherwise only those that name it
 };
 
-/// All of them, in the order of result files.
+/// All of them, in the order used in result files.
 [[nodiscard]] const std::vector<Key>& parameter_keys();
 
 /// The names of those that every scene takes.
 [[nodiscard]] std::vector<std::string> common_keys();
 
 /// Sets one key from text. Throws InputError for a key that is not one of `keys` (naming those), a
-/// value that is no number, or one out of range; then nothing has changed.
+/// value that is not a number, or one out of range; then nothing has changed.
 void set_parameter(Parameters& parameters, const std::vector<std::string>& keys,
                    const std::string& key, const std::string& value);
 

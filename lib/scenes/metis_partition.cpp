@@ -14,7 +14,7 @@ namespace dsc::scenes {
 
 namespace {
 
-/// A grid of squares, with a label each; places outside belong to the nearest square.
+/// A grid of squares, each with a label; places outside belong to the nearest square.
 struct Grid {
     double x = 0;
     double y = 0;
@@ -35,7 +35,7 @@ struct Grid {
 
 template <class Real>
 Grid grid_about(const PartitionInput<Real>& input) {
-    constexpr double squares_side = 6; // edge lengths: a cut has room for a star on either side
+    constexpr double squares_side = 6; // edge lengths: room for a star on either side of a cut
     constexpr double most = 256;
     double low_x = Region::infinity;
     double low_y = Region::infinity;
@@ -58,7 +58,7 @@ Grid grid_about(const PartitionInput<Real>& input) {
     return grid;
 }
 
-// Labels of the squares; `avoid`: those of another colour, between which cuts cost more.
+// Labels of the squares; `avoid`: those of another colour; cuts where it has cuts cost more.
 std::vector<idx_t> partition(const Grid& grid, const std::vector<idx_t>& load,
                              std::uint32_t submeshes, const std::vector<idx_t>* avoid) {
     constexpr idx_t price_of_same_cut = 64;

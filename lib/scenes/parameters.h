@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be set of a scene without writing code; keys.h gives each a name.
+// The parameters of a scene that can be set without writing code; keys.h gives each a name.
 #pragma once
 
 #include "dsc/passes/options.h"

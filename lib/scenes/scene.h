@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene [thesis 9]: a shape, a flow, and the shape that an exact method would have at any time.
+// A scene (thesis, section 9): a shape, a flow, and the shape that an exact method would have at
+// any time.
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
@@ -20,19 +21,20 @@ struct Setup {
     std::vector<Outline> outlines{}; ///< each of phase 1
     Flow flow{};
     double dt = 0;
-    int steps = 0;                  ///< in all
+    int steps = 0;                  ///< in total
     std::optional<int> half_step{}; ///< the step at which a reversing flow is farthest out
-    /// What is judged: the first outlines carried rigidly, or the smooth shape of the scene.
+    /// What errors are measured against: the first outlines moved rigidly, or the smooth shape of
+    /// the scene.
     std::function<ExactShape(double time)> exact{};
 };
 
 struct Scene {
     std::string name;
     std::string description;
-    std::string section; ///< where it comes from
+    std::string section; ///< the section of the thesis that it comes from
     Parameters defaults{};
     std::function<Setup(const Parameters&)> prepare;
-    std::vector<std::string> keys = common_keys(); ///< what --set takes
+    std::vector<std::string> keys = common_keys(); ///< the keys that --set accepts
 };
 
 } // namespace dsc::scenes

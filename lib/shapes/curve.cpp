@@ -50,7 +50,7 @@ Curve slotted_disc_curve(const SlottedDisc& disc) {
     const std::vector<Point<double>> slot = slot_corners(disc);
     const double begin = std::atan2(slot[3].y() - disc.centre.y(), slot[3].x() - disc.centre.x());
     const double sweep = 2.0 * pi - 2.0 * std::asin(0.5 * disc.slot_width / disc.radius);
-    // An eighth of the parameter for each side of the slot, the rest for the arc.
+    // An eighth of the parameter range for each side of the slot, the rest for the arc.
     const auto point = [slot, disc, begin, sweep](double s) {
         const double place = 8.0 * s;
         if (place < 3.0) {

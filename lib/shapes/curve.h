@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Smooth closed curves by a parameter. What the exact flow makes of a shape is computed from its
+// Smooth closed curves by a parameter. The exact image of a shape under a flow is computed from its
 // curve, never from the polygon that a mesh starts with.
 #pragma once
 

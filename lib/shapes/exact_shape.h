@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shape that an exact method would have at a time, to measure all others by.
+// The shape that an exact method would have at a time; all others are measured against it.
 #pragma once
 
 #include "shapes/outline.h"

@@ -29,7 +29,7 @@ void add_perimeter(const Outline& outline, CompensatedSum& length) {
     }
 }
 
-/// An edge in the search for meetings: its ends, its box and its place in its outline.
+/// An edge in the search for intersections: its ends, its box and its place in its outline.
 struct Side {
     Point<double> a;
     Point<double> b;

@@ -11,11 +11,11 @@
 namespace dsc::scenes {
 
 /// One simple closed polygon; the first point is not repeated at the end. Counter-clockwise around
-/// a region, clockwise around a hole of one.
+/// a region, clockwise around a hole in one.
 using Outline = std::vector<Point<double>>;
 
-/// Positive for a counter-clockwise outline. Relative to the first vertex and with a compensated
-/// sum, so that neither an offset nor the number of vertices costs digits.
+/// Positive for a counter-clockwise outline. Computed relative to the first vertex and with a
+/// compensated sum, so that neither an offset nor the number of vertices costs digits.
 [[nodiscard]] double signed_area(const Outline& outline);
 
 /// Sum of the signed areas: the area of a region whose holes run clockwise.
@@ -30,7 +30,7 @@ using Outline = std::vector<Point<double>>;
 
 [[nodiscard]] Outline reversed(Outline outline);
 
-/// True if no two edges of all the outlines meet, other than neighbours in their common vertex.
+/// True if no two edges of all the outlines meet, except that neighbours share their common vertex.
 /// Decided by exact predicates.
 [[nodiscard]] bool is_simple(std::span<const Outline> outlines);
 [[nodiscard]] bool is_simple(const Outline& outline);

@@ -14,7 +14,7 @@ namespace dsc::scenes {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// Nobody wants more vertices than this; a wrong unit does.
+/// Nobody wants more vertices than this: they come from a wrong unit.
 constexpr double most_vertices = 1e8;
 
 void check_positive(double value, const std::string& what, const std::string& where) {
@@ -26,7 +26,7 @@ void check_positive(double value, const std::string& what, const std::string& wh
     }
 }
 
-/// How many edges it takes for a curve of this length.
+/// The number of edges needed for a curve of this length.
 int parts(double length, double edge_length, const std::string& where) {
     check_positive(edge_length, "edge length", where);
     const double count = std::ceil(length / edge_length);
@@ -160,7 +160,7 @@ Outline crescent(const Crescent& crescent, double edge_length) {
                           .value = std::to_string(distance),
                           .allowed = "such that the two circles cross"});
     }
-    // The horns: `along` from the centre on the axis, `across` to either side of it.
+    // The horns: `along` from the centre on the axis, `across` away from it on either side.
     const double along = 0.5 * (distance + (r - b) * (r + b) / distance);
     const double across = std::sqrt((r - along) * (r + along));
     const Point<double> unit = axis / distance;

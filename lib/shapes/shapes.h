@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The shapes of the thesis's experiments [9.1 to 9.7] as outlines with edges no longer than asked.
-// Corners stay vertices, at the very coordinates that are given. All of them run counter-clockwise.
-// Bad sizes throw InputError.
+// The shapes of the thesis's experiments (thesis, sections 9.1 to 9.7) as outlines whose edges are
+// at most as long as requested. Corners become vertices with exactly the coordinates given. All
+// outlines run counter-clockwise. Invalid sizes throw InputError.
 #pragma once
 
 #include "shapes/outline.h"
@@ -21,8 +21,9 @@ namespace dsc::scenes {
 [[nodiscard]] Outline rectangle(const Point<double>& low, const Point<double>& high,
                                 double edge_length);
 
-/// Zalesak's disc [9.6]: a disc with a slot cut from below. The values are those of D. Enright,
-/// R. Fedkiw, J. Ferziger, I. Mitchell, "A hybrid particle level set method" (2002), in a unit box.
+/// Zalesak's disc (thesis, section 9.6): a disc with a slot cut from below. The values are those of
+/// D. Enright, R. Fedkiw, J. Ferziger, I. Mitchell, "A hybrid particle level set method" (2002), in
+/// a unit box.
 struct SlottedDisc {
     Point<double> centre{0.5, 0.75};
     double radius = 0.15;
@@ -34,11 +35,11 @@ struct SlottedDisc {
 /// right, lower right. The lower two lie on the circle.
 [[nodiscard]] std::vector<Point<double>> slot_corners(const SlottedDisc& disc);
 [[nodiscard]] Outline slotted_disc(const SlottedDisc& disc, double edge_length);
-/// In closed form, of the disc and not of its polygon.
+/// In closed form, for the disc itself and not for its polygon.
 [[nodiscard]] double slotted_disc_area(const SlottedDisc& disc);
 
-/// A disc without its part in a second disc, the bite [9.3]; the circles must cross. The two horns
-/// are corners.
+/// A disc without its part in a second disc, the bite (thesis, section 9.3); the circles must
+/// cross. The two horns are corners.
 struct Crescent {
     Point<double> centre{0.0, 0.0};
     double radius = 1.0;
@@ -53,7 +54,8 @@ struct Crescent {
 [[nodiscard]] Outline star(const Point<double>& centre, double outer_radius, double inner_radius,
                            int tips, double edge_length);
 
-/// Circles of one size around the four corners of a square with sides of length `spacing` [9.7].
+/// Circles of one size around the four corners of a square with sides of length `spacing` (thesis,
+/// section 9.7).
 [[nodiscard]] std::vector<Outline> four_circles(const Point<double>& centre, double spacing,
                                                 double radius, double edge_length);
 

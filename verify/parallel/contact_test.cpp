@@ -57,7 +57,7 @@ TEST_P(Contact, IsNotTriedForEverAndEndsWhenThereIsRoom) {
     const Velocity<double> press = left_moves(0.3 * h);
     double time = 0;
     std::uint64_t missed = 0;
-    std::uint64_t examined_at_first = 0; // in steps where something is in the way, before contact
+    std::uint64_t examined_at_first = 0; // in steps with an obstacle, before contact
     std::uint64_t examined_in_contact = 0;
     std::uint32_t last_passes = 0;
     for (int step = 0; step < 30; ++step, time += 1) {
@@ -71,7 +71,7 @@ TEST_P(Contact, IsNotTriedForEverAndEndsWhenThereIsRoom) {
         last_passes = report.passes;
     }
     EXPECT_GT(missed, 0U) << "nothing was in the way";
-    // Everybody is asked once, and those with something in their way not ten times over.
+    // Each vertex is tried once, and those with an obstacle are not tried ten times over.
     EXPECT_LE(examined_in_contact, examined_at_first);
     EXPECT_LE(last_passes, 2U);
     std::size_t in_contact = 0;
@@ -80,7 +80,7 @@ TEST_P(Contact, IsNotTriedForEverAndEndsWhenThereIsRoom) {
     }
     EXPECT_GT(in_contact, 0U);
 
-    // Apart again: all arrive, and nobody stays marked.
+    // Apart again: all arrive, and no vertex stays marked.
     const Velocity<double> part = left_moves(-0.3 * h);
     std::uint64_t late = 0;
     for (int step = 0; step < 20; ++step, time += 1) {

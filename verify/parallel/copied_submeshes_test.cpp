@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// CreateSubmeshes and MergeSubmeshes (algorithms 6.1 and 6.2) by themselves: dividing and merging
-// changes nothing but the ids, whatever hangs on the simplices.
+// CreateSubmeshes and MergeSubmeshes (thesis, algorithms 6.1 and 6.2) by themselves: dividing and
+// merging changes nothing but the ids, whatever data are attached to the simplices.
 #include "dsc/parallel/copied/copied_submeshes.h"
 
 #include "support/random_scene.h"
@@ -29,7 +29,7 @@ Complex<double> random_mesh(std::uint64_t seed, double h) {
                          : test::random_shapes<double>(dice, h);
 }
 
-// Data by place, which tell wherever their simplex went.
+// Data by place, which show where their simplex went.
 double datum(const Complex<double>& mesh, Vertex v) {
     return mesh.vertices[v.id].x + 2 * mesh.vertices[v.id].y;
 }
@@ -79,7 +79,7 @@ struct Data {
 };
 
 TEST(CopiedSubmeshes, MergeIntoTheMeshThatWasDivided) {
-    CopiedSubmeshes<double> submeshes; // used again and again, as by the executor
+    CopiedSubmeshes<double> submeshes; // used repeatedly, as by the executor
     for (std::uint64_t seed = 1; seed <= 9; ++seed) {
         Dice dice(100 + seed);
         auto mesh = random_mesh(seed, 0.04);
@@ -193,7 +193,7 @@ TEST(CopiedSubmeshes, HaveEqualSharesInTheOrderOfTheNormal) {
         EXPECT_LE(highest, low + 1e-12) << "submesh " << i;
         highest = high;
     }
-    // Black: the ends are one submesh [8.5], and what red locked is free.
+    // Black: the ends form one submesh (thesis, section 8.5), and what red locked is free.
     CopiedSubmeshes<double> black;
     create_submeshes(mesh, {n, 0, 1, RedBlack::black}, black);
     ASSERT_EQ(black.list.size(), n);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What goes wrong in a copied submesh comes out, and leaves a complex and a simulation to go on
-// with; options that make no sense are refused.
+// Exceptions in a copied submesh are passed on, and leave a complex and a simulation that can
+// continue; options that make no sense are refused.
 #include "support/copy_testing.h"
 #include "support/random_scene.h"
 
@@ -38,7 +38,7 @@ TEST(CopyExecutor, PassesOnWhatAVelocityThrows) {
     EXPECT_THROW((void)simulation.step(bad, 0, 1), Fault);
     EXPECT_EQ(validate(complex).problem, "");
     EXPECT_GT(complex.vertex_count(), vertices);
-    // What the split made is looked at in the next step, although nothing moves there.
+    // What the split created is looked at in the next step, although nothing moves there.
     const auto rest = simulation.step(everywhere(0, 0), 0, 1).operations;
     EXPECT_EQ(rest.interface_splits, 0U);
     EXPECT_GT(rest.examined, 0U);
@@ -48,7 +48,7 @@ TEST(CopyExecutor, PassesOnWhatAVelocityThrows) {
 }
 
 // A pass throws in some submesh of some round, before or after the others ran there. The step is
-// lost, the simulation is not.
+// lost, but not the simulation.
 TEST(CopyExecutor, GoesOnAfterAPassThrew) {
     constexpr double h = 0.03;
     enum class Where { upkeep, red, black, whole };
@@ -58,10 +58,10 @@ TEST(CopyExecutor, GoesOnAfterAPassThrew) {
             auto complex = test::disc_complex<double>(h);
             Options<double> options;
             options.edge_length = h;
-            // Slabs of less than two edges leave all there is to do for the last run.
+            // Slabs narrower than two edges leave all the work for the last run.
             const std::uint32_t n = where == Where::whole ? 30 : 6;
             std::atomic<bool> faulty{true};
-            std::atomic<std::uint32_t> runs{0}; // of submeshes, their first passes
+            std::atomic<std::uint32_t> runs{0}; // of submeshes: counts their first passes
             std::atomic<int> thrown{0};
             const Pass<double> fault{
                 "fault", [&](Work<double>& work) {
@@ -90,7 +90,7 @@ TEST(CopyExecutor, GoesOnAfterAPassThrew) {
             }
             EXPECT_EQ(validate(complex).problem, "");
             EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
-            // Who was on the way when the step was lost must not arrive in a later one.
+            // A vertex that was on the way when the step was lost must not arrive in a later one.
             faulty = false;
             EXPECT_EQ(simulation.step(everywhere(0, 0), 0, 1).operations.moves, 0U);
             EXPECT_EQ(simulation.step(everywhere(0.01, 0), 0, 1).unreached, 0U);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Parallel DSC as printed (algorithm 6.3), in copied submeshes: a step is as good as a sequential
-// one, with the same bits for any number of threads; nothing that a boundary holds up is lost; what
-// a submesh throws comes out and leaves a complex to go on with.
+// Parallel DSC as printed (thesis, algorithm 6.3), in copied submeshes: a step is as good as a
+// sequential one, with the same bits for any number of threads; nothing that a boundary holds up is
+// lost; an exception in a submesh is passed on and leaves a complex that can continue.
 #include "dsc/parallel/copied/copy_executor.h"
 
 #include "support/copy_testing.h"
@@ -125,8 +125,8 @@ TEST(CopyExecutor, GivesTheSameBitsInFloat) {
     EXPECT_EQ(simulate<float>(1, &copy).hashes, one.hashes);
 }
 
-// What the centred difference remembers of a vertex goes with it into a submesh and back, under
-// whatever id.
+// What the centred difference remembers about a vertex goes with it into a submesh and back,
+// whatever its id.
 TEST(CopyExecutor, TakesTheMemoryOfVerticesAlong) {
     const CopyOptions one_thread{.submeshes = 4};
     const Outcome one = simulate<double>(2, &one_thread, Integrator::centred);
@@ -199,7 +199,7 @@ TEST(CopyExecutor, IsTheSequentialMethodWhereThereIsOneSubmesh) {
 }
 
 // Every active vertex and every mover comes to one submesh that owns its star, in some round, with
-// its own target: none is lost or done twice, whichever boundaries it lies on.
+// its own target: none is lost or handled twice, whichever boundaries it lies on.
 TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
     constexpr double h = 0.03;
     const Point<double> way(0.002, 0.001);
@@ -262,8 +262,8 @@ TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
     }
 }
 
-// Data and locks follow through steps, references to attributes stay good, and the list of the
-// interface follows the curve as it did.
+// Data and locks are kept through steps, references to attributes stay valid, and the list of the
+// interface follows the curve as before.
 TEST(CopyExecutor, CarriesDataLocksAndOrderThroughSteps) {
     constexpr double h = 0.03;
     auto complex = test::disc_complex<double>(h);
@@ -271,7 +271,7 @@ TEST(CopyExecutor, CarriesDataLocksAndOrderThroughSteps) {
     auto& phases = complex.attributes.add<Triangle, Phase>("phase");
     auto& edges = complex.attributes.add<Edge, std::uint8_t>("on the interface");
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        place[Vertex{v}] = 1; // and 1 between them: splits blend
+        place[Vertex{v}] = 1; // and 1 between them: splits interpolate
     }
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
         phases[Triangle{t}] = complex.phase(Triangle{t});
@@ -329,7 +329,7 @@ TEST(CopyExecutor, CarriesDataLocksAndOrderThroughSteps) {
     EXPECT_LE(apart, 2);
 }
 
-// Upkeep among the motion passes makes and removes interface vertices in the submeshes.
+// Upkeep among the motion passes creates and removes interface vertices in the submeshes.
 TEST(CopyExecutor, LetsPassesInSubmeshesChangeTheInterface) {
     constexpr double h = 0.03;
     auto complex = test::disc_complex<double>(h);
@@ -355,7 +355,7 @@ TEST(CopyExecutor, LetsPassesInSubmeshesChangeTheInterface) {
     EXPECT_GT(changes, 10U);
 }
 
-// More vertices than the submeshes have ids for: the rest is put off, and done.
+// More vertices than the submeshes have ids for: the rest is put off, and done later.
 TEST(CopyExecutor, GoesOnWhereIdsRunOut) {
     auto complex = test::disc_complex<double>(0.05);
     Options<double> options;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The first step costs what the others do: what goes with the size of the mesh (to divide it, to
-// make room for ids, to start threads) is done at construction.
+// The first step costs as much as the others: the work that grows with the size of the mesh
+// (dividing it, making room for ids, starting threads) is done at construction.
 #include "support/submesh_executor_testing.h"
 
 #include <filesystem>
@@ -14,7 +14,7 @@ using test::Growing;
 using test::Way;
 using test::ways_to_divide;
 
-// Where all that grows with the mesh lies.
+// The addresses of all arrays that grow with the mesh.
 std::vector<const void*> storage_of(Complex<double>& complex) {
     return {complex.vertices.data(), complex.triangles.data(),
             complex.attributes.get<Vertex, double>("at vertices").data().data(),
@@ -22,7 +22,7 @@ std::vector<const void*> storage_of(Complex<double>& complex) {
             complex.attributes.get<Triangle, double>("at triangles").data().data()};
 }
 
-// Attributes of all kinds must be there before the executor is made: room is made for them too.
+// Attributes of all kinds must exist before the executor is made: room is made for them too.
 void add_attributes(Complex<double>& complex) {
     complex.attributes.add<Vertex, double>("at vertices");
     complex.attributes.add<Edge, double>("at edges");
@@ -39,7 +39,7 @@ TEST(FirstStep, CopiesNoArrayOfTheMesh) {
         const StepReport report = disc.simulation->step(disc.grow, 0, Growing::h);
         EXPECT_GT(report.operations.interface_splits, 0U) << "nobody asked for an id";
         EXPECT_EQ(storage_of(disc.complex), before);
-        // Submeshes have theirs; what is left for the serial clean-up takes a few more.
+        // Submeshes have theirs; the serial clean-up takes a few more for what is left.
         EXPECT_LT(disc.complex.vertex_bound(), vertices + 32) << "ids were lent in the step";
         EXPECT_LT(disc.complex.triangle_bound(), triangles + 64) << "ids were lent in the step";
         disc.expect_good();
@@ -75,7 +75,7 @@ TEST(FirstStep, FindsTheMeshDividedAndCounted) {
                  1);
     EXPECT_EQ(divided, 1);
     EXPECT_GT(disc.complex.lent_vertices, 0U);
-    disc.expect_good(); // lent ids are no vertices, before the first step as after it
+    disc.expect_good(); // lent ids are not vertices, before the first step as after it
     (void)disc.simulation->step(disc.grow, 0, Growing::h);
     EXPECT_EQ(divided, 1);
 }
@@ -104,7 +104,7 @@ std::ptrdiff_t living_threads() {
     return std::distance(begin(tasks), end(tasks));
 }
 
-// Threads belong to the one that started them: a thread of its own has none yet.
+// Threads belong to the thread that started them: a new thread has none yet.
 TEST(FirstStep, FindsItsThreadsStarted) {
     std::thread([] {
         const auto at_first = living_threads();

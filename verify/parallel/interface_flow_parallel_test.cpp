@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flows that see the interface, in submeshes and in copies: the whole interface is seen from each
-// of them, whoever runs it; the same bits for any number of threads.
+// Flows that see the interface, in submeshes and in copies: the whole interface is visible from
+// each of them, whichever thread runs it; the same bits for any number of threads.
 #include "support/interface_view_testing.h"
 #include "support/random_scene.h"
 #include "support/submesh_executor_testing.h"
@@ -19,8 +19,8 @@ namespace {
 
 constexpr double h = 0.02;
 
-// Grows, is smoothed, and turns: what a vertex does depends on its neighbours. The smoothing is weak
-// enough for these steps to be stable.
+// Grows, is smoothed, and turns: the motion of a vertex depends on its neighbours. The smoothing is
+// weak enough for these steps to be stable.
 const InterfaceFlow<double> mixed =
     vertex_flow<double>([](const auto& view, std::size_t i, double time) -> Point<double> {
         const Point<double> p = view.positions[i] - Point<double>(0.5, 0.5);
@@ -108,7 +108,7 @@ TEST(InterfaceFlowParallel, TheSameBitsForAnyNumberOfThreads) {
     }
 }
 
-// Vertices that change their submesh, or are new to one, are where they would be by a velocity.
+// Vertices that change their submesh, or are new to one, end up where a velocity would take them.
 TEST(InterfaceFlowParallel, AFlowOfPositionsMovesTheSameBitsEitherWay) {
     const Velocity<double> turn = [](std::span<const Point<double>> positions, double time,
                                      std::span<Point<double>> velocities) {
@@ -135,7 +135,7 @@ TEST(InterfaceFlowParallel, AFlowOfPositionsMovesTheSameBitsEitherWay) {
     }
 }
 
-// Whatever the phases are: junctions, holes, the domain boundary.
+// For any phases: junctions, holes, the domain boundary.
 TEST(InterfaceFlowParallel, EverySubmeshSeesTheWholeInterface) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         for (const Strategy& strategy : strategies()) {

@@ -89,7 +89,7 @@ TEST(Metis, SharesTheInterface) {
         for (const std::size_t count : held) {
             EXPECT_GT(count, interface.size() / 10);
         }
-        // Far away is somebody's as well.
+        // Places far away belong to a submesh as well.
         EXPECT_LT(colour.number_of(1e9, -1e9), colour.submeshes);
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parallel DSC: the same bits, ids and data for any number of threads, for every way to divide; as
-// good as the sequential method; the sequential method itself where there is one submesh.
+// good as the sequential method, and identical to it if there is one submesh.
 #include "dsc/parallel/in_place/submesh_executor.h"
 
 #include "support/random_scene.h"
@@ -53,7 +53,7 @@ private:
     std::uint64_t sum_ = 0xcbf29ce484222325U;
 };
 
-// Who is where, by id: positions, triangles and their links, and what ids are free.
+// The state by id: positions, triangles and their links, and which ids are free.
 template <class Real>
 std::uint64_t id_hash(const Complex<Real>& complex) {
     Hash hash;
@@ -133,7 +133,7 @@ struct Outcome {
     std::vector<std::uint64_t> data_hashes;
     std::vector<std::uint64_t> unreached;
     std::vector<std::vector<std::uint32_t>> interfaces;
-    // In all.
+    // In total.
     OperationCounts counts;
     std::uint64_t passes = 0;
     std::map<Phase, double> areas;
@@ -154,7 +154,7 @@ void expect_same(const Outcome& one, const Outcome& other) {
     EXPECT_EQ(other.most_submeshes, one.most_submeshes);
 }
 
-// What is run, but for the number of threads and the account of times.
+// What is run, apart from the number of threads and the time measurements.
 struct Scene {
     std::uint64_t seed;
     double h = 0.025;
@@ -255,7 +255,7 @@ class EveryDivision : public testing::TestWithParam<Division> {};
 TEST_P(EveryDivision, GivesTheSameBitsForAnyNumberOfThreads) {
     std::size_t several = 0;
     std::uint32_t most_threads = 0;
-    // DSC_PARALLEL_SEEDS: fewer, where each takes long.
+    // DSC_PARALLEL_SEEDS: fewer, if each takes long.
     const char* asked = std::getenv("DSC_PARALLEL_SEEDS");
     const std::uint64_t seeds = asked != nullptr ? std::strtoull(asked, nullptr, 10) : 9;
     for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
@@ -280,8 +280,8 @@ TEST_P(EveryDivision, GivesTheSameBitsInFloat) {
     }
 }
 
-// What the interface may be asked for reaches farther: to the neighbours of neighbours, which it
-// may move, and across the link.
+// The options of the interface reach farther: to the neighbours of neighbours, which may be moved,
+// and across the link.
 TEST_P(EveryDivision, GivesTheSameBitsWhateverTheInterfaceIsAskedFor) {
     const std::array<std::function<void(InterfaceThresholds&)>, 3> ways{
         [](auto& i) { i.coarsening = Coarsening::area; },
@@ -306,7 +306,7 @@ TEST_P(EveryDivision, GivesTheSameBitsWhateverTheInterfaceIsAskedFor) {
     }
 }
 
-// The memory of an integrator is the vertices', wherever they are.
+// The memory of an integrator belongs to the vertices, wherever they are.
 TEST_P(EveryDivision, GivesTheSameBitsWithIntegratorsThatRememberAndThatChooseTheStep) {
     for (const Integrator integrator : {Integrator::centred, Integrator::adaptive}) {
         for (std::uint64_t seed = 51; seed <= 52; ++seed) {
@@ -319,7 +319,7 @@ TEST_P(EveryDivision, GivesTheSameBitsWithIntegratorsThatRememberAndThatChooseTh
     }
 }
 
-// Clocks are read, and nothing else; nor does chance come in where the same is run again.
+// Only clocks are read, nothing else changes; and repeating a run gives the same result.
 TEST_P(EveryDivision, GivesTheSameBitsWithAnAccountOfTimesAndWhenRunAgain) {
     for (std::uint64_t seed = 31; seed <= 33; ++seed) {
         const Scene scene = scene_of(seed);
@@ -335,10 +335,10 @@ void expect_near(std::uint64_t value, std::uint64_t expected, double share, cons
         << what;
 }
 
-// Random shapes in which nobody is in anybody's way.
+// Random shapes without obstacles.
 constexpr std::array<std::uint64_t, 6> tame_seeds{48, 49, 76, 80, 86, 90};
 
-// Where nothing is in the way all vertices arrive, and about the same is done as sequentially.
+// Without obstacles all vertices arrive, and about as much is done as sequentially.
 TEST_P(EveryDivision, DoesWhatTheSequentialMethodDoes) {
     std::size_t several = 0;
     std::size_t tame = 0;
@@ -346,7 +346,7 @@ TEST_P(EveryDivision, DoesWhatTheSequentialMethodDoes) {
         const Scene scene{.seed = seed};
         const Outcome sequential = simulate<double>(scene, {});
         if (std::ranges::count(sequential.unreached, 0U) != scene.steps) {
-            continue; // not as tame with this compiler's arithmetic
+            continue; // not as tame with the arithmetic of this compiler
         }
         ++tame;
         const Outcome parallel = run_division<double>(scene, GetParam(), 3);
@@ -363,8 +363,8 @@ TEST_P(EveryDivision, DoesWhatTheSequentialMethodDoes) {
         expect_near(p.interface_splits, s.interface_splits, 0.1, "interface splits");
         expect_near(p.interface_collapses, s.interface_collapses, 0.1, "interface collapses");
         expect_near(p.flips, s.flips, 0.2, "flips");
-        // A vertex beside a short edge may be made and taken again by each submesh that looks; what
-        // remains is about the same.
+        // A vertex beside a short edge may be created and removed again by each submesh that looks
+        // at it; the vertices that remain are about the same.
         expect_near(p.splits, s.splits, 0.5, "splits");
         expect_near(p.collapses, s.collapses, 0.35, "collapses");
         expect_near(p.splits + s.collapses, s.splits + p.collapses, 0.1, "what remains");
@@ -420,7 +420,7 @@ void expect_the_sequential_method() {
         scene.data = true;
         const Outcome sequential = simulate<Real>(scene, {});
         if (std::ranges::count(sequential.unreached, 0U) != scene.steps) {
-            continue; // the sequential method does not try those again that are blocked
+            continue; // the sequential method does not retry vertices that are blocked
         }
         ++tame;
         for (const auto& way : ways_to_have_one_submesh<Real>()) {

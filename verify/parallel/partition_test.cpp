@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What holds of every partition: each colour covers the plane without overlap, submeshes that share
-// a place wait for each other, and the same interface is divided in the same way.
+// What is true of every partition: each colour covers the plane without overlap, submeshes that
+// share a place wait for each other, and the same interface is divided in the same way.
 #include "dsc/parallel/partition/partition.h"
 
 #include "support/random_scene.h"
 #include "support/random_submeshes.h"
 
-#include "dsc/passes/interface_list.h"
 #include "dsc/base/error.h"
+#include "dsc/passes/interface_list.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ using test::random_divided;
 
 constexpr double infinity = Region::infinity;
 
-// Points in and about the mesh, far away, and on the cuts.
+// Points in and around the mesh, far away, and on the cuts.
 std::vector<Point<double>> sample_points(Dice& dice, const Divided& divided) {
     std::vector<Point<double>> points;
     for (int i = 0; i < 300; ++i) {
@@ -88,7 +88,7 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
         const auto first = divided.regions(0).size();
         several += first >= 3 ? 1 : 0;
         if (seed % 2 == 0) {
-            divided.divide(*partitioner, Recut::later); // may be asked for at any time
+            divided.divide(*partitioner, Recut::later); // may be requested at any time
             ASSERT_EQ(divided.regions(0).size(), first);
         }
         const auto& colours = divided.partition.colours;
@@ -104,7 +104,7 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
                 const auto hint = test::number_in(dice, 0, 40);
                 EXPECT_EQ(colour.locate(no_id, p.x(), p.y(), hint), owners.back());
             }
-            // Who shares a place must wait for each other.
+            // Submeshes that share a place must wait for each other.
             for (std::size_t c = 1; c < owners.size(); ++c) {
                 const Region& one = colours[c - 1].regions[owners[c - 1]];
                 const Region& other = colours[c].regions[owners[c]];
@@ -112,7 +112,7 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
                     << p.x() << ' ' << p.y() << ", colours " << c - 1 << " and " << c;
             }
         }
-        // Not all wait for all: boxes of one colour know that they do not meet.
+        // Not all wait for all: boxes of one colour are known not to meet.
         for (const Colour& colour : colours) {
             for (const Region& a : colour.regions) {
                 for (const Region& b : colour.regions) {
@@ -124,7 +124,7 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
     EXPECT_GE(several, seeds / 2) << "there was little to divide";
 }
 
-// Of the same input, whoever asks, however often: nothing is left from before.
+// The same for the same input, whichever object divides and however often: no state is left over.
 TEST_P(EveryPartition, IsTheSameForTheSameInterface) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         Dice dice(seed);
@@ -194,8 +194,8 @@ INSTANTIATE_TEST_SUITE_P(Partitions, EveryPartition, testing::ValuesIn(test::all
 
 // --- regions ------------------------------------------------------------------------------------
 
-// Boxes of a few places, so that they often touch, and round ones: what shares a point may meet,
-// and what does not is known not to, but for touching ones.
+// Boxes of a few places, so that they often touch, and round ones: regions that share a point are
+// reported as meeting, and others are not, except for touching ones.
 TEST(Region, MayMeetWhatSharesAPlaceWithIt) {
     Dice dice(1);
     int meeting = 0;
@@ -212,7 +212,7 @@ TEST(Region, MayMeetWhatSharesAPlaceWithIt) {
             region.high = cut();
             if (dice.chance(0.6)) {
                 region.low = dice.in(0, 5);
-                region.high = dice.in(0, 5); // below it: it goes round
+                region.high = dice.in(0, 5); // below it: it wraps around
             }
             region.side_low = -cut();
             region.side_high = dice.chance(0.5) ? infinity : region.side_low + dice.in(1, 5);
@@ -264,7 +264,7 @@ TEST(OrderInterface, PutsNeighboursNextToEachOther) {
             return breaks;
         };
         if (patches) {
-            // Junctions end curves wherever one comes from.
+            // Curves end at junctions, from whichever side they are followed.
             EXPECT_LT(breaks_of(list), list.size() / 8) << "seed " << seed;
         } else {
             EXPECT_EQ(breaks_of(list), breaks_of(scene.interface))

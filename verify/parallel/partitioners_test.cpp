@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where each partitioner cuts: the work is shared, widths are kept, and a colour is not cut where
-// the one before it was.
+// Where each partitioner cuts: the work is shared, widths are respected, and a colour is not cut
+// where the one before it was.
 #include "dsc/parallel/partition/partition.h"
 
 #include "support/random_scene.h"
@@ -99,8 +99,8 @@ TEST(Cuts, CoverEverything) {
     }
 }
 
-// Black slabs straddle the cuts of the red ones: what one colour locks, the other does not. Where
-// red cuts are left out because slabs would be too thin, the black ones go with them.
+// Black slabs straddle the cuts of the red ones: what one colour locks, the other does not. If red
+// cuts are left out because slabs would be too thin, the black ones are left out with them.
 TEST(Cuts, OfTheTwoColoursLieApart) {
     Dice dice(3);
     for (int round = 0; round < 200; ++round) {
@@ -138,7 +138,7 @@ TEST(Slabs, OfTheSecondColourAreJoinedAtTheEnds) {
     EXPECT_NE(black.locate(0, 1e9, 0.3), black.locate(0, 0.5, 0.3));
     const Colour& red = disc.partition.colours[0];
     EXPECT_NE(red.locate(0, -1e9, 0.3), red.locate(0, 1e9, 0.3));
-    // The one at the ends waits for both ends, and for nobody in between.
+    // The one at the ends waits for both ends, and for nothing in between.
     const Region& ring = black.regions[black.locate(0, 1e9, 0)];
     const std::vector<bool> meets{true, false, false, false, false, true};
     for (std::size_t i = 0; i < red.regions.size(); ++i) {
@@ -174,7 +174,7 @@ TEST(Slabs, ShareTheWork) {
         for (const double share : shares_of(disc, 0)) {
             EXPECT_NEAR(share, 0.2, 0.02) << degrees << " degrees";
         }
-        // Of all vertices, whatever they do.
+        // Of all vertices, whatever their work.
         SlabPartitioner<double> counting(slab_options(Slabbing::counting, 5, degrees));
         disc.divide(counting);
         std::vector<int> count(5, 0);
@@ -315,7 +315,7 @@ TEST(Blocks, AreSquaresShiftedByThirds) {
 
 // --- cells --------------------------------------------------------------------------------------
 
-// How far a place is from the sides of its region.
+// The distance of a place from the sides of its region.
 double depth(const Region& region, const Point<double>& p) {
     return std::min({p.x() - region.low, region.high - p.x(), p.y() - region.side_low,
                      region.side_high - p.y()});
@@ -325,7 +325,7 @@ double depth(const Colour& colour, const Point<double>& p) {
     return depth(colour.regions.at(colour.locate(no_id, p.x(), p.y())), p);
 }
 
-// Bounds of the smallest and the largest share, if each cut is off by `tolerance` at most.
+// Bounds of the smallest and the largest share, if each cut is off by at most `tolerance`.
 std::pair<double, double> bounds_of(std::uint32_t cells, double tolerance) {
     if (cells == 1) {
         return {1, 1};
@@ -387,7 +387,7 @@ TEST(Cells, AreNoSmallerThanAllowed) {
     EXPECT_GT(cells, 100U);
 }
 
-// What the first colour has left over at its cuts, the second does away from its own.
+// What the first colour left over at its cuts, the second does away from its own cuts.
 TEST(Cells, OfTheSecondColourAreCutWhereTheFirstHasNothingLeft) {
     for (const std::uint32_t cells : {2U, 4U, 8U}) {
         constexpr double h = 0.005;
@@ -426,7 +426,7 @@ TEST(Cells, AreCutWhereFewInterfaceVerticesLie) {
     EXPECT_EQ(discs.partition.colours.size(), 1U) << "nothing is left for another colour";
 }
 
-// The number of cells is not the application's business; small interfaces are not divided at all.
+// The application need not choose the number of cells; small interfaces are not divided at all.
 TEST(Cells, AreAsManyAsPay) {
     std::size_t last = 0;
     for (const double radius : {0.02, 0.1, 0.3, 0.45}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each task runs once, and never before those that it waits for have ended; what a task throws
-// comes out, and the schedule can be used again.
+// Each task runs once, and never before those that it waits for have ended; an exception in a task
+// is passed on, and the schedule can be used again.
 #include "dsc/parallel/in_place/schedule.h"
 
 #include "support/random_scene.h"
@@ -28,8 +28,8 @@ constexpr std::array assignments = values_in(assignment_names);
 
 std::string name_of(Assignment assignment) { return std::string(to_string(assignment)); }
 
-// Colours of up to `most` tasks; a task waits for some of the colours before, most often for a few
-// of the last one.
+// Colours of up to `most` tasks; a task waits for some of the earlier colours, most often for a few
+// of the previous one.
 void draw_graph(Dice& dice, TaskGraph& graph, int most) {
     const int colours = dice.in(1, 4);
     for (int colour = 0; colour < colours; ++colour) {
@@ -50,8 +50,8 @@ void draw_graph(Dice& dice, TaskGraph& graph, int most) {
     }
 }
 
-// What the tasks write, each a plain number made from those of its predecessors: wrong where one of
-// them had not ended, and a race for the thread sanitizer where the flags do not order the two.
+// The results of the tasks, each a plain number computed from those of its predecessors: wrong if
+// one of them had not ended, and a race for the thread sanitizer if the flags do not order the two.
 class Record {
 public:
     explicit Record(const TaskGraph& graph)
@@ -125,7 +125,7 @@ TEST(TaskGraph, KnowsWhoWaitsForWhom) {
 }
 
 // Static assignment: neighbours in a colour are on the same thread, and the threads have the same
-// number of tasks of each colour, but for one.
+// number of tasks of each colour, up to a difference of one.
 TEST(TaskGraph, SharesEachColourAmongTheThreads) {
     for (const std::uint32_t tasks : {1U, 2U, 5U, 16U, 37U}) {
         TaskGraph graph;
@@ -196,7 +196,7 @@ TEST(Schedule, CopesWithTasksOfVeryUnequalDuration) {
         draw_graph(dice, schedule.tasks, 12);
         std::vector<int> turns;
         for (std::size_t task = 0; task < schedule.tasks.size(); ++task) {
-            // Up to a millisecond or so: longer than anybody spins before he yields.
+            // Up to a millisecond or so: longer than any thread spins before it yields.
             turns.push_back(dice.chance(0.2) ? dice.in(0, 200'000) : dice.in(0, 50));
         }
         for (std::uint32_t threads = 2; threads <= 6; ++threads) {
@@ -211,8 +211,8 @@ TEST(Schedule, CopesWithTasksOfVeryUnequalDuration) {
     }
 }
 
-// The first task of thread 0 does not end before all the others of thread 0 have run: somebody else
-// must take these over.
+// The first task of thread 0 does not end before all the others of thread 0 have run: another
+// thread must take these over.
 TEST(Schedule, TakesOverWhatNobodyHasBegun) {
     Schedule schedule;
     constexpr std::size_t tasks = 8;
@@ -281,7 +281,7 @@ TEST(Schedule, ThrowsOnWhatATaskThrewAndBeginsNoneOfThoseThatWaitForIt) {
                 ASSERT_LT(thrown, size) << "nothing came out";
                 EXPECT_NE(is_faulty[thrown], 0);
                 EXPECT_EQ(record.runs(thrown), 1);
-                std::vector<std::uint8_t> is_lost(is_faulty); // waits for one that did not end well
+                std::vector<std::uint8_t> is_lost(is_faulty); // waits for a task that failed
                 for (std::size_t task = 0; task < size; ++task) {
                     ASSERT_LE(record.runs(task), 1);
                     for (const std::uint32_t earlier : schedule.tasks.predecessors(task)) {
@@ -298,7 +298,7 @@ TEST(Schedule, ThrowsOnWhatATaskThrewAndBeginsNoneOfThoseThatWaitForIt) {
                         EXPECT_GE(task, thrown) << "the first one is to come out";
                     }
                 }
-                // As if nothing had happened.
+                // As if nothing had failed.
                 Record again(schedule.tasks);
                 schedule.run(threads, assignment, [&](std::size_t task) { again.run(task); });
                 again.expect_all_once();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The nearest site through a grid is the one that a search through all sites finds, ties and
-// rounding included, and Voronoi regions ask for it no more often than they must.
+// The nearest site found through a grid is the one that a search through all sites finds, including
+// ties and rounding, and Voronoi regions search no more often than necessary.
 #include "dsc/parallel/partition/site_grid.h"
 
 #include "support/random_scene.h"
@@ -59,7 +59,7 @@ TEST(SiteGrid, FindsWhatASearchThroughAllFinds) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Dice dice(seed);
         const double scale = std::pow(10.0, dice.chance(0.3) ? dice.in(-160, 160) : dice.in(-3, 3));
-        // At an offset the sites are apart by few units of rounding.
+        // With an offset, the sites are only a few units of rounding apart.
         const Point<double> offset =
             dice.chance(0.3) ? Point<double>(1e13 * scale, -3e14 * scale) : Point<double>(0, 0);
         const auto sites = random_sites(dice, scale, offset);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nothing is left undone at the boundaries of submeshes, nobody is forgotten there, and no area is
+// At the boundaries of submeshes nothing is left undone, no vertex is forgotten, and no area is
 // lost.
 #include "support/submesh_executor_testing.h"
 
@@ -27,7 +27,7 @@ using test::Growing;
 using test::Way;
 using test::ways_to_divide;
 
-// What is left to do in a mesh.
+// The work that is left to do in a mesh.
 struct Flaws {
     double longest_interface = 0; ///< in edge lengths
     double longest = 0;           ///< of the other edges
@@ -53,8 +53,8 @@ struct Flaws {
     }
 };
 
-// The cuts stay where they are while the disc grows: what each colour puts off must be done by
-// another one.
+// The cuts stay in place while the disc grows: what one colour puts off must be done by another
+// one.
 TEST(SubmeshExecutor, LeavesNothingUndoneAtTheBoundaries) {
     constexpr std::uint32_t never = 1000;
     auto ways = ways_to_divide(never);
@@ -78,7 +78,7 @@ TEST(SubmeshExecutor, LeavesNothingUndoneAtTheBoundaries) {
     }
 }
 
-// Who was put off by one submesh, until another one looks at him.
+// A vertex that was put off by one submesh, until another one looks at it.
 class Waiting {
 public:
     void add(const std::vector<std::uint32_t>& vertices, const Work<double>& by) {
@@ -137,13 +137,13 @@ TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
     }
 }
 
-// Whoever is moved to keep the area keeps it, in whichever submesh, and also where those that were
-// put off are done last, after everybody has been aimed.
+// A vertex that is moved to keep the area does so in whichever submesh it is, and also if those
+// that were put off are done last, after all vertices have been aimed.
 TEST(SubmeshExecutor, KeepsTheAreaWhereThatIsAskedFor) {
     constexpr double h = 0.02;
     std::vector<Point<double>> outline;
-    // Edges of 0.7, 0.2 and 0.85 edge lengths: of the ends of the second one, the first may go, and
-    // the other one, which is moved, may not.
+    // Edges of 0.7, 0.2 and 0.85 edge lengths: of the ends of the second one, the first may be
+    // removed; the other one, which is moved, may not.
     for (int i = 0; i < 54; ++i) {
         for (const double share : {0.0, 0.4, 0.4 + 0.2 / 1.75}) {
             const double angle = 2 * M_PI * (i + share) / 54;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The executor of submeshes: what one of them throws comes out, and the simulation goes on; threads
-// and the account of times.
+// The executor of submeshes: exceptions in one of them are passed on, and the simulation goes on;
+// threads and the time measurements.
 #include "dsc/parallel/in_place/submesh_executor.h"
 
 #include "support/submesh_executor_testing.h"
@@ -37,7 +37,7 @@ struct Fault : std::runtime_error {
 TEST(SubmeshExecutor, PassesOnWhatAVelocityThrows) {
     for (const Way& way : ways_to_divide(3)) {
         for (const std::uint32_t threads : {1U, 2U, 4U}) {
-            for (const int good_steps : {0, 2}) { // before; two: it is just about to divide anew
+            for (const int good_steps : {0, 2}) { // before; with two it is about to divide anew
                 SCOPED_TRACE(std::string(way.name) + ", threads " + std::to_string(threads));
                 Growing disc(way.make(), threads);
                 for (int step = 0; step < good_steps; ++step) {
@@ -66,9 +66,9 @@ bool is_same(const Region& a, const Region& b) {
            a.label == b.label;
 }
 
-// A pass of the application throws in one submesh of some colour, or in what is serial, before
-// or after the other passes ran there, in a step that is not the first. The step is lost, the
-// simulation is not.
+// A pass of the application throws in one submesh of some colour, or in the serial part, before or
+// after the other passes ran there, in a step that is not the first. The step is lost, but not the
+// simulation.
 TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
     constexpr std::size_t serial = 99;
     int serial_faults = 0;
@@ -77,7 +77,7 @@ TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
             for (const bool before : {true, false}) {
                 for (const std::size_t colour : {std::size_t{0}, std::size_t{1}, serial}) {
                     if (in_upkeep && colour == 1) {
-                        continue; // what the first colour puts off of it is done serially
+                        continue; // what the first colour puts off is done serially
                     }
                     SCOPED_TRACE(std::string(way.name) + (in_upkeep ? ", upkeep" : ", motion") +
                                  (before ? ", first" : ", last") + ", colour " +

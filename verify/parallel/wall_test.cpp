@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The interface along the domain boundary, by every strategy; and its parts by hand.
+// The interface along the domain boundary, by every strategy; and its parts checked by hand.
 #include "hard/scene.h"
 #include "hard/watch.h"
 
@@ -37,7 +37,7 @@ TEST_P(Wall, StripSlidesFromOneEndToTheOther) {
     hard::Watch<double> watch(
         scene.complex, scene.options, {.domain = domain}, result,
         scenes::make_executor(scene.complex, scene.options, GetParam(), submeshing));
-    // 24 edges to the right: the walls before the strip vanish, and come up again behind it.
+    // 24 edges to the right: the walls before the strip vanish, and reappear behind it.
     constexpr int steps = 60;
     watch.run(scenes::Translation{{1.2, 0}}, 0, 1.0 / steps, steps);
     hard::expect_sound(result, hard::Targets::reachable);
@@ -64,9 +64,8 @@ INSTANTIATE_TEST_SUITE_P(Strategies, Wall,
                          [](const auto& one) { return scenes::to_string(one.param); });
 
 TEST(WallMeeting, AnInterfaceThatMeetsTheWallIsNotInterpolatedAlongIt) {
-    // The strip's wall is an interface as well, and turns into its side by 35 degrees only: a cubic
-    // through both would bulge at the wall. By the slope the one or the other end of an edge sees
-    // it.
+    // The strip's wall is an interface as well, and turns into its side by only 35 degrees: a cubic
+    // through both would bulge at the wall. The slope decides at which end of an edge this is seen.
     for (const double slope : {1.4, -1.4}) {
         const auto lean = [slope](const Point<double>& p) {
             return Point<double>(p.x() + slope * (p.y() - 0.5), p.y());
@@ -154,7 +153,7 @@ TEST_F(WallParts, CollapsesAlongTheWallAndKeepsTheDomain) {
     EXPECT_FALSE(scene.complex.is_alive(Vertex{v}));
     EXPECT_EQ(hard::domain_area(scene.complex), 8);
     EXPECT_EQ(validate(scene.complex).problem, "");
-    // One quality after, as it was promised; a corner does not go.
+    // One quality afterwards, the promised one; a corner is not removed.
     gather_at(0, 0);
     EXPECT_FALSE(collapse_on_wall(work, ring, {99, 99, 0.0}));
 }
@@ -176,7 +175,7 @@ TEST_F(WallParts, QualityAfterACollapseIsThatOfTheTrianglesLeft) {
 }
 
 TEST_F(WallParts, AnObliqueMiddleThatRoundsOffTheWallIsNotTaken) {
-    // (0.1, 0.3) to (0.4, 0.7) and the like: some middles are off the line by rounding.
+    // (0.1, 0.3) to (0.4, 0.7) and similar: some midpoints are off the line because of rounding.
     auto turned = hard::grid_scene(
         {{0, 0}, {4, 2}}, 4, 2, [](const Point<double>&) { return exterior_phase; },
         [](const Point<double>& p) {

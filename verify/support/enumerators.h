@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the compiler knows about the enumerators of an enum, for the check that a table of them is
-// complete. g++ and clang++ spell a number in the signature of a template as the enumerator where
-// there is one ("dsc::Integrator::rk4"), and as a cast ("(dsc::Integrator)9") where there is none.
+// What the compiler knows about the enumerators of an enum, to check that a table of them is
+// complete. In the signature of a template, g++ and clang++ print a number as the enumerator if
+// there is one ("dsc::Integrator::rk4"), and as a cast ("(dsc::Integrator)9") if there is none.
 #pragma once
 
 #include "dsc/base/enum_table.h"
@@ -19,7 +19,7 @@ constexpr std::string_view spelling() {
     return signature.substr(begin, signature.find_first_of(";]", begin) - begin);
 }
 
-/// The identifier of this enumerator; empty where the number is none.
+/// The identifier of this enumerator; empty if the number is not one.
 template <auto value>
 constexpr std::string_view identifier() {
     const std::string_view text = spelling<value>();
@@ -35,7 +35,7 @@ constexpr std::size_t count_enumerators() {
     (std::make_index_sequence<64>{});
 }
 
-/// Each enumerator once, in its order, no two with one name.
+/// Each enumerator once, in order, and no two with the same name.
 template <class Enum, std::size_t n>
 constexpr bool is_complete(const EnumTable<Enum, n>& table) {
     for (std::size_t i = 0; i < n; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the initial complex look at: loops of the interface, sizes, phases.
+// What the tests of the initial complex examine: loops of the interface, sizes, phases.
 #pragma once
 
 #include "dsc/base/tolerances.h"
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> loop_from(const Complex<Real>& complex, Corner corner
     return loop;
 }
 
-/// Where each point lies; two vertices never lie on the same.
+/// The place of each point; two vertices never share one.
 template <class Real>
 std::map<std::pair<Real, Real>, std::uint32_t> vertices_by_position(const Complex<Real>& complex) {
     std::map<std::pair<Real, Real>, std::uint32_t> result;
@@ -68,7 +68,7 @@ std::size_t interface_edge_count(const Complex<Real>& complex) {
 }
 
 /// The sine of the sum of the angles opposite to the edge is not below the slack. Unlike the test
-/// that flips go by, this one is relative to the lengths, so that rectangles pass it.
+/// used for flips, this one is relative to the lengths, so that rectangles pass it.
 template <class Real>
 bool is_locally_delaunay(const Complex<Real>& complex, Corner corner) {
     const auto at = [&](Corner c) -> Point<double> {
@@ -123,7 +123,7 @@ Sizes sizes_of(const Complex<Real>& complex) {
     return sizes;
 }
 
-/// Even-odd, in plain doubles: for points that are not near the outline.
+/// Even-odd rule, in plain doubles: for points that are not near the outline.
 inline bool is_inside(const std::vector<Point<double>>& outline, const Point<double>& p) {
     bool inside = false;
     for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a view of the interface must be, found from the triangles one by one.
+// The expected contents of a view of the interface, found from the triangles one by one.
 #pragma once
 
 #include "dsc/algorithm/interface_graph.h"
@@ -32,8 +32,8 @@ DirectedEdges interface_edges(const Complex<Real>& complex) {
     return edges;
 }
 
-/// Empty, or what is wrong with the view. Each directed edge must leave its vertex once, with the
-/// phases that it separates.
+/// Empty, or what is wrong with the view. Each directed edge must start at its vertex once, with
+/// the phases that it separates.
 template <class Real>
 std::string view_fault(const InterfaceView<Real>& view) {
     DirectedEdges missing = interface_edges(view.complex);

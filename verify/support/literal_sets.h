@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Simplices as sets of vertices, and sets of simplices as sets of those: the thesis's notation
-// [3.1], which ids do not matter to. Also random subsets.
+// Simplices as sets of vertices, and sets of simplices as sets of those: the notation of the thesis
+// (section 3.1), in which ids do not matter. Also random subsets.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -46,7 +46,7 @@ Family family(const Complex<Real>& complex, const SimplexSet& set) {
     return result;
 }
 
-// K, from the triangles alone, by way of nothing that is under test.
+// K, computed from the triangles alone, without any of the code under test.
 template <class Real>
 Family everything(const Complex<Real>& complex) {
     Family result;

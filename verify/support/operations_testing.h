@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the operations share: valid afterwards, or not a byte changed.
+// What the tests of the operations share: the complex is valid afterwards, or not a byte has
+// changed.
 #pragma once
 
 #include "snapshot.h"
@@ -31,8 +32,8 @@ Submesh submesh_of(Complex<Real>& complex, const std::vector<std::uint32_t>& lab
     return submesh;
 }
 
-/// `operate(complex, submesh)` gives that verdict and leaves all bytes as they are. No labels: the
-/// whole complex.
+/// `operate(complex, submesh)` returns that verdict and leaves all bytes as they are. No labels:
+/// the whole complex.
 template <class Real, class Operate>
 void expect_refused(Complex<Real>& complex, Verdict expected, Operate operate,
                     const std::vector<std::uint32_t>& labels = {}) {
@@ -43,7 +44,7 @@ void expect_refused(Complex<Real>& complex, Verdict expected, Operate operate,
     EXPECT_EQ(before == snapshot(complex), true) << "a refused operation changed the complex";
 }
 
-/// The verdict on a copy whose operation may take so many ids and no more.
+/// The verdict on a copy whose operation may take this many ids and no more.
 template <class Real, class Operate>
 Verdict verdict_with_ids(Complex<Real> complex, std::uint32_t vertices, std::uint32_t triangles,
                          Operate operate) {

@@ -57,8 +57,8 @@ std::vector<Point<Real>> random_points(Random& random, const RandomComplexOption
     return points;
 }
 
-// The sweep: sorted points join the convex hull one by one, each with all edges it sees. Collinear
-// points on the hull stay on it. Empty where all points are collinear.
+// The sweep: sorted points join the convex hull one by one, each connected by all edges it sees.
+// Collinear points on the hull stay on it. Empty if all points are collinear.
 template <class Real>
 std::vector<Triple> triangulate(const std::vector<Point<Real>>& points) {
     const auto side = [&](Index a, Index b, Index c) {
@@ -113,7 +113,7 @@ Complex<Real> build(const std::vector<Point<Real>>& points, const std::vector<Tr
     return make_complex<Real>(points, triangles, phases);
 }
 
-// Takes triangles out where the rest stays a manifold: dents, holes, separate pieces.
+// Removes triangles if the rest stays a manifold: dents, holes, separate pieces.
 template <class Real>
 std::vector<Triple> punch_holes(Random& random, const std::vector<Point<Real>>& points,
                                 std::vector<Triple> triangles, double share) {
@@ -125,7 +125,7 @@ std::vector<Triple> punch_holes(Random& random, const std::vector<Point<Real>>& 
             build(points, fewer);
             triangles = std::move(fewer);
         } catch (const InputError&) {
-            // A vertex would have two fans: this one stays.
+            // A vertex would have two fans: this triangle stays.
         }
     }
     return triangles;
@@ -204,7 +204,7 @@ Complex<Real> random_complex(std::uint64_t seed, const RandomComplexOptions& opt
         triangles = triangulate(points);
     }
     triangles = punch_holes(random, points, std::move(triangles), options.holes);
-    // Ids in the order of the sweep would tie "smallest id" to "leftmost".
+    // Ids in the order of the sweep would make "smallest id" the same as "leftmost".
     std::vector<Index> name(points.size());
     for (Index i = 0; i < name.size(); ++i) {
         name[i] = i;
@@ -237,7 +237,8 @@ RandomComplexOptions random_options(std::uint64_t seed, std::uint32_t most_point
     constexpr std::uint32_t patterns = phase_pattern_names.size();
     options.pattern = phase_pattern_names.at(random.below(patterns)).value;
     options.phases = 2 + random.below(3);
-    // A rounded midpoint of a boundary edge may lie outside, in a dent that is thinner than that.
+    // A rounded midpoint of a boundary edge may lie outside, in a dent that is thinner than the
+    // rounding error.
     const bool convex = options.at_resolution || random.chance(0.5);
     options.holes = convex ? 0 : 0.4 * random.unit();
     options.scramble = random.below(5 * options.points);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random small complexes for the tests: valid ones, with everything that the operations must cope
-// with. The same seed gives the same complex on every machine.
+// Random small complexes for the tests: valid ones, with everything that the operations must
+// handle. The same seed gives the same complex on every machine.
 #pragma once
 
 #include "dsc/base/enum_table.h"
@@ -11,7 +11,7 @@
 
 namespace dsc::test {
 
-/// A sequence of random numbers that is the same everywhere; the distributions of <random> are not.
+/// A sequence of random numbers that is the same everywhere, unlike the distributions of <random>.
 /// S. Vigna's splitmix64.
 class Random {
 public:
@@ -31,7 +31,7 @@ enum class PhasePattern : std::uint8_t {
     exterior,  ///< one phase, the exterior's
     interior,  ///< one other phase: the domain boundary is all interface
     clustered, ///< patches, as in a simulation
-    salt,      ///< each triangle for itself: junctions everywhere
+    salt,      ///< each triangle on its own: junctions everywhere
 };
 inline constexpr std::array phase_pattern_names{
     Named{PhasePattern::exterior, "exterior"},
@@ -42,15 +42,15 @@ inline constexpr std::array phase_pattern_names{
 
 struct RandomComplexOptions {
     std::uint32_t points = 20;
-    /// Coordinates are integers in [0, grid): many collinear and cocircular points, midpoints that
-    /// are exact in float as well. 0: real numbers in [0, 1).
+    /// Coordinates are integers in [0, grid): many collinear and cocircular points, and midpoints
+    /// that are exact even in float. 0: real numbers in [0, 1).
     std::uint32_t grid = 0;
-    /// With a grid: shifts it so far out that no number lies between its points. Midpoints are then
-    /// rounded to grid points, and what should be legal may invert.
+    /// With a grid: shifts it so far out that there is no number between its points. Midpoints are
+    /// then rounded to grid points, and operations that should be legal may invert triangles.
     bool at_resolution = false;
     PhasePattern pattern = PhasePattern::clustered;
     std::uint32_t phases = 3;
-    double holes = 0.1; ///< share of the triangles that one tries to take out
+    double holes = 0.1; ///< share of the triangles whose removal is tried
     std::uint32_t scramble =
         60;              ///< random flips, splits and collapses: high and low degrees, free ids
     double locked = 0.1; ///< share of locked vertices
@@ -64,8 +64,8 @@ Complex<Real> random_complex(std::uint64_t seed, const RandomComplexOptions& opt
 /// Options drawn at random: every pattern, grids and real numbers, 3 to `most_points` points.
 RandomComplexOptions random_options(std::uint64_t seed, std::uint32_t most_points = 30);
 
-/// Owners of vertices: 1 where the submesh owns it, else 0; by id, `vertex_bound()` entries. Either
-/// one side of a line, a disc, or most vertices here and there.
+/// Owners of vertices: 1 if the submesh owns it, otherwise 0; by id, `vertex_bound()` entries.
+/// Either one side of a line, a disc, or most vertices in random places.
 template <class Real>
 std::vector<std::uint32_t> random_labels(std::uint64_t seed, const Complex<Real>& complex);
 

@@ -89,8 +89,8 @@ Complex<Real> random_shapes(Dice& dice, double h) {
     return initial_complex<Real>({}, shapes, {.edge_length = h});
 }
 
-/// No shapes, but phases thrown over the triangles: junctions, pinched vertices, phases at the
-/// domain boundary. With few patches, each phase is in large pieces.
+/// No shapes, but random phases of the triangles: junctions, pinched vertices, phases at the domain
+/// boundary. With few patches, each phase forms large pieces.
 template <class Real>
 Complex<Real> random_patches(Dice& dice, double h, int patches) {
     auto complex = initial_complex<Real>({}, {}, {.edge_length = h});
@@ -116,7 +116,7 @@ Complex<Real> random_patches(Dice& dice, double h, int patches) {
     return complex;
 }
 
-/// What makes a flow wild: none of it has to be followed, all of it has to be survived.
+/// What makes a flow wild: none of it has to be followed accurately, all of it has to be survived.
 enum class Wildness : std::uint8_t {
     none,
     not_a_number, ///< in a disc
@@ -124,7 +124,7 @@ enum class Wildness : std::uint8_t {
     absurd,       ///< a speed of 1e300 in a disc
     torn,         ///< opposite velocities on the two sides of a line
     sink,         ///< everything to one point
-    noise,        ///< neighbours know nothing of each other
+    noise,        ///< neighbours are independent of each other
 };
 
 inline constexpr std::array wildness_names{
@@ -134,7 +134,7 @@ inline constexpr std::array wildness_names{
     Named{Wildness::noise, "noise"},
 };
 
-/// A sum of waves: of a stream function, and a little of a potential, that change with time.
+/// A sum of waves: of a stream function, and of a small potential, that change with time.
 class RandomFlow {
 public:
     RandomFlow(Dice& dice, double speed, Wildness wildness)
@@ -201,7 +201,7 @@ private:
     std::vector<Wave> waves_;
 };
 
-/// By id: 1 for the vertices of an interface edge, as it is derived from the phases.
+/// By id: 1 for the vertices of an interface edge, as derived from the phases.
 template <class Real>
 std::vector<std::uint8_t> on_interface(const Complex<Real>& complex) {
     std::vector<std::uint8_t> on(complex.vertex_bound(), 0);
@@ -217,7 +217,7 @@ std::vector<std::uint8_t> on_interface(const Complex<Real>& complex) {
     return on;
 }
 
-/// Empty, or what is wrong with a list of the interface's vertices: each must be there once.
+/// Empty, or what is wrong with a list of the interface's vertices: each must be in it once.
 template <class Real>
 std::string interface_fault(const Complex<Real>& complex, const std::vector<std::uint32_t>& list) {
     auto on = on_interface(complex);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Random ways to divide a complex into submeshes. Everything is drawn before the number of threads
-// is looked at: the same seed gives the same division for any number of them.
+// is known: the same seed gives the same division for any number of them.
 #pragma once
 
 #include "random_scene.h"
@@ -22,7 +22,7 @@
 
 namespace dsc::test {
 
-/// A family of partitions: one partitioner, or one way of its own to choose the cuts.
+/// A family of partitions: one partitioner, or one of its ways to choose the cuts.
 enum class Division : std::uint8_t { fixed, counting, active, blocks, cells, voronoi };
 
 inline constexpr std::array division_names{
@@ -41,7 +41,7 @@ inline std::uint32_t number_in(Dice& dice, int low, int high) {
 }
 
 /// A partitioner of this family, with small least widths, so that small scenes have many submeshes,
-/// and divided anew after a few steps; `words` get what was drawn.
+/// and with a new division after a few steps; `words` receives what was drawn.
 template <class Real>
 std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, Division division,
                                                       std::ostream& words) {
@@ -58,7 +58,7 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, Division divis
                          : division == Division::counting ? Slabbing::counting
                                                           : Slabbing::active;
         slabs.submeshes = number_in(dice, 1, 9);
-        // Upright slabs have code of their own.
+        // Upright slabs have their own code.
         slabs.degrees = dice.chance(0.3) ? 90 * dice.in(0, 3) : dice.in(-400.0, 400.0);
         slabs.follow_shape = dice.chance(0.25);
         slabs.least_width = least_width;
@@ -101,7 +101,7 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, Division divis
     return nullptr;
 }
 
-/// Always all threads that are asked for, however little there is to do.
+/// Always all threads that are requested, however little there is to do.
 inline SubmeshOptions random_submesh_options(Dice& dice, std::uint32_t threads,
                                              std::ostream& words) {
     SubmeshOptions options;
@@ -124,7 +124,7 @@ random_executor(Dice& dice, Division division, Complex<Real>& complex, const Opt
                                                    std::move(partitioner), submeshes);
 }
 
-/// The same with a family that is drawn as well.
+/// The same with a random family.
 template <class Real>
 std::unique_ptr<SubmeshExecutor<Real>> random_executor(Dice& dice, Complex<Real>& complex,
                                                        const Options<Real>& options,
@@ -133,7 +133,7 @@ std::unique_ptr<SubmeshExecutor<Real>> random_executor(Dice& dice, Complex<Real>
     return random_executor(dice, division, complex, options, threads, words);
 }
 
-/// A complex and what a partitioner gets to see of it.
+/// A complex and the view of it that a partitioner gets.
 struct Divided {
     Divided(Complex<double> mesh, double edge_length)
         : complex(std::move(mesh)), h(edge_length), interface(collect_interface(complex)),

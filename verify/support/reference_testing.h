@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small complexes for the tests of the literal method, checkable by hand, and a square with a
-// circle.
+// Small complexes for the tests of the reference, the thesis's method taken literally: checkable by
+// hand, and a square with a circle.
 #pragma once
 
 #include "dsc/base/verdict.h"
@@ -30,7 +30,7 @@ inline TriangleKey T(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return triangle_key(Vertex{a}, Vertex{b}, Vertex{c});
 }
 
-/// All triangles of phase 0, but for those listed in `inside`, of phase 1.
+/// All triangles of phase 0, except those listed in `inside`, which have phase 1.
 inline Complex make(const Points& points, const Triples& triangles,
                     const std::vector<std::size_t>& inside = {}) {
     std::vector<Phase> phases(triangles.size(), exterior_phase);
@@ -70,7 +70,7 @@ inline Complex grid(std::uint32_t n, const std::vector<std::size_t>& inside = {}
     return make(points, triangles, inside);
 }
 
-/// Everything there is to compare of two complexes.
+/// Everything in which two complexes can differ.
 inline std::string print(const Complex& K) {
     std::ostringstream text;
     text.precision(17);
@@ -104,7 +104,7 @@ inline void expect_valid(const Complex& K) {
         ADD_FAILURE() << fault;
 }
 
-/// The operation must be legal, and leave a valid complex with as much of every phase.
+/// The operation must be legal, and leave a valid complex with the same area of every phase.
 inline void expect_legal(Complex& K, const std::function<Verdict(Complex&)>& op) {
     const double exterior = total_area(K, 0);
     const double interior = total_area(K, 1);
@@ -122,7 +122,7 @@ inline void expect_refused(Complex K, Verdict reason, const std::function<Verdic
 }
 
 /// The unit square in n x n cells with a circle of phase 1: vertices near the circle are moved onto
-/// it, edges that still cross it are split there.
+/// it, and edges that still cross it are split there.
 inline Complex circle_in_square(std::uint32_t n, const Point<double>& centre, double radius) {
     Complex K = grid(n);
     for (Vertex v : K.vertices())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the driver share: velocities from functions of a point, and what must hold
-// after every step.
+// What the tests of the driver share: velocities from functions of a point, and the conditions that
+// must hold after every step.
 #pragma once
 
 #include "dsc/algorithm/simulation.h"

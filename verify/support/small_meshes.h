@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small complexes that the tests look at: a fan of six, and grids whose inner vertices are
-// jittered.
+// Small complexes for the tests: a fan of six, and grids whose inner vertices are jittered.
 #pragma once
 
 #include "dsc/complex/complex.h"

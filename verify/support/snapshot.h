@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All bytes of a complex, to say "nothing changed"; and its triangles as places, to say "the same
-// mesh" of two that number their vertices differently.
+// All bytes of a complex, to state "nothing changed"; and its triangles as places, to state "the
+// same mesh" of two that number their vertices differently.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -24,7 +24,7 @@ void append_bytes(std::string& bytes, const std::vector<T>& values) {
     }
 }
 
-/// Records, free ids and the attributes of type double. Nothing of these has padding.
+/// Records, free ids and the attributes of type double. None of these has padding.
 template <class Real>
 std::string snapshot(const Complex<Real>& complex) {
     std::string bytes;

@@ -20,7 +20,7 @@
 
 namespace dsc::test {
 
-// A disc that grows, in submeshes of a partitioner; `seen` is where the partition is. `prepare` is
+// A disc that grows, in submeshes of a partitioner; `seen` receives the partition. `prepare` is
 // called before the executor is made.
 struct Growing {
     static constexpr double h = 0.02;
@@ -44,7 +44,7 @@ struct Growing {
         EXPECT_EQ(validate(complex).problem, "");
         EXPECT_EQ(interface_fault(complex, simulation->interface()), "");
     }
-    // What was on its way when a step was lost must not arrive in a later one.
+    // What was on its way when a step failed must not arrive in a later one.
     void expect_to_go_on() {
         expect_good();
         EXPECT_EQ(simulation->step(everywhere(0, 0), 0, 1).operations.moves, 0U);

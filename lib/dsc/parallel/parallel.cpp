@@ -14,7 +14,7 @@ namespace dsc {
 
 namespace {
 
-// A partitioner's options, with the number of submeshes that is asked for or its own.
+// A partitioner's options, with the number of submeshes asked for or its default.
 template <class PartitionOptions>
 PartitionOptions with_submeshes(PartitionOptions options, const Parallel& parallel) {
     if (parallel.submeshes > 0) {
@@ -111,7 +111,7 @@ std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Opti
     }
 }
 
-// Declared with the simulation, defined here: nothing below this room knows of threads.
+// Declared with the simulation, defined here: nothing in the lower layers knows of threads.
 template <class Real>
 Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& options,
                              const Parallel& parallel)

@@ -12,7 +12,7 @@
 
 namespace dsc {
 
-/// How the mesh is divided into submeshes. `divisions` says what each of them is.
+/// How the mesh is divided into submeshes. `divisions` describes each way.
 enum class Division : std::uint8_t { fixed, counting, active, blocks, cells, copy };
 
 /// The result depends on the division, the number of submeshes and the direction, and on nothing
@@ -23,9 +23,9 @@ struct Parallel {
     std::uint32_t submeshes = 0;     ///< 0: the division's own choice
     double degrees = 0;              ///< slabs are cut across this direction, from the x axis
     bool follow_shape = false;       ///< slabs are cut across the direction of the shape instead
-    bool always_all_threads = false; ///< also where there is too little to do for them
+    bool always_all_threads = false; ///< also if there is too little to do for them
     Assignment assignment = Assignment::queue;
-    bool profile = false; ///< keep an account of times (in_place/step_profile.h)
+    bool profile = false; ///< measure times (in_place/step_profile.h)
 };
 
 /// Makes an executor for either precision.
@@ -35,24 +35,24 @@ using MakeExecutor = std::unique_ptr<Executor<Real>> (*)(Complex<Real>& complex,
                                                          const Parallel& parallel,
                                                          Algorithm<Real> algorithm);
 
-/// All that there is to know of a division.
+/// The properties of a division.
 struct DivisionEntry {
     Division division;
     std::string_view name;
     std::string_view description;
-    std::uint32_t submeshes; ///< where no number is asked for; 0: chosen as it runs
+    std::uint32_t submeshes; ///< if no number is asked for; 0: chosen during the run
     MakeExecutor<double> in_double;
     MakeExecutor<float> in_float;
 };
 
-/// One entry for each, in their order.
+/// One entry for each division, in their order.
 [[nodiscard]] const std::vector<DivisionEntry>& divisions();
 
-/// The submeshes that this makes: the number asked for, or the division's own; 0: chosen as it
-/// runs.
+/// The number of submeshes that results: the number asked for, or the division's default; 0: chosen
+/// during the run.
 [[nodiscard]] std::uint32_t submeshes_of(const Parallel& parallel);
 
-/// The executor that runs so, for an algorithm of one's own. Throws InputError where the options
+/// The executor for these options, for an algorithm of your own. Throws InputError if the options
 /// make no sense together.
 template <class Real>
 [[nodiscard]] std::unique_ptr<Executor<Real>>

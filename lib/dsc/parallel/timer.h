@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Accounts of time.
+// Time measurement.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace dsc {
 
-/// Seconds from call to call. Switched off it reads no clock and says 0.
+/// Seconds from call to call. Switched off, it reads no clock and returns 0.
 class Timer {
 public:
     explicit Timer(bool on = true) : on_(on) {

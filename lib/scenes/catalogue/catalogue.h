@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All scenes of this project. An application has a list of its own, with these in it or not.
+// All scenes of this project. An application has its own list, with or without these.
 #pragma once
 
 #include "scenes/scene.h"
@@ -9,12 +9,12 @@ namespace dsc::scenes {
 /// In the order of the thesis.
 [[nodiscard]] const std::vector<Scene>& catalogue();
 
-/// Throws InputError, naming all scenes of the list, where there is none of that name.
+/// Throws InputError, naming all scenes of the list, if there is none of that name.
 [[nodiscard]] const Scene& find_scene(const std::string& name,
                                       const std::vector<Scene>& scenes = catalogue());
 
-/// Thresholds of the scenes in which speed is the question: interface edges as long as those inside
-/// the phases. A shape wants shorter ones.
+/// Thresholds of the scenes for measuring speed: interface edges as long as those inside the
+/// phases. Scenes that judge a shape use shorter ones.
 [[nodiscard]] InterfaceThresholds coarse_interface();
 
 } // namespace dsc::scenes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The families of scenes, each in the file of its name, and what several of them are made of.
+// The families of scenes, each in the file of its name, and the parts that several of them share.
 #pragma once
 
 #include "scenes/scene.h"
@@ -15,7 +15,7 @@ namespace dsc::scenes {
 [[nodiscard]] std::vector<Scene> swirl_scenes();
 [[nodiscard]] std::vector<Scene> speedup_scenes();
 
-/// What a list of scenes and its help say of one.
+/// What a list of scenes and its help say about a scene.
 struct About {
     std::string name;
     std::string description;
@@ -27,14 +27,14 @@ struct Schedule {
     int steps;
 };
 
-/// Time step and number of steps: what is given stays; what is not follows from the duration.
+/// Time step and number of steps: given values are kept; missing ones follow from the duration.
 /// Throws InputError for more than 100,000,000 steps.
 [[nodiscard]] Schedule schedule(const Parameters& parameters, double duration, double default_dt);
 
 /// A circle in the middle of the domain that grows to four times its radius.
 [[nodiscard]] Scene scaling_scene(About about, double h);
 
-/// One rigid turn about the middle of the domain, in so many steps.
+/// One rigid turn about the middle of the domain, in `steps` steps.
 [[nodiscard]] Scene rotation_scene(About about, double h, int steps,
                                    std::function<std::vector<Outline>(double h)> outlines);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rigid turns [thesis 9.3]: corners that must stay corners.
+// Rigid turns (thesis, section 9.3): corners must stay corners.
 #include "flows/exact.h"
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"

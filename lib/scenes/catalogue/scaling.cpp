@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Growth [thesis 9.2]: new vertices appear on the interface all the time.
+// Growth (thesis, section 9.2): new vertices appear on the interface all the time.
 #include "flows/exact.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/catalogue/families.h"
@@ -13,7 +13,7 @@ Setup grow(const Parameters& p) {
     static constexpr double first_radius = 0.1;
     constexpr double last_radius = 0.4;
     static const Point<double> middle(0.5, 0.5);
-    // The thesis's circles grow by less than an edge a step.
+    // The thesis's circles grow by less than an edge length per step.
     const Schedule s = schedule(p, last_radius - first_radius, 0.3 * p.h);
     Setup setup;
     setup.outlines = {circle(middle, first_radius, p.h)};

@@ -20,7 +20,7 @@ Schedule schedule(const Parameters& p, double duration, double default_dt) {
         }
         s.steps = static_cast<int>(count);
         if (p.dt <= 0) {
-            s.dt = duration / s.steps; // whole steps end where the scene ends
+            s.dt = duration / s.steps; // a whole number of steps ends where the scene ends
         }
     }
     return s;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes in which speed is the question [thesis 9.7].
+// Scenes for measuring speed (thesis, section 9.7).
 #include "flows/exact.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/catalogue/families.h"

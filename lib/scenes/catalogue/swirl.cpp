@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The swirl [thesis 9.6, equation 11] and the field's single vortex: shapes are drawn out into
-// filaments, and most come back.
+// The swirl (thesis, section 9.6, equation 11) and the single vortex that is common in the
+// literature: shapes are drawn out into filaments, and most come back.
 #include "flows/exact.h"
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Twisting and untwisting [thesis 9.4].
+// Twisting and untwisting (thesis, section 9.4).
 #include "flows/exact.h"
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"

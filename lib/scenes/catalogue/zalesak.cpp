@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Zalesak's slotted disc [thesis 9.6], the field's usual test of sharp corners and thin slots.
+// Zalesak's slotted disc (thesis, section 9.6), the usual test of sharp corners and thin slots.
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"
 

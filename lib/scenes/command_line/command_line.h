@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the programs' command lines have in common: `list`, `run`, and exit codes that mean the same
-// everywhere.
+// What the programs' command lines have in common: `list`, `run`, and exit codes with the same
+// meaning everywhere.
 #pragma once
 
 #include "dsc/base/error.h"

@@ -79,7 +79,7 @@ void parse_angle(const std::string& angle, Submeshing& submeshing) {
     }
 }
 
-// What a key takes and what a strategy is, a line each.
+// The accepted values of the keys, and what each strategy is, one line each.
 std::string details() {
     std::ostringstream text;
     text << "Keys of --set (each scene takes those that `list` shows):\n" << std::left;

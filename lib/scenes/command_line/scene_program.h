@@ -9,8 +9,8 @@ namespace dsc::scenes {
 /// NAME list
 /// NAME run SCENE [--set key=value]... [--strategy S] [--submeshes M] [--threads N]
 ///                [--frames DIR] [--json FILE]
-/// Exit: 0 done; 1 the run broke an invariant or could not write its results; 2 bad usage. Results
-/// go to stdout, complaints to stderr, one line each that begins with the program's name.
+/// Exit: 0 success; 1 the run broke an invariant or could not write its results; 2 bad usage.
+/// Results go to stdout, errors to stderr, one line each that begins with the program's name.
 int scene_program(const std::string& program, const std::vector<Scene>& scenes, int argc,
                   const char* const* argv);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes of a run as a series of files that ParaView and plots/frames.py read.
+// Meshes of a run as a series of files that ParaView and plots/frames.py can read.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -13,12 +13,12 @@ namespace dsc::scenes {
 
 class Frames {
 public:
-    /// An empty folder name: no frames. Creates the folder; throws InputError where it cannot be
-    /// written to, before anything has run.
+    /// An empty folder name: no frames. Creates the folder; throws InputError, before anything has
+    /// run, if it is not writable.
     Frames(std::string folder, std::string name, int count, int steps, std::optional<int> half);
 
-    /// Writes a frame if this step has one, and returns its path; empty where it has none. Throws
-    /// FileError.
+    /// Writes a frame if this step has one, and returns its path; otherwise returns an empty path.
+    /// Throws FileError.
     template <class Real>
     std::string write(int step, double time, const Complex<Real>& complex);
     /// Writes the collection.

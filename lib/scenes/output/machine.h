@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a result comes from: every result file says it.
+// Where a result comes from: stated in every result file.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace dsc::scenes {
 
 /// "CPU model, N cores".
 [[nodiscard]] std::string machine();
-/// The commit that was checked out when the build was configured, with "+" where it had changes;
+/// The commit that was checked out when the build was configured, with "+" if it had changes;
 /// "unknown" outside a repository.
 [[nodiscard]] std::string commit();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line on stderr for whoever waits; nothing at all where nobody looks.
+// A progress line on stderr; nothing at all if nobody is watching.
 #pragma once
 
 #include <chrono>

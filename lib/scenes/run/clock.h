@@ -4,7 +4,7 @@
 
 namespace dsc::scenes {
 
-/// Runs from its construction on.
+/// Starts at construction.
 class Stopwatch {
 public:
     Stopwatch();

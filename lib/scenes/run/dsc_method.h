@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh under way, in either precision, as a run drives it.
+// The mesh during a run, in either precision.
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
@@ -17,7 +17,7 @@ dsc::Velocity<Real> velocity_in(const Velocity& velocity) {
     if constexpr (std::is_same_v<Real, double>) {
         return velocity;
     } else {
-        // The fields are evaluated in double, whatever the mesh is in.
+        // The fields are evaluated in double, whatever the precision of the mesh.
         return [&velocity](std::span<const Point<Real>> positions, Real time,
                            std::span<Point<Real>> velocities) {
             std::vector<Point<double>> in(positions.size());
@@ -82,7 +82,7 @@ public:
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
-    /// The submeshes beside a frame, where there are any.
+    /// The submeshes as a file next to a frame, if there are any.
     void map_submeshes(const std::string& frame) const {
         if (submeshes_ != nullptr && !submeshes_->partition().colours.empty() && !frame.empty()) {
             write_submesh_map(*submeshes_,
@@ -95,7 +95,7 @@ private:
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
     const SubmeshExecutor<Real>* submeshes_ = nullptr;
-    const Velocity* leg_ = nullptr; ///< the velocity of the step before
+    const Velocity* leg_ = nullptr; ///< the velocity of the previous step
     std::uint64_t vertex_steps_ = 0;
 };
 

@@ -42,7 +42,7 @@ struct ValueToJson {
 
 Json to_json(const Value& value) { return std::visit(ValueToJson{}, value); }
 
-// The measures of both moments. Null where there was no such moment.
+// The measures of both moments. Null if there was no such moment.
 void add_figures(const RunResult& r, Json& json) {
     for (const Figure& figure : r.last) {
         json[figure.name + "_last"] = to_json(figure.value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run's result as the file that plots, tables and other programs read.
+// A run's result as the file that is read by plots, tables and other programs.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@ namespace dsc::scenes {
 
 struct RunResult;
 
-/// One object, with a trailing newline. The value of each measure is there as NAME_last and
-/// NAME_half, null where there was no such moment or it could not be measured.
+/// One object, with a trailing newline. The value of each measure is stored as NAME_last and
+/// NAME_half, null if there was no such moment or it could not be measured.
 [[nodiscard]] std::string to_json(const RunResult& result);
 
 } // namespace dsc::scenes

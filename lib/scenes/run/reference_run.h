@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The literal sequential method on a scene, from the same initial complex.
+// The sequential method of the thesis, taken literally, on a scene, from the same initial complex.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -11,7 +11,7 @@ namespace dsc::scenes {
 
 /// The arrays of a complex as the reference takes them.
 [[nodiscard]] reference::Complex to_reference(const Complex<double>& complex);
-/// And back. O(n log n).
+/// The reverse. O(n log n).
 [[nodiscard]] Complex<double> from_reference(const reference::Complex& complex);
 /// The options that match `scene_options`.
 [[nodiscard]] reference::Options reference_options(const Parameters& parameters);
@@ -21,7 +21,7 @@ public:
     ReferenceMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run);
 
     void step(const Velocity& velocity, double time, double dt, RunResult& result);
-    /// Converted anew after each step, when first asked for.
+    /// Converted anew after each step, on the first request.
     [[nodiscard]] const Complex<double>& complex();
     [[nodiscard]] std::uint64_t interface_vertices();
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }

@@ -19,7 +19,7 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Looking at every triangle after each step is fine for small meshes only.
+/// Checking every triangle after each step is affordable for small meshes only.
 constexpr std::uint64_t few_triangles = 60000;
 constexpr int seldom = 16;
 
@@ -80,7 +80,7 @@ private:
         }
     }
 
-    // The interface as the scene reads it.
+    // The interface as interpolated by the scene.
     std::vector<Outline> outlines() {
         return interface_outlines(complex(), result_.parameters.interface.reading);
     }

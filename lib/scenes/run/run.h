@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs a scene and measures it. Measuring is not timed, and nothing is measured that costs the step
-// anything.
+// Runs a scene and measures it. Measuring is not timed, and does not slow down the steps.
 #pragma once
 
 #include "dsc/quality/histogram.h"
@@ -19,16 +18,16 @@ struct RunOptions {
     Strategy strategy = Strategy::sequential;
     Submeshing submeshing; ///< of the parallel strategies
     std::string frames;    ///< folder for frames (.vtu, .pvd); empty: none
-    int frame_count = 9;   ///< about so many, evenly spread, with the first and the last
+    int frame_count = 9;   ///< approximate number, evenly spread, with the first and the last
     bool progress = false; ///< a line on stderr
-    /// What is measured at the end, and where a reversing flow is farthest out.
+    /// What is measured at the end, and when a reversing flow is farthest out.
     std::vector<Measure> measures = default_measures();
-    /// false: NaN stands for what needs the exact shape. Where that has no closed form, it takes
-    /// longer than a run on a coarse mesh.
+    /// false: everything that needs the exact shape is NaN. If the shape has no closed form,
+    /// computing it takes longer than a run on a coarse mesh.
     bool measure_shape = true;
     const std::atomic<bool>* interrupted = nullptr; ///< ends the run after the current step
     /// Called after each step (0: before the first) with the double complex; for tests. Not called
-    /// by float runs nor by the reference.
+    /// by float runs or by the reference.
     std::function<void(int step, const Complex<double>& complex)> observer;
 };
 
@@ -38,9 +37,9 @@ struct RunResult {
     Strategy strategy = Strategy::sequential;
     std::uint32_t submeshes = 1;
     std::uint32_t threads = 1;
-    int steps = 0; ///< done; fewer than asked for where `interrupted` or `gave_up`
+    int steps = 0; ///< done; fewer than asked for if `interrupted` or `gave_up`
     bool interrupted = false;
-    std::string gave_up; ///< empty, or why
+    std::string gave_up; ///< empty, or the reason
 
     std::uint64_t triangles_first = 0;
     std::uint64_t triangles_last = 0;
@@ -48,14 +47,15 @@ struct RunResult {
     std::uint64_t interface_vertices_last = 0;
     double area_first = 0; ///< of the first polygon
     double area_exact_first = 0;
-    double area_ratio = 0;       ///< A(t_n) / A(t_0), as the thesis
+    double area_ratio = 0;       ///< A(t_n) / A(t_0), as in the thesis
     Figures last;                ///< of the measures, at the end
-    std::optional<Figures> half; ///< where a reversing flow is farthest out
+    std::optional<Figures> half; ///< when a reversing flow is farthest out
     double min_quality_ever = 0;
-    int quality_sampled_every = 1; ///< steps between two looks at `min_quality_ever` and `inverted`
-    std::uint64_t inverted = 0;    ///< triangles that an exact predicate found not positive, summed
+    int quality_sampled_every =
+        1;                      ///< steps between two samples of `min_quality_ever` and `inverted`
+    std::uint64_t inverted = 0; ///< triangles that an exact predicate found not positive, summed
     std::uint64_t unreached = 0;
-    std::uint64_t held = 0; ///< of these, for a velocity that was not finite
+    std::uint64_t held = 0; ///< of these, because of a velocity that was not finite
     std::uint64_t sub_steps = 0;
     std::map<std::string, std::uint64_t> operations;
     double cpu_s = 0; ///< of all steps, without measuring
@@ -72,7 +72,7 @@ struct RunResult {
     [[nodiscard]] bool holds() const { return inverted == 0 && unreached == 0 && gave_up.empty(); }
 };
 
-/// Throws InputError before anything has run; FileError where a frame cannot be written.
+/// Throws InputError before anything has run; FileError if a frame cannot be written.
 RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunOptions& options);
 
 } // namespace dsc::scenes

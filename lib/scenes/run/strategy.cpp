@@ -7,7 +7,7 @@ namespace dsc::scenes {
 
 namespace {
 
-// Between the first and the last strategy stand the divisions of the library, in their order.
+// Between the first and the last strategy are the divisions of the library, in their order.
 std::vector<StrategyEntry> make_strategies() {
     std::vector<StrategyEntry> all{
         {Strategy::sequential, "sequential", "the whole mesh at once", 1, std::nullopt}};

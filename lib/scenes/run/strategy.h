@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The strategies by the names that the command lines take, and the executors behind them.
+// The strategies by their names on the command line, and the executors behind them.
 #pragma once
 
 #include "dsc/parallel/parallel.h"
@@ -13,7 +13,7 @@
 
 namespace dsc::scenes {
 
-/// How the passes are run; `reference` is the literal sequential method of the thesis.
+/// How the passes are run; `reference` is the sequential method of the thesis taken literally.
 enum class Strategy : std::uint8_t {
     sequential,
     fixed,
@@ -25,15 +25,15 @@ enum class Strategy : std::uint8_t {
     reference,
 };
 
-/// What the parallel strategies are asked for; the division follows from the strategy.
+/// The options of the parallel strategies; the division follows from the strategy.
 using Submeshing = Parallel;
 
-/// All that there is to know of a strategy.
+/// The properties of a strategy.
 struct StrategyEntry {
     Strategy strategy;
     std::string name;
     std::string description;
-    std::uint32_t submeshes;          ///< where no number is asked for; 0: chosen as it runs
+    std::uint32_t submeshes;          ///< if no number is asked for; 0: chosen during the run
     std::optional<Division> division; ///< of the parallel ones
 };
 
@@ -43,19 +43,19 @@ struct StrategyEntry {
 
 [[nodiscard]] const std::vector<Strategy>& all_strategies();
 [[nodiscard]] std::string to_string(Strategy strategy);
-/// Throws InputError, naming those that there are.
+/// Throws InputError, naming the strategies that exist.
 [[nodiscard]] Strategy parse_strategy(const std::string& name);
-/// Not sequential, and not the reference.
+/// Neither sequential nor the reference.
 [[nodiscard]] bool is_parallel(Strategy strategy);
 /// "fixed, counting, ...": those of which is_parallel is true.
 [[nodiscard]] std::string parallel_strategies();
 
-/// The submeshes that this makes: the number asked for, or the strategy's own; 0: chosen as it
-/// runs.
+/// The number of submeshes that results: the number asked for, or the strategy's default; 0: chosen
+/// during the run.
 [[nodiscard]] std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing);
 
-/// The executor; null for `sequential` and `reference`. Throws InputError where options make no
-/// sense for this strategy.
+/// The executor; null for `sequential` and `reference`. Throws InputError if options make no sense
+/// for this strategy.
 template <class Real>
 std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
                                               Strategy strategy, const Submeshing& submeshing);

@@ -35,7 +35,7 @@ void append_triangles(AttributeSet& to, const AttributeSet& from,
     to.append(SimplexKind::edge, from, corner_order);
 }
 
-// The border's record, as a complex begins with it.
+// The record of the border, as a new complex has it.
 template <class Real>
 void clear(Complex<Real>& complex) {
     complex.vertices.clear();
@@ -66,13 +66,13 @@ void find_keys(const Complex<Real>& mesh, const CountingDivision& division,
     }
 }
 
-// Where the shares end. The printed bounds of the black ones leave out k triangles behind the first
-// half share; the text and figure 6.2b say what is meant: the red bounds, shifted by half a share.
+// Where the shares end. The printed bounds of the black ones leave out k triangles after the first
+// half share; the text and figure 6.2b show what is meant: the red bounds, shifted by half a share.
 void find_cuts(std::size_t triangles, const CountingDivision& division,
                std::vector<std::size_t>& cuts) {
     const std::size_t n = division.submeshes;
     const std::size_t share = triangles / n;
-    const std::size_t more = triangles % n; // so many shares, the first, have one more
+    const std::size_t more = triangles % n; // the first `more` shares have one triangle more
     const std::size_t shift = division.colour == RedBlack::black ? share / 2 : 0;
     cuts.assign(1, 0);
     for (std::size_t i = shift == 0 ? 1 : 0; i < n; ++i) {
@@ -81,7 +81,7 @@ void find_cuts(std::size_t triangles, const CountingDivision& division,
     cuts.push_back(triangles);
 }
 
-// Sorts as far as the cuts first to last - 1 need it: nothing from one share is left in another.
+// Sorts only as far as the cuts first to last - 1 need it: each element ends up in its share.
 template <class Key>
 void sort_into_shares(std::vector<Key>& keys, const std::vector<std::size_t>& cuts,
                       std::size_t first, std::size_t last) {
@@ -112,7 +112,7 @@ void number_simplices(const Complex<Real>& mesh, const CountingDivision& divisio
     sort_into_shares(submeshes.keys, cuts, 0, cuts.size() - 1);
     submeshes.number.assign(mesh.triangle_bound(), no_id);
     for (std::size_t share = 0; share + 1 < cuts.size(); ++share) {
-        // The first and the last black share are one submesh [8.5].
+        // The first and the last black share form one submesh (thesis, section 8.5).
         const auto number = static_cast<std::uint32_t>(share % division.submeshes);
         for (std::size_t i = cuts[share]; i < cuts[share + 1]; ++i) {
             submeshes.number[keys[i].triangle] = number;
@@ -134,8 +134,8 @@ void number_simplices(const Complex<Real>& mesh, const CountingDivision& divisio
     }
 }
 
-// The triangles submesh by submesh, in each by their ids in the mesh: neighbours in memory stay
-// neighbours. Afterwards submesh i ends at cuts[i].
+// The triangles submesh by submesh, and within each by their ids in the mesh, so that neighbours in
+// memory stay neighbours. Afterwards submesh i ends at cuts[i].
 template <class Real>
 void bucket_triangles(CopiedSubmeshes<Real>& submeshes) {
     auto& ends = submeshes.cuts;
@@ -162,7 +162,7 @@ void bucket_triangles(CopiedSubmeshes<Real>& submeshes) {
 
 // --- algorithm 6.1: copies ----------------------------------------------------------------------
 
-// Inserts the vertices of the triangles. O.order: where they come from.
+// Inserts the vertices of the triangles. O.order: the vertices that they are copies of.
 template <class Real>
 void insert_vertices(const Complex<Real>& mesh, std::span<const std::uint32_t> triangles,
                      CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& submesh) {
@@ -224,7 +224,8 @@ void merge_vertices(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& subme
             continue;
         }
         const std::uint32_t original = submesh.shared[v.id];
-        // A shared vertex is inserted by the first of its submeshes, as these come in order.
+        // A shared vertex is inserted by the first of its submeshes, since they are handled in
+        // order.
         if (original != no_id && submeshes.merged[original] != no_id) {
             submesh.merged[v.id] = submeshes.merged[original];
             continue;
@@ -240,8 +241,8 @@ void merge_vertices(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& subme
     fresh.attributes.append(SimplexKind::vertex, complex.attributes, submeshes.order);
 }
 
-// The border in a submesh is that of the domain, or another submesh is beyond: then both ends are
-// shared, and another triangle will come with them.
+// The border in a submesh is either that of the domain, or stands for another submesh: then both
+// ends are shared, and another triangle will be added with them.
 template <class Real>
 void note_seam(CopiedSubmeshes<Real>& submeshes, const CopiedSubmesh<Real>& submesh, Corner corner,
                Corner merged) {
@@ -285,8 +286,8 @@ void merge_triangles(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& subm
     append_triangles(fresh.attributes, complex.attributes, submeshes.order, submeshes.corner_order);
 }
 
-// Sorting the half-edges at the submesh boundaries pairs those of one edge; what is alone is on the
-// boundary of the domain, between two shared vertices.
+// Sorting the half-edges at the submesh boundaries pairs those of the same edge; one without a
+// partner is on the boundary of the domain, between two shared vertices.
 template <class Real>
 void close_seams(CopiedSubmeshes<Real>& submeshes) {
     auto& seams = submeshes.seams;
@@ -371,7 +372,7 @@ void lend_ids(CopiedSubmesh<Real>& submesh, std::size_t vertices) {
     submesh.shared.resize(complex.vertices.size(), no_id);
     complex.attributes.resize_vertices(complex.vertices.size());
     complex.attributes.resize_triangles(complex.triangles.size());
-    // Ids are taken from the end of the pool: the lowest first.
+    // Ids are taken from the end of the pool, so that the lowest is taken first.
     for (std::uint32_t i = count; i > 0; --i) {
         complex.ids.vertices.push_back(first_vertex + i - 1);
     }

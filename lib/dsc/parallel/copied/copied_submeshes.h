@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The thesis's own way to divide a mesh: CreateSubmeshes and MergeSubmeshes, algorithms 6.1 and 6.2
-// with the counting method of slabbing [6.3, 8.5]. Each submesh is a complex of its own that holds
-// copies; S_i tells which of its vertices are shared with other submeshes, so that merging neither
-// compares coordinates nor searches. The slabs that run in place (slabs.h) do without the copies.
+// The thesis's own way to divide a mesh: CreateSubmeshes and MergeSubmeshes, algorithms 6.1 and
+// 6.2, with the counting method of slabbing (thesis, sections 6.3 and 8.5). Each submesh is a
+// complex of its own that holds copies; S_i tells which of its vertices are shared with other
+// submeshes, so that merging neither compares coordinates nor searches. The slabs that run in place
+// (slabs.h) need no copies.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -13,7 +14,7 @@
 
 namespace dsc {
 
-/// The two ways to lay the slabs; black ones are shifted by half a share [6.3].
+/// The two ways to place the slabs; black ones are shifted by half a share (thesis, section 6.3).
 enum class RedBlack : std::uint8_t { red, black };
 
 /// The counting method: slabs across the normal, each with the same share of the triangles.
@@ -24,20 +25,20 @@ struct CountingDivision {
     RedBlack colour = RedBlack::red;
 };
 
-/// Submesh i: the closure of its triangles. Ids are its own; triangles at its boundary have the
-/// border for a neighbour there.
+/// Submesh i: the closure of its triangles. It has ids of its own; triangles at its boundary have
+/// the border as their neighbour there.
 template <class Real>
 struct CopiedSubmesh {
     Complex<Real> complex; ///< K'_i; its pool may not grow
     /// S_i, by vertex of the submesh: the vertex of the mesh for those on the submesh boundary
-    /// (IsSubmeshBoundary), no_id for all others, also for those that are made later.
+    /// (IsSubmeshBoundary), no_id for all others, including those that are created later.
     std::vector<std::uint32_t> shared;
     /// S', by vertex of the submesh: the vertex of the merged mesh, or no_id. Filled by merging.
     std::vector<std::uint32_t> merged;
     std::vector<std::uint32_t> merged_triangles; ///< the same for triangles
 
-    /// What operations may change: simplices without vertices on the submesh boundary [6.4]. Void
-    /// when vertices are added behind its back, as by `lend_ids`.
+    /// What operations may change: simplices without vertices on the submesh boundary (thesis,
+    /// section 6.4). Invalid once vertices are added without its knowledge, as by `lend_ids`.
     [[nodiscard]] Region region() const {
         Region region;
         region.kind = Region::Kind::labels;
@@ -47,21 +48,23 @@ struct CopiedSubmesh {
     }
 };
 
-/// All submeshes of one division, and the maps that lead into and out of them. Keeps its memory
-/// from one division to the next.
+/// All submeshes of one division, and the maps into and out of them. Keeps its memory from one
+/// division to the next.
 template <class Real>
 struct CopiedSubmeshes {
     static constexpr std::uint32_t several = no_id - 1; ///< in `owner`: on a submesh boundary
 
     std::vector<std::unique_ptr<CopiedSubmesh<Real>>> list; ///< K'_1 to K'_n; addresses stay
     std::vector<std::uint32_t> number; ///< N, by triangle of the mesh: its submesh
-    /// By vertex of the mesh: the submesh that all its triangles are in, or `several`; no_id for
+    /// By vertex of the mesh: the submesh that contains all its triangles, or `several`; no_id for
     /// vertices without triangles.
     std::vector<std::uint32_t> owner;
-    std::vector<std::uint32_t> local;  ///< M, by vertex of the mesh: in the submesh that owns it
-    std::vector<std::uint32_t> merged; ///< O, by vertex of the mesh: shared ones in the merged mesh
+    /// M, by vertex of the mesh: its id in the submesh that owns it.
+    std::vector<std::uint32_t> local;
+    /// O, by vertex of the mesh: the id of a shared one in the merged mesh.
+    std::vector<std::uint32_t> merged;
 
-    /// The vertex of the merged mesh that was vertex v of the divided one; no_id where it vanished.
+    /// The vertex of the merged mesh that was vertex v of the divided one; no_id if it vanished.
     [[nodiscard]] std::uint32_t merged_vertex(std::uint32_t v) const {
         if (owner[v] == several) {
             return merged[v];
@@ -89,32 +92,32 @@ struct CopiedSubmeshes {
 };
 
 /// CreateSubmeshes, algorithm 6.1. The triangles are ordered by their barycentres along the normal,
-/// ties by id, and cut into n equal shares, of which the first may have one triangle more; for
-/// black the first half share and what is left at the end form one submesh, so that there are n
-/// again [8.5]. Copies phases, positions, flags, and the data of all attributes into new ones.
-/// Vertices without triangles are in no closure and not copied, as printed. Submeshes may be empty
-/// where there are few triangles. `mesh` stays as it is. O(t log n) for the order, which is kept no
-/// finer than the shares need, and O(v + t) for everything else. Throws InputError where the
-/// division makes no sense, or where submeshes hold ids of the mesh.
+/// ties by id, and cut into n equal shares, of which the first ones may have one triangle more; for
+/// black, the first half share and what is left at the end form one submesh, so that there are n
+/// again (thesis, section 8.5). Copies phases, positions, flags, and the data of all attributes
+/// into new ones. Vertices without triangles are in no closure and are not copied, as in the
+/// printed algorithm. Submeshes may be empty if there are few triangles. `mesh` is not changed. O(t
+/// log n) for the order, which is no finer than the shares need, and O(v + t) for everything else.
+/// Throws InputError if the division makes no sense, or if submeshes hold ids of the mesh.
 template <class Real>
 void create_submeshes(const Complex<Real>& mesh, const CountingDivision& division,
                       CopiedSubmeshes<Real>& submeshes);
 
 /// Gives a submesh free ids, for `vertices` new vertices and twice as many triangles: it may not
-/// grow while it runs, so that its region stays good. O(vertices).
+/// grow while it runs, so that its region stays valid. O(vertices).
 template <class Real>
 void lend_ids(CopiedSubmesh<Real>& submesh, std::size_t vertices);
 
-/// MergeSubmeshes, algorithm 6.2: copies what lives in the submeshes into a new complex, shared
-/// vertices once, and puts that into the place of `mesh` (K <- K'), which must be the mesh that was
-/// divided, with the same attributes. Everything has new ids; none is free. The attributes are the
-/// same objects with new entries, so that references to them stay good; stamps are 0. O(v + t), and
-/// O(b log b) for the b edges of the submesh boundaries. Where anything throws, `mesh` is as it
-/// was; InvariantError where more than two triangles meet at a shared edge.
+/// MergeSubmeshes, algorithm 6.2: copies what is alive in the submeshes into a new complex, shared
+/// vertices once, and replaces `mesh` by it (K <- K'). `mesh` must be the mesh that was divided,
+/// with the same attributes. Everything has new ids; none is free. The attributes are the same
+/// objects with new entries, so that references to them stay valid; stamps are 0. O(v + t), and O(b
+/// log b) for the b edges of the submesh boundaries. If anything throws, `mesh` is unchanged;
+/// InvariantError if more than two triangles meet at a shared edge.
 template <class Real>
 void merge_submeshes(CopiedSubmeshes<Real>& submeshes, Complex<Real>& mesh);
 
-/// Throws InputError where a division makes no sense.
+/// Throws InputError if a division makes no sense.
 void check_division(const CountingDivision& division);
 
 } // namespace dsc

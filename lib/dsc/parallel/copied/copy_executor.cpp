@@ -12,8 +12,9 @@ namespace dsc {
 
 namespace {
 
-/// Free ids of a submesh, beside two for each of its interface vertices: a sub-step of at most an
-/// edge length makes about one vertex for each; what does not fit is put off, never lost.
+/// Free ids of a submesh, in addition to two for each of its interface vertices: a sub-step of at
+/// most one edge length creates about one vertex for each. What does not fit is put off, never
+/// lost.
 constexpr std::size_t spare_vertices = 256;
 
 template <class Real>
@@ -82,8 +83,9 @@ MoveReport CopyExecutor<Real>::move() {
     MoveReport report;
     whole_.movers.clear();
     report.held = collect_movers(whole_);
-    // Algorithm 6.3: divided anew until nothing is put off, but for what two colours cannot do. Who
-    // is blocked although nothing is put off has had all the room that there is.
+    // Algorithm 6.3: the mesh is divided anew until nothing is put off, except for what two colours
+    // cannot do. A vertex that is blocked although nothing is put off has had all the room that
+    // there is.
     const bool is_left = run_round(RedBlack::red, report) && run_round(RedBlack::black, report);
     Timer timer;
     if (is_left) {
@@ -96,7 +98,7 @@ MoveReport CopyExecutor<Real>::move() {
     return report;
 }
 
-// What is left to do is in `whole_` again, with the new ids.
+// What is left to do is in `whole_` again, under the new ids.
 template <class Real>
 bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
     Timer timer;
@@ -160,7 +162,7 @@ void CopyExecutor<Real>::hand_out() {
         Task& task = *tasks_[i];
         task.given = task.work.interface;
         lend_ids(*submeshes_.list[i], spare_vertices + 2 * task.given.size());
-        // One submesh is the whole mesh: nobody else has anything to move first.
+        // One submesh is the whole mesh: there are no others that could move first.
         task.work.submesh.region = tasks_.size() > 1 ? submeshes_.list[i]->region() : Region{};
     }
 }
@@ -210,7 +212,7 @@ bool CopyExecutor<Real>::take_back() {
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         const Work<Real>& work = tasks_[i]->work;
         const auto& merged = submeshes_.list[i]->merged;
-        // Who is blocked here may find room when others have moved.
+        // A vertex that is blocked here may find room once others have moved.
         for (const auto* list : {&work.movers, &work.put_off_movers}) {
             for (const Mover<Real>& mover : *list) {
                 whole_.movers.push_back({merged[mover.vertex], mover.x, mover.y});
@@ -231,7 +233,7 @@ bool CopyExecutor<Real>::take_back() {
     return is_put_off;
 }
 
-// The order of the list stays, unless passes of an application rewrote it.
+// The order of the list is kept, unless passes of an application rewrote it.
 template <class Real>
 void CopyExecutor<Real>::take_interface_back(bool is_as_given) {
     if (!is_as_given) {
@@ -244,8 +246,9 @@ void CopyExecutor<Real>::take_interface_back(bool is_as_given) {
     std::erase(whole_.interface, no_id);
 }
 
-// Drops who was on the way, and looks for the interface again. The active vertices are those of the
-// complex as it is: stars that changed before it threw are looked at in the next step. O(mesh).
+// Drops the vertices that were on the way, and looks for the interface again. The active vertices
+// are those of the complex as it is; stars that changed before the exception are looked at in the
+// next step. O(mesh).
 template <class Real>
 void CopyExecutor<Real>::recover() {
     const std::vector<std::uint32_t> active = std::move(whole_.active);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Parallel DSC as printed: algorithm 6.3 over CreateSubmeshes and MergeSubmeshes, which copy the
-// whole mesh into submeshes and back for red and again for black. What it costs beside the
-// submeshes that run in place (submesh_executor.h) is what it is here for.
+// Parallel DSC as printed in the thesis: algorithm 6.3 over CreateSubmeshes and MergeSubmeshes,
+// which copy the whole mesh into submeshes and back, for red and again for black. It is here to
+// show what this costs compared with the submeshes that run in place (submesh_executor.h).
 #pragma once
 
 #include "dsc/algorithm/executor.h"
@@ -11,7 +11,7 @@
 
 namespace dsc {
 
-/// Slabs by the counting method.
+/// Slabs cut by the counting method.
 struct CopyOptions {
     std::uint32_t submeshes = 8; ///< of either colour; 1 to 65536
     std::uint32_t threads = 1;   ///< 1 to 1024; the result does not depend on it
@@ -19,37 +19,39 @@ struct CopyOptions {
     double normal_y = 0;
 };
 
-/// Where the time went, since the beginning; in seconds of the thread that calls.
+/// Where the time went, since the beginning, in seconds of the calling thread.
 struct CopyCosts {
-    double create_s = 0; ///< CreateSubmeshes, and handing out what there is to do
+    double create_s = 0; ///< CreateSubmeshes, and distributing what there is to do
     double run_s = 0;    ///< the submeshes, in parallel
-    double merge_s = 0;  ///< MergeSubmeshes, and taking back what was put off
+    double merge_s = 0;  ///< MergeSubmeshes, and collecting what was put off
     double whole_s = 0;  ///< the run on the whole complex for what both colours left
     std::uint64_t steps = 0;
     std::uint64_t rounds = 0; ///< how often the mesh was divided and merged
 };
 
 /// Runs the upkeep on the whole complex; the motion passes on red submeshes, then on black ones for
-/// what red put off, then on the whole complex for what is left. Submeshes hold no locks and no
-/// common memory while they run: any pass may run in them that keeps to `Work::submesh`, but it
-/// sees the ids and the attributes of the submesh (`work.complex.attributes`), not of the mesh.
+/// what red put off, then on the whole complex for what is left. Submeshes share neither locks nor
+/// memory while they run: any pass that keeps to `Work::submesh` may run in them, but it sees the
+/// ids and the attributes of the submesh (`work.complex.attributes`), not of the mesh.
 ///
-/// The complex stays the same object, and its attributes do. All ids change in `move`, as in the
-/// thesis: handles from before a step are void, the application finds its simplices again by its
-/// attributes; vertices without triangles are lost. Where a velocity or a pass throws, submeshes
-/// under way are dropped and the complex is that of the last merge. The same bits for any number of
-/// threads; of several passes that throw, the one in the first submesh is heard.
+/// The complex stays the same object, and so do its attributes. All ids change in `move`, as in the
+/// thesis: handles from before a step are invalid, and the application finds its simplices again by
+/// its attributes; vertices without triangles are lost. If a velocity or a pass throws, submeshes
+/// under way are dropped and the complex is that of the last merge. The result is the same to the
+/// bit for any number of threads; if several passes throw, the exception of the first submesh is
+/// passed on.
 template <class Real>
 class CopyExecutor final : public Executor<Real> {
 public:
-    /// Throws InputError where the options make no sense.
+    /// Throws InputError if the options make no sense.
     CopyExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
                  const CopyOptions& copy);
 
     void set_options(const Options<Real>& options) override;
     void absorb(std::span<const Edit> edits) override { absorb_edits(whole_, edits); }
     void keep_edits(bool keep) override;
-    /// Edits within submeshes name the ids of copies and are not told: each merge is one `rebuild`.
+    /// Edits within submeshes name the ids of copies and are not reported: each merge is one
+    /// `rebuild`.
     [[nodiscard]] std::vector<Edit> take_edits() override;
     void begin_step() override { ++costs_.steps; }
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
@@ -75,7 +77,7 @@ private:
         std::uint32_t passes = 0;
     };
 
-    /// Whether submesh boundaries, or too few ids, kept anything from being done.
+    /// Whether submesh boundaries, or a lack of ids, kept anything from being done.
     [[nodiscard]] bool run_round(RedBlack colour, MoveReport& report);
     void hand_out();
     void run_tasks();
@@ -89,9 +91,9 @@ private:
     CopyOptions copy_;
     CopiedSubmeshes<Real> submeshes_;
     std::vector<std::unique_ptr<Task>> tasks_;
-    Work<Real> whole_; ///< upkeep and aim; between the rounds, what there is to do
+    Work<Real> whole_; ///< upkeep and aim; between the rounds, the work that remains
     InterfaceSight<Real> sight_;
-    // What lies on submesh boundaries waits for the next round, by vertex of the mesh.
+    // What lies on submesh boundaries waits for the next round; by vertex of the mesh.
     std::vector<Mover<Real>> waiting_movers_;
     std::vector<std::uint32_t> waiting_active_;
     std::uint32_t epoch_ = 0;

@@ -13,7 +13,7 @@ namespace {
 
 enum State : std::uint8_t { waiting, claimed, done };
 
-/// Turns of waiting before the core is offered to somebody else: a task is tens of microseconds.
+/// Turns of waiting before the core is given to another thread: a task takes tens of microseconds.
 constexpr int turns_before_yield = 2000;
 
 void pause_briefly() {
@@ -82,7 +82,8 @@ void Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assi
     while (true) {
         bool is_any_left = false;
         bool has_run = false;
-        // What is mine in its order; then, from the end, what others have not begun.
+        // First this thread's own tasks in order; then, from the end, those that others have not
+        // begun.
         for (std::size_t task = 0; task < tasks.size(); ++task) {
             if (is_mine(task) && states_[task].load(std::memory_order_relaxed) == waiting) {
                 if (is_ready(task) && claim(task)) {
@@ -121,7 +122,7 @@ void Schedule::start_threads(std::uint32_t threads) {
     if (threads <= 1) {
         return;
     }
-    std::atomic<std::uint32_t> started = 0; // a section that does nothing might be left out
+    std::atomic<std::uint32_t> started = 0; // without an effect, a section might be optimized away
 #pragma omp parallel num_threads(static_cast <int>(threads))
     started.fetch_add(1, std::memory_order_relaxed);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Runs tasks on threads: static and dynamic assignment [6.2]. A task of a later colour starts as
-// soon as the tasks that it waits for are done, by flags: no barrier stands between the colours.
-// Which thread runs a task never matters to what it does.
+// Runs tasks on threads: static and dynamic assignment (thesis, section 6.2). A task of a later
+// colour starts as soon as the tasks that it waits for are done, by flags: there is no barrier
+// between the colours. The result of a task never depends on the thread that runs it.
 #pragma once
 
 #include "dsc/base/enum_table.h"
@@ -17,8 +17,8 @@
 namespace dsc {
 
 enum class Assignment : std::uint8_t {
-    fixed, ///< each thread has its share of each colour, always the same: static assignment
-    queue, ///< the same, but a thread that is done takes over what nobody has begun
+    fixed, ///< each thread always has the same share of each colour: static assignment
+    queue, ///< the same, but an idle thread takes over tasks that nobody has begun
 };
 
 inline constexpr std::array assignment_names{
@@ -30,7 +30,7 @@ inline constexpr std::array assignment_names{
     return name_in(assignment_names, assignment);
 }
 
-/// Tasks, and who waits for whom, in an order in which each comes after those it waits for.
+/// Tasks and their dependences, in an order in which each comes after those it waits for.
 class TaskGraph {
 public:
     /// Forgets all tasks.
@@ -42,7 +42,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return shares_.size(); }
     [[nodiscard]] std::span<const std::uint32_t> predecessors(std::size_t task) const;
-    /// The thread that has this task first, of so many.
+    /// The thread, out of `threads`, to which this task is assigned first.
     [[nodiscard]] std::uint32_t home_of(std::size_t task, std::uint32_t threads) const {
         return static_cast<std::uint32_t>(static_cast<std::uint64_t>(shares_[task].rank) * threads /
                                           shares_[task].of);
@@ -58,16 +58,17 @@ private:
     std::vector<std::uint32_t> predecessors_;
 };
 
-/// Runs the tasks of a graph, as often as one likes.
+/// Runs the tasks of a graph, any number of times.
 class Schedule {
 public:
     TaskGraph tasks;
 
-    /// Starts threads, so that the first run by the same caller with as many finds them awake.
+    /// Starts threads, so that the first run by the same caller with the same number finds them
+    /// awake.
     static void start_threads(std::uint32_t threads);
 
-    /// Calls `run(task)` once for each. After one has thrown no further task begins, and what it
-    /// threw is thrown on when all have ended. No allocation where the graph has not grown.
+    /// Calls `run(task)` once for each. After one has thrown no further task begins, and the
+    /// exception is rethrown when all have ended. No allocation if the graph has not grown.
     void run(std::uint32_t threads, Assignment assignment,
              const std::function<void(std::size_t)>& run);
 

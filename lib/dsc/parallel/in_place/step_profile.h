@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the time of a step went, task by task: for the breakdown, for the picture of submeshes by
-// their work, and for the model of more threads than the machine has. Taken only where asked for.
+// their work, and for the model of more threads than the machine has. Measured only on request.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace dsc {
 
-/// Seconds by a steady clock. On one thread of an idle machine that is the time of the task itself.
+/// Seconds of a steady clock. On one thread of an idle machine that is the time of the task itself.
 struct SubStepProfile {
     // Serial parts.
     double set_up = 0;    ///< cuts, lists and ids, before anything runs
     double hand_over = 0; ///< vertices that left their submesh
-    double clean_up = 0;  ///< what all colours left, and the lists after it
+    double clean_up = 0;  ///< what all colours left, and updating the lists
     // By task.
     std::vector<double> aim;  ///< upkeep, velocities and targets: the first colour's submeshes
     std::vector<double> move; ///< movement and mesh update: all submeshes of all colours

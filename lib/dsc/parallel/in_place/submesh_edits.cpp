@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Edits in and out: what the submeshes did, for listeners; and what the application did between two
-// steps, for the submeshes.
+// Edits in both directions: what the submeshes did, for listeners; and what the application did
+// between two steps, for the submeshes.
 #include "dsc/parallel/in_place/submesh_part.h"
 #include "dsc/passes/interface_list.h"
 #include "dsc/passes/readers.h"
@@ -32,8 +32,8 @@ void SubmeshExecutor<Real>::keep_edits(bool keep) {
 }
 
 // To be called between the sections of a sub-step. The submeshes of one section do not touch what
-// others own, and each of a later colour comes after those that it waited for, so that their edits
-// can be replayed submesh by submesh.
+// others own, and each submesh of a later colour runs after those that it waited for, so their
+// edits can be replayed submesh by submesh.
 template <class Real>
 void SubmeshExecutor<Real>::collect_edits() {
     if (!keeps_edits_) {
@@ -51,7 +51,7 @@ std::vector<Edit> SubmeshExecutor<Real>::take_edits() {
     return std::exchange(edits_, {});
 }
 
-// Passes of an application may have changed the interface where the list of another submesh has it.
+// Passes of an application may have changed the interface in a part listed by another submesh.
 template <class Real>
 void SubmeshExecutor<Real>::collect_changes() {
     std::vector<std::uint32_t> changed;
@@ -86,7 +86,7 @@ void SubmeshExecutor<Real>::change_interface(std::span<const std::uint32_t> chan
     }
 }
 
-// After a renumbering the ids that the submeshes hold are those of others.
+// After a renumbering, the ids that the submeshes hold belong to other simplices.
 template <class Real>
 void SubmeshExecutor<Real>::forget_ids() {
     for (const auto& part : parts_) {
@@ -115,7 +115,7 @@ void SubmeshExecutor<Real>::absorb(std::span<const Edit> edits) {
     if (const auto changed = interface_changes(complex_, after); !changed.empty()) {
         change_interface(changed);
     }
-    // They are looked at when the submeshes have done their part.
+    // They are looked at after the submeshes have done their part.
     whole_.epoch = next_epochs();
     wake(whole_, after);
 }

@@ -12,8 +12,8 @@ namespace dsc {
 
 namespace {
 
-/// Ids that each submesh holds beyond one for each of its interface vertices; what does not fit is
-/// put off to the next colour, never lost.
+/// Ids that each submesh holds in addition to one for each of its interface vertices; what does not
+/// fit is put off to the next colour, never lost.
 constexpr std::size_t spare_vertices = 64;
 
 void check(const SubmeshOptions& options) {
@@ -32,7 +32,7 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
                                        const SubmeshOptions& submeshes)
     : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
       partitioner_(std::move(partitioner)), submeshes_(submeshes), whole_(complex, options_) {
-    check_options(options); // a partitioner goes by the edge length
+    check_options(options); // a partitioner uses the edge length
     check(submeshes);
     if (!partitioner_) {
         throw InputError({.what = "no partitioner",
@@ -45,8 +45,8 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
     }
     // Until the first division all of the interface is in this list.
     whole_.interface = collect_interface(complex, options.shuffle_seed);
-    // All that takes longer in a large mesh is done here, so that no step does it: to divide it for
-    // the first time, to make room and to lend ids, to start threads.
+    // Everything that takes longer in a large mesh is done here rather than in a step: dividing it
+    // for the first time, making room, lending ids, and starting threads.
     divide();
     choose_threads();
     make_room();
@@ -83,12 +83,12 @@ void SubmeshExecutor<Real>::give_back(IdPool& pool, std::size_t vertices, std::s
 
 template <class Real>
 std::size_t SubmeshExecutor<Real>::least_vertices(const Part& part) {
-    return part.work.submesh.region.is_whole() ? 0 // it has those of the complex
+    return part.work.submesh.region.is_whole() ? 0 // it uses those of the complex
                                                : spare_vertices + part.work.interface.size() / 2;
 }
 
-// Room for what the pools are about to take, and as much again: submeshes divided anew take more,
-// and so does what grows. Beyond that the arrays double, as vectors do.
+// Room for what the pools are about to take, and as much again: submeshes that are divided anew
+// take more, and so does a growing mesh. Beyond that the arrays double, as vectors do.
 template <class Real>
 void SubmeshExecutor<Real>::make_room() {
     std::size_t lent = spare_vertices;
@@ -118,7 +118,8 @@ void SubmeshExecutor<Real>::refill(Part& part) {
     }
 }
 
-// Stamps for one parallel section: all its submeshes may use the same, their vertices are not.
+// Stamps for one parallel section: all its submeshes may use the same stamps, since they share no
+// vertices.
 template <class Real>
 std::uint32_t SubmeshExecutor<Real>::next_epochs() {
     const auto needed = 2 * static_cast<std::uint32_t>(options_.max_passes) + 8;
@@ -138,7 +139,7 @@ void SubmeshExecutor<Real>::begin_step() {
     Timer timer(submeshes_.profile);
     profile_.sub_steps.clear();
     status_.interface_vertices = interface_size();
-    if (status_.step > 0) { // for the first step it is divided at construction
+    if (status_.step > 0) { // for the first step it was divided at construction
         divide();
     }
     ++status_.step;
@@ -176,7 +177,7 @@ void SubmeshExecutor<Real>::divide() {
     connect();
 }
 
-// The work that each vertex has been since the last division, as its submesh's average.
+// The work that each vertex has taken since the last division, as its submesh's average.
 template <class Real>
 std::vector<float> SubmeshExecutor<Real>::work_of(const std::vector<std::uint32_t>& list) const {
     std::vector<float> work(list.size(), 1.0F);
@@ -256,8 +257,8 @@ void SubmeshExecutor<Real>::hand_out(std::vector<std::uint32_t> list) {
     }
 }
 
-// Tasks: a submesh waits for those of the colour before it that it meets. It is then alone with all
-// it owns: what is in none of these it cannot reach.
+// Tasks: a submesh waits for those of the colour before it that it meets. It then has exclusive
+// access to all it owns: it cannot reach anything that is in none of these.
 template <class Real>
 void SubmeshExecutor<Real>::connect() {
     aiming_.tasks.clear();

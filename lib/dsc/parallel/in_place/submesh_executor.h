@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Parallel DSC [6, 8.10] in place: the submeshes of the first colour run upkeep, movement and mesh
-// update at once and hand on what their boundaries kept from being done; a submesh of the next
-// colour begins when those that it meets have ended; what all colours left is done serially. The
-// regions, the order within a submesh and the pools of ids do not depend on threads: the same bits
-// for any number of them.
+// Parallel DSC (thesis, sections 6 and 8.10) in place: the submeshes of the first colour run
+// upkeep, movement and mesh update at the same time and hand on what their boundaries kept from
+// being done; a submesh of the next colour begins when those that it meets have ended; what all
+// colours left is done serially. The regions, the order within a submesh and the pools of ids do
+// not depend on threads: the result is the same to the bit for any number of them.
 #pragma once
 
 #include "dsc/algorithm/executor.h"
@@ -16,22 +16,22 @@ namespace dsc {
 struct SubmeshOptions {
     std::uint32_t threads = 1;
     Assignment assignment = Assignment::queue;
-    /// A thread pays for itself from about so many interface vertices on; fewer threads are used
-    /// where there is less to do. 1: always all of them.
+    /// A thread pays off from about this many interface vertices on; fewer threads are used if
+    /// there is less to do. 1: always all of them.
     std::uint32_t vertices_per_thread = 48;
-    bool profile = false; ///< keep account of times: reads a clock twice for each pass and task
+    bool profile = false; ///< measure times: reads a clock twice for each pass and task
 };
 
 template <class Real>
 class SubmeshExecutor final : public Executor<Real> {
 public:
     /// Divides the complex, lends its submeshes their ids and starts threads, so that the first
-    /// step costs what the others do: O(n). Throws InputError where the options make no sense, and
-    /// what the partitioner throws.
+    /// step costs no more than the others: O(n). Throws InputError if the options make no sense,
+    /// and what the partitioner throws.
     SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
                     std::unique_ptr<Partitioner<Real>> partitioner,
                     const SubmeshOptions& submeshes);
-    /// Gives the ids that the submeshes hold back to the complex.
+    /// Returns the ids that the submeshes hold to the complex.
     ~SubmeshExecutor() override;
     SubmeshExecutor(const SubmeshExecutor&) = delete;
     SubmeshExecutor& operator=(const SubmeshExecutor&) = delete;
@@ -55,7 +55,7 @@ public:
     [[nodiscard]] const Partition& partition() const { return partition_; }
     /// Which task waits for which: task i of `SubStepProfile::move`.
     [[nodiscard]] const TaskGraph& tasks() const { return moving_.tasks; }
-    /// Of the last step, where `SubmeshOptions::profile` is set.
+    /// Of the last step, if `SubmeshOptions::profile` is set.
     [[nodiscard]] const StepProfile& profile() const { return profile_; }
     /// Threads that the last step used.
     [[nodiscard]] std::uint32_t threads_used() const { return threads_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the files of the executor share: one submesh, its account of times, and the interface of
-// all.
+// What the files of the executor share: one submesh, its time measurements, and the joined
+// interface of all submeshes.
 #pragma once
 
 #include "dsc/parallel/in_place/submesh_executor.h"
@@ -8,7 +8,7 @@
 
 namespace dsc {
 
-/// One submesh: its work, its ids, and where what it put off goes.
+/// One submesh: its work, its ids, and where the work that it put off goes.
 template <class Real>
 struct SubmeshExecutor<Real>::Part {
     Part(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {
@@ -19,12 +19,12 @@ struct SubmeshExecutor<Real>::Part {
 
     Work<Real> work;
     IdPool pool;
-    const Colour* next = nullptr; // the next colour; null: there is none
+    const Colour* next = nullptr; // the next colour; null if there is none
     std::size_t next_first = 0;   // number of its first part
 
     std::vector<std::uint32_t> emigrants; // interface vertices that have left the region
-    std::vector<std::uint32_t> newcomers; // and those that came: listed when the sub-step is over
-    std::vector<Mover<Real>> immigrants;  // the same, on their way
+    std::vector<std::uint32_t> newcomers; // that entered it: listed when the sub-step is over
+    std::vector<Mover<Real>> immigrants;  // those that entered, on their way
     std::uint64_t examined = 0;           // stars, since the last division
     // By entry of the lists of what was put off: the part of the next colour, or nowhere.
     std::vector<std::uint32_t> mover_routes;
@@ -32,16 +32,16 @@ struct SubmeshExecutor<Real>::Part {
     AimReport<Real> aimed;
     MoveReport moved;
 
-    // Account of times.
+    // Time measurements.
     double upkeep_s = 0;
     double velocities_s = 0;
     double aim_s = 0;
     double move_s = 0;
     std::vector<double> passes_s;
-    std::vector<Pass<Real>> motion; // the algorithm's, with a clock about each where times are kept
+    std::vector<Pass<Real>> motion; // the algorithm's, each timed if times are measured
 
-    // Short lists of two submeshes side by side in the heap would share cache lines, which two
-    // threads then take from each other at each push.
+    // Short lists of two submeshes next to each other on the heap would share cache lines, and the
+    // threads would contend for them at each push.
     void keep_apart() {
         constexpr std::size_t entries = 512;
         const auto reserve = [](auto&... lists) { (lists.reserve(entries), ...); };
@@ -70,14 +70,14 @@ struct SubmeshExecutor<Real>::Part {
     }
 };
 
-/// The interface of all submeshes, one after the other, for flows that see it: they are asked and
-/// integrated all at once.
+/// The interface of all submeshes, one after the other, for flows that see it: such flows are
+/// evaluated, and the vertices integrated, all at once.
 template <class Real>
 struct SubmeshExecutor<Real>::Joined {
     Joined(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {}
 
     Work<Real> work;
-    std::vector<std::size_t> ends; // of each submesh, and of what is in none
+    std::vector<std::size_t> ends; // of each submesh, and of the vertices in none
     InterfaceSight<Real> sight;
 };
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Aiming by a flow that sees the interface: its vertices in all submeshes have to be at the same
-// stage whenever it is asked, so that they are integrated together. The flow itself is asked
-// submesh by submesh, in parallel.
+// Aiming by a flow that sees the interface: whenever it is asked, the interface vertices of all
+// submeshes have to be at the same stage, so they are integrated together. The flow itself is
+// evaluated submesh by submesh, in parallel.
 #include "dsc/parallel/in_place/submesh_part.h"
 
 namespace dsc {
 
-// All lists, once upkeep is over: of the submeshes, and of what is on its way between them.
+// Joins all lists once upkeep is over: those of the submeshes, and of what is on its way between
+// them.
 template <class Real>
 void SubmeshExecutor<Real>::join_interface() {
     auto& list = joined_->work.interface;
@@ -49,7 +50,7 @@ Reach<Real> SubmeshExecutor<Real>::aim_again_by_sight(const InterfaceFlow<Real>&
     return reach;
 }
 
-// To those that have the vertices in their lists: what `collect_movers` looks at.
+// Back to the submeshes that have the vertices in their lists: `collect_movers` reads it there.
 template <class Real>
 void SubmeshExecutor<Real>::hand_out_aims() {
     const Aim<Real>& from = joined_->work.aim;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The step itself: what the submeshes do, what they hand on, and what is left in the end.
+// The step itself: what the submeshes do, what they hand on, and what is left at the end.
 #include "dsc/parallel/in_place/submesh_part.h"
 #include "dsc/passes/readers.h"
 
@@ -9,21 +9,21 @@ namespace dsc {
 
 namespace {
 
-/// Nowhere: for the serial clean-up.
+/// No submesh: left to the serial clean-up.
 constexpr std::uint32_t nowhere = 0xffffffffU;
 
 } // namespace
 
 // --- tasks -------------------------------------------------------------------------------------
 
-// Where what was put off since the last call goes.
+// Decides where the work goes that was put off since the last call.
 template <class Real>
 void SubmeshExecutor<Real>::route(Part& part) {
     Work<Real>& work = part.work;
     std::size_t hint = 0;
     const auto destination = [&](std::uint32_t vertex) {
         const Point<double> place = place_of(vertex);
-        // What has left this submesh is unknown to those that wait for it.
+        // The submeshes that wait for this one do not know what has left it.
         if (part.next == nullptr || !work.submesh.region.owns(vertex, place.x(), place.y())) {
             return nowhere;
         }
@@ -39,7 +39,7 @@ void SubmeshExecutor<Real>::route(Part& part) {
     }
 }
 
-// Interface vertices that are no longer in the region are somebody else's.
+// Interface vertices that are no longer in the region belong to other submeshes.
 template <class Real>
 void SubmeshExecutor<Real>::begin_part(Part& part) {
     part.forget_put_off();
@@ -59,7 +59,7 @@ void SubmeshExecutor<Real>::begin_part(Part& part) {
     });
 }
 
-// One pass of upkeep; with the last one velocities and targets.
+// One pass of upkeep; after the last one, velocities and targets.
 template <class Real>
 void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Real>& flow,
                                      Real time, Real dt) {
@@ -85,7 +85,7 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Re
     }
 }
 
-// What the submeshes that this one waited for put off, and what lies in this one.
+// What was put off by the submeshes that this one waited for, as far as it lies in this one.
 template <class Real>
 void SubmeshExecutor<Real>::take_from_predecessors(Part& part, std::size_t task) {
     Work<Real>& work = part.work;
@@ -127,8 +127,8 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     if (is_first || !work.movers.empty() || !work.active.empty()) {
         part.moved.passes = run_motion(work, part.motion, epoch);
     }
-    // Who is blocked here may find room when others have moved, unless it is in contact, or this
-    // submesh had all the room that there is.
+    // A vertex that is blocked here may find room once others have moved, unless it is in contact,
+    // or this submesh had all the room that there is.
     if (!work.submesh.region.is_whole()) {
         std::erase_if(work.movers, [&](const auto& mover) {
             const bool may_find_room = !is_in_contact(complex_.vertices[mover.vertex]);
@@ -158,7 +158,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
         }
     }
     const double set_up = timer.lap();
-    // A pass may move what the next one looks at across a boundary: one section for each.
+    // A pass may move what the next one looks at across a boundary, so each has its own section.
     const std::size_t sections = std::max<std::size_t>(algorithm_.upkeep.size(), 1);
     std::size_t pass = 0;
     const auto task = [&](std::size_t i) { aim_part(*parts_[i], pass, flow, time, dt); };
@@ -191,8 +191,9 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     return report;
 }
 
-// What upkeep may not touch in any submesh, and vertices that have left theirs: few, and done here.
-// Those that are new to a submesh are aimed here as well, and listed when the sub-step is over.
+// What upkeep may not touch in any submesh, and vertices that have left theirs: they are few and
+// handled here. Those that are new to a submesh are aimed here as well, and listed when the
+// sub-step is over.
 template <class Real>
 AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real time, Real dt) {
     whole_.interface.clear();
@@ -218,8 +219,8 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
         run_pass(whole_, pass);
     }
     whole_.put_off_interface.clear();
-    // Who is left of those that are listed stays listed; the others are new somewhere. A vertex
-    // elsewhere under the same id is a new one, which got the id of one that is gone.
+    // Listed vertices that are still there stay listed; the others are new in some submesh. A
+    // vertex that is elsewhere under the same id is a new one, which got the id of a deleted one.
     std::size_t kept = 0;
     for (std::size_t i = 0; i < listed_.size(); ++i) {
         const std::uint32_t v = listed_[i];
@@ -244,7 +245,7 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     return report;
 }
 
-// Neighbours of those that are gone have moved, and their aims are of where they were: they are
+// Neighbours of deleted vertices have moved, so their aims belong to their old positions: they are
 // aimed anew. O(interface vertices).
 template <class Real>
 void SubmeshExecutor<Real>::take_displaced() {
@@ -263,7 +264,7 @@ void SubmeshExecutor<Real>::take_displaced() {
     }
 }
 
-// Takes a vertex that is gone off the list that has it, with its aim.
+// Removes a deleted vertex from the list that has it, together with its aim.
 template <class Real>
 void SubmeshExecutor<Real>::unlist(std::uint32_t vertex) {
     for (std::size_t i = 0; i < first_colour_; ++i) {

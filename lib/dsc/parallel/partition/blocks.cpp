@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t colours = 3;
 
-// Cuts of one direction and colour, at equal widths over [low, high], shifted by thirds.
+// Cuts of one direction and colour, of equal widths over [low, high], shifted by thirds.
 std::vector<double> cuts_of(double low, double high, std::uint32_t blocks, std::uint32_t colour) {
     std::vector<double> cuts{-Region::infinity};
     const double width = (high - low) / blocks;
@@ -47,7 +47,7 @@ void BlockPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*r
         partition.colours.front().regions.emplace_back();
         return;
     }
-    // About the interface: there is nothing to do elsewhere.
+    // Only around the interface: there is nothing to do elsewhere.
     std::array<double, 2> low{Region::infinity, Region::infinity};
     std::array<double, 2> high{-Region::infinity, -Region::infinity};
     for (const std::uint32_t v : input.interface) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Blocks: the mesh cut in two directions [6]. With two colours the points where both families of
-// cuts cross would stay locked in one or the other for ever; blocks take three, each shifted by a
-// third, and no point lies near the boundaries of all three.
+// Blocks: the mesh cut in two directions (thesis, section 6). With two colours, the points where a
+// cut of one family crosses one of the other would always be locked by one colour or the other;
+// blocks take three colours, each shifted by a third, and no point lies near the boundaries of all
+// three.
 #pragma once
 
 #include "dsc/parallel/partition/partition.h"
@@ -9,7 +10,7 @@
 namespace dsc {
 
 struct BlockOptions {
-    std::uint32_t submeshes = 16; ///< of the first colour, about: the next square below
+    std::uint32_t submeshes = 16; ///< of the first colour; rounded down to a square number
     double least_width = 8;       ///< in edge lengths
     std::uint32_t recut = 64;     ///< steps between two choices of the cuts
 };
@@ -17,7 +18,7 @@ struct BlockOptions {
 template <class Real>
 class BlockPartitioner final : public Partitioner<Real> {
 public:
-    /// Throws InputError where the options make no sense.
+    /// Throws InputError if the options make no sense.
     explicit BlockPartitioner(const BlockOptions& options);
     [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
     void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;

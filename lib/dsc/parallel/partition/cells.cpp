@@ -12,7 +12,7 @@ namespace dsc {
 
 namespace {
 
-/// The last one is small, and may be a single cell.
+/// The last colour is small, and may be a single cell.
 constexpr std::size_t most_colours = 3;
 
 struct Cut {
@@ -32,7 +32,7 @@ void sort_along(std::vector<Site>& sites, bool upright) {
     });
 }
 
-// The best cut of sites that are sorted along the axis, with about `share` of the weight before it.
+// The best cut of sites sorted along the axis, with about `share` of the weight before it.
 std::optional<Cut> best_cut(std::span<const Site> sites, bool upright, double share,
                             const CutRules& rules) {
     double total = 0;
@@ -72,7 +72,7 @@ std::optional<Cut> best_cut(std::span<const Site> sites, bool upright, double sh
     return best;
 }
 
-// The sites are kept sorted along both axes: sorted once, then only divided.
+// The sites are kept sorted along both axes: sorted once, then only split.
 class Divider {
 public:
     Divider(std::vector<Site>& sites, const CutRules& rules)
@@ -112,7 +112,7 @@ public:
     std::vector<Region> boxes;
 
 private:
-    // Those before the cut come first; both keep their order.
+    // Those before the cut come first; both parts keep their order.
     void split(std::vector<Site>& sites, std::size_t begin, std::size_t end, bool upright,
                double at) {
         std::size_t kept = begin;
@@ -140,9 +140,9 @@ bool is_near_side(const Region& box, const Site& site, double band) {
 }
 
 // Small cells spread the load, large ones have less boundary for their work. Measured on circles
-// and spirals of 150 to 2,200 vertices, both are even where cells grow as the 3/8th power of all:
-// 4, 8, 16 cells for 180, 500, 1,400 vertices. A power of two: two, four or eight threads then have
-// equal shares.
+// and spirals of 150 to 2,200 vertices, the two effects balance if the number of cells grows as the
+// 3/8th power of the number of vertices: 4, 8, 16 cells for 180, 500, 1,400 vertices. It is a power
+// of two, so that two, four or eight threads have equal shares.
 std::uint32_t cells_that_pay(std::size_t vertices) {
     const double doublings = 0.625 * std::log2(static_cast<double>(vertices) + 1) - 2.45;
     return static_cast<std::uint32_t>(std::exp2(std::max(0.0, std::round(doublings))));
@@ -202,8 +202,8 @@ void CellPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut recu
     if (partition.colours.front().regions.size() < 2) {
         return;
     }
-    // Later colours: what lies near the cuts of the first, then of the first two. They follow the
-    // gaps between their few sites, not the balance.
+    // Later colours: what lies near the cuts of the first, then of the first two. Their cuts follow
+    // the gaps between their few sites rather than the balance.
     rules.tolerance = 0.5;
     rules.band_price = 8;
     rules.least_sites = 4;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The seam of submeshing [6]: how the mesh is divided is one object, which an application can
-// replace. A partition has colours [6.1]; the regions of one colour are disjoint and run at once;
-// what the boundaries of one colour kept from being done is handed to the next, and what all of
-// them left is done serially.
+// The interface for submeshing (thesis, section 6): the way in which the mesh is divided is one
+// object, which an application can replace. A partition has colours (thesis, section 6.1); the
+// regions of one colour are disjoint and run at the same time; what the boundaries of one colour
+// kept from being done is handed to the next, and what all of them left is done serially.
 #pragma once
 
 #include "dsc/complex/submesh.h"
@@ -19,12 +19,12 @@ struct Colour {
     std::vector<Region> regions;
 
     /// The region that holds a vertex at (x, y); tries `hint` first. regions.size() if there is
-    /// none. O(regions), O(1) where the hint is right. A place function that the regions share is
+    /// none. O(regions), O(1) if the hint is right. A place function that the regions share is
     /// called once.
     [[nodiscard]] std::size_t locate(std::uint32_t vertex, double x, double y,
                                      std::size_t hint = 0) const {
         const Region* asked = nullptr; // the last region whose place function was called...
-        std::uint32_t number = 0;      // ...and what it said
+        std::uint32_t number = 0;      // ...and what it returned
         const auto owns = [&](const Region& region) {
             if (region.kind != Region::Kind::places) {
                 return region.owns(vertex, x, y);
@@ -39,7 +39,7 @@ struct Colour {
         if (hint < regions.size() && owns(regions[hint])) {
             return hint;
         }
-        // Most often regions stand in the order of their numbers.
+        // Usually the regions are in the order of their numbers.
         if (asked != nullptr && number < regions.size() && owns(regions[number])) {
             return number;
         }
@@ -63,7 +63,7 @@ enum class Recut : std::uint8_t {
     all,
 };
 
-/// What a partitioner may decide by. All of it is the same for any number of threads.
+/// What a partitioner may base its decision on. All of it is the same for any number of threads.
 struct PartitionStatus {
     std::uint64_t step = 0;             ///< steps done so far; 0: there is no partition yet
     std::uint64_t steps_since_all = 0;  ///< steps since the first colour was cut
@@ -73,12 +73,12 @@ struct PartitionStatus {
 template <class Real>
 struct PartitionInput {
     const Complex<Real>& complex;
-    std::span<const std::uint32_t> interface; ///< about in the order of the curve
-    std::span<const float> work;              ///< of each of them in the steps before, any unit
-    double edge_length;                       ///< the target
+    std::span<const std::uint32_t> interface; ///< roughly in the order of the curve
+    std::span<const float> work; ///< of each of them in the previous steps, in any unit
+    double edge_length;          ///< the target
 };
 
-/// A way to divide. Called by the executor between steps only, by one thread.
+/// A way to divide. Called by the executor only between steps, by one thread.
 template <class Real>
 class Partitioner {
 public:

@@ -111,7 +111,7 @@ std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input, std:
         sites.push_back(points[i * points.size() / submeshes]);
     }
     even_out(sites, points, rounds);
-    // Where the interface goes from one region to the next, the second colour has a site.
+    // Where the interface passes from one region to the next, the second colour has a site.
     std::vector<Point<double>> between;
     const SiteGrid grid(sites);
     std::uint32_t before = grid.nearest(points.back().x(), points.back().y());

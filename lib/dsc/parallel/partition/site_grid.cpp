@@ -12,11 +12,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Places in the grid are known to a few units of rounding of their own size, and so are squared
-/// distances; a thousand times that costs nothing.
+/// Places in the grid are accurate to a few units of rounding of their own size, and so are squared
+/// distances; a margin of a thousand times that costs nothing.
 constexpr double rounding = 1e-12;
 
-/// So many are looked through faster than a cell is found.
+/// This many sites are searched faster than a cell is found.
 constexpr std::size_t few = 8;
 
 bool is_finite(const Point<double>& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
@@ -34,17 +34,17 @@ SiteGrid::SiteGrid(std::vector<Point<double>> sites) : sites_(std::move(sites)) 
     }
     const Point<double> extent = high - low;
     const auto count = static_cast<double>(sites_.size());
-    // Sites along a line have a row of cells, not a square of which all but the diagonal is empty.
+    // Sites along a line get a row of cells, not a square in which all but the diagonal is empty.
     const double width =
         std::max(std::sqrt(extent.x()) * std::sqrt(extent.y() / count), extent.maxCoeff() / count);
-    // Not so where there is no extent, or one too large or small to divide by.
+    // Not if there is no extent, or one that is too large or small to divide by.
     if (width > std::numeric_limits<double>::min() && std::isfinite(extent.sum())) {
         low_ = low;
         width_ = width;
         columns_ = static_cast<std::int64_t>(extent.x() / width) + 1;
         rows_ = static_cast<std::int64_t>(extent.y() / width) + 1;
     }
-    // Counted, then filled in: within a cell in the order of the numbers.
+    // Counted first, then filled in: within a cell, in the order of the numbers.
     first_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
     for (const auto& site : sites_) {
         if (is_finite(site)) {
@@ -84,8 +84,8 @@ void SiteGrid::look_into(std::int64_t column, std::int64_t row, const Point<doub
     }
 }
 
-// How far it is at least from a place, in cells, to what lies in none of the cells seen; squared.
-// Infinite where they are all there are.
+// The least distance from a place to anything in the cells not yet seen, in cells; squared.
+// Infinite if all cells have been seen.
 double SiteGrid::squared_way_out(const Block& seen, double column, double row) const {
     const auto columns = static_cast<double>(columns_);
     const auto rows = static_cast<double>(rows_);
@@ -94,7 +94,7 @@ double SiteGrid::squared_way_out(const Block& seen, double column, double row) c
         const double length = std::max(cells - slack, 0.0) * width_;
         return length * length;
     };
-    // From outside, the way to the grid has to be gone in any case.
+    // From outside, the distance to the grid is added in any case.
     const double beside = square(std::max(-column, column - columns));
     const double above = square(std::max(-row, row - rows));
     double least = infinity;
@@ -131,7 +131,7 @@ std::uint32_t SiteGrid::nearest(double x, double y) const {
     const std::int64_t j = cell(row, rows_);
     Block seen{i, i, j, j};
     look_into(i, j, from, best);
-    // Frames of cells about it, until nothing nearer can lie outside.
+    // Frames of cells around it, until nothing nearer can lie outside.
     for (std::int64_t r = 1; !(squared_way_out(seen, column, row) > best.squared); ++r) {
         const Block before = seen;
         seen = {std::max<std::int64_t>(i - r, 0), std::min(i + r, columns_ - 1),
@@ -143,7 +143,7 @@ std::uint32_t SiteGrid::nearest(double x, double y) const {
         for (std::int64_t b = seen.bottom; b <= seen.top; ++b) {
             for (std::int64_t a = seen.left; a <= seen.right; ++a) {
                 if (b >= before.bottom && b <= before.top && a == before.left) {
-                    a = before.right; // what was seen is passed over
+                    a = before.right; // skip what was seen already
                 } else {
                     look_into(a, b, from, best);
                 }

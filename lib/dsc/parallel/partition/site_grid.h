@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The nearest of many points, found through a uniform grid: Voronoi regions ask for it once for
-// each vertex of each star.
+// The nearest of many points, found with a uniform grid: Voronoi regions need it once for each
+// vertex of each star.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -10,16 +10,16 @@
 
 namespace dsc {
 
-/// Points in a grid of about one point a cell. Reading is thread-safe.
+/// Points in a grid of about one point per cell. Reading is thread-safe.
 class SiteGrid {
 public:
     /// O(points).
     explicit SiteGrid(std::vector<Point<double>> sites);
 
-    /// The number of the point nearest to (x, y) by the distance as it is computed in floating
-    /// point, the lower number of two: exactly what a search through all points finds. 0 where no
-    /// distance is finite. O(1) expected where the points are spread evenly and (x, y) lies among
-    /// them, O(points) at worst.
+    /// The number of the point nearest to (x, y) by the distance as computed in floating point, the
+    /// lower number in a tie: exactly what a search through all points finds. 0 if no distance is
+    /// finite. O(1) expected if the points are spread evenly and (x, y) lies among them, O(points)
+    /// at worst.
     [[nodiscard]] std::uint32_t nearest(double x, double y) const;
 
     [[nodiscard]] const std::vector<Point<double>>& sites() const { return sites_; }
@@ -29,7 +29,7 @@ private:
         std::uint32_t site;
         double squared;
     };
-    struct Block { // of cells, with both ends
+    struct Block { // of cells, both ends included
         std::int64_t left, right, bottom, top;
     };
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double infinity = Region::infinity;
 
-/// More vertices than this tell the counting method nothing new: to sort all of a large mesh took
-/// it longer than the steps between two divisions.
+/// More vertices than this do not improve the counting method: sorting all vertices of a large mesh
+/// took longer than the steps between two divisions.
 constexpr std::size_t most_counted = 32768;
 
 template <class Real>
@@ -75,7 +75,7 @@ bool is_thin(const std::vector<double>& red, double low, double high, double lea
     return high - last < least_width;
 }
 
-// Cuts at each n-th of the weight (red), and half way between (black).
+// Cuts at each n-th of the weight (red), and halfway between (black).
 Cuts shares(const std::vector<std::pair<double, float>>& sorted, double total,
             std::uint32_t slabs) {
     Cuts cuts;
@@ -103,7 +103,7 @@ Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::
     for (const auto& [place, weight] : positions) {
         total += static_cast<double>(weight);
     }
-    // Fewer slabs rather than thin ones; both colours go together.
+    // Fewer slabs rather than thin ones; both colours have the same number.
     const double low = positions.front().first;
     const double high = positions.back().first;
     for (std::uint32_t n = slabs; n > 1; --n) {
@@ -140,7 +140,7 @@ Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_
     region.kind = Region::Kind::box;
     region.normal_x = normal_x;
     region.normal_y = normal_y;
-    // Two slabs that are one are the whole mesh; nothing is to be gained there.
+    // Two slabs that form one submesh are the whole mesh; nothing is gained by that.
     const bool joins = round && count > 2;
     for (std::size_t i = 0; i < (joins ? count - 1 : count); ++i) {
         region.low = joins && i == 0 ? cuts[count - 1] : cuts[i];
@@ -220,7 +220,7 @@ template <class Real>
 void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*recut*/,
                                    Partition& partition) {
     const double radians = options_.degrees * std::numbers::pi / 180;
-    // Axes exactly: the cosine of a right angle is not zero in floating point.
+    // Exact axes: the cosine of a right angle is not zero in floating point.
     const bool upright = options_.degrees == 90;
     const Point<double> normal =
         options_.follow_shape
@@ -240,7 +240,7 @@ void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*re
             }
         } else {
             // Every vertex stands for the two triangles that it owns on average, and in a large
-            // mesh for its neighbours by number as well, which lie near it.
+            // mesh also for the vertices with neighbouring numbers, which lie near it.
             const auto& vertices = input.complex.vertices;
             for (std::size_t v = 0; v < vertices.size(); v += 1 + vertices.size() / most_counted) {
                 if ((vertices[v].flags & vertex_dead) == 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The slabbing method [6.3, 8.5] in place: a slab is an interval of positions along a direction,
-// nothing is copied. Red slabs, then black ones shifted by half a slab, whose first and last form
-// one submesh.
+// The slabbing method (thesis, sections 6.3 and 8.5) in place: a slab is an interval of positions
+// along a direction; nothing is copied. First red slabs, then black ones shifted by half a slab, of
+// which the first and the last form one submesh.
 #pragma once
 
 #include "dsc/base/enum_table.h"
@@ -13,8 +13,8 @@ namespace dsc {
 
 /// How the cuts between slabs are chosen.
 enum class Slabbing : std::uint8_t {
-    fixed,    ///< equal widths [6.3]
-    counting, ///< equal numbers of triangles [6.3], judged by a sample of a large mesh
+    fixed,    ///< equal widths (thesis, section 6.3)
+    counting, ///< equal numbers of triangles (the same section), sampled in a large mesh
     active,   ///< equal shares of the work that was done
 };
 
@@ -35,7 +35,7 @@ struct SlabOptions {
     /// the direction in which the interface extends farthest.
     double degrees = 0;
     bool follow_shape = false;
-    /// In edge lengths; thinner slabs would be locked altogether: there are fewer then.
+    /// In edge lengths. Thinner slabs would be locked completely, so there are fewer slabs instead.
     double least_width = 8;
     std::uint32_t recut = 64; ///< steps between two choices of the cuts
 };
@@ -54,7 +54,7 @@ Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::
 /// Cuts of equal width over [low, high].
 Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double least_width);
 
-/// The colour of these slabs; `round`: the first and the last are one.
+/// The colour of these slabs; `round`: the first and the last form one submesh.
 Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_y, bool round);
 
 /// The unit vector along which points scatter most (first principal component). O(n).
@@ -65,7 +65,7 @@ Point<double> principal_direction(const Complex<Real>& complex,
 template <class Real>
 class SlabPartitioner final : public Partitioner<Real> {
 public:
-    /// Throws InputError where the options make no sense.
+    /// Throws InputError if the options make no sense.
     explicit SlabPartitioner(const SlabOptions& options);
     [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
     void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
