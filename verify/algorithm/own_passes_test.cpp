@@ -29,11 +29,11 @@ using test::options_for;
 using test::pointwise;
 
 template <class Real>
-class Driver : public testing::Test {};
+class OwnPasses : public testing::Test {};
 using Reals = testing::Types<double, float>;
-TYPED_TEST_SUITE(Driver, Reals);
+TYPED_TEST_SUITE(OwnPasses, Reals);
 
-TYPED_TEST(Driver, RunsTheApplicationsPassesInsteadOfTheDefault) {
+TYPED_TEST(OwnPasses, RunsTheApplicationsPassesInsteadOfTheDefault) {
     using Real = TypeParam;
     auto complex = disc_complex<Real>(coarse);
     const auto options = options_for<Real>(coarse);
@@ -68,7 +68,7 @@ TYPED_TEST(Driver, RunsTheApplicationsPassesInsteadOfTheDefault) {
     EXPECT_GT(unreached, 0U);
 }
 
-TYPED_TEST(Driver, TakesThresholdsForEachPhase) {
+TYPED_TEST(OwnPasses, TakesThresholdsForEachPhase) {
     using Real = TypeParam;
     // Phase 1 is kept twice as fine as phase 0 by its longest spoke.
     auto complex = disc_complex<Real>(coarse);
@@ -91,7 +91,7 @@ TYPED_TEST(Driver, TakesThresholdsForEachPhase) {
     EXPECT_LT(triangles_of(0), 1.25 * outside);
 }
 
-TYPED_TEST(Driver, TheSeedOnlyChangesTheOrder) {
+TYPED_TEST(OwnPasses, TheSeedOnlyChangesTheOrder) {
     using Real = TypeParam;
     std::array<std::uint64_t, 3> hashes{};
     std::array<std::size_t, 3> vertices{};

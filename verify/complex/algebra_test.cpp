@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Simplex algebra [thesis 3.1] against its own definitions over vertex sets, the figures 3.3 to 3.9
-// on a fan of six, and the laws of sets.
+// Simplex algebra (thesis, section 3.1) against its own definitions over vertex sets, the thesis's
+// figures 3.3 to 3.9 on a fan of six, and the laws of sets.
 #include "dsc/complex/algebra.h"
 
 #include "support/literal_sets.h"
@@ -86,7 +86,7 @@ void expect_definitions(const Complex<Real>& complex, const Family& all, Simplex
     // and the same by the composition of the library's own operations
     EXPECT_EQ(link(complex, simplex),
               closure(complex, star(complex, simplex)) - star(complex, closure(complex, simplex)));
-    // a star holds the stars of its members; a closure the closures
+    // a star contains the stars of its members; a closure the closures
     const SimplexSet around = star(complex, simplex);
     EXPECT_EQ(star(complex, around), around);
     const SimplexSet closed = closure(complex, simplex);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Attributes: found by name, kind and type; a vertex attribute is indexed by vertices alone; an
-// edge is written at both its corners; and a class of the application's own, a quantity that no
-// operation may lose, follows every one of them.
+// edge is written at both its corners; and a class defined by the application, a quantity that no
+// operation may lose, is carried through every operation.
 #include "support/copy_testing.h"
 #include "support/operations_testing.h"
 #include "support/random_complex.h"
@@ -96,8 +96,8 @@ TEST(EdgeAttributes, AreSetAtBothCorners) {
     EXPECT_EQ(weight[complex.find_edge(Vertex{0}, Vertex{3})], 5);
 }
 
-/// A quantity of the triangles that moves with the area: shared out where a triangle is cut or two
-/// are flipped, handed over where one vanishes.
+/// A quantity of the triangles that moves with the area: divided where a triangle is cut or two are
+/// flipped, handed over where one vanishes.
 class Conserved final : public AttributeBase {
 public:
     explicit Conserved(std::string name) : AttributeBase(std::move(name), SimplexKind::triangle) {}
@@ -229,8 +229,8 @@ TEST(OwnAttributes, AreConservedByAllOperations) {
     }
 }
 
-// The reference stays good in steps, in place and through copies; and in a copy of the complex, and
-// through a renumbering.
+// The reference stays valid in steps, in place and through copies; and in a copy of the complex,
+// and through a renumbering.
 TEST(OwnAttributes, FollowASimulation) {
     constexpr double h = 0.05;
     for (const bool by_copies : {false, true}) {

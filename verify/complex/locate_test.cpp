@@ -135,7 +135,7 @@ TYPED_TEST(Locate, RefusesWhatIsNotFinite) {
     EXPECT_THROW((void)locate(complex, Point<TypeParam>(infinity - infinity, 0)), InputError);
 }
 
-// A U: from one arm the straight way to the other leaves the domain.
+// A U: the straight way from one arm to the other leaves the domain.
 TEST(Locate, GoesRoundBaysAndHoles) {
     auto complex = grid<double>(5, 0.1);
     SimplexSet cut;
@@ -185,8 +185,8 @@ TEST(Locate, AgreesWithAllTrianglesOfMeshesThatAreNotDelaunay) {
     }
 }
 
-// A turbine about a middle triangle fan: seen from the middle, each edge between two blades has the
-// point on the side of the next blade, so that a walk could go round and round.
+// A turbine around a middle triangle fan: seen from the middle, each edge between two blades has
+// the point on the side of the next blade, so that a walk could go round and round.
 TEST(Locate, DoesNotGoInCircles) {
     for (const double side : {1.0, -1.0}) {
         constexpr std::uint32_t blades = 7;

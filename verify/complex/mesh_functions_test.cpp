@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mesh functions [thesis 4.1, 8.6]: insertion in any order, removal, what is derived from
-// phases.
+// The mesh functions (thesis, sections 4.1 and 8.6): insertion in any order, removal, and what is
+// derived from phases.
 #include "dsc/complex/mesh_functions.h"
 
 #include "support/literal_sets.h"
@@ -202,7 +202,8 @@ TYPED_TEST(MeshFunctions, AttributesFollow) {
     EXPECT_EQ(validate(complex).problem, "");
 }
 
-// Figure 8.3: the interface runs between phases, and along the domain boundary of what is inside.
+// Figure 8.3 of the thesis: the interface runs between phases, and along the domain boundary of
+// what is inside.
 TYPED_TEST(MeshFunctions, InterfaceAndBoundaryAreDerived) {
     auto complex = grid<TypeParam>(8, 0.15, 6, 2.5);
     complex.set_phase(Triangle{1}, 2); // touches the domain boundary at (0, 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbering along the Hilbert curve, and the hash that does not care about numbers.
+// Numbering along the Hilbert curve, and the hash that does not depend on the numbering.
 #include "dsc/complex/numbering.h"
 
 #include "support/literal_sets.h"
@@ -207,7 +207,7 @@ TYPED_TEST(Numbering, AttributesAndLocksMoveAlong) {
     for (const Vertex v : all_simplices(complex).vertices()) {
         EXPECT_EQ(complex.is_locked(v), v.id == moved.vertices[20]);
     }
-    // The bounds have followed: growth and new attributes go on from there.
+    // The bounds have been updated: growth and new attributes go on from there.
     insert_vertex(complex, Point<TypeParam>(50, 50));
     complex.attributes.template add<Triangle, double>("late");
     EXPECT_EQ(validate(complex).problem, "");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Interface curves and outlines of phases: on grids whose squares have phases, and on random meshes
-// against what every triangle says.
+// compared with the phases of every triangle.
 #include "dsc/complex/outlines.h"
 
 #include "support/random_complex.h"
@@ -19,7 +19,7 @@ namespace {
 
 using Ids = std::vector<std::uint32_t>;
 
-// Rows of squares from top to bottom, as one reads them; each digit is a phase.
+// Rows of squares from top to bottom, in reading order; each digit is a phase.
 Complex<double> squares(const std::vector<std::string_view>& rows) {
     const auto n = static_cast<std::uint32_t>(rows.size());
     auto complex = test::grid<double>(n, 0.1);
@@ -39,7 +39,7 @@ Ids ids(const std::vector<Vertex>& vertices) {
     return result;
 }
 
-// A closed curve from its smallest vertex on.
+// A closed curve, starting at its smallest vertex.
 Ids turned(const std::vector<Vertex>& loop) {
     Ids result = ids(loop);
     std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
@@ -137,7 +137,7 @@ TEST(Outlines, OfAPhaseThatFillsTheDomain) {
     EXPECT_TRUE(curves[0].is_closed);
     EXPECT_EQ(curves[0].right, border_phase);
     EXPECT_EQ(turned(curves[0].vertices), (Ids{0, 1, 2, 5, 8, 7, 6, 3}));
-    // The exterior has no interface with the outside, but its outline.
+    // The exterior has no interface with the outside, but it has an outline.
     EXPECT_TRUE(interface_curves(squares({"00", "00"})).empty());
     EXPECT_EQ(outlines(squares({"00", "00"}), 0).size(), 1U);
 }
@@ -148,7 +148,7 @@ TEST(Outlines, TouchAtAPinchedVertex) {
     ASSERT_EQ(loops.size(), 2U);
     EXPECT_EQ(turned(loops[0]), (Ids{6, 7, 12, 11}));
     EXPECT_EQ(turned(loops[1]), (Ids{12, 13, 18, 17}));
-    // Four interface edges meet there: the curves end, and where they begin.
+    // Four interface edges meet there: curves end and begin there.
     const auto curves = interface_curves(complex);
     ASSERT_EQ(curves.size(), 2U);
     EXPECT_FALSE(curves[0].is_closed || curves[1].is_closed);
@@ -156,7 +156,7 @@ TEST(Outlines, TouchAtAPinchedVertex) {
     EXPECT_EQ(ids(curves[1].vertices), (Ids{12, 13, 18, 17, 12}));
 }
 
-// A hole that touches the outside at vertex 14: one outline, which passes there twice.
+// A hole that touches the outside at vertex 14: one outline, which passes through it twice.
 TEST(Outlines, PassTwiceWhereAHoleTouchesTheOutside) {
     const auto complex = squares({"00000", "01110", "01010", "00110", "00000"});
     const auto loops = outlines(complex, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ranges over the living simplices, on meshes with free ids in front, in the middle and at the end.
+// Ranges over the simplices in use, on meshes with free ids in front, in the middle and at the end.
 #include "dsc/complex/ranges.h"
 
 #include "support/small_meshes.h"
@@ -84,8 +84,9 @@ TYPED_TEST(Ranges, OfAPhaseMeetItsTrianglesAlone) {
     EXPECT_EQ(ids(triangles(complex, 2)), (Ids{3}));
 }
 
-// Triangles 1, 3 and 6 go: the first id, one between others, and the last. Vertex 1 lies in 1 and 6
-// alone and stays behind without a triangle; vertex 4 goes with its star, which is 3 and 4.
+// Triangles 1, 3 and 6 are removed: the first id, one between others, and the last. Vertex 1 lies
+// only in 1 and 6 and is left without a triangle; vertex 4 is removed with its star, which is 3 and
+// 4.
 TYPED_TEST(Ranges, SkipFreeIds) {
     auto complex = hexagon<TypeParam>();
     remove(complex, SimplexSet({}, {}, {Triangle{1}, Triangle{6}}));
@@ -151,8 +152,8 @@ TYPED_TEST(Ranges, OfAVertexWithoutTrianglesAreEmpty) {
     EXPECT_TRUE(link_vertices(complex, v).empty());
 }
 
-// Triangle 2 vanishes before it is reached; its id is taken again behind the loop, and id 7 beyond
-// its end. The records move meanwhile.
+// Triangle 2 vanishes before it is reached; its id is reused behind the loop, and id 7 is taken
+// beyond its end. The records move meanwhile.
 TYPED_TEST(Ranges, AllowChangesOfConnectivity) {
     auto complex = hexagon<TypeParam>();
     Ids met;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A submesh leaves what it does not own alone, whatever its region is like.
+// A submesh does not change what it does not own, whatever its region is like.
 #include "dsc/complex/submesh.h"
 
 #include "support/random_scene.h"
@@ -25,7 +25,7 @@ using test::Dice;
 using test::RandomFlow;
 using test::Wildness;
 
-// All that is known of a vertex but the scratch of the active set.
+// Everything known of a vertex except the scratch data of the active set.
 struct Seen {
     double x, y;
     std::uint32_t flags;
@@ -53,8 +53,8 @@ public:
         pool.may_grow = false;
     }
 
-    // Upkeep and motion in the region; what it does not own must stay bit for bit, and so must the
-    // triangles that are not wholly in it, but for their links.
+    // Upkeep and motion in the region; what it does not own must stay the same bit for bit, and so
+    // must the triangles that are not wholly in it, except for their links.
     void run(const Region& region, const RandomFlow& flow) {
         Work<double> work(complex, options);
         work.submesh.region = region;
@@ -85,7 +85,8 @@ public:
         }
         moved += work.log.counts.moves;
         put_off += work.put_off_movers.size();
-        // Everyone is accounted for: arrived, on the way, or put off; only the dead are not.
+        // Every vertex is accounted for: arrived, on the way, or put off; only deleted ones are
+        // not.
         EXPECT_LE(work.put_off_movers.size() + work.movers.size(), listed);
         for (std::uint32_t v = 0; v < vertices.size(); ++v) {
             const auto& now = complex.vertices[v];
@@ -167,7 +168,7 @@ void draw_region(Dice& dice, Form form, const Complex<double>& complex, DrawnReg
         break;
     }
     case Form::labels:
-        // A disc; free ids, which its pool has, are its own.
+        // A disc; free ids in its pool are its own.
         for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
             const bool inside =
                 (complex.position(Vertex{v}) - Point<double>(0.5, 0.5)).norm() < 0.3;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The validator sees every kind of fault and names the bad element: each is seeded into the records
-// of a sound complex, or built.
+// The validator detects every kind of fault and names the bad element: each fault is written into
+// the records of a sound complex, or built.
 #include "dsc/complex/validate.h"
 
 #include "support/small_meshes.h"
@@ -50,7 +50,7 @@ Complex<Real> sound() {
     return complex;
 }
 
-// A triangle away from the domain boundary, and a corner of it that no vertex remembers.
+// A triangle away from the domain boundary, and one of its corners that no vertex refers to.
 template <class Real>
 Corner quiet_corner(const Complex<Real>& complex) {
     for (std::uint32_t t = 20; t < complex.triangle_bound(); ++t) {
@@ -156,7 +156,7 @@ TYPED_TEST(Validate, SeesFaultsInRecords) {
         {"the same two vertices", [&](K& k) { k.triangles[t].v[i] = 48; }},
         {"the same two vertices",
          [&](K& k) {
-             // Links symmetric, but between edges that have nothing to do with each other.
+             // Links symmetric, but between unrelated edges.
              const Corner far = corner_of(1, 0);
              const Corner a = k.twin(c);
              const Corner b = k.twin(far);
@@ -219,8 +219,8 @@ TYPED_TEST(Validate, SeesVerticesThatAreNotManifold) {
                             "about it meets 2");
 }
 
-// Fans of `count` triangles of 60 degrees, closed or open; ring points that come again are
-// distinct.
+// Fans of `count` triangles of 60 degrees, closed or open; repeated ring points get distinct
+// vertices.
 template <class Real>
 Complex<Real> fan(std::uint32_t count, bool closed) {
     const auto six = hexagon<Real>();
@@ -358,7 +358,7 @@ TYPED_TEST(Validate, SeesComponentsThatOverlap) {
     expect_problem(rings, "inside another component");
 }
 
-// Any link or vertex id overwritten by anything else is seen, and never crashes the validator.
+// Any link or vertex id overwritten by any other is detected, and never crashes the validator.
 TYPED_TEST(Validate, SeesAnyOverwrittenLink) {
     const auto good = sound<TypeParam>();
     std::mt19937 random(17);
@@ -396,7 +396,7 @@ TYPED_TEST(Validate, SeesAnyOverwrittenLink) {
             bad.vertices[v].corner = value;
         }
         EXPECT_EQ(validate(bad).ok(), harmless) << "round " << i;
-        if (i % 10 == 0) { // many at once: whatever it says, it comes back
+        if (i % 10 == 0) { // many at once: any verdict will do, as long as it returns
             for (int more = 0; more < 30; ++more) {
                 bad.triangles[random() % bad.triangle_bound()].n[random() % 3] = anything();
                 bad.triangles[random() % bad.triangle_bound()].v[random() % 3] = anything();

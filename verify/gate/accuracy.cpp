@@ -20,7 +20,8 @@ struct Flow {
     Settings settings;
 };
 
-// The vertex spacing of the cubic reading needs small time steps: RK4 is of fourth order as well.
+// The vertex spacing of the cubic interpolation needs small time steps: RK4 is of fourth order as
+// well.
 const std::vector<Flow>& flows() {
     static const std::vector<Flow> all{
         {"vortex T=2 h=1/128", "single-vortex", {"period=2", "h=0.0078125"}},
@@ -86,8 +87,8 @@ bool contains(const std::string& text, const char* word) {
     return text.find(word) != std::string::npos;
 }
 
-// Vertices that never go stand closer than triangles of any angle can; coarse meshes do not hold
-// the filament.
+// Vertices that are never removed come closer together than triangles of any angle allow; coarse
+// meshes cannot resolve the filament.
 bool is_well_resolved(const Flow& flow) {
     return !contains(flow.name, "1/16") &&
            std::ranges::find(flow.settings, "coarsening=never") == flow.settings.end();
@@ -105,7 +106,7 @@ Check of_flow(std::string name, std::string description, std::string unit, bool 
             }};
 }
 
-// The order of the cubic reading, over four sizes.
+// The order of the cubic interpolation, over four sizes.
 double cubic_order(Runs& runs, const std::string&) {
     std::vector<double> sizes;
     std::vector<double> errors;

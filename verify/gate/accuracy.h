@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the method promises about shapes: flows with an exact solution, each at the edge lengths and
-// with the options of the promise.
+// What the method promises about shapes: flows with an exact solution, each with the edge lengths
+// and options to which the promise applies.
 #pragma once
 
 #include "checks.h"

@@ -33,7 +33,7 @@ Names every_scene() {
     return names;
 }
 
-// The parallel runs; two threads stand for any number, which `mesh_hash` says make no difference.
+// The parallel runs; two threads stand for any number, since `mesh_hash` shows no difference.
 std::vector<Configuration> parallel(const std::string& scene) {
     std::vector<Configuration> all;
     for (const Strategy strategy : scenes::all_strategies()) {
@@ -44,13 +44,13 @@ std::vector<Configuration> parallel(const std::string& scene) {
     return all;
 }
 
-// How far the area has drifted from what the exact shape's has done; for flows without divergence
+// How far the change of the area differs from that of the exact shape; for flows without divergence
 // |A(t) / A(0) - 1|.
 double area_drift(const RunResult& r) {
     return std::abs(r.area_ratio / (number(r.last, "area_exact") / r.area_exact_first) - 1);
 }
 
-// Runs that do not hold what they promise say nothing about anything else.
+// Runs that break their invariants say nothing about anything else.
 const RunResult& finished(const RunResult& r) {
     if (!r.gave_up.empty()) {
         throw InvariantError("the run gave up: " + r.gave_up);
@@ -93,8 +93,8 @@ Check of_sequential(std::string name, std::string description, std::string unit,
 }
 
 // The worst of all strategies. The limits are the spread of the sequential method over shuffled
-// orders (verify/gate/bands.py): threads must not make a mesh that another order would not have
-// made.
+// orders (verify/gate/bands.py): threads must not produce a mesh that no other order would have
+// produced.
 Check against_parallel(std::string name, std::string description, Difference difference) {
     return {std::move(name),
             std::move(description),

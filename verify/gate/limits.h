@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The limits file: what each check may measure at most (or at least), and where the figure comes
-// from. It is written by hand; nothing ever fills in a limit that is missing.
+// from. It is written by hand; a missing limit is never filled in automatically.
 #pragma once
 
 #include <map>
@@ -16,11 +16,11 @@ struct Limit {
 
 class Limits {
 public:
-    /// {"limits": {CHECK: {SCENE: {"value": 1e-3, "note": "..."}}}}. Throws FileError where the
-    /// file cannot be read, InputError where it is not whole or holds something else.
+    /// {"limits": {CHECK: {SCENE: {"value": 1e-3, "note": "..."}}}}. Throws FileError if the file
+    /// cannot be read, InputError if it is incomplete or contains something else.
     static Limits read(const std::string& path);
 
-    /// Throws InputError where there is none.
+    /// Throws InputError if there is none.
     [[nodiscard]] const Limit& find(const std::string& check, const std::string& scene) const;
 
     using Key = std::pair<std::string, std::string>; ///< check and scene

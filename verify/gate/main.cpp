@@ -34,7 +34,8 @@ void list_checks() {
     }
 }
 
-// Asked before anything runs. Permissions alone do not tell: the disk may be read-only or full.
+// Checked before anything runs. Permissions alone are not enough: the disk may be read-only or
+// full.
 void prepare_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);

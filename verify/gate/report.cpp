@@ -34,7 +34,7 @@ Json finite(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-// For XML: no control characters, which no escape makes legal.
+// For XML: no control characters, which are not legal even when escaped.
 std::string xml(std::string text) {
     for (char& c : text) {
         if (static_cast<unsigned char>(c) < 32) {
@@ -78,7 +78,7 @@ std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Ru
         }
         checks.push_back(std::move(entry));
     }
-    // Two runs of one scene are comparable over the same bins only, so each size is a scene.
+    // Two runs of one scene are comparable only over the same bins, so each size is a scene.
     Json histograms = Json::array();
     for (const auto& [configuration, run] : runs.all()) {
         const bool is_coarse = configuration.size == Size::coarse;

@@ -8,7 +8,7 @@ namespace dsc::gate {
 namespace {
 
 // Small enough for a method that sweeps over sets in each step, and large enough for some hundred
-// triangles inside and outside of the shape.
+// triangles inside and outside the shape.
 scenes::Parameters coarse(const scenes::Scene& scene) {
     scenes::Parameters parameters = scene.defaults;
     parameters.h = 0.05;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runs that the checks look at, each made once, when it is first asked for.
+// The runs that the checks look at, each made once, when it is first requested.
 #pragma once
 
 #include "scenes/run/run.h"
@@ -13,7 +13,7 @@ namespace dsc::gate {
 
 /// How finely a scene is run.
 enum class Size : std::uint8_t {
-    full,   ///< as the catalogue has it: what the limits on accuracy are for
+    full,   ///< as in the catalogue: the limits on accuracy apply to this
     coarse, ///< for comparisons with the reference, which takes seconds a step at full size
 };
 

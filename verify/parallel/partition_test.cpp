@@ -6,8 +6,8 @@
 #include "support/random_scene.h"
 #include "support/random_submeshes.h"
 
-#include "dsc/base/error.h"
 #include "dsc/passes/interface_list.h"
+#include "dsc/base/error.h"
 
 #include <gtest/gtest.h>
 

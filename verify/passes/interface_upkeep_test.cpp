@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an application chooses about the interface: which vertices may go, how long edges are, which
-// corners stay, and what the mesh beside short edges is like.
+// What an application can choose about the interface: which vertices may be removed, how long edges
+// are, which corners stay, and the quality of the mesh beside short edges.
 #include "dsc/passes/interface_upkeep.h"
 
 #include "support/simulation_testing.h"
@@ -51,7 +51,7 @@ double area_inside(const Complex<double>& complex) {
     return doubled / 2;
 }
 
-// One upkeep after the other, until nothing changes any more.
+// Runs upkeep repeatedly until nothing changes any more.
 struct Kept {
     Complex<double> complex;
     OperationCounts counts;
@@ -81,7 +81,7 @@ Options<double> with(Coarsening coarsening) {
     return options;
 }
 
-// Edges of a fifth of the edge length: far more vertices than the thresholds want.
+// Edges of a fifth of the edge length: far more vertices than the thresholds call for.
 const Outline crowded = ellipse(0.3, 0.15, 148);
 
 TEST(Coarsening, NeverLeavesAllVertices) {
@@ -102,7 +102,7 @@ TEST(Coarsening, ByLengthTakesAllThatDeviationTakesAndMore) {
     EXPECT_GT(length.counts.interface_collapses, deviation.counts.interface_collapses * 6 / 5);
 }
 
-// Chords of the ellipse lose area; with survivors that move out, they do not.
+// Chords of the ellipse lose area; if the surviving vertices move outwards, they do not.
 TEST(Coarsening, ByAreaKeepsTheArea) {
     const double before = area_inside(complex_of(crowded));
     auto options = with(Coarsening::length);
@@ -116,7 +116,7 @@ TEST(Coarsening, ByAreaKeepsTheArea) {
     EXPECT_NEAR(area_inside(area.complex), before, 1e-14);
 }
 
-// Off the curve by no more than the deviation, whichever way it is read.
+// Off the curve by no more than the deviation, however it is interpolated.
 TEST(Coarsening, ByDeviationKeepsTheCurve) {
     for (const Reading reading : {Reading::chords, Reading::cubic}) {
         auto options = with(Coarsening::deviation);
@@ -129,13 +129,13 @@ TEST(Coarsening, ByDeviationKeepsTheCurve) {
             EXPECT_LT(lost, 3 * options.interface.deviation * h * perimeter);
             EXPECT_LT(kept.counts.interface_collapses, 20U);
         } else {
-            // The cubic passes where the vertex was: it may go, though the chord does not.
+            // The cubic passes through the vertex: it may be removed, though it is off the chord.
             EXPECT_GT(kept.counts.interface_collapses, 40U);
         }
     }
 }
 
-// The cubic is looked at where the vertex was, which need not be in the middle.
+// The cubic is evaluated where the vertex was, which need not be in the middle.
 TEST(Coarsening, ByDeviationFromTheCubicTakesUnevenVerticesToo) {
     Outline uneven;
     for (int i = 0; i < 240; ++i) {
@@ -150,7 +150,7 @@ TEST(Coarsening, ByDeviationFromTheCubicTakesUnevenVerticesToo) {
     EXPECT_EQ(keep_up(uneven, options).counts.interface_collapses, 0U);
 }
 
-// A zigzag of a fiftieth of an edge is no shape that a mesh of these edges could carry.
+// A zigzag of a fiftieth of an edge is the remnant of a collapsed tip, too small for these edges.
 TEST(Coarsening, ByDeviationRemovesTheRemainsOfTips) {
     Outline outline = ellipse(0.3, 0.2, 60);
     const Point<double> along = (outline[10] - outline[9]).normalized();
@@ -240,7 +240,8 @@ TEST(Sizes, FollowTheGapToTheNextSheet) {
     }
 }
 
-// The second edge of a curve is in the link where a triangle cuts a corner; it is no other sheet.
+// The second edge of a curve is in the link where a triangle cuts a corner; it is not another
+// sheet.
 TEST(Sizes, KnowNoGapToTheSameSheet) {
     const Outline square{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
     const Outline small{{0.5, 0.5}, {0.55, 0.5}, {0.55, 0.55}, {0.5, 0.55}};

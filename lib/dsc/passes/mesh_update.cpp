@@ -4,6 +4,7 @@
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
+#include "dsc/passes/collapse_choice.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/delaunay.h"
 #include "dsc/quality/ring_quality.h"
@@ -201,52 +202,13 @@ private:
         std::uint32_t best_spoke = no_id;
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             const Real after = worst_quality_squared_after_collapse(ring_, i);
-            if (after > best && longest_after(i) <= Real(1.44) * limit.longest &&
-                keeps_grading(i)) {
+            if (after > best && longest_after_collapse(ring_, i) <= Real(1.44) * limit.longest &&
+                keeps_grading(complex_, ring_, grading_squared_, i)) {
                 best = after;
                 best_spoke = i;
             }
         }
         return best_spoke != no_id && finish_collapse(best_spoke);
-    }
-
-    /// Whether no needle beside an interface edge would be split again at once, with the star's
-    /// triangles at link vertex i.
-    bool keeps_grading(std::uint32_t i) const {
-        if (grading_squared_ == 0) {
-            return true;
-        }
-        const std::uint32_t n = ring_.size;
-        const auto squared = [](Real dx, Real dy) { return dx * dx + dy * dy; };
-        for (std::uint32_t j = 0; j < n; ++j) {
-            const Phase across = complex_.phase_at(complex_.twin(ring_.corner[j]));
-            if (across == ring_.phase[j] || across == border_phase) {
-                continue;
-            }
-            // The apex over this edge: i, or beyond it where i is one of its ends.
-            const std::uint32_t end = j + 1 == n ? 0 : j + 1;
-            const std::uint32_t apex = i == j     ? (end + 1 == n ? 0 : end + 1)
-                                       : i == end ? (j == 0 ? n - 1 : j - 1)
-                                                  : i;
-            const Real allowed =
-                Real(0.8) * grading_squared_ *
-                squared(ring_.x_next[j] - ring_.x[j], ring_.y_next[j] - ring_.y[j]);
-            if (squared(ring_.x[apex] - ring_.x[j], ring_.y[apex] - ring_.y[j]) > allowed ||
-                squared(ring_.x[apex] - ring_.x[end], ring_.y[apex] - ring_.y[end]) > allowed) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    Real longest_after(std::uint32_t i) const {
-        Real longest = 0;
-        for (std::uint32_t j = 0; j < ring_.size; ++j) {
-            const Real dx = ring_.x[j] - ring_.x[i];
-            const Real dy = ring_.y[j] - ring_.y[i];
-            longest = std::max(longest, dx * dx + dy * dy);
-        }
-        return longest;
     }
 
     bool finish_collapse(std::uint32_t i) {
@@ -338,10 +300,7 @@ private:
                 spoke = i;
             }
         }
-        if (spoke == no_id) {
-            return false;
-        }
-        return split_spoke(spoke);
+        return spoke != no_id && split_spoke(spoke);
     }
 
     // A spoke beside a short edge of the interface, of a triangle that is a needle therefore.

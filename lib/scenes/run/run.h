@@ -51,9 +51,8 @@ struct RunResult {
     Figures last;                ///< of the measures, at the end
     std::optional<Figures> half; ///< when a reversing flow is farthest out
     double min_quality_ever = 0;
-    int quality_sampled_every =
-        1;                      ///< steps between two samples of `min_quality_ever` and `inverted`
-    std::uint64_t inverted = 0; ///< triangles that an exact predicate found not positive, summed
+    int quality_sampled_every = 1; ///< steps between samples of `min_quality_ever` and `inverted`
+    std::uint64_t inverted = 0;    ///< triangles that an exact predicate found not positive, summed
     std::uint64_t unreached = 0;
     std::uint64_t held = 0; ///< of these, because of a velocity that was not finite
     std::uint64_t sub_steps = 0;
