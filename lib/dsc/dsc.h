@@ -42,6 +42,7 @@
 #include "dsc/motion/unit_velocity.h"
 
 #include "dsc/passes/algorithm.h"
+#include "dsc/algorithm/run.h"
 #include "dsc/algorithm/simulation.h"
 #include "dsc/passes/options.h"
 #include "dsc/passes/thesis_algorithm.h"
