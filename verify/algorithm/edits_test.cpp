@@ -141,6 +141,24 @@ TEST(EditLogs, OfCreateAndMergeSayThatAllIdsAreNew) {
     EXPECT_THROW(replay<double>(complex, heard.edits), InputError);
 }
 
+TEST(EditLogs, HaveTheUpkeepOfAStepThatGaveUp) {
+    Complex<double> complex = disc();
+    const Complex<double> first = complex;
+    std::vector<Edit> edits;
+    Simulation<double> simulation(complex, {.edge_length = disc_h / 2});
+    simulation.add_listener(
+        [&](std::span<const Edit> some) { edits.insert(edits.end(), some.begin(), some.end()); });
+    const Velocity<double> absurd = [](auto positions, double, auto velocities) {
+        std::ranges::fill(velocities, Point<double>(1e9, 0));
+        EXPECT_FALSE(positions.empty());
+    };
+    EXPECT_EQ(simulation.step(absurd, 0, 1).gave_up, GiveUp::too_many_sub_steps);
+    EXPECT_GT(edits.size(), 20U) << "edges were too long";
+    Complex<double> again = first;
+    EXPECT_EQ(replay<double>(again, edits).skipped, 0U);
+    EXPECT_EQ(mesh_hash(again), mesh_hash(complex));
+}
+
 TEST(EditLogs, AreCutDownToThoseThatFail) {
     const Heard heard = hear({"sequential", {}}, 4);
     // What fails: a certain vertex is somewhere else than in the beginning.

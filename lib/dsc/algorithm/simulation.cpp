@@ -65,6 +65,13 @@ void Simulation<Real>::tell(std::span<const Edit> edits) {
     }
 }
 
+template <class Real>
+void Simulation<Real>::tell_what_was_done() {
+    if (!listeners_.empty()) {
+        tell(executor_->take_edits());
+    }
+}
+
 // What the application did since the last step. O(its edits).
 template <class Real>
 void Simulation<Real>::absorb() {
@@ -122,9 +129,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     Real remaining = dt;
     try {
         while (remaining > 0 && sub_step(flow, time, remaining, report)) {
-            if (!listeners_.empty()) {
-                tell(executor_->take_edits());
-            }
+            tell_what_was_done();
             if (remaining > 0 && interrupted_ != nullptr && interrupted_->load()) {
                 report.gave_up = GiveUp::interrupted;
                 break;
@@ -137,6 +142,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
         throw;
     }
     executor_->end_step();
+    tell_what_was_done(); // a sub-step that gives up has done its upkeep
     report.operations = executor_->take_counts();
     report.reached = static_cast<double>(time);
     report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());

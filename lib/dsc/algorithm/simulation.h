@@ -103,6 +103,7 @@ private:
     void absorb();
     void forget_vertex(Vertex v);
     void tell(std::span<const Edit> edits);
+    void tell_what_was_done();
 
     Complex<Real>& complex_;
     Options<Real> options_;
