@@ -78,7 +78,7 @@ VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex) {
     if (complex.attributes.contains(name)) {
         return complex.attributes.template get<Vertex, Past<Real>>(name);
     }
-    // A vertex that is new has no past.
+    // A new vertex has no past.
     return complex.attributes.template add<Vertex>(
         name, Past<Real>{},
         [](const Past<Real>&, const Past<Real>&, double) { return Past<Real>{}; });

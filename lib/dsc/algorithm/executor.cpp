@@ -70,7 +70,7 @@ AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkee
     for (const auto& pass : upkeep) {
         run_pass(work, pass);
     }
-    // Alone on the complex, nothing is put off.
+    // Alone on the complex, nothing is postponed.
     work.put_off_interface.clear();
     if (flow.seeing() != nullptr) {
         sight.look(work);
@@ -114,7 +114,7 @@ template <class Real>
 SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Options<Real>& options,
                                              Algorithm<Real> algorithm)
     : options_(options), algorithm_(std::move(algorithm)), work_(complex, options_) {
-    // Stamps of an earlier run must not look like this one's.
+    // Stamps of an earlier run must not be mistaken for those of this one.
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
     }

@@ -48,7 +48,7 @@ void InterfaceGraph<Real>::connect(const Complex<Real>& complex, std::size_t ran
 }
 
 // The arms of each vertex are collected at the end of the list of its range, and stay there if they
-// make a junction.
+// form a junction.
 template <class Real>
 void InterfaceGraph<Real>::connect_one(const Complex<Real>& complex, std::size_t i,
                                        Junctions& found) {

@@ -8,19 +8,19 @@
 
 namespace dsc {
 
-/// Built in three rounds, of which the first two may be shared among threads by ranges of the list:
+/// Built in three rounds; in the first two, threads may work on different ranges of the list:
 ///
 ///     graph.resize(size, ranges);   // then for each range, at once: number
 ///                                   // when all are done, for each range, at once: connect
 ///     graph.join();
 ///
-/// Uses `VertexRecord::slot` of the interface vertices. Keeps its memory.
+/// Uses `VertexRecord::slot` of the interface vertices. Reuses its memory.
 template <class Real>
 class InterfaceGraph {
 public:
-    /// Room for so many vertices, in so many ranges.
+    /// Makes room for that many vertices in that many ranges.
     void resize(std::size_t vertices, std::size_t ranges);
-    /// The vertices of `list` are numbers `begin` and following. O(list).
+    /// Numbers the vertices of `list` from `begin` on. O(list).
     void number(Complex<Real>& complex, std::span<const std::uint32_t> list, std::size_t begin);
     /// Finds the neighbours of numbers `begin` to `end`, which are range `range`. A neighbour
     /// without a number is left out: a pass of the application may just have put it on the
@@ -29,10 +29,10 @@ public:
                  std::size_t end);
     /// Puts the junctions of all ranges together. O(junctions).
     void join();
-    /// All of it. O(stars of list).
+    /// All three rounds at once. O(stars of list).
     void build(Complex<Real>& complex, std::span<const std::uint32_t> list);
 
-    /// `positions`: of the stage, one for each vertex. What is returned refers to all three.
+    /// `positions`: those of the stage, one for each vertex. What is returned refers to all three.
     [[nodiscard]] InterfaceView<Real> view(const Complex<Real>& complex,
                                            std::span<const Point<Real>> positions) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A flow that sees the interface, for what knows functions of positions and time only: of all
-// interface vertices at once, so that they are all at the same stage.
+// Adapts a flow that sees the interface to code that expects a function of positions and time. The
+// function takes all interface vertices at once, so that they are all at the same stage.
 #pragma once
 
 #include "dsc/algorithm/interface_graph.h"
@@ -15,21 +15,20 @@ namespace dsc {
 /// Calls `run` for ranges 0, 1, ..., at once or one after the other, and returns when all are done.
 using RunRanges = std::function<void(const std::function<void(std::size_t range)>& run)>;
 
-/// Not to be moved while a velocity from it is in use. Keeps its memory.
+/// Must not be moved while a velocity from it is in use. Reuses its memory.
 template <class Real>
 class InterfaceSight {
 public:
-    /// Looks at `work.interface`, which must be all of the interface and is cut into ranges that
+    /// Reads `work.interface`, which must be the whole interface and is divided into ranges that
     /// end at `ends`. O(its stars), shared among the ranges.
     void look(Work<Real>& work, std::span<const std::size_t> ends, RunRanges run_ranges);
-    /// The same in one range, on the thread that calls.
+    /// The same in one range, on the calling thread.
     void look(Work<Real>& work);
 
     /// The flow as a function of the positions of all of `work.interface`, in that order: for
-    /// `find_velocities` and `find_targets` of the work that was looked at. To be used until the
-    /// next look, and while `flow` lives. Locked and held vertices are seen where they are, those
-    /// whose stage is not finite as well: what was asked of one vertex in vain must not become its
-    /// neighbours' trouble.
+    /// `find_velocities` and `find_targets` of the work that was read. Valid until the next look,
+    /// and while `flow` exists. Locked and held vertices, and those whose stage is not finite, are
+    /// seen at their present positions: a failure at one vertex must not affect its neighbours.
     [[nodiscard]] Velocity<Real> velocity(const InterfaceFlow<Real>& flow);
 
 private:

@@ -83,7 +83,7 @@ void Simulation<Real>::absorb() {
     tell(edits);
     executor_->absorb(edits);
     const auto after = edits_after_renumbering(edits);
-    // An edge that has become an interface may turn sharply: that is a corner from now on.
+    // A new interface edge may make a sharp turn: that is a corner from now on.
     mark_corners(complex_, on_interface(complex_, interface_changes(complex_, after)),
                  options_.interface.corner_degrees);
     for (const Edit& edit : after) {
@@ -98,7 +98,7 @@ void Simulation<Real>::absorb() {
     }
 }
 
-// It has been put elsewhere: whatever was known of its way there is void.
+// The application has moved the vertex: its missed targets and its last step no longer count.
 template <class Real>
 void Simulation<Real>::forget_vertex(Vertex v) {
     complex_.vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_contact);
@@ -136,7 +136,8 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
             }
         }
     } catch (...) {
-        // The velocity, or a pass of the application: the complex is valid, only not yet there.
+        // The velocity or a pass of the application threw: the complex is valid, but has not
+        // arrived yet.
         executor_->end_step();
         (void)executor_->take_counts();
         throw;
@@ -149,14 +150,14 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     return report;
 }
 
-// The rest of a step in equal parts, by the speed...
+// Divides the rest of a step into equal parts, as the speed requires...
 template <class Real>
 Real Simulation<Real>::pieces_of_speed(Real remaining, Real fastest) const {
     const Real farthest = static_cast<Real>(options_.sub_step) * options_.edge_length;
     return std::ceil(remaining * fastest / farthest);
 }
 
-// ...and by what the tolerance allows.
+// ...and as the tolerance allows.
 template <class Real>
 Real Simulation<Real>::pieces_of(Real remaining, Real fastest) const {
     return std::max(pieces_of_speed(remaining, fastest), std::ceil(remaining / most_dt_));
@@ -167,14 +168,15 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
                                 StepReport& report) {
     const auto dt_of = [&](Real pieces) { return pieces > 1 ? remaining / pieces : remaining; };
     // Aimed with the speed of the sub-step before, which is nearly always right: the velocities and
-    // the targets are then found in one go, and submeshes need not wait for each other in between.
+    // the targets are then found in one call, and submeshes need not wait for each other in
+    // between.
     Real dt = dt_of(pieces_of(remaining, fastest_));
     AimReport<Real> aim = executor_->aim(flow, time, dt);
     fastest_ = aim.fastest;
     report.held += aim.held;
     report.unreached += aim.held;
     const Real pieces = pieces_of(remaining, aim.fastest);
-    // What the tolerance asks for at one moment is not what it asks for in the rest of the step.
+    // The sub-step that the tolerance requires may change within the step.
     const Real sure = std::max(pieces_of_speed(remaining, aim.fastest), Real(1));
     if (!(sure + static_cast<Real>(report.sub_steps) <=
           static_cast<Real>(options_.max_sub_steps))) {
@@ -200,8 +202,8 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
     return true;
 }
 
-// The speed may rise within the step, and the error may be too large: then it is made shorter, a
-// bounded number of times. Errors that do not become smaller are those of a flow without
+// The speed may rise within the step, and the error may be too large: then the sub-step is made
+// shorter, a bounded number of times. Errors that do not decrease come from a flow without
 // derivatives; they are reported.
 template <class Real>
 Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach) {
@@ -227,7 +229,7 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
     return dt;
 }
 
-// Who asks for too many sub-steps. O(interface vertices), once.
+// Finds the vertex that requires too many sub-steps. O(interface vertices), once.
 template <class Real>
 void Simulation<Real>::find_fastest(const Flow<Real>& flow, Real time, StepReport& report) const {
     const std::vector<std::uint32_t> list = interface();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One time step [5.6, 8.10]. The sub-step is the outermost loop: no vertex is asked to travel more
-// than a part of an edge length at a time, and all passes end before the next sub-step begins.
+// One time step (thesis, sections 5.6 and 8.10). The sub-step is the outermost loop: no vertex is
+// asked to move more than a fraction of an edge length at a time, and all passes end before the
+// next sub-step begins.
 #pragma once
 
 #include "dsc/algorithm/executor.h"
@@ -16,8 +17,8 @@ namespace dsc {
 
 enum class GiveUp : std::uint8_t {
     none,
-    too_many_sub_steps, ///< the velocity asks for more than `max_sub_steps`
-    interrupted,        ///< `Simulation::interrupt_by`
+    too_many_sub_steps, ///< the velocity requires more than `max_sub_steps`
+    interrupted,        ///< by `Simulation::interrupt_by`
 };
 
 /// What one step did.
@@ -25,33 +26,33 @@ struct StepReport {
     OperationCounts operations;
     std::uint32_t sub_steps = 0;
     std::uint32_t passes = 0;
-    std::uint64_t unreached =
-        0;                  ///< vertices that did not arrive, summed over sub-steps; with `held`
-    std::uint64_t held = 0; ///< of these: held for a velocity that was not finite
+    /// Vertices that did not arrive, summed over sub-steps; includes `held`.
+    std::uint64_t unreached = 0;
+    std::uint64_t held = 0; ///< of these: held because of a velocity that was not finite
     double error = 0;       ///< the largest estimate of `adaptive` that was accepted, a length
     GiveUp gave_up = GiveUp::none;
-    Vertex where;                         ///< of the give-up: the fastest vertex...
+    Vertex where;                         ///< when the step gave up: the fastest vertex...
     double speed = 0;                     ///< ...and its speed
     std::uint32_t interface_vertices = 0; ///< at the end of the step
-    double reached = 0; ///< the time at the end: earlier than asked for where it gave up
+    double reached = 0; ///< the time at the end: earlier than asked for if it gave up
 };
 
-/// How many threads, and how the mesh is divided among them; see parallel/parallel.h.
+/// The number of threads, and how the mesh is divided among them; see parallel/parallel.h.
 struct Parallel;
 
-/// A complex under way. Keeps a reference to the complex, which must outlive it, and a copy of the
-/// options. Between two steps the application may edit the complex by the public operations (and
-/// `set_position`, `set_phase`, `renumber`): the next step takes up what they changed. Not
-/// thread-safe itself; one simulation a complex at a time.
+/// A simulation of a complex. Keeps a reference to the complex, which must outlive it, and a copy
+/// of the options. Between two steps the application may edit the complex by the public operations
+/// (and `set_position`, `set_phase`, `renumber`): the next step takes account of these changes. Not
+/// thread-safe itself; only one simulation per complex at a time.
 template <class Real>
 class Simulation {
 public:
-    /// Sequential, with the default algorithm. Throws InputError where an option is out of range.
+    /// Sequential, with the default algorithm. Throws InputError if an option is out of range.
     Simulation(Complex<Real>& complex, const Options<Real>& options);
     /// In parallel: `Simulation simulation(complex, options, Parallel{.threads = 2})`. The result
     /// does not depend on the number of threads.
     Simulation(Complex<Real>& complex, const Options<Real>& options, const Parallel& parallel);
-    /// With an executor of one's own, or an algorithm of one's own in one of the library's.
+    /// With a custom executor, or a custom algorithm in one of the library's executors.
     Simulation(Complex<Real>& complex, const Options<Real>& options,
                std::unique_ptr<Executor<Real>> executor);
     ~Simulation();
@@ -61,34 +62,35 @@ public:
     Simulation& operator=(Simulation&&) = delete;
 
     [[nodiscard]] const Options<Real>& options() const { return options_; }
-    /// Checks the options and takes them as a whole for the next step; integrators with a memory
-    /// start anew where the integrator changes. Throws InputError where one is out of range, and
-    /// keeps the old ones then.
+    /// Checks the options and replaces all of them for the next step; integrators with a memory
+    /// start afresh if the integrator changes. Throws InputError if one is out of range, and then
+    /// keeps the old ones.
     void set_options(const Options<Real>& options);
 
-    /// Has all edits told from now on: those of the application between steps at the beginning of
-    /// the next step, those of a step after each of its sub-steps. The same records in the same
-    /// order for any number of threads. Without a listener nothing is paid for it.
+    /// Reports all edits to the listener from now on: those of the application between steps at the
+    /// beginning of the next step, those of a step after each of its sub-steps. The records and
+    /// their order are the same for any number of threads. Without a listener there is no cost.
     void add_listener(EditListener listener);
 
-    /// Steps end after the sub-step in which the flag is set, as given up. Null: none does.
+    /// A step gives up after the sub-step in which the flag is set. Null: steps are not
+    /// interrupted.
     void interrupt_by(const std::atomic<bool>* flag) { interrupted_ = flag; }
 
-    /// Moves the interface from `time` to `time + dt`. O(interface vertices and what changes about
-    /// them), never O(mesh). Throws InputError where dt is negative or not finite.
+    /// Moves the interface from `time` to `time + dt`. O(interface vertices and what changes around
+    /// them), never O(mesh). Throws InputError if dt is negative or not finite.
     StepReport step(const Velocity<Real>& velocity, Real time, Real dt) {
         return step_along(velocity, time, dt);
     }
-    /// The same by a flow that sees the interface (motion/interface_flow.h).
+    /// The same with a flow that sees the interface (motion/interface_flow.h).
     StepReport step(const InterfaceFlow<Real>& flow, Real time, Real dt) {
         return step_along(flow, time, dt);
     }
 
-    /// The flow has changed from one moment to the next: integrators with a memory start anew.
+    /// To be called when the flow has changed abruptly: integrators with a memory start afresh.
     /// O(interface vertices) for those, O(1) for all others.
     void forget();
 
-    /// The vertices of the interface, about in the order of the curve. O(their number).
+    /// The vertices of the interface, roughly in the order of the curve. O(their number).
     [[nodiscard]] std::vector<std::uint32_t> interface() const;
     [[nodiscard]] std::size_t interface_size() const { return executor_->interface_size(); }
 
@@ -108,7 +110,7 @@ private:
     Complex<Real>& complex_;
     Options<Real> options_;
     std::unique_ptr<Executor<Real>> executor_;
-    Real fastest_ = 0; ///< speed of the last sub-step: what the next is expected to be like
+    Real fastest_ = 0; ///< speed of the last sub-step: the estimate for the next one
     std::vector<EditListener> listeners_;
     std::size_t absorbed_ = 0; ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;

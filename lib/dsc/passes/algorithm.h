@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Algorithm 5.1 as a list of passes. An application replaces, removes or adds passes without
-// touching the drivers; both drivers run the same list, on the whole complex or on each submesh.
+// Algorithm 5.1 of the thesis as a list of passes. An application replaces, removes or adds passes
+// without touching the drivers; both drivers run the same list, on the whole complex or on each
+// submesh.
 #pragma once
 
 #include "dsc/passes/work.h"
@@ -11,16 +12,16 @@
 
 namespace dsc {
 
-/// One pass over the work of one submesh: candidates, guard, edit. It edits by the operations of
-/// lib/dsc/operations with `work.submesh`, which refuse what the submesh does not own, and must not
-/// keep state between calls. Vertices whose stars it changed are looked at by the passes after it,
-/// and the list of the interface is brought up to date: both are read from the log of its edits.
+/// One pass over the work of one submesh: candidates, guard, edit. It edits with the operations of
+/// lib/dsc/operations and `work.submesh`, which refuse what the submesh does not own, and it must
+/// not keep state between calls. Later passes visit the vertices whose stars it changed, and the
+/// list of the interface is brought up to date: both are read from the log of its edits.
 template <class Real>
 struct Pass {
     std::string name;
     std::function<void(Work<Real>&)> run;
-    /// True for a pass that sees to the active set and to the interface list by itself as it goes,
-    /// by the functions of edits.h; its log is then not read.
+    /// True for a pass that keeps the active set and the interface list up to date itself, with the
+    /// functions of edits.h; its log is then not read.
     bool attends = false;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the passes edit with: an operation with its guard, and after it the vertices whose stars are
-// to be looked at. A pass is then candidates, guard, edit. Passes of an application may use the
-// public operations instead, with `work.submesh`: what they did is read from the log (readers.h).
+// The edits that passes make: an operation with its guard, which then puts the vertices whose stars
+// must be visited into the active set. A pass is then candidates, guard, edit. Passes of an
+// application may use the public operations instead, with `work.submesh`: their edits are then read
+// from the log (readers.h).
 #pragma once
 
 #include "dsc/operations/edge_collapse.h"
@@ -18,8 +19,8 @@ void activate_link(Work<Real>& work, const Ring<Real>& ring) {
     }
 }
 
-/// Collapses the edge opposite to `corner`, at whose vanishing end the centre of the ring is, and
-/// activates the link.
+/// Collapses the edge opposite to `corner` and activates the link; the centre of the ring is the
+/// vanishing end.
 template <class Real>
 Verdict collapse_centre(Work<Real>& work, const Ring<Real>& ring, Corner corner,
                         rewire::Vanishing end) {
@@ -30,8 +31,8 @@ Verdict collapse_centre(Work<Real>& work, const Ring<Real>& ring, Corner corner,
     return verdict;
 }
 
-/// The same for a centre inside one phase with its star owned as a whole, into link vertex i: only
-/// inversion can stop it (`star_collapse_guard`).
+/// The same into link vertex i, for a centre inside one phase whose whole star is owned: only
+/// inversion can prevent it (`star_collapse_guard`).
 template <class Real>
 Verdict collapse_star(Work<Real>& work, const Ring<Real>& ring, std::uint32_t i) {
     const Verdict verdict = star_collapse_guard(work.complex, ring, i);
@@ -43,14 +44,14 @@ Verdict collapse_star(Work<Real>& work, const Ring<Real>& ring, std::uint32_t i)
     return verdict;
 }
 
-/// Whose stars are to be looked at after a split.
+/// Which vertices are activated after a split.
 enum class Wake : std::uint8_t {
-    far_end, ///< the new vertex, and the end of the edge that is not being looked at already
+    far_end, ///< the new vertex, and the end of the edge that is not being visited already
     all,     ///< the new vertex, and those of the two triangles
 };
 
-/// Splits the edge opposite to `corner` at `point`. The vertex at next(corner) is the one that is
-/// being looked at.
+/// Splits the edge opposite to `corner` at `point`. The vertex at next(corner) is the one being
+/// visited.
 template <class Real>
 SplitResult split(Work<Real>& work, Corner corner, const Point<Real>& point, Wake wake) {
     const Complex<Real>& complex = work.complex;
@@ -77,7 +78,7 @@ SplitResult split(Work<Real>& work, Corner corner, const Point<Real>& point, Wak
     return result;
 }
 
-/// Whether an edit that was refused so is one for another submesh, or for a later colour.
+/// Whether an edit refused with this verdict is left to another submesh or to a later colour.
 constexpr bool is_put_off(Verdict verdict) {
     return verdict == Verdict::out_of_ids || verdict == Verdict::on_submesh_boundary;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The interface as a curve, seen from the star of one of its vertices: which spokes belong to it,
-// where it goes on smoothly, how it bends, and how near its next sheet is.
+// where it continues smoothly, how it bends, and how close its next sheet is.
 #pragma once
 
 #include "dsc/complex/interface_pair.h"
@@ -42,8 +42,8 @@ Point<Real> link_point(const Ring<Real>& ring, std::uint32_t i) {
     return {ring.link_x(i), ring.link_y(i)};
 }
 
-/// Whether a cubic may go through `at`: no corner, and no turn by a right angle or more, which no
-/// polynomial by chord length follows.
+/// Whether a cubic may pass through `at`: it must not be a corner, nor turn by a right angle or
+/// more, which a polynomial in chord length cannot follow.
 template <class Real>
 bool is_smooth(const Complex<Real>& complex, std::uint32_t vertex, const Point<Real>& from,
                const Point<Real>& at, const Point<Real>& to) {
@@ -79,8 +79,8 @@ void see_from_beyond(const Complex<Real>& complex, const Ring<Real>& beyond, std
 }
 
 /// Squared distance from the centre to interface edges of its link: the next sheet of the
-/// interface, where one is no farther than a triangle. Edges that go on from the centre's own are
-/// not another sheet. Infinity where there is none. O(degree).
+/// interface, if it is no farther away than one triangle. Edges that continue the centre's own are
+/// not another sheet. Infinity if there is none. O(degree).
 template <class Real>
 Real squared_gap(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes) {
     Real gap = std::numeric_limits<Real>::infinity();

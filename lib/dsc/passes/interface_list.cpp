@@ -15,7 +15,7 @@ void shuffle_interface(std::vector<std::uint32_t>& list, std::uint64_t seed) {
     if (seed == 0) {
         return;
     }
-    // Fisher and Yates, spelt out: std::shuffle differs between standard libraries.
+    // Fisher and Yates, written out because std::shuffle differs between standard libraries.
     std::mt19937_64 random(seed);
     for (std::size_t i = list.size(); i > 1; --i) {
         std::swap(list[i - 1], list[random() % i]);
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::
     std::vector<std::uint32_t> list;
     std::vector<std::uint8_t> seen(complex.vertex_bound(), 0);
     const auto follow = [&](Corner c) {
-        // c is opposite to the half-edge from next(c) to prev(c); go on around the larger phase.
+        // c is opposite to the half-edge from next(c) to prev(c); continue around the larger phase.
         while (true) {
             const std::uint32_t v = complex.vertex(next(c));
             if (seen[v] != 0) {

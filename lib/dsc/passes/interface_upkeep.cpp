@@ -30,8 +30,8 @@ public:
               static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
-          // An edge ahead that is shorter than a sub-step is in the way. A poor triangle for the
-          // time being is better than none that can move.
+          // A wall edge ahead that is shorter than a sub-step blocks the motion. A poor triangle
+          // for a while is better than one that cannot move.
           wall_{square(work.options.phases.longest), square(work.options.sub_step), Real(0.05)} {}
 
     void run() {
@@ -61,9 +61,9 @@ private:
         }
         const Spokes spokes = interface_spokes(ring);
         if (!ring.owned) {
-            // The triangles of this star are of two submeshes, so that nobody rewrites them, and
-            // nobody moves their vertices: whether there is anything to do can be seen from here.
-            // What is beyond the link cannot, and that is what a gap is about.
+            // The triangles of this star straddle two submeshes, so nobody rewrites them or moves
+            // their vertices: whether there is anything to do can be seen from here. What lies
+            // beyond the link cannot be seen, and a gap depends on that.
             if (gap_squared_ > 0 || should_collapse(ring, spokes) ||
                 long_spoke(ring, spokes) != no_id || wants_wall_upkeep(ring)) {
                 work_.put_off_interface.push_back(v);
@@ -90,7 +90,7 @@ private:
                 (ring.phase[0] != exterior_phase && should_split_wall(ring, wall_)));
     }
 
-    // True if the ring is stale, and what is to be kept in the list was put there.
+    // True if the ring is stale; the vertices to be kept in the list have then been put there.
     bool keep_wall(std::uint32_t v, const Ring<Real>& ring) {
         if (should_collapse_on_wall(ring, wall_) && collapse_on_wall(work_, ring, wall_)) {
             return true;
@@ -133,8 +133,8 @@ private:
                 squared_deviation(ring, spokes) < deviation_squared_);
     }
 
-    // Squared distance of the centre from what the curve is without it; 0 where that is another
-    // submesh's to see.
+    // Squared distance of the centre from the curve as it would be without it; 0 if only another
+    // submesh can see that.
     Real squared_deviation(const Ring<Real>& ring, const Spokes& spokes) {
         const Point<Real> p(ring.x0, ring.y0);
         CurveNeighbours<Real> curve;
@@ -146,7 +146,7 @@ private:
             const Real area = cross<Real>(chord, offset);
             return area * area / chord.squaredNorm();
         }
-        // The cubic over the gap, at the share of the way at which the centre was.
+        // The cubic over the gap, at the share of the chord length at which the centre was.
         const Real before = (p - curve.p1).norm();
         const Real share = before / (before + (curve.p2 - p).norm());
         if (!see_past(ring, spokes.first, curve.p0, curve.has_first) ||
@@ -158,8 +158,8 @@ private:
         return across * across / chord.squaredNorm();
     }
 
-    // The vertex that follows the one at the end of a spoke, away from the centre. False where its
-    // star is another submesh's to see.
+    // The vertex that follows the one at the end of a spoke, away from the centre. False if only
+    // another submesh can see its star.
     bool see_past(const Ring<Real>& ring, std::uint32_t spoke, Point<Real>& next, bool& has_next) {
         Ring<Real>& beyond = work_.other_ring;
         if (!gather(complex_, work_.submesh.region, ring.link[spoke], beyond)) {
@@ -196,9 +196,10 @@ private:
         return false;
     }
 
-    // Where the survivor a of the edge from p to a goes so that the triangles on either side of
-    // the polyline b, p, a, c keep their area without p: above the middle of p and a, at the height
-    // over the chord from b to c that does it. False where a may not move, or is not seen.
+    // Finds the place of a, the survivor of the edge from p to a, at which the areas on either side
+    // of the polyline b, p, a, c stay the same without p: above the middle of p and a, at the
+    // height over the chord from b to c that preserves them. False if a may not move, or cannot be
+    // seen.
     bool keeps_area(const Ring<Real>& ring, std::uint32_t survivor, std::uint32_t other,
                     Point<Real>& place) {
         const Point<Real> p(ring.x0, ring.y0);
@@ -248,7 +249,7 @@ private:
             return longest_squared_;
         }
         Real longest = longest_squared_;
-        // The angle at which a curve meets the domain boundary is no bend of its own.
+        // The angle at which a curve meets the domain boundary is not a bend of the curve.
         if (turn_squared_ > 0 && ring.closed && !is_corner(ring.vertex)) {
             const Real bend = curvature<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
                                               link_point(ring, spokes.second));
@@ -260,9 +261,9 @@ private:
         return std::max(longest, finest_squared_);
     }
 
-    // The interface edge that is to be split. Too long for all: seen from the end that has the
-    // larger phase on its left, so that each edge is seen once. Too long for the shape at the
-    // centre: seen from there. no_id: there is none.
+    // The interface edge to be split; no_id if there is none. An edge longer than the general limit
+    // is found only from the end that has the larger phase on its left, so that each edge is found
+    // once. An edge too long for the shape at the centre is found from there.
     std::uint32_t long_spoke(const Ring<Real>& ring, const Spokes& spokes) const {
         const Real local = longest_squared(ring, spokes);
         std::uint32_t found = no_id;
@@ -286,8 +287,8 @@ private:
         return found;
     }
 
-    // Splits one edge at most: then the ring is stale; a junction's other edges wait for the next
-    // step.
+    // Splits at most one edge, because the ring is stale then; the other edges of a junction wait
+    // for the next step.
     void refine(std::uint32_t v, Ring<Real>& ring, const Spokes& spokes) {
         newest_ = no_id;
         if (const std::uint32_t i = long_spoke(ring, spokes);
@@ -335,7 +336,7 @@ private:
         return true;
     }
 
-    // What is made must lie where its maker works: the next colour looks for it there.
+    // A new vertex must lie in the submesh that makes it: the next colour looks for it there.
     bool owns_point(const Point<Real>& point) const {
         return owns_place(work_.submesh.region, point);
     }

@@ -13,10 +13,10 @@ namespace dsc {
 
 namespace {
 
-/// Lawson's algorithm ends by itself; this bound only guards against rounding that the slack of the
+/// Lawson's algorithm terminates; this bound only guards against rounding that the tolerance of the
 /// test does not cover.
 constexpr std::size_t max_flips_at_once = 4096;
-/// Turns about one vertex: flips and splits change its star, so that it is gathered anew.
+/// Rounds at one vertex: flips and splits change its star, so it is gathered again.
 constexpr int max_turns = 6;
 
 template <class Real>
@@ -29,8 +29,8 @@ public:
           needle_(squared_needle_quality(grading_squared_)) {}
 
     void run() {
-        // Vertices made on the way are appended and looked at as well: splits halve lengths, so
-        // that this ends; the bound is for thresholds that contradict each other.
+        // Vertices created on the way are appended and visited as well: splits halve lengths, so
+        // this terminates; the bound is for thresholds that contradict each other.
         const std::size_t bound = 8 * work_.active.size() + 64;
         for (std::size_t i = 0; i < work_.active.size() && i < bound; ++i) {
             visit(work_.active[i]);
@@ -65,8 +65,8 @@ private:
         return gathered && ring_.owned;
     }
 
-    // A vertex that is gone has no star. Its id may be in use again elsewhere, so that nothing of
-    // it is looked at before its place.
+    // A vertex that has been removed has no star. Its id may be in use again elsewhere, so its
+    // position is checked before anything else.
     void visit(std::uint32_t v) {
         for (int turn = 0; turn < max_turns; ++turn) {
             if (!gather_star(v)) {
@@ -99,7 +99,7 @@ private:
                     continue;
                 }
             }
-            // About an interface vertex phases differ, and so may their limits.
+            // Around an interface vertex phases differ, and so may their limits.
             const bool mixed = !ring_.one_phase && !work_.options.per_phase.empty();
             if ((mixed || star.longest > limit.longest) && split_longest(limit, mixed)) {
                 continue;
@@ -124,8 +124,8 @@ private:
         return work_.log.counts.flips != before;
     }
 
-    // The edges of the ring's triangles, after its centre moved: what the ring knows is not looked
-    // up again, and only edges that fail are handed on.
+    // The edges of the ring's triangles, after its centre moved: data that the ring holds are not
+    // looked up again, and only edges that fail are put on the list.
     void continue_edges() {
         work_.suspects.clear();
         const bool spokes = has_non_delaunay_spoke(ring_);
@@ -157,7 +157,8 @@ private:
         while (!suspects.empty()) {
             const Corner c = suspects.back();
             suspects.pop_back();
-            // Its triangle is of an owned star, or of a flip there: owned, if it is still alive.
+            // Its triangle belongs to an owned star or came from a flip there: if alive, it is
+            // owned.
             if (!complex_.is_alive(Triangle{triangle_of(c)})) {
                 continue;
             }
@@ -175,7 +176,7 @@ private:
                 work_.put_off_active.push_back(complex_.vertex(next(c)));
                 continue;
             }
-            // All four vertices are owned: nothing is left to ask the region.
+            // All four vertices are owned: the region need not be consulted.
             if (flips >= max_flips_at_once ||
                 edge_flip(complex_, Submesh{Region{}, work_.submesh.pool, &work_.log}, c) !=
                     Verdict::legal) {
@@ -193,10 +194,11 @@ private:
     /// Collapses the centre into the link vertex that leaves the best triangles.
     bool collapse(const StarReport<Real>& star, const Limits& limit) {
         if (ring_.size < 4) {
-            // Degree three: the link is the triangle that will stand there.
+            // Degree three: the link is the triangle that will remain.
             return ring_.size == 3 && finish_collapse(0);
         }
-        // A short spoke may cost quality, down to where it would be collapsed for that again.
+        // Collapsing a short spoke may lower the quality, down to the limit for collapsing by
+        // quality.
         const bool is_short = star.shortest < limit.shortest || star.longest < limit.crowded;
         Real best = is_short ? std::min(star.quality, limit.collapse) : star.quality;
         std::uint32_t best_spoke = no_id;
@@ -216,7 +218,7 @@ private:
         if (collapse_star(work_, ring_, i) != Verdict::legal) {
             return false;
         }
-        // Delaunay again, about the vertex that took the star.
+        // Restore the Delaunay condition around the vertex that took over the star.
         Ring<Real>& star = work_.other_ring;
         if (gather(complex_, work_.submesh.region, target, star) && star.owned &&
             has_non_delaunay_spoke(star)) {
@@ -250,7 +252,8 @@ private:
     }
 
     // --- smoothing ----------------------------------------------------------------------------
-    /// Laplacian smoothing [eq. 6], and half of it; the better one, if it raises the worst quality.
+    /// Laplacian smoothing (thesis, equation 6), by the full or half the way, whichever is better,
+    /// if it raises the worst quality.
     bool smooth(std::uint32_t v, Real before) {
         Real sum_x = 0;
         Real sum_y = 0;
@@ -303,7 +306,7 @@ private:
         return spoke != no_id && split_spoke(spoke);
     }
 
-    // A spoke beside a short edge of the interface, of a triangle that is a needle therefore.
+    // A spoke of a triangle that is a needle because of a short interface edge.
     bool split_beside_short() {
         Real longest = 0;
         std::uint32_t spoke = no_id;
@@ -337,22 +340,22 @@ private:
         if (spoke == no_id) {
             return false;
         }
-        // While an end of the short edge waits for what another submesh has to move first, the edge
-        // is short for the time being only: the vertex that is made now would go in the next pass,
-        // or in the next colour, and be made again.
+        // While an end of the short edge waits for another submesh to move something first, the
+        // edge is short only temporarily: a vertex made now would be removed in the next pass or
+        // colour, and made again.
         if (!work_.submesh.region.is_whole() &&
             (is_waiting(ring_.vertex) || is_waiting(ring_.link[base]))) {
             work_.put_off_active.push_back(ring_.vertex);
             return false;
         }
-        // A needle from sheet to sheet is what a thin film is made of: a vertex inside would have
-        // no room, and go again.
+        // A thin film consists of needles from sheet to sheet: a vertex inside would have no room,
+        // and would be removed again.
         Ring<Real>& beyond = work_.other_ring;
         return gather(complex_, work_.submesh.region, ring_.link[spoke], beyond) &&
                beyond.one_phase && split_spoke(spoke);
     }
 
-    /// Whether a vertex is still to arrive. One in contact may never do so.
+    /// Whether a vertex has yet to arrive. A vertex in contact may never arrive.
     bool is_waiting(std::uint32_t vertex) const {
         const std::uint32_t flags = complex_.vertices[vertex].flags;
         return (flags & vertex_on_way) != 0 && (flags & vertex_contact) != vertex_contact;
@@ -382,7 +385,7 @@ private:
     Complex<Real>& complex_;
     Ring<Real>& ring_;
     Real grading_squared_;
-    Real needle_; // squared quality of a needle that the grading just allows; 0: none is split
+    Real needle_; // squared quality of a needle that the grading just allows; 0: none are split
 };
 
 } // namespace

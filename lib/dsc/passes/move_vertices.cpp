@@ -9,7 +9,7 @@ namespace dsc {
 namespace {
 
 // A vertex on the domain boundary stays there: it slides along a straight side and does not leave a
-// corner [6.4].
+// corner (thesis, section 6.4).
 template <class Real>
 void stay_on_boundary(const Ring<Real>& ring, Real& x, Real& y) {
     const Real ax = ring.link_x(0);
@@ -41,7 +41,7 @@ void move_vertices(Work<Real>& work) {
         const bool gathered = gather(work.complex, work.submesh.region, mover.vertex, ring);
         auto& flags = work.complex.vertices[mover.vertex].flags;
         if (!ring.owned) {
-            if (gathered) { // else the vertex is another submesh's to write to
+            if (gathered) { // else the vertex belongs to another submesh
                 flags |= vertex_on_way;
             }
             work.put_off_movers.push_back(mover);
@@ -57,7 +57,7 @@ void move_vertices(Work<Real>& work) {
             stay_on_boundary(ring, x, y);
         }
         if (!owns_place<Real>(work.submesh.region, {x, y})) {
-            // It would leave the submesh: the next colour looks for what is put off in there.
+            // It would leave the submesh, where the next colour looks for what was postponed.
             flags |= vertex_on_way;
             work.put_off_movers.push_back(mover);
             continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Everything that an application chooses [2.2]: sizes, thresholds, interpolators, integrator, when
-// to stop. Lengths are relative to `edge_length`, qualities are those of equation 4 (0 to 1).
+// Everything that an application chooses (thesis, section 2.2): sizes, thresholds, interpolators,
+// integrator, when to stop. Lengths are relative to `edge_length`, qualities are those of equation
+// 4 of the thesis (0 to 1).
 #pragma once
 
 #include "dsc/base/enum_table.h"
@@ -17,16 +18,17 @@ struct PhaseThresholds {
     double smooth_quality = 0.65;   ///< below: smooth, if that raises the worst quality
     double longest = 1.6;           ///< spokes longer than this times the edge length are split
     double shortest = 0.4; ///< spokes shorter than this times the edge length are collapsed
-    double crowded = 0.9;  ///< vertices all of whose spokes are shorter than this times the edge
-                           ///< length may be collapsed too: they are left over from finer places
+    /// Vertices all of whose spokes are shorter than this times the edge length may be collapsed
+    /// too: they remain from places where the mesh was finer.
+    double crowded = 0.9;
 };
 
-/// Which interface vertices at short edges may go. Corners never do.
+/// Which interface vertices at short edges may be removed. Corners never are.
 enum class Coarsening : std::uint8_t {
-    deviation, ///< those without which the curve stays where it is
-    length,    ///< all: the thesis's
-    area,      ///< all, and a neighbour moves so that the area of the phases stays
-    never,     ///< none: the curve keeps all it ever knew, at the price of short edges
+    deviation, ///< those whose removal leaves the curve in place
+    length,    ///< all, as in the thesis
+    area,      ///< all, and a neighbour moves to preserve the areas of the phases
+    never,     ///< none: the curve keeps all its detail, at the price of short edges
 };
 
 inline constexpr std::array coarsening_names{
@@ -43,47 +45,49 @@ inline constexpr std::array coarsening_names{
 /// Thresholds of the interface.
 struct InterfaceThresholds {
     double longest = 1; ///< edges longer than this times the edge length are split
-    double shortest =
-        0.3; ///< vertices at an edge shorter than this times the edge length may go...
+    /// Vertices at an edge shorter than this times the edge length may be removed...
+    double shortest = 0.3;
     double deviation = 0.02; ///< ...if the curve moves by less than this times the edge length
-    double degenerate = 5;   ///< ...or at an edge shorter than this times the deviation, where the
-                           ///< curve turns by more than 45 degrees: that is no shape any more, but
-                           ///< what a tip has left
-    double corner_degrees = 40; ///< turns sharper than this at the start are corners: kept, and
-                                ///< not interpolated over
+    /// ...or if the edge is shorter than this times the deviation and the curve turns by more than
+    /// 45 degrees there: it is then the remnant of a collapsed tip.
+    double degenerate = 5;
+    /// Turns sharper than this at the start are corners: they are kept, and curves are not
+    /// interpolated across them.
+    double corner_degrees = 40;
 
     Coarsening coarsening = Coarsening::deviation;
     Reading reading = Reading::chords; ///< what `deviation` is measured from
 
-    double grading = 3; ///< beside an interface edge others are split that are longer than this
-                        ///< times it; 0: none
+    /// Edges beside an interface edge are split if they are longer than this times its length; 0:
+    /// none are.
+    double grading = 3;
 
-    // Sizes that follow the shape; 0: they do not, and cost nothing.
+    // Sizes that adapt to the shape; 0: off, at no cost.
     double turn_degrees = 0; ///< edges along which the curve turns by more are split
-    double gap = 0;          ///< edges longer than this times the distance to the next sheet of the
-                             ///< interface are split
-    double finest = 0.2;     ///< edges shorter than twice this times the edge length are split for
-                             ///< neither
+    /// Edges longer than this times the distance to the next sheet of the interface are split.
+    double gap = 0;
+    /// Edges shorter than twice this times the edge length are not split for either reason.
+    double finest = 0.2;
 };
 
 template <class Real>
 struct Options {
     Real edge_length = 0; ///< target length of edges, in units of the domain; must be positive
 
-    PhaseThresholds phases = {};                 ///< of every phase that has none of its own
+    PhaseThresholds phases = {};                 ///< of every phase without thresholds of its own
     std::vector<PhaseThresholds> per_phase = {}; ///< by phase number; may be shorter
     InterfaceThresholds interface = {};
 
     Integrator integrator = Integrator::rk4;
     double tolerance = 1e-4; ///< of `adaptive`: error of a sub-step, in edge lengths
     Insertion insertion = Insertion::cubic;
-    InsertionFunction<Real> insertion_function = {}; ///< replaces `insertion` where set
+    InsertionFunction<Real> insertion_function = {}; ///< replaces `insertion` if set
 
-    std::uint64_t shuffle_seed =
-        0; ///< not 0: work through the interface in another order in each step
+    /// Not 0: process the interface in a different order in each step.
+    std::uint64_t shuffle_seed = 0;
 
-    double sub_step = 0.6;     ///< no vertex is asked to travel farther at a time, in edge lengths
-    int max_sub_steps = 10000; ///< of one step; then the step gives up and says so
+    double sub_step = 0.6;     ///< the farthest that a vertex moves at a time, in edge lengths
+    int max_sub_steps = 10000; ///< of one step; then the step gives up and reports it
     int max_passes = 32;       ///< movement and mesh update, of one sub-step
     int max_idle_passes = 6;   ///< passes without any progress before the sub-step ends
 
@@ -92,7 +96,7 @@ struct Options {
     }
 };
 
-/// Throws InputError where a value is not finite, out of range, or at odds with another.
+/// Throws InputError if a value is not finite, out of range, or inconsistent with another.
 template <class Real>
 void check_options(const Options<Real>& options);
 

@@ -139,7 +139,7 @@ std::vector<std::uint32_t> on_interface(const Complex<Real>& complex,
 
 namespace {
 
-// Has the log keep records for a while, whatever happens.
+// Makes the log keep records for a scope, also if an exception leaves it.
 class LogReader {
 public:
     explicit LogReader(EditLog& log) : log_(log), from_(log.records.size()) { ++log_.readers; }

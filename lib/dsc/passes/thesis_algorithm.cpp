@@ -137,7 +137,7 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
          .select = below<Edge>(0.5),
          .operation =
              [](Work<Real>& work, Edge e) {
-                 // A flip before this one may have mended it.
+                 // An earlier flip may have repaired it.
                  if (is_border(work.complex.twin(e.id)) || is_delaunay(work.complex, e.id)) {
                      return Verdict::no_gain;
                  }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Upkeep along the domain boundary [8.3]. Where an interface slides along a wall, the wall's edges
-// before it become short and those behind it long: vertices inside one phase are collapsed along
-// the wall, and edges split at their middle, so that the domain stays what it is. Walls of the
-// exterior phase belong to the mesh update, those of any other phase to the interface (figure 8.3)
-// and its upkeep.
+// Upkeep along the domain boundary (thesis, section 8.3). Where an interface slides along a wall,
+// the wall's edges ahead of it become short and those behind it long: vertices inside one phase are
+// collapsed along the wall, and edges are split at their midpoints, so that the domain keeps its
+// shape. Walls of the exterior phase belong to the mesh update, those of any other phase to the
+// interface (figure 8.3) and its upkeep.
 #pragma once
 
 #include "dsc/passes/edits.h"
@@ -14,7 +14,7 @@
 
 namespace dsc {
 
-/// What is long and short along a wall, squared; and the quality that a collapse may cost.
+/// What counts as long and short along a wall, squared; and the quality that a collapse must leave.
 template <class Real>
 struct WallLimits {
     Real longest = 0;
@@ -27,7 +27,7 @@ template <class Real>
 struct WallSpoke {
     std::uint32_t link = 0; ///< index in the ring
     Corner corner = 0;      ///< opposite to the edge
-    rewire::Vanishing end;  ///< at which the centre is
+    rewire::Vanishing end;  ///< the end at which the centre is
     Real squared = 0;       ///< length
 };
 
@@ -45,8 +45,8 @@ WallSpoke<Real> wall_spoke(const Ring<Real>& ring, bool is_first) {
     return spoke;
 }
 
-/// Whether the centre, inside one phase on the wall, may go for a short edge there; `is_poor`: for
-/// another reason.
+/// Whether the centre, inside one phase on the wall, may be collapsed because of a short edge
+/// there, or, if `is_poor`, for another reason.
 template <class Real>
 bool should_collapse_on_wall(const Ring<Real>& ring, const WallLimits<Real>& limits,
                              bool is_poor = false) {
@@ -78,8 +78,8 @@ Real quality_after_wall_collapse(const Ring<Real>& ring, std::uint32_t i) {
     return worst;
 }
 
-/// Collapses the centre into that neighbour on the wall that leaves the better triangles, if they
-/// are not below `least_quality`, and activates the link. Corners of the domain stay, by the guard.
+/// Collapses the centre into the neighbour on the wall that leaves the better triangles, if they
+/// are not below `least_quality`, and activates the link. The guard keeps corners of the domain.
 template <class Real>
 bool collapse_on_wall(Work<Real>& work, const Ring<Real>& ring, const WallLimits<Real>& limits) {
     const Real first = quality_after_wall_collapse(ring, 0);
@@ -96,9 +96,9 @@ bool collapse_on_wall(Work<Real>& work, const Ring<Real>& ring, const WallLimits
     return false;
 }
 
-/// Splits the wall's edge with the domain on its left, as seen from the centre. Only where the
-/// middle lies on the wall exactly: a vertex beside it would be a corner of the domain. What was
-/// made is activated. `out_of_ids` and `on_submesh_boundary`: another submesh has to do it.
+/// Splits the wall's edge with the domain on its left, as seen from the centre. Only if the
+/// midpoint lies exactly on the wall: a vertex beside it would be a corner of the domain. The new
+/// vertex is activated. `out_of_ids` and `on_submesh_boundary`: another submesh has to do it.
 template <class Real>
 SplitResult split_wall(Work<Real>& work, const Ring<Real>& ring) {
     const Point<Real> from(ring.x0, ring.y0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a pass works on: a submesh, the interface vertices that lie in it, the active set, that is
-// the vertices whose star changed, and the log of its edits. The sequential driver has one, the
+// What a pass works on: a submesh, the interface vertices that lie in it, the active set (the
+// vertices whose star changed), and the log of its edits. The sequential driver has one, the
 // parallel driver one for each submesh. Nothing here grows with the mesh.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace dsc {
 
-/// A vertex on its way.
+/// A vertex that is moving to its target.
 template <class Real>
 struct Mover {
     std::uint32_t vertex;
@@ -19,17 +19,17 @@ struct Mover {
     Real y;
 };
 
-/// Where the vertices of `Work::interface` are, and where they are to go; one entry for each.
+/// Where the vertices of `Work::interface` are, and where they should move; one entry for each.
 template <class Real>
 struct Aim {
     std::vector<Point<Real>> positions;
     std::vector<Point<Real>> targets;
     std::vector<std::uint8_t> held;  ///< not 0: the velocity is not finite, the vertex stays
     IntegratorScratch<Real> scratch; ///< `first`: the velocities
-    Real dt = 0;                     ///< in which the targets are to be reached
+    Real dt = 0;                     ///< the time in which the targets are to be reached
 };
 
-/// The attribute in which `Integrator::centred` keeps the last step of each vertex; made where
+/// The attribute in which `Integrator::centred` keeps the last step of each vertex; created if
 /// there is none yet.
 template <class Real>
 VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex);
@@ -49,25 +49,26 @@ struct Work {
 
     Complex<Real>& complex;
     const Options<Real>& options;
-    EditLog log;                                 ///< what was done here
+    EditLog log;                                 ///< the edits made here
     Submesh submesh;                             ///< notes in `log`
-    VertexAttribute<Past<Real>>* past = nullptr; ///< of `Integrator::centred`; no other has one
+    VertexAttribute<Past<Real>>* past = nullptr; ///< of `Integrator::centred`; null for all others
 
-    std::vector<std::uint32_t> interface; ///< interface vertices, about in the order of the curve
+    std::vector<std::uint32_t> interface; ///< interface vertices, roughly in the order of the curve
     Aim<Real> aim;                        ///< of the interface vertices
     std::vector<Mover<Real>> movers;      ///< vertices that have not reached their target yet
     std::vector<std::uint32_t> active;    ///< vertices whose star must be looked at; no duplicates
     std::uint32_t epoch = 0;              ///< a vertex with this stamp is in `active` already
 
-    // What the submesh boundary kept this submesh from doing: for another colour.
+    // What the submesh boundary kept this submesh from doing: left to another colour (the
+    // submeshes that run at another time).
     std::vector<Mover<Real>> put_off_movers;
     std::vector<std::uint32_t> put_off_active;
     std::vector<std::uint32_t> put_off_interface;
 
-    /// What passes of an application changed of the interface: see `run_pass`.
+    /// Changes of the interface by passes of an application: see `run_pass`.
     std::vector<std::uint32_t> changed_interface;
 
-    std::size_t progressed = 0; ///< movers that got any further in the last movement pass
+    std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
 
     // Scratch, kept so that nothing is allocated from step to step.
     Ring<Real> ring;
@@ -75,7 +76,7 @@ struct Work {
     std::vector<Corner> suspects; ///< edges to be tested for the Delaunay condition
     std::vector<std::uint32_t> interface_next;
 
-    /// Puts a vertex into the active set, unless it is there.
+    /// Puts a vertex into the active set, unless it is there already.
     void activate(std::uint32_t vertex) {
         auto& record = complex.vertices[vertex];
         if (record.stamp != epoch) {
