@@ -157,8 +157,7 @@ private:
         while (!suspects.empty()) {
             const Corner c = suspects.back();
             suspects.pop_back();
-            // Its triangle belongs to an owned star or came from a flip there: if alive, it is
-            // owned.
+            // Its triangle is of an owned star, or of a flip there: owned, if it is alive.
             if (!complex_.is_alive(Triangle{triangle_of(c)})) {
                 continue;
             }
@@ -197,8 +196,7 @@ private:
             // Degree three: the link is the triangle that will remain.
             return ring_.size == 3 && finish_collapse(0);
         }
-        // Collapsing a short spoke may lower the quality, down to the limit for collapsing by
-        // quality.
+        // A short spoke may cost quality, down to where the star would be collapsed for that.
         const bool is_short = star.shortest < limit.shortest || star.longest < limit.crowded;
         Real best = is_short ? std::min(star.quality, limit.collapse) : star.quality;
         std::uint32_t best_spoke = no_id;
