@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -14,7 +15,12 @@
 namespace dsc {
 namespace {
 
-std::string path_of(const std::string& name) { return testing::TempDir() + "dsc_" + name; }
+// In a folder for temporary files, where one of an earlier run may have been left.
+std::string path_of(const std::string& name) {
+    std::string path = testing::TempDir() + "dsc_" + name;
+    std::filesystem::remove(path);
+    return path;
+}
 
 std::string read(const std::string& path) {
     std::ifstream file(path);
