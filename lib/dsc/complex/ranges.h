@@ -4,7 +4,7 @@
 //     for (const Triangle t : triangles(complex, 1)) {
 //         for (const Vertex v : complex.vertices_of(t)) ...
 //
-// All are forward ranges and views, so they work with std::ranges and std::views. They allocate
+// All are forward ranges and views, so they work with std::ranges. They allocate
 // nothing and cost as much as a loop over the ids. Iterators hold a pointer to the complex, which
 // must outlive them.
 //

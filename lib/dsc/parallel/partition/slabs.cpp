@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 namespace dsc {
 
@@ -52,7 +51,8 @@ std::vector<Point<double>> hull_corners(const Complex<Real>& complex) {
         }
     };
     add_chain(points);
-    add_chain(std::views::reverse(points));
+    std::ranges::reverse(points);
+    add_chain(points);
     return hull;
 }
 
