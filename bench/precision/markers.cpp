@@ -2,7 +2,7 @@
 #include "markers.h"
 
 #include "measures/symmetric_difference.h"
-#include "reference/bare_markers.h"
+#include "reference/algorithm/bare_markers.h"
 #include "scenes/run/clock.h"
 
 namespace dsc::bench {

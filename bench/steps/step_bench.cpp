@@ -9,7 +9,7 @@
 #include "suites.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/hash.h"
+#include "dsc/queries/hash.h"
 #include "scenes/run/reference_run.h"
 #include "scenes/run/start.h"
 

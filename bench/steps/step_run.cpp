@@ -2,8 +2,8 @@
 #include "step_run.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/hash.h"
-#include "dsc/complex/validate.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"
 #include "scenes/run/clock.h"

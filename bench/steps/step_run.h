@@ -4,7 +4,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "model.h"
-#include "reference/dsc.h"
+#include "reference/algorithm/dsc.h"
 #include "scenes/run/run.h"
 #include "starts.h"
 

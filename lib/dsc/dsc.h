@@ -3,23 +3,25 @@
 #pragma once
 
 #include "dsc/base/error.h"
-#include "dsc/geometry/predicates.h"
 #include "dsc/base/types.h"
-#include "dsc/geometry/unit_map.h"
 #include "dsc/base/verdict.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/geometry/unit_map.h"
 
-#include "dsc/complex/algebra.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/edit_log.h"
-#include "dsc/complex/hash.h"
-#include "dsc/complex/locate.h"
-#include "dsc/complex/mesh_functions.h"
 #include "dsc/complex/numbering.h"
-#include "dsc/complex/outlines.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/submesh.h"
-#include "dsc/complex/validate.h"
+
+#include "dsc/algebra/algebra.h"
+#include "dsc/algebra/mesh_functions.h"
+
+#include "dsc/queries/hash.h"
+#include "dsc/queries/locate.h"
+#include "dsc/queries/outlines.h"
+#include "dsc/queries/validate.h"
 
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
@@ -42,17 +44,19 @@
 #include "dsc/motion/unit_velocity.h"
 
 #include "dsc/passes/algorithm.h"
-#include "dsc/algorithm/run.h"
-#include "dsc/algorithm/simulation.h"
 #include "dsc/passes/options.h"
 #include "dsc/passes/thesis_algorithm.h"
 
+#include "dsc/algorithm/run.h"
+#include "dsc/algorithm/simulation.h"
+
 #include "dsc/parallel/partition/blocks.h"
 #include "dsc/parallel/partition/cells.h"
-#include "dsc/parallel/copied/copied_submeshes.h"
-#include "dsc/parallel/copied/copy_executor.h"
 #include "dsc/parallel/partition/places.h"
 #include "dsc/parallel/partition/slabs.h"
+
+#include "dsc/parallel/copied/copied_submeshes.h"
+#include "dsc/parallel/copied/copy_executor.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
 

@@ -4,15 +4,15 @@
 #include "support/courses.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/hash.h"
 #include "dsc/complex/numbering.h"
-#include "dsc/complex/validate.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/operations/replay.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/passes/thesis_algorithm.h"
 #include "dsc/quality/measures.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

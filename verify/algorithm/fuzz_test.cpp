@@ -6,10 +6,10 @@
 #include "support/random_submeshes.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/complex/hash.h"
-#include "dsc/complex/validate.h"
 #include "dsc/io/edit_file.h"
 #include "dsc/operations/replay.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

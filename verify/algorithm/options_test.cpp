@@ -5,7 +5,7 @@
 
 #include "dsc/algorithm/run.h"
 #include "dsc/base/error.h"
-#include "dsc/complex/hash.h"
+#include "dsc/queries/hash.h"
 
 #include <gtest/gtest.h>
 

@@ -6,11 +6,11 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/hash.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/interface_list.h"
 #include "dsc/passes/mesh_update.h"
 #include "dsc/passes/move_vertices.h"
+#include "dsc/queries/hash.h"
 
 #include <gtest/gtest.h>
 

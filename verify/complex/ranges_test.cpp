@@ -4,8 +4,8 @@
 
 #include "support/small_meshes.h"
 
-#include "dsc/complex/algebra.h"
-#include "dsc/complex/mesh_functions.h"
+#include "dsc/algebra/algebra.h"
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/operations/edge_split.h"
 
 #include <gtest/gtest.h>

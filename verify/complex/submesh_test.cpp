@@ -4,10 +4,10 @@
 
 #include "support/random_scene.h"
 
+#include "dsc/parallel/partition/places.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface_list.h"
-#include "dsc/complex/validate.h"
-#include "dsc/parallel/partition/places.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 
@@ -185,7 +185,7 @@ TEST(Submesh, LeavesAloneWhatItDoesNotOwn) {
     for (const Form form : forms) {
         std::uint64_t moved = 0;
         std::size_t put_off = 0;
-        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
             SCOPED_TRACE("form " + std::to_string(static_cast<int>(form)) + ", seed " +
                          std::to_string(seed));
             Dice dice(seed);

@@ -5,10 +5,10 @@
 #include "support/random_scene.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/hash.h"
-#include "dsc/complex/validate.h"
 #include "dsc/initial/unit_box.h"
 #include "dsc/motion/unit_velocity.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "scene.h"
 #include "watch.h"
 
-#include "dsc/complex/mesh_functions.h"
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/ranges.h"
 #include "flows/exact.h"
 #include "flows/velocity.h"

@@ -4,9 +4,9 @@
 #include "scene.h"
 #include "watch.h"
 
-#include "dsc/complex/hash.h"
 #include "dsc/initial/unit_box.h"
 #include "dsc/motion/unit_velocity.h"
+#include "dsc/queries/hash.h"
 #include "flows/exact.h"
 #include "flows/velocity.h"
 #include "measures/interface_outlines.h"

@@ -4,8 +4,8 @@
 #include "support/random_scene.h"
 
 #include "dsc/complex/ranges.h"
-#include "dsc/complex/validate.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/queries/validate.h"
 
 #include <cmath>
 #include <limits>

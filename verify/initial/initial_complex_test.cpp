@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The initial complex: every shape comes out as it went in, on a valid, constrained Delaunay
 // complex of good triangles of the size that was asked for.
-#include "dsc/complex/hash.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/complex/validate.h"
+#include "dsc/initial/build/lattice.h"
 #include "dsc/initial/initial_complex.h"
-#include "dsc/initial/lattice.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"
 #include "support/initial_testing.h"

@@ -3,12 +3,12 @@
 // and the errors for input that makes no sense.
 #include "dsc/base/error.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/complex/validate.h"
-#include "dsc/initial/delaunay.h"
-#include "dsc/initial/insertion.h"
-#include "dsc/initial/lattice.h"
-#include "dsc/initial/outline_sweep.h"
-#include "dsc/initial/segments.h"
+#include "dsc/initial/build/delaunay.h"
+#include "dsc/initial/build/insertion.h"
+#include "dsc/initial/build/lattice.h"
+#include "dsc/initial/build/segments.h"
+#include "dsc/initial/input/outline_sweep.h"
+#include "dsc/queries/validate.h"
 #include "support/initial_testing.h"
 
 #include <gtest/gtest.h>

@@ -6,9 +6,9 @@
 
 #include "support/small_meshes.h"
 
+#include "dsc/algebra/algebra.h"
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
-#include "dsc/complex/algebra.h"
-#include "dsc/complex/mesh_functions.h"
 
 #include <gtest/gtest.h>
 

@@ -128,7 +128,9 @@ void check(const Data& before, const Data& after, const Change& change) {
             EXPECT_EQ(value, before.vertices.at(v)) << "vertex " << v;
         }
     }
-    for (const auto& [key, value] : after.edges) {
+    for (const auto& edge : after.edges) {
+        const auto key = edge.first;
+        const double value = edge.second;
         double expected = edge_default;
         const auto look = [&](Pair old) {
             const auto at = before.edges.find(old);
@@ -149,11 +151,11 @@ void check(const Data& before, const Data& after, const Change& change) {
             expected = moved.value_or(edge_default);
         } else {
             bool half = false;
-            for (const auto& [m, edge] : change.middles) {
+            for (const auto& [m, split] : change.middles) {
                 if (has(m)) {
                     const std::uint32_t other = other_than(m);
-                    if (other == edge.first || other == edge.second) {
-                        expected = *look(sorted(edge.first, edge.second));
+                    if (other == split.first || other == split.second) {
+                        expected = *look(sorted(split.first, split.second));
                     }
                     half = true;
                 }

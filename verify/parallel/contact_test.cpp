@@ -4,8 +4,8 @@
 #include "scenes/run/strategy.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/complex/validate.h"
 #include "dsc/initial/initial_complex.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include "support/random_scene.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/hash.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/complex/validate.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "dsc/complex/hash.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/complex/validate.h"
 #include "dsc/quality/measures.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

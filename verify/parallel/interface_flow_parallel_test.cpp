@@ -5,8 +5,8 @@
 #include "support/random_scene.h"
 #include "support/submesh_executor_testing.h"
 
-#include "dsc/complex/hash.h"
 #include "dsc/parallel/copied/copy_executor.h"
+#include "dsc/queries/hash.h"
 
 #include <gtest/gtest.h>
 

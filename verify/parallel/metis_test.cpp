@@ -8,10 +8,10 @@
 #include "scenes/run/start.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/complex/hash.h"
-#include "dsc/complex/validate.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/passes/interface_list.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "dsc/complex/validate.h"
 #include "dsc/passes/interface_list.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,11 @@
 #include "hard/scene.h"
 #include "hard/watch.h"
 
-#include "dsc/complex/mesh_functions.h"
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/complex/validate.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
+#include "dsc/queries/validate.h"
 #include "flows/velocity.h"
 #include "scenes/run/strategy.h"
 

@@ -6,8 +6,8 @@
 
 #include "support/small_meshes.h"
 
+#include "dsc/algebra/algebra.h"
 #include "dsc/base/error.h"
-#include "dsc/complex/algebra.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The polygon of markers: what its parts do, and the floor that it sets in the single vortex.
-#include "reference/bare_markers.h"
+#include "reference/algorithm/bare_markers.h"
 
 #include "dsc/base/error.h"
 #include "flows/exact.h"

@@ -5,22 +5,22 @@
 #include "support/random_complex.h"
 #include "support/snapshot.h"
 
-#include "dsc/complex/mesh_functions.h"
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/complex/validate.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/operations/local_retriangulation.h"
 #include "dsc/operations/loop_subdivision.h"
 #include "dsc/operations/smoothing.h"
-#include "reference/edge_collapse.h"
-#include "reference/edge_flip.h"
-#include "reference/edge_split.h"
-#include "reference/laplacian_smoothing.h"
-#include "reference/local_retriangulation.h"
-#include "reference/loop_subdivision.h"
-#include "reference/quality.h"
+#include "dsc/queries/validate.h"
+#include "reference/algorithm/quality.h"
+#include "reference/operations/edge_collapse.h"
+#include "reference/operations/edge_flip.h"
+#include "reference/operations/edge_split.h"
+#include "reference/operations/laplacian_smoothing.h"
+#include "reference/operations/local_retriangulation.h"
+#include "reference/operations/loop_subdivision.h"
 
 #include <gtest/gtest.h>
 
@@ -128,7 +128,8 @@ public:
                  const std::function<Verdict(reference::Complex&)>& literal) {
         Complex<Real> complex = given_.complex;
         const std::string before = snapshot(complex);
-        const Verdict verdict = library(complex, Submesh{given_.region, &complex.ids, &complex.journal});
+        const Verdict verdict =
+            library(complex, Submesh{given_.region, &complex.ids, &complex.journal});
         reference::Complex copied = given_.copied;
         Verdict expected = literal(copied);
         if (expected == Verdict::not_a_simplex) {

@@ -4,8 +4,8 @@
 #include "support/reference_testing.h"
 
 #include "dsc/base/error.h"
-#include "reference/algebra.h"
-#include "reference/edge_collapse.h"
+#include "reference/complex/algebra.h"
+#include "reference/operations/edge_collapse.h"
 
 #include <limits>
 

@@ -4,8 +4,8 @@
 #include "support/reference_testing.h"
 
 #include "dsc/base/error.h"
-#include "reference/dsc.h"
-#include "reference/selection.h"
+#include "reference/algorithm/dsc.h"
+#include "reference/algorithm/selection.h"
 
 #include <algorithm>
 #include <map>

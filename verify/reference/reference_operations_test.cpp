@@ -4,13 +4,13 @@
 #include "support/reference_testing.h"
 
 #include "dsc/base/error.h"
-#include "reference/algebra.h"
-#include "reference/ear_clipping.h"
-#include "reference/edge_collapse.h"
-#include "reference/edge_flip.h"
-#include "reference/laplacian_smoothing.h"
-#include "reference/local_retriangulation.h"
-#include "reference/loop_subdivision.h"
+#include "reference/complex/algebra.h"
+#include "reference/operations/ear_clipping.h"
+#include "reference/operations/edge_collapse.h"
+#include "reference/operations/edge_flip.h"
+#include "reference/operations/laplacian_smoothing.h"
+#include "reference/operations/local_retriangulation.h"
+#include "reference/operations/loop_subdivision.h"
 
 #include <limits>
 

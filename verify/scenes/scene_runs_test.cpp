@@ -8,8 +8,8 @@
 #include "scenes/run/run.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/hash.h"
-#include "dsc/complex/validate.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "measures/hausdorff.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"

@@ -5,8 +5,8 @@
 
 #include "random_scene.h"
 
-#include "dsc/complex/validate.h"
 #include "dsc/parallel/parallel.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 
 #include "snapshot.h"
 
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/verdict.h"
-#include "dsc/complex/mesh_functions.h"
-#include "dsc/complex/validate.h"
 #include "dsc/operations/edge_collapse.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

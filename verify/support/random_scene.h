@@ -3,8 +3,8 @@
 // scene on every machine.
 #pragma once
 
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/enum_table.h"
-#include "dsc/complex/mesh_functions.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/motion/integrator.h"

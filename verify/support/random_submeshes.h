@@ -168,4 +168,20 @@ inline Divided random_divided(Dice& dice, bool patches) {
     return divided;
 }
 
+/// The share of the weight that each region of a colour holds.
+inline std::vector<double> shares_of(const Divided& divided, std::size_t colour) {
+    std::vector<double> shares(divided.regions(colour).size(), 0);
+    double total = 0;
+    for (std::size_t i = 0; i < divided.interface.size(); ++i) {
+        const Point<double> p = divided.position(i);
+        const auto work = static_cast<double>(divided.work[i]);
+        shares.at(divided.partition.colours[colour].locate(no_id, p.x(), p.y())) += work;
+        total += work;
+    }
+    for (double& share : shares) {
+        share /= total;
+    }
+    return shares;
+}
+
 } // namespace dsc::test

@@ -4,10 +4,10 @@
 #pragma once
 
 #include "dsc/base/verdict.h"
-#include "reference/edge_split.h"
-#include "reference/movement.h"
-#include "reference/quality.h"
-#include "reference/validate.h"
+#include "reference/algorithm/movement.h"
+#include "reference/algorithm/quality.h"
+#include "reference/complex/validate.h"
+#include "reference/operations/edge_split.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "random_scene.h"
 
-#include "dsc/complex/validate.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

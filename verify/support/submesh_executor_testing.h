@@ -7,8 +7,8 @@
 #include "random_submeshes.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/complex/validate.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

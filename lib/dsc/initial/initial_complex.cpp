@@ -2,12 +2,12 @@
 #include "dsc/initial/initial_complex.h"
 
 #include "dsc/complex/numbering.h"
-#include "dsc/initial/delaunay.h"
-#include "dsc/initial/improvement.h"
-#include "dsc/initial/input_check.h"
-#include "dsc/initial/insertion.h"
-#include "dsc/initial/phases.h"
-#include "dsc/initial/segments.h"
+#include "dsc/initial/build/delaunay.h"
+#include "dsc/initial/build/insertion.h"
+#include "dsc/initial/build/phases.h"
+#include "dsc/initial/build/segments.h"
+#include "dsc/initial/improve/improvement.h"
+#include "dsc/initial/input/input_check.h"
 
 namespace dsc {
 

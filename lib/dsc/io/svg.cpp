@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/io/svg.h"
 
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
-#include "dsc/complex/mesh_functions.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/io/part_file.h"
 

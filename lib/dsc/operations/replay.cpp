@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/operations/replay.h"
 
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
-#include "dsc/complex/mesh_functions.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/operations/local_retriangulation.h"

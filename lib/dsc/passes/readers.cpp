@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/readers.h"
 
-#include "dsc/complex/mesh_functions.h"
+#include "dsc/algebra/mesh_functions.h"
 
 #include <algorithm>
 

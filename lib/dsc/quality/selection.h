@@ -8,7 +8,7 @@
 // give its negative.
 #pragma once
 
-#include "dsc/complex/simplex_set.h"
+#include "dsc/algebra/simplex_set.h"
 
 #include <cstddef>
 #include <functional>

@@ -5,7 +5,7 @@
 #include "dsc/complex/complex.h"
 #include "scenes/run/run.h"
 
-#include "reference/dsc.h"
+#include "reference/algorithm/dsc.h"
 
 namespace dsc::scenes {
 

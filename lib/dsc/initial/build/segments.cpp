@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/initial/build/segments.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/circulate.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/operations/edge_flip.h"
+
+#include <array>
+#include <deque>
+
+namespace dsc::initial {
+
+namespace {
+
+using Pair = std::array<std::uint32_t, 2>;
+
+// The edges that the segment crosses, up to its end or to the first vertex that it meets.
+struct Crossings {
+    std::uint32_t end = no_id;
+    std::deque<Pair> edges; // each by its end to the right of the segment and the other one
+};
+
+template <class Real>
+class Recovery {
+public:
+    explicit Recovery(Complex<Real>& complex) : complex_(complex) {}
+
+    // Appends the vertices after p, q included, and makes all edges between them.
+    void recover(std::uint32_t p, std::uint32_t q, std::vector<std::uint32_t>& chain) {
+        while (p != q) {
+            std::uint32_t end = q;
+            if (!complex_.find_edge(Vertex{p}, Vertex{q}).is_valid()) {
+                Crossings crossings = trace(p, q);
+                end = crossings.end;
+                flip_away(p, end, crossings.edges);
+            }
+            chain.push_back(end);
+            p = end;
+        }
+    }
+
+    std::vector<std::uint32_t> touched;
+
+private:
+    [[nodiscard]] int side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+        return orientation<Real>(complex_.position(Vertex{a}), complex_.position(Vertex{b}),
+                                 complex_.position(Vertex{c}));
+    }
+
+    [[nodiscard]] bool is_ahead(std::uint32_t p, std::uint32_t q, std::uint32_t v) const {
+        const Point<Real> direction = complex_.position(Vertex{q}) - complex_.position(Vertex{p});
+        return direction.dot(complex_.position(Vertex{v}) - complex_.position(Vertex{p})) > 0;
+    }
+
+    Crossings trace(std::uint32_t p, std::uint32_t q) const {
+        Crossings crossings;
+        Corner into = no_id;
+        for_each_corner(complex_, Vertex{p}, [&](Corner c) {
+            const std::uint32_t a = complex_.vertex(next(c));
+            const std::uint32_t b = complex_.vertex(prev(c));
+            for (const std::uint32_t v : {a, b}) {
+                if (side(p, q, v) == 0 && is_ahead(p, q, v)) {
+                    crossings.end = v;
+                }
+            }
+            if (side(p, q, a) < 0 && side(p, q, b) > 0) {
+                into = c;
+            }
+        });
+        if (crossings.end != no_id) {
+            return crossings; // the edge to a vertex on the segment is there already
+        }
+        while (into != no_id) {
+            crossings.edges.push_back({complex_.vertex(next(into)), complex_.vertex(prev(into))});
+            const Corner other = complex_.twin(into);
+            if (is_border(other)) {
+                break;
+            }
+            const std::uint32_t apex = complex_.vertex(other);
+            const int sign = apex == q ? 0 : side(p, q, apex);
+            if (sign == 0) {
+                crossings.end = apex;
+                return crossings;
+            }
+            // About `other` lie the left and then the right end of the edge just crossed.
+            into = sign > 0 ? next(other) : prev(other);
+        }
+        throw InvariantError("recover_segments: the way to the other end is lost");
+    }
+
+    void flip_away(std::uint32_t p, std::uint32_t q, std::deque<Pair>& edges) {
+        const Submesh whole = whole_submesh(complex_);
+        // Each flip of a strictly convex quadrilateral makes progress; there always is one.
+        std::size_t patience = 64 + 16 * edges.size() * edges.size();
+        while (!edges.empty()) {
+            if (patience-- == 0) {
+                throw InvariantError("recover_segments: the crossing edges do not go away");
+            }
+            const auto [right, left] = edges.front();
+            edges.pop_front();
+            const Corner corner = complex_.find_half_edge(Vertex{right}, Vertex{left});
+            const Corner other = corner == no_id ? border_corner : complex_.twin(corner);
+            if (is_border(other)) {
+                throw InvariantError("recover_segments: a crossing edge is lost");
+            }
+            const std::uint32_t a = complex_.vertex(corner);
+            const std::uint32_t d = complex_.vertex(other);
+            if (edge_flip(complex_, whole, corner) != Verdict::legal) {
+                edges.push_back({right, left});
+                continue;
+            }
+            touched.insert(touched.end(), {a, d, right, left});
+            if (a == p || a == q || d == p || d == q) {
+                continue;
+            }
+            const int side_a = side(p, q, a);
+            if (side_a * side(p, q, d) < 0) {
+                edges.push_back(side_a < 0 ? Pair{a, d} : Pair{d, a});
+            }
+        }
+    }
+
+    Complex<Real>& complex_;
+};
+
+} // namespace
+
+template <class Real>
+std::vector<std::uint32_t> recover_segments(Complex<Real>& complex, Chains& chains) {
+    Recovery<Real> recovery(complex);
+    for (auto& chain : chains) {
+        std::vector<std::uint32_t> whole;
+        whole.reserve(chain.size());
+        for (std::size_t i = 0; i < chain.size(); ++i) {
+            recovery.recover(chain[i], chain[i + 1 < chain.size() ? i + 1 : 0], whole);
+        }
+        chain = std::move(whole);
+    }
+    return std::move(recovery.touched);
+}
+
+template std::vector<std::uint32_t> recover_segments(Complex<double>&, Chains&);
+template std::vector<std::uint32_t> recover_segments(Complex<float>&, Chains&);
+
+} // namespace dsc::initial

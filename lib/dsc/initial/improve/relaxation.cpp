@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/initial/improve/relaxation.h"
+
+#include "dsc/initial/build/delaunay.h"
+#include "dsc/initial/build/star_quality.h"
+#include "dsc/initial/build/zone.h"
+#include "dsc/initial/rounding.h"
+#include "dsc/operations/edge_collapse.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace dsc::initial {
+
+namespace {
+
+constexpr double good_star = 0.9;      // worst quality of a star that is left alone
+constexpr double search_below = 0.75;  // worst quality of a star whose centre is searched for
+constexpr double least_gain = 5e-3;    // in quality, for a move
+constexpr double collapse_below = 0.6; // worst quality of a star that may be collapsed
+constexpr double collapse_gain = 0.02; // in quality, for a collapse
+constexpr double longest_edge = 1.4;   // after a collapse, over the target
+
+/// Where a vertex may go: anywhere, along one axis, or nowhere.
+enum class Freedom : std::uint8_t { none, horizontal, vertical, full };
+
+template <class Real>
+Freedom freedom_of(const Ring<Real>& ring) {
+    if (!ring.one_phase) {
+        return Freedom::none;
+    }
+    if (ring.closed) {
+        return Freedom::full;
+    }
+    if (ring.size == 0) {
+        return Freedom::none;
+    }
+    const std::uint32_t last = ring.size - 1;
+    if (ring.y[0] == ring.y0 && ring.y_next[last] == ring.y0) {
+        return Freedom::horizontal;
+    }
+    return ring.x[0] == ring.x0 && ring.x_next[last] == ring.x0 ? Freedom::vertical : Freedom::none;
+}
+
+// The best place found so far for the centre of a star.
+template <class Real>
+struct Trial {
+    const Ring<Real>& ring;
+    Freedom freedom;
+    Point<Real> place;
+    double quality;
+
+    bool offer(double x, double y) {
+        const Point<Real> point(freedom == Freedom::vertical ? ring.x0 : narrowed<Real>(x),
+                                freedom == Freedom::horizontal ? ring.y0 : narrowed<Real>(y));
+        const double worst = worst_quality_at(ring, point.template cast<double>());
+        if (worst > quality + least_gain && fits(ring, point)) {
+            quality = worst;
+            place = point;
+            return true;
+        }
+        return false;
+    }
+};
+
+// Climbs in ever smaller steps to a place where the worst triangle is as good as possible.
+template <class Real>
+void search(Trial<Real>& trial, double reach) {
+    constexpr double diagonal = 0.70710678118654752;
+    constexpr std::array<std::array<double, 2>, 8> directions{{{1, 0},
+                                                               {diagonal, diagonal},
+                                                               {0, 1},
+                                                               {-diagonal, diagonal},
+                                                               {-1, 0},
+                                                               {-diagonal, -diagonal},
+                                                               {0, -1},
+                                                               {diagonal, -diagonal}}};
+    constexpr int halvings = 4;
+    constexpr int most_steps = 4;
+    double step = 0.25 * reach;
+    for (int halving = 0; halving < halvings; ++halving, step *= 0.5) {
+        bool moved = true;
+        for (int i = 0; i < most_steps && moved; ++i) {
+            moved = false;
+            const Point<Real> from = trial.place;
+            for (const auto& d : directions) {
+                moved = trial.offer(static_cast<double>(from.x()) + step * d[0],
+                                    static_cast<double>(from.y()) + step * d[1]) ||
+                        moved;
+            }
+        }
+    }
+}
+
+// The mean of the link and the mean length of the spokes.
+struct Link {
+    double x = 0;
+    double y = 0;
+    double reach = 0;
+};
+
+template <class Real>
+Link mean_link(const Ring<Real>& ring) {
+    Link mean;
+    const std::uint32_t n = ring.link_size();
+    for (std::uint32_t k = 0; k < n; ++k) {
+        // Relative to the centre, so that an offset of the coordinates costs no digits.
+        const auto x = static_cast<double>(ring.link_x(k) - ring.x0);
+        const auto y = static_cast<double>(ring.link_y(k) - ring.y0);
+        mean.x += x / n;
+        mean.y += y / n;
+        mean.reach += std::sqrt(x * x + y * y) / n;
+    }
+    mean.x += static_cast<double>(ring.x0);
+    mean.y += static_cast<double>(ring.y0);
+    return mean;
+}
+
+} // namespace
+
+template <class Real>
+std::size_t smooth(Complex<Real>& complex, std::span<const std::uint32_t> zone) {
+    std::size_t moves = 0;
+    Ring<Real> ring;
+    std::vector<Corner> stack;
+    for (const std::uint32_t v : zone) {
+        if (!complex.is_alive(Vertex{v}) || complex.vertices[v].slot == settled ||
+            !gather(complex, Region{}, v, ring)) {
+            continue;
+        }
+        const Freedom freedom = freedom_of(ring);
+        const double before = worst_quality(ring);
+        Trial<Real> trial{ring, freedom, Point<Real>(ring.x0, ring.y0), before};
+        if (freedom != Freedom::none && before < good_star) {
+            const Link mean = mean_link(ring);
+            trial.offer(mean.x, mean.y);
+            if (trial.quality < search_below) {
+                search(trial, mean.reach);
+            }
+        }
+        if (trial.quality > before) {
+            complex.set_position(Vertex{v}, trial.place);
+            ++moves;
+            legalise_star(complex, v, stack);
+        } else {
+            complex.vertices[v].slot = settled;
+        }
+    }
+    return moves;
+}
+
+template <class Real>
+std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone,
+                     double edge_length) {
+    std::size_t collapses = 0;
+    Ring<Real> ring;
+    std::vector<Corner> stack;
+    const Submesh whole = whole_submesh(complex);
+    for (const std::uint32_t v : zone) {
+        if (!complex.is_alive(Vertex{v}) || !gather(complex, Region{}, v, ring) ||
+            freedom_of(ring) == Freedom::none) {
+            continue;
+        }
+        const double before = worst_quality(ring);
+        if (before > collapse_below) {
+            continue;
+        }
+        const CollapseChoice best = best_collapse(ring, longest_edge * edge_length);
+        if (best.spoke == no_id || best.quality < before + collapse_gain) {
+            continue;
+        }
+        // A spoke is opposite to the previous corner of the triangle that begins with it; the last
+        // one of an open star to the next corner of the triangle that ends there.
+        const bool last = best.spoke == ring.size;
+        const Corner corner =
+            last ? next(ring.corner[ring.size - 1]) : prev(ring.corner[best.spoke]);
+        const auto end = last ? rewire::Vanishing::prev : rewire::Vanishing::next;
+        if (edge_collapse(complex, whole, corner, end) == Verdict::legal) {
+            ++collapses;
+            legalise_star(complex, ring.link[best.spoke], stack);
+        }
+    }
+    return collapses;
+}
+
+template std::size_t smooth(Complex<double>&, std::span<const std::uint32_t>);
+template std::size_t smooth(Complex<float>&, std::span<const std::uint32_t>);
+template std::size_t thin_out(Complex<double>&, std::span<const std::uint32_t>, double);
+template std::size_t thin_out(Complex<float>&, std::span<const std::uint32_t>, double);
+
+} // namespace dsc::initial

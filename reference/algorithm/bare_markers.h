@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The lower bound of every method that tracks an interface by its vertices: a closed polygon of
+// markers in a flow, without a mesh. A mesh costs more, and the error that it adds is seen by
+// comparison.
+#pragma once
+
+#include "reference/algorithm/interpolators.h"
+
+#include "dsc/base/types.h"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace dsc::reference {
+
+using Markers = std::vector<Point<double>>;
+
+/// Writes the velocity at each position at one time.
+using BatchVelocity = std::function<void(std::span<const Point<double>> positions, double time,
+                                         std::span<Point<double>> velocities)>;
+
+struct MarkerOptions {
+    double longest = 1.0 / 64; ///< a marker is inserted where an edge is longer
+    double shortest = 0;       ///< one is removed where an edge is shorter; 0: never
+    InterfacePoint insertion = &lagrange_point; ///< where a new marker goes
+};
+
+struct MarkerCounts {
+    std::size_t inserted = 0;
+    std::size_t removed = 0;
+};
+
+/// Moves all markers by one step of the classical Runge-Kutta method. O(n).
+void move_markers(Markers& markers, const BatchVelocity& velocity, double time, double dt);
+
+/// Halves each edge that is too long, once; then removes the first marker of each edge that is too
+/// short, but never two in a row, nor of the last eight. O(n).
+/// Throws InputError for fewer than four markers, or unless 0 <= shortest < longest / 2.
+MarkerCounts space_markers(Markers& markers, const MarkerOptions& options);
+
+/// The curve through the markers: each edge replaced by `parts` chords of the 4-point Lagrange
+/// cubic. O(n parts). Throws InputError for fewer than four markers or no parts.
+[[nodiscard]] Markers read_as_cubic(std::span<const Point<double>> markers, int parts);
+
+} // namespace dsc::reference

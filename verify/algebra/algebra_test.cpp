@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+// Simplex algebra (thesis, section 3.1) against its own definitions over vertex sets, the thesis's
+// figures 3.3 to 3.9 on a fan of six, and the laws of sets.
+#include "dsc/algebra/algebra.h"
+
+#include "support/literal_sets.h"
+#include "support/small_meshes.h"
+
+#include "dsc/algebra/mesh_functions.h"
+#include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/queries/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace dsc {
+namespace {
+
+using test::everything;
+using test::Family;
+using test::family;
+using test::grid;
+using test::hexagon;
+using test::some_of;
+using test::Vert;
+using test::vert;
+
+template <class Real>
+class Algebra : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(Algebra, Reals);
+
+// --- the definitions, literally: a simplex is its set of vertices
+// ----------------------------------
+
+bool subset(const Vert& a, const Vert& b) {
+    return std::includes(b.begin(), b.end(), a.begin(), a.end());
+}
+
+Family star_of(const Family& all, const Family& members) {
+    Family result;
+    for (const Vert& s : members) {
+        for (const Vert& other : all) {
+            if (subset(s, other)) {
+                result.insert(other);
+            }
+        }
+    }
+    return result;
+}
+Family closure_of(const Family& all, const Family& members) {
+    Family result;
+    for (const Vert& s : members) {
+        for (const Vert& other : all) {
+            if (subset(other, s)) {
+                result.insert(other);
+            }
+        }
+    }
+    return result;
+}
+Family minus(const Family& a, const Family& b) {
+    Family result;
+    std::set_difference(a.begin(), a.end(), b.begin(), b.end(),
+                        std::inserter(result, result.end()));
+    return result;
+}
+Family link_of(const Family& all, const Vert& s) {
+    return minus(closure_of(all, star_of(all, {s})), star_of(all, closure_of(all, {s})));
+}
+
+template <class Real, class Simplex>
+void expect_definitions(const Complex<Real>& complex, const Family& all, Simplex simplex) {
+    const Vert s = vert(complex, simplex);
+    SCOPED_TRACE(testing::PrintToString(s));
+    Family faces = closure_of(all, {s});
+    EXPECT_EQ(family(complex, closure(complex, simplex)), faces);
+    faces.erase(s);
+    EXPECT_EQ(family(complex, full_boundary(complex, simplex)), faces);
+    std::erase_if(faces, [&](const Vert& f) { return f.size() + 1 != s.size(); });
+    EXPECT_EQ(family(complex, boundary(complex, simplex)), faces);
+    EXPECT_EQ(family(complex, star(complex, simplex)), star_of(all, {s}));
+    EXPECT_EQ(family(complex, link(complex, simplex)), link_of(all, s));
+    // and the same by the composition of the library's own operations
+    EXPECT_EQ(link(complex, simplex),
+              closure(complex, star(complex, simplex)) - star(complex, closure(complex, simplex)));
+    // a star contains the stars of its members; a closure the closures
+    const SimplexSet around = star(complex, simplex);
+    EXPECT_EQ(star(complex, around), around);
+    const SimplexSet closed = closure(complex, simplex);
+    EXPECT_EQ(closure(complex, closed), closed);
+}
+
+template <class Real>
+void expect_definitions(const Complex<Real>& complex) {
+    const Family all = everything(complex);
+    const SimplexSet k = all_simplices(complex);
+    ASSERT_EQ(family(complex, k), all);
+    ASSERT_EQ(k.size(), all.size()) << "an edge has two handles";
+    for (const Vertex v : k.vertices()) {
+        expect_definitions(complex, all, v);
+    }
+    for (const Edge e : k.edges()) {
+        expect_definitions(complex, all, e);
+    }
+    for (const Triangle t : k.triangles()) {
+        expect_definitions(complex, all, t);
+    }
+}
+
+// --- relations and operations
+// -----------------------------------------------------------------------
+
+TYPED_TEST(Algebra, RelationsAreTheirDefinitions) {
+    expect_definitions(hexagon<TypeParam>());
+    expect_definitions(grid<TypeParam>(4, 0.15, 7));
+}
+
+TYPED_TEST(Algebra, RelationsAreTheirDefinitionsWhereIdsAreFree) {
+    auto complex = grid<TypeParam>(4, 0.15, 8);
+    SimplexSet hole;
+    hole.insert(Vertex{12});  // in the middle: the domain gets a hole
+    hole.insert(Triangle{1}); // at a corner of the domain
+    remove(complex, hole);
+    ASSERT_EQ(validate(complex).problem, "");
+    // The corner's vertex may be left without triangles: it is its own star then.
+    SimplexSet unused;
+    for (const Vertex v : vertices(complex)) {
+        if (complex.vertices[v.id].corner == no_id) {
+            unused.insert(v);
+        }
+    }
+    for (const Vertex v : unused.vertices()) {
+        EXPECT_EQ(star(complex, v).size(), 1U);
+        EXPECT_TRUE(link(complex, v).empty());
+    }
+    remove(complex, unused);
+    expect_definitions(complex);
+    EXPECT_TRUE(star(complex, Vertex{12}).empty());
+    EXPECT_TRUE(closure(complex, Triangle{1}).empty());
+    EXPECT_TRUE(closure(complex, Vertex{no_id}).empty());
+    EXPECT_TRUE(star(complex, Edge{no_id}).empty());
+    EXPECT_TRUE(link(complex, Triangle{0}).empty()) << "the border is no simplex";
+    EXPECT_TRUE(boundary(complex, Triangle{1000}).empty());
+}
+
+TYPED_TEST(Algebra, OperationsOnSetsAreUnions) {
+    const auto complex = grid<TypeParam>(5, 0.15, 3);
+    const SimplexSet all = all_simplices(complex);
+    std::mt19937 random(5);
+    for (int i = 0; i < 20; ++i) {
+        const SimplexSet set = some_of(all, random);
+        SimplexSet boundaries;
+        SimplexSet stars;
+        SimplexSet closures;
+        SimplexSet links;
+        const auto add = [&](const auto& simplices) {
+            for (const auto s : simplices) {
+                boundaries.insert(boundary(complex, s));
+                stars.insert(star(complex, s));
+                closures.insert(closure(complex, s));
+                links.insert(link(complex, s));
+            }
+        };
+        add(set.vertices());
+        add(set.edges());
+        add(set.triangles());
+        EXPECT_EQ(boundary(complex, set), boundaries);
+        EXPECT_EQ(star(complex, set), stars);
+        EXPECT_EQ(closure(complex, set), closures);
+        EXPECT_EQ(link(complex, set), links);
+        EXPECT_TRUE(stars.contains(set) && closures.contains(set));
+    }
+}
+
+// The figures, on the fan: vertex 0 in the middle, triangle i = (0, i, i + 1).
+TYPED_TEST(Algebra, Figure33Boundary) {
+    const auto k = hexagon<TypeParam>();
+    EXPECT_TRUE(boundary(k, Vertex{0}).empty());
+    EXPECT_EQ(boundary(k, k.find_edge(Vertex{0}, Vertex{1})),
+              SimplexSet({Vertex{0}, Vertex{1}}, {}, {}));
+    EXPECT_EQ(boundary(k, Triangle{1}),
+              SimplexSet({},
+                         {k.find_edge(Vertex{0}, Vertex{1}), k.find_edge(Vertex{1}, Vertex{2}),
+                          k.find_edge(Vertex{2}, Vertex{0})},
+                         {}));
+}
+
+TYPED_TEST(Algebra, Figure34FullBoundary) {
+    const auto k = hexagon<TypeParam>();
+    EXPECT_TRUE(full_boundary(k, Vertex{0}).empty());
+    const Edge e = k.find_edge(Vertex{0}, Vertex{1});
+    EXPECT_EQ(full_boundary(k, e), boundary(k, e));
+    EXPECT_EQ(full_boundary(k, Triangle{1}),
+              boundary(k, Triangle{1}) | SimplexSet({Vertex{0}, Vertex{1}, Vertex{2}}, {}, {}));
+}
+
+TYPED_TEST(Algebra, Figure35Star) {
+    const auto k = hexagon<TypeParam>();
+    std::vector<Edge> spokes;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 1; i <= 6; ++i) {
+        spokes.push_back(k.find_edge(Vertex{0}, Vertex{i}));
+        triangles.push_back(Triangle{i});
+    }
+    EXPECT_EQ(star(k, Vertex{0}), SimplexSet({Vertex{0}}, spokes, triangles));
+    const Edge rim = k.find_edge(Vertex{1}, Vertex{2});
+    EXPECT_EQ(star(k, rim), SimplexSet({}, {rim}, {Triangle{1}}));
+    EXPECT_EQ(star(k, spokes[1]), SimplexSet({}, {spokes[1]}, {Triangle{1}, Triangle{2}}));
+    EXPECT_EQ(star(k, Triangle{3}), SimplexSet({}, {}, {Triangle{3}}));
+    EXPECT_EQ(star(k, Vertex{1}),
+              SimplexSet({Vertex{1}}, {rim, spokes[0], k.find_edge(Vertex{6}, Vertex{1})},
+                         {Triangle{1}, Triangle{6}}));
+}
+
+TYPED_TEST(Algebra, Figure36Closure) {
+    const auto k = hexagon<TypeParam>();
+    EXPECT_EQ(closure(k, Vertex{2}), SimplexSet({Vertex{2}}, {}, {}));
+    const Edge e = k.find_edge(Vertex{3}, Vertex{4});
+    EXPECT_EQ(closure(k, e), SimplexSet({Vertex{3}, Vertex{4}}, {e}, {}));
+    EXPECT_EQ(closure(k, Triangle{1}),
+              full_boundary(k, Triangle{1}) | SimplexSet({}, {}, {Triangle{1}}));
+}
+
+TYPED_TEST(Algebra, Figure37Link) {
+    const auto k = hexagon<TypeParam>();
+    SimplexSet ring;
+    for (std::uint32_t i = 1; i <= 6; ++i) {
+        ring.insert(Vertex{i});
+        ring.insert(k.find_edge(Vertex{i}, Vertex{i % 6 + 1}));
+    }
+    EXPECT_EQ(link(k, Vertex{0}), ring);
+    EXPECT_EQ(link(k, Vertex{1}),
+              SimplexSet({Vertex{6}, Vertex{0}, Vertex{2}},
+                         {k.find_edge(Vertex{6}, Vertex{0}), k.find_edge(Vertex{0}, Vertex{2})},
+                         {}));
+    EXPECT_EQ(link(k, k.find_edge(Vertex{0}, Vertex{1})),
+              SimplexSet({Vertex{2}, Vertex{6}}, {}, {}));
+    EXPECT_EQ(link(k, k.find_edge(Vertex{1}, Vertex{2})), SimplexSet({Vertex{0}}, {}, {}));
+    EXPECT_TRUE(link(k, Triangle{1}).empty());
+}
+
+TYPED_TEST(Algebra, Figures38And39SkeletonAndFilter) {
+    const auto k = hexagon<TypeParam>();
+    const SimplexSet set = star(k, Vertex{0}) | closure(k, Triangle{1});
+    EXPECT_EQ(skeleton(set, 0), SimplexSet(set.vertices(), {}, {}));
+    EXPECT_EQ(skeleton(set, 1), SimplexSet(set.vertices(), set.edges(), {}));
+    EXPECT_EQ(skeleton(set, 2), set);
+    EXPECT_EQ(filter(set, 0), SimplexSet(set.vertices(), {}, {}));
+    EXPECT_EQ(filter(set, 1), SimplexSet({}, set.edges(), {}));
+    EXPECT_EQ(filter(set, 2), SimplexSet({}, {}, set.triangles()));
+    EXPECT_EQ(filter(set, 0) | filter(set, 1) | filter(set, 2), set);
+    EXPECT_THROW((void)skeleton(set, 3), InputError);
+    EXPECT_THROW((void)filter(set, -1), InputError);
+}
+
+TYPED_TEST(Algebra, CornersComeCounterClockwiseFromTheBoundary) {
+    const auto complex = grid<TypeParam>(3, 0.15, 2);
+    for (const Vertex v : all_simplices(complex).vertices()) {
+        std::vector<Corner> corners;
+        for_each_corner(complex, v, [&](Corner c) { corners.push_back(c); });
+        ASSERT_FALSE(corners.empty());
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            EXPECT_EQ(complex.vertex(corners[i]), v.id);
+            if (i > 0) {
+                EXPECT_EQ(complex.vertex(prev(corners[i - 1])), complex.vertex(next(corners[i])));
+            }
+        }
+        const bool open = is_border(complex.twin(prev(corners.front())));
+        EXPECT_EQ(open, is_border(complex.twin(next(corners.back()))));
+        EXPECT_EQ(open, is_boundary(complex, v));
+    }
+}
+
+// --- sets
+// ---------------------------------------------------------------------------------------------
+
+TEST(SimplexSets, AreSortedAndUnique) {
+    SimplexSet set({Vertex{3}, Vertex{1}, Vertex{3}}, {Edge{9}, Edge{9}}, {Triangle{2}});
+    EXPECT_EQ(set.vertices(), (std::vector<Vertex>{{1}, {3}}));
+    EXPECT_EQ(set.size(), 4U);
+    EXPECT_FALSE(set.insert(Vertex{3}));
+    EXPECT_TRUE(set.insert(Vertex{2}));
+    EXPECT_TRUE(set.insert(Vertex{5}));
+    EXPECT_TRUE(set.insert(Edge{4}));
+    EXPECT_TRUE(set.insert(Triangle{1}));
+    EXPECT_EQ(set.vertices(), (std::vector<Vertex>{{1}, {2}, {3}, {5}}));
+    EXPECT_EQ(set.edges(), (std::vector<Edge>{{4}, {9}}));
+    EXPECT_EQ(set.triangles(), (std::vector<Triangle>{{1}, {2}}));
+    EXPECT_TRUE(set.contains(Vertex{2}) && set.contains(Edge{4}) && set.contains(Triangle{1}));
+    EXPECT_FALSE(set.contains(Vertex{4}) || set.contains(Edge{1}) || set.contains(Triangle{9}));
+    set.clear();
+    EXPECT_TRUE(set.empty());
+}
+
+TEST(SimplexSets, ObeyTheLawsOfSets) {
+    std::mt19937 random(11);
+    std::vector<Vertex> v;
+    std::vector<Edge> e;
+    std::vector<Triangle> t;
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        v.push_back({i});
+        e.push_back({i});
+        t.push_back({i});
+    }
+    const SimplexSet all(v, e, t);
+    const SimplexSet none;
+    for (int i = 0; i < 200; ++i) {
+        const SimplexSet a = some_of(all, random);
+        const SimplexSet b = some_of(all, random);
+        const SimplexSet c = some_of(all, random);
+        EXPECT_EQ(a | b, b | a);
+        EXPECT_EQ(a & b, b & a);
+        EXPECT_EQ((a | b) | c, a | (b | c));
+        EXPECT_EQ((a & b) & c, a & (b & c));
+        EXPECT_EQ(a & (b | c), (a & b) | (a & c));
+        EXPECT_EQ(a | (b & c), (a | b) & (a | c));
+        EXPECT_EQ(a - b, a & (all - b));
+        EXPECT_EQ(all - (a | b), (all - a) & (all - b));
+        EXPECT_EQ(all - (a & b), (all - a) | (all - b));
+        EXPECT_EQ(a - a, none);
+        EXPECT_EQ(a | none, a);
+        EXPECT_EQ(a & none, none);
+        EXPECT_EQ((a - b) | (a & b), a);
+        EXPECT_EQ((a | b).size() + (a & b).size(), a.size() + b.size());
+        EXPECT_TRUE((a | b).contains(a) && a.contains(a & b));
+        EXPECT_EQ(a.contains(b), (b - a).empty());
+        EXPECT_EQ(a == b, (a - b).empty() && (b - a).empty());
+        SimplexSet one_by_one;
+        for (const SimplexSet& part : {a, b}) {
+            for (const Vertex s : part.vertices()) {
+                one_by_one.insert(s);
+            }
+            for (const Edge s : part.edges()) {
+                one_by_one.insert(s);
+            }
+            for (const Triangle s : part.triangles()) {
+                one_by_one.insert(s);
+            }
+        }
+        EXPECT_EQ(one_by_one, a | b);
+    }
+}
+
+} // namespace
+} // namespace dsc

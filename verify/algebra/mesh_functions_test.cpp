@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+// The mesh functions (thesis, sections 4.1 and 8.6): insertion in any order, removal, and what is
+// derived from phases.
+#include "dsc/algebra/mesh_functions.h"
+
+#include "support/literal_sets.h"
+#include "support/small_meshes.h"
+
+#include "dsc/algebra/algebra.h"
+#include "dsc/base/error.h"
+#include "dsc/complex/interface_pair.h"
+#include "dsc/queries/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace dsc {
+namespace {
+
+using test::everything;
+using test::Family;
+using test::family;
+using test::grid;
+using test::hexagon;
+using test::some_of;
+
+template <class Real>
+class MeshFunctions : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(MeshFunctions, Reals);
+
+// The triangles of `source` in any order and orientation, one by one.
+template <class Real>
+Complex<Real> reinsert(const Complex<Real>& source, unsigned seed) {
+    std::mt19937 random(seed);
+    Complex<Real> complex;
+    for (std::uint32_t v = 0; v < source.vertex_bound(); ++v) {
+        insert_vertex(complex, source.position(Vertex{v}));
+    }
+    std::vector<std::uint32_t> order(source.triangle_bound() - 1);
+    std::iota(order.begin(), order.end(), 1U);
+    std::shuffle(order.begin(), order.end(), random);
+    for (const std::uint32_t t : order) {
+        auto v = source.vertices_of(Triangle{t});
+        std::shuffle(v.begin(), v.end(), random);
+        insert_triangle(complex, v[0], v[1], v[2], source.phase(Triangle{t}));
+    }
+    return complex;
+}
+
+TYPED_TEST(MeshFunctions, InsertTrianglesInAnyOrderAndOrientation) {
+    const auto source = grid<TypeParam>(6, 0.15, 4, 2);
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const auto complex = reinsert(source, seed);
+        const ValidationReport report = validate(complex);
+        ASSERT_EQ(report.problem, "");
+        EXPECT_EQ(report.triangles, 72U);
+        EXPECT_EQ(report.euler_characteristic, 1);
+        EXPECT_EQ(everything(complex), everything(source));
+        EXPECT_EQ(family(complex, interface_of(complex)), family(source, interface_of(source)));
+    }
+}
+
+TYPED_TEST(MeshFunctions, RemoveAndReinsertInAnyOrder) {
+    const auto source = grid<TypeParam>(6, 0.15, 5);
+    const Family all = everything(source);
+    std::mt19937 random(9);
+    for (int i = 0; i < 50; ++i) {
+        auto complex = source;
+        std::vector<std::pair<std::array<Vertex, 3>, Phase>> removed;
+        const auto doomed = some_of(filter(all_simplices(complex), 2), random).triangles();
+        for (const Triangle t : doomed) {
+            removed.push_back({complex.vertices_of(t), complex.phase(t)});
+        }
+        if (i % 2 == 0) {
+            EXPECT_EQ(remove(complex, SimplexSet({}, {}, doomed)), doomed.size());
+        } else {
+            for (const Triangle t : doomed) {
+                EXPECT_EQ(remove(complex, SimplexSet({}, {}, {t})), 1U);
+            }
+        }
+        EXPECT_EQ(complex.triangle_count(), 72 - doomed.size());
+        EXPECT_EQ(complex.vertex_count(), 49U) << "a triangle leaves its vertices";
+        std::shuffle(removed.begin(), removed.end(), random);
+        for (const auto& [v, phase] : removed) {
+            insert_triangle(complex, v[1], v[0], v[2], phase);
+        }
+        ASSERT_EQ(validate(complex).problem, "");
+        EXPECT_EQ(everything(complex), all);
+        EXPECT_EQ(complex.triangle_bound(), source.triangle_bound()) << "free ids are used again";
+    }
+}
+
+TYPED_TEST(MeshFunctions, RemovalTakesSuperfacesAlong) {
+    auto complex = hexagon<TypeParam>();
+    const Edge spoke = complex.find_edge(Vertex{0}, Vertex{2});
+    EXPECT_EQ(remove(complex, SimplexSet({}, {spoke}, {})), 2U);
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_FALSE(is_valid_simplex(complex, complex.find_edge(Vertex{0}, Vertex{2})));
+    EXPECT_TRUE(is_valid_simplex(complex, Vertex{2})) << "lives on without triangles";
+    EXPECT_EQ(complex.vertices[2].corner, no_id);
+    EXPECT_TRUE(is_valid_simplex(complex, complex.find_edge(Vertex{0}, Vertex{1})));
+    EXPECT_EQ(remove(complex, SimplexSet({Vertex{0}}, {}, {})), 4U);
+    EXPECT_EQ(complex.triangle_count(), 0U);
+    EXPECT_EQ(complex.vertex_count(), 6U);
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_EQ(validate(complex).unused_vertices, 6U);
+    EXPECT_EQ(remove(complex, SimplexSet({Vertex{0}}, {spoke}, {Triangle{1}})), 0U);
+}
+
+TYPED_TEST(MeshFunctions, RemovalOfAVertexWithTwoFansTakesBoth) {
+    auto complex = hexagon<TypeParam>();
+    remove(complex, SimplexSet({}, {}, {Triangle{1}, Triangle{4}}));
+    ASSERT_NE(validate(complex).problem, "") << "vertex 0 has two fans now";
+    EXPECT_EQ(remove(complex, SimplexSet({Vertex{0}}, {}, {})), 4U);
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
+TYPED_TEST(MeshFunctions, AVertexThatLosesItsFanFindsTheOther) {
+    auto complex = hexagon<TypeParam>();
+    remove(complex, SimplexSet({}, {}, {Triangle{1}, Triangle{4}}));
+    remove(complex, SimplexSet({}, {}, {Triangle{2}, Triangle{3}}));
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_EQ(filter(star(complex, Vertex{0}), 2), SimplexSet({}, {}, {Triangle{5}, Triangle{6}}));
+    auto other = hexagon<TypeParam>();
+    remove(other, SimplexSet({}, {}, {Triangle{1}, Triangle{4}}));
+    remove(other, SimplexSet({}, {}, {Triangle{5}, Triangle{6}}));
+    EXPECT_EQ(validate(other).problem, "");
+    EXPECT_EQ(filter(star(other, Vertex{0}), 2), SimplexSet({}, {}, {Triangle{2}, Triangle{3}}));
+}
+
+TYPED_TEST(MeshFunctions, InsertionRefusesWhatIsNoComplex) {
+    auto complex = hexagon<TypeParam>();
+    const auto before = everything(complex);
+    const Vertex far = insert_vertex(complex, Point<TypeParam>(5, 0));
+    const Vertex line = insert_vertex(complex, Point<TypeParam>(2, 0));
+    const Vertex inside = insert_vertex(complex, Point<TypeParam>(TypeParam(0.5), TypeParam(0.1)));
+    const auto refused = [&](Vertex a, Vertex b, Vertex c, Phase phase, const char* word) {
+        try {
+            insert_triangle(complex, a, b, c, phase);
+            ADD_FAILURE() << "accepted; expected: " << word;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+        }
+    };
+    refused(Vertex{0}, far, line, 0, "degenerate");
+    refused(Vertex{1}, Vertex{1}, far, 0, "named twice");
+    refused(Vertex{1}, Vertex{2}, Vertex{99}, 0, "does not live");
+    refused(Vertex{1}, Vertex{2}, Vertex{no_id}, 0, "does not live");
+    refused(Vertex{1}, Vertex{2}, far, border_phase, "reserved");
+    refused(Vertex{0}, Vertex{1}, far, 0, "degenerate");
+    refused(Vertex{0}, Vertex{2}, far, 0, "two triangles already");
+    refused(Vertex{1}, Vertex{2}, inside, 0, "overlaps");
+    EXPECT_THROW(insert_vertex(complex, Point<TypeParam>(0, std::nan(""))), InputError);
+    EXPECT_EQ(everything(complex), before);
+    EXPECT_EQ(validate(complex).problem, "");
+    insert_triangle(complex, Vertex{2}, Vertex{1}, far, 3);
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_EQ(phases(complex), (std::vector<Phase>{0, 3}));
+    const Vertex last = insert_vertex(complex, Point<TypeParam>(0, -5));
+    complex.ids.may_grow = false;
+    refused(Vertex{6}, Vertex{5}, last, 0, "no id");
+    EXPECT_THROW(insert_vertex(complex, Point<TypeParam>(0, 9)), InputError);
+}
+
+TYPED_TEST(MeshFunctions, AttributesFollow) {
+    auto complex = hexagon<TypeParam>();
+    auto& at_vertex = complex.attributes.template add<Vertex, double>("p", 7.0);
+    auto& at_edge = complex.attributes.template add<Edge, int>("weight", 5);
+    auto& at_triangle = complex.attributes.template add<Triangle, float>("q", 3.0F);
+    for (auto& value : at_edge.data()) {
+        value = 1;
+    }
+    for (auto& value : at_triangle.data()) {
+        value = 1;
+    }
+    for (auto& value : at_vertex.data()) {
+        value = 1;
+    }
+    remove(complex, SimplexSet({}, {}, {Triangle{2}}));
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        at_edge.data()[corner_of(2, i)] = 99; // what a free id holds does not matter
+    }
+    const Triangle t = insert_triangle(complex, Vertex{0}, Vertex{2}, Vertex{3}, 0);
+    EXPECT_EQ(at_triangle[t], 3.0F);
+    EXPECT_EQ(at_edge[complex.find_edge(Vertex{0}, Vertex{2})], 1) << "it existed";
+    EXPECT_EQ(at_edge[complex.find_edge(Vertex{2}, Vertex{3})], 5) << "it is new";
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const Corner c = corner_of(t.id, i);
+        if (!is_border(complex.twin(c))) {
+            EXPECT_EQ(at_edge.data()[c], at_edge.data()[complex.twin(c)]);
+        }
+    }
+    remove(complex, SimplexSet({Vertex{3}}, {}, {}));
+    const Vertex v = insert_vertex(complex, Point<TypeParam>(9, 9));
+    EXPECT_EQ(v, Vertex{3});
+    EXPECT_EQ(at_vertex[v], 7.0);
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
+// Figure 8.3 of the thesis: the interface runs between phases, and along the domain boundary of
+// what is inside.
+TYPED_TEST(MeshFunctions, InterfaceAndBoundaryAreDerived) {
+    auto complex = grid<TypeParam>(8, 0.15, 6, 2.5);
+    complex.set_phase(Triangle{1}, 2); // touches the domain boundary at (0, 0)
+    const SimplexSet interface = interface_of(complex);
+    const SimplexSet all = all_simplices(complex);
+    EXPECT_TRUE(interface.triangles().empty());
+    SimplexSet expected;
+    for (const Edge e : all.edges()) {
+        const SimplexSet around = star(complex, e);
+        const Phase first = phase(complex, around.triangles().front());
+        const Phase last = phase(complex, around.triangles().back());
+        const bool lone = around.triangles().size() == 1;
+        EXPECT_EQ(is_boundary(complex, e), lone);
+        EXPECT_EQ(is_interface(complex, e), lone ? first != 0 : first != last);
+        if (lone ? first != 0 : first != last) {
+            expected.insert(closure(complex, e));
+        }
+    }
+    EXPECT_EQ(interface, expected);
+    EXPECT_GT(interface.edges().size(), 10U);
+    for (const Vertex v : all.vertices()) {
+        EXPECT_EQ(is_interface(complex, v), interface.contains(v));
+        const auto p = complex.position(v);
+        EXPECT_EQ(is_boundary(complex, v), p.x() == 0 || p.y() == 0 || p.x() == 8 || p.y() == 8);
+    }
+    for (const Triangle t : all.triangles()) {
+        const auto edges = complex.edges_of(t);
+        EXPECT_EQ(is_interface(complex, t), std::any_of(edges.begin(), edges.end(), [&](Edge e) {
+                      return interface.contains(e);
+                  }));
+        EXPECT_EQ(is_boundary(complex, t), std::any_of(edges.begin(), edges.end(), [&](Edge e) {
+                      return is_boundary(complex, e);
+                  }));
+        EXPECT_EQ(orientation(complex, t), 1);
+    }
+    EXPECT_TRUE(is_interface(complex, Vertex{0})) << "phase 2 meets the domain boundary there";
+    EXPECT_EQ(phases(complex), (std::vector<Phase>{0, 1, 2}));
+    double total = 0;
+    for (const Phase p : phases(complex)) {
+        total += phase_area(complex, p);
+    }
+    const double tolerance = sizeof(TypeParam) == sizeof(double) ? 1e-12 : 1e-4;
+    EXPECT_NEAR(total, 64, tolerance);
+    EXPECT_NEAR(phase_area(complex, 2), 0.5, 0.2);
+    EXPECT_EQ(phase_area(complex, 17), 0);
+}
+
+TEST(InterfacePair, IsSymmetricAndTakesTheBorderForExterior) {
+    constexpr Phase gas = 1, liquid = 2;
+    const auto is_either_way = [](Phase one, Phase other) {
+        EXPECT_EQ(is_interface_pair(one, other), is_interface_pair(other, one));
+        return is_interface_pair(one, other);
+    };
+    EXPECT_TRUE(is_either_way(gas, liquid));
+    EXPECT_TRUE(is_either_way(gas, exterior_phase));
+    EXPECT_TRUE(is_either_way(gas, border_phase));
+    EXPECT_FALSE(is_either_way(exterior_phase, border_phase));
+    for (const Phase phase : {exterior_phase, gas, liquid, border_phase}) {
+        EXPECT_FALSE(is_interface_pair(phase, phase));
+    }
+}
+
+TYPED_TEST(MeshFunctions, SubmeshBoundary) {
+    const auto complex = grid<TypeParam>(8, 0.15, 6);
+    Region slab;
+    slab.kind = Region::Kind::box;
+    slab.low = 2.5;
+    slab.high = 6.5;
+    const auto owned = [&](Vertex v) {
+        const auto x = static_cast<double>(complex.position(v).x());
+        return 2.5 <= x && x < 6.5;
+    };
+    const auto inside = [&](Triangle t) {
+        const auto v = complex.vertices_of(t);
+        return owned(v[0]) && owned(v[1]) && owned(v[2]);
+    };
+    const SimplexSet all = all_simplices(complex);
+    std::size_t vertices = 0;
+    std::size_t edges = 0;
+    for (const Vertex v : all.vertices()) {
+        const auto around = star(complex, v).triangles();
+        const bool expected = owned(v) && !std::all_of(around.begin(), around.end(), inside);
+        EXPECT_EQ(is_submesh_boundary(complex, slab, v), expected);
+        EXPECT_FALSE(is_submesh_boundary(complex, Region{}, v));
+        vertices += expected ? 1 : 0;
+    }
+    for (const Edge e : all.edges()) {
+        const auto around = star(complex, e).triangles();
+        const bool expected = around.size() == 2 && inside(around.front()) != inside(around.back());
+        EXPECT_EQ(is_submesh_boundary(complex, slab, e), expected);
+        EXPECT_FALSE(is_submesh_boundary(complex, Region{}, e));
+        edges += expected ? 1 : 0;
+    }
+    EXPECT_EQ(vertices, 18U) << "two columns of nine";
+    EXPECT_EQ(edges, 16U) << "and the edges along them";
+}
+
+} // namespace
+} // namespace dsc

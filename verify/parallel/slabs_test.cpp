@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// Where each partitioner cuts: the work is shared, widths are respected, and a colour is not cut
+// where the one before it was.
+#include "dsc/parallel/partition/partition.h"
+
+#include "support/random_scene.h"
+#include "support/random_submeshes.h"
+
+#include "dsc/complex/ranges.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using test::Dice;
+using test::Divided;
+using test::shares_of;
+
+constexpr double infinity = Region::infinity;
+
+using Positions = std::vector<std::pair<double, float>>;
+
+TEST(Cuts, GiveEachSlabTheSameShareAndNoneIsThin) {
+    Dice dice(1);
+    for (const bool weighted : {false, true}) {
+        Positions positions;
+        double total = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const double place = dice.chance(0.5) ? dice.in(0.0, 1.0) : dice.in(0.2, 0.5);
+            positions.emplace_back(place, weighted ? static_cast<float>(dice.in(1.0, 9.0)) : 1.0F);
+            total += static_cast<double>(positions.back().second);
+        }
+        const Cuts cuts = cuts_of_equal_share(positions, 8, 0.01);
+        ASSERT_EQ(cuts.red.size(), 9U);
+        ASSERT_EQ(cuts.black.size(), 10U);
+        const auto held = [&](double low, double high) {
+            double sum = 0;
+            for (const auto& [place, weight] : positions) {
+                sum += low <= place && place < high ? static_cast<double>(weight) : 0;
+            }
+            return sum;
+        };
+        for (std::size_t i = 0; i < 8; ++i) {
+            EXPECT_NEAR(held(cuts.red[i], cuts.red[i + 1]), total / 8, 20) << "red " << i;
+        }
+        for (std::size_t i = 1; i < 8; ++i) {
+            EXPECT_NEAR(held(cuts.black[i], cuts.black[i + 1]), total / 8, 20) << "black " << i;
+            EXPECT_NEAR(held(cuts.black[i], cuts.red[i]), total / 16, 20) << "not in the middle";
+        }
+        EXPECT_NEAR(held(cuts.black[8], infinity) + held(-infinity, cuts.black[1]), total / 8, 20);
+        const Cuts wide = cuts_of_equal_share(positions, 8, 0.2);
+        EXPECT_LT(wide.red.size(), 7U);
+        EXPECT_GE(wide.red.size(), 3U);
+        EXPECT_GE(wide.red[1], 0.2);
+        EXPECT_LE(wide.red[wide.red.size() - 2], 0.8);
+        for (const auto* list : {&wide.red, &wide.black}) {
+            for (std::size_t i = 1; i + 2 < list->size(); ++i) {
+                EXPECT_GE((*list)[i + 1] - (*list)[i], 0.2);
+            }
+        }
+    }
+}
+
+TEST(Cuts, CoverEverything) {
+    Dice dice(2);
+    for (const double least : {0.0, 0.05, 0.5, 5.0}) {
+        for (const std::uint32_t slabs : {1U, 2U, 3U, 8U, 100U}) {
+            Positions positions;
+            for (int i = dice.in(0, 300); i > 0; --i) {
+                positions.emplace_back(dice.in(-1.0, 1.0), 1.0F);
+            }
+            for (const Cuts& cuts : {cuts_of_equal_share(positions, slabs, least),
+                                     cuts_of_equal_width(-1, 1, slabs, least)}) {
+                for (const auto* list : {&cuts.red, &cuts.black}) {
+                    ASSERT_GE(list->size(), 2U);
+                    EXPECT_EQ(list->front(), -infinity);
+                    EXPECT_EQ(list->back(), infinity);
+                    EXPECT_TRUE(std::is_sorted(list->begin(), list->end()));
+                    for (const bool round : {false, true}) {
+                        const Colour colour = slab_colour(*list, 0.6, 0.8, round);
+                        for (int i = 0; i < 20; ++i) {
+                            const double s = i < 2 ? (i == 0 ? -1e9 : 1e9) : dice.in(-2.0, 2.0);
+                            EXPECT_LT(colour.locate(0, 0.6 * s, 0.8 * s), colour.regions.size());
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+// Black slabs straddle the cuts of the red ones: what one colour locks, the other does not. If red
+// cuts are left out because slabs would be too thin, the black ones are left out with them.
+TEST(Cuts, OfTheTwoColoursLieApart) {
+    Dice dice(3);
+    for (int round = 0; round < 200; ++round) {
+        const double least = round == 0 ? 0.1 : dice.in(0.02, 0.3);
+        const std::uint32_t slabs = round == 0 ? 8 : test::number_in(dice, 2, 12);
+        const Cuts cuts = cuts_of_equal_width(0, 1, slabs, least);
+        if (round == 0) {
+            ASSERT_EQ(cuts.red.size(), 9U);
+            ASSERT_EQ(cuts.black.size(), 10U);
+        }
+        for (std::size_t i = 1; i + 1 < cuts.red.size(); ++i) {
+            double nearest = infinity;
+            for (const double black : cuts.black) {
+                nearest = std::min(nearest, std::abs(black - cuts.red[i]));
+            }
+            EXPECT_GE(nearest, 0.5 * least - 1e-12) << "red cut at " << cuts.red[i] << " of "
+                                                    << slabs << " slabs, least width " << least;
+        }
+    }
+}
+
+SlabOptions slab_options(Slabbing slabbing, std::uint32_t submeshes, double degrees = 0) {
+    return {.slabbing = slabbing, .submeshes = submeshes, .degrees = degrees, .least_width = 3};
+}
+
+TEST(Slabs, OfTheSecondColourAreJoinedAtTheEnds) {
+    Divided disc(test::disc_complex<double>(0.01), 0.01);
+    SlabPartitioner<double> partitioner(slab_options(Slabbing::fixed, 6));
+    disc.divide(partitioner);
+    ASSERT_EQ(disc.partition.colours.size(), 2U);
+    ASSERT_EQ(disc.regions(0).size(), 6U);
+    ASSERT_EQ(disc.regions(1).size(), 6U) << "as many, though there is one cut more";
+    const Colour& black = disc.partition.colours[1];
+    EXPECT_EQ(black.locate(0, -1e9, 0.3), black.locate(0, 1e9, 0.8));
+    EXPECT_NE(black.locate(0, 1e9, 0.3), black.locate(0, 0.5, 0.3));
+    const Colour& red = disc.partition.colours[0];
+    EXPECT_NE(red.locate(0, -1e9, 0.3), red.locate(0, 1e9, 0.3));
+    // The one at the ends waits for both ends, and for nothing in between.
+    const Region& ring = black.regions[black.locate(0, 1e9, 0)];
+    const std::vector<bool> meets{true, false, false, false, false, true};
+    for (std::size_t i = 0; i < red.regions.size(); ++i) {
+        EXPECT_EQ(ring.may_meet(red.regions[i]), meets[i]) << "red " << i;
+    }
+}
+
+TEST(Slabs, ShareTheWork) {
+    for (const double degrees : {0.0, 90.0, 33.0}) {
+        Divided disc(test::disc_complex<double>(0.004, {0.5, 0.5}, 0.3), 0.004);
+        for (std::size_t i = 0; i < disc.work.size(); ++i) {
+            disc.work[i] = disc.position(i).y() > 0.6 ? 5.0F : 1.0F;
+        }
+        SlabPartitioner<double> active(slab_options(Slabbing::active, 5, degrees));
+        disc.divide(active);
+        ASSERT_EQ(disc.regions(0).size(), 5U);
+        for (const double share : shares_of(disc, 0)) {
+            EXPECT_NEAR(share, 0.2, 0.02) << degrees << " degrees";
+        }
+        // Of all vertices, whatever their work.
+        SlabPartitioner<double> counting(slab_options(Slabbing::counting, 5, degrees));
+        disc.divide(counting);
+        std::vector<int> count(5, 0);
+        int total = 0;
+        for (const Vertex v : vertices(disc.complex)) {
+            const Point<double> p = disc.complex.position(v);
+            ++count.at(disc.partition.colours[0].locate(v.id, p.x(), p.y()));
+            ++total;
+        }
+        for (const int held : count) {
+            EXPECT_NEAR(held, total / 5.0, 0.02 * total) << degrees << " degrees";
+        }
+    }
+}
+
+TEST(Slabs, AreCutAcrossTheDirectionAskedFor) {
+    Divided disc(test::disc_complex<double>(0.01), 0.01);
+    for (const double degrees : {0.0, 30.0, 90.0, 135.0, -60.0, 400.0}) {
+        SlabPartitioner<double> partitioner(slab_options(Slabbing::fixed, 4, degrees));
+        disc.divide(partitioner);
+        ASSERT_EQ(disc.regions(0).size(), 4U);
+        for (const Colour& colour : disc.partition.colours) {
+            for (const Region& region : colour.regions) {
+                EXPECT_NEAR(region.normal_x, std::cos(degrees * std::numbers::pi / 180), 1e-12);
+                EXPECT_NEAR(region.normal_y, std::sin(degrees * std::numbers::pi / 180), 1e-12);
+                EXPECT_EQ(region.side_low, -infinity);
+                EXPECT_EQ(region.side_high, infinity);
+            }
+        }
+        EXPECT_EQ(disc.regions(0).front().is_upright(), degrees == 0);
+    }
+}
+
+Complex<double> ellipse_complex(double h, double degrees) {
+    const double turn = degrees * std::numbers::pi / 180;
+    const Point<double> along(std::cos(turn), std::sin(turn));
+    const Point<double> across(-along.y(), along.x());
+    std::vector<Point<double>> points;
+    for (const auto& p : test::circle_points({0, 0}, 1, 120)) {
+        points.emplace_back(Point<double>(0.5, 0.5) + 0.35 * p.x() * along + 0.12 * p.y() * across);
+    }
+    const std::vector<Shape> shapes{{points, 1}};
+    return initial_complex<double>({}, shapes, {.edge_length = h});
+}
+
+TEST(Slabs, FollowTheShape) {
+    for (const double degrees : {30.0, 0.0, 90.0, 150.0}) {
+        Divided ellipse(ellipse_complex(0.01, degrees), 0.01);
+        SlabOptions options = slab_options(Slabbing::active, 4, 77);
+        options.follow_shape = true;
+        SlabPartitioner<double> partitioner(options);
+        ellipse.divide(partitioner);
+        ASSERT_EQ(ellipse.regions(0).size(), 4U);
+        const double turn = degrees * std::numbers::pi / 180;
+        for (const Region& region : ellipse.regions(0)) {
+            const double cosine =
+                region.normal_x * std::cos(turn) + region.normal_y * std::sin(turn);
+            EXPECT_GT(std::abs(cosine), std::cos(3 * std::numbers::pi / 180)) << degrees;
+        }
+    }
+}
+
+// The domain does not change: slabs that follow the shape need not look through the mesh again.
+TEST(Slabs, KnowHowFarTheDomainReachesAlongEveryDirection) {
+    Divided ellipse(ellipse_complex(0.01, 30), 0.01);
+    const Complex<double> first = ellipse.complex;
+    SlabOptions options = slab_options(Slabbing::fixed, 4, 77);
+    options.follow_shape = true;
+    SlabPartitioner<double> partitioner(options);
+    for (int turn = 0; turn < 5; ++turn) {
+        ellipse.divide(partitioner);
+        const std::vector<Region>& slabs = ellipse.regions(0);
+        ASSERT_EQ(slabs.size(), 4U);
+        double low = infinity;
+        double high = -infinity;
+        for (const auto& record : first.vertices) {
+            low = std::min(low, slabs[1].along(record.x, record.y));
+            high = std::max(high, slabs[1].along(record.x, record.y));
+        }
+        EXPECT_NEAR(slabs[1].high - slabs[1].low, (high - low) / 4, 1e-12) << turn;
+        EXPECT_NEAR(slabs[1].high, (low + high) / 2, 1e-12) << turn;
+        // The shape turns, and all else is gone from where it was looked at.
+        for (std::uint32_t v = 0; v < ellipse.complex.vertex_bound(); ++v) {
+            const Point<double> p = ellipse.complex.position(Vertex{v}) - Point<double>(0.5, 0.5);
+            const bool is_on = std::ranges::find(ellipse.interface, v) != ellipse.interface.end();
+            ellipse.complex.set_position(
+                Vertex{v},
+                Point<double>(0.5, 0.5) +
+                    (is_on ? Point<double>(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y())
+                           : Point<double>(0, 0)));
+        }
+    }
+}
+
+} // namespace
+} // namespace dsc

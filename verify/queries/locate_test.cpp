@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Point location, against the signs of all triangles.
+#include "dsc/queries/locate.h"
+
+#include "support/random_complex.h"
+#include "support/small_meshes.h"
+
+#include "dsc/algebra/algebra.h"
+#include "dsc/algebra/mesh_functions.h"
+#include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/complex/walk.h"
+#include "dsc/geometry/predicates.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace dsc {
+namespace {
+
+using test::grid;
+using test::hexagon;
+using Kind = Location::Kind;
+
+// Zero signs of the point in a triangle: 0 inside, 1 on an edge, 2 at a vertex; -1 outside.
+template <class Real>
+int zeros_in(const Complex<Real>& complex, Triangle t, const Point<Real>& p) {
+    int zeros = 0;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const Corner c = corner_of(t.id, i);
+        const int sign = orientation<Real>(complex.position(Vertex{complex.vertex(next(c))}),
+                                           complex.position(Vertex{complex.vertex(prev(c))}), p);
+        if (sign < 0) {
+            return -1;
+        }
+        zeros += sign == 0 ? 1 : 0;
+    }
+    return zeros;
+}
+
+template <class Real>
+void expect_right(const Complex<Real>& complex, const Point<Real>& p, const Location& location) {
+    if (location.kind == Kind::outside) {
+        EXPECT_EQ(location, Location{});
+        for (const Triangle t : triangles(complex)) {
+            ASSERT_EQ(zeros_in(complex, t, p), -1) << "triangle " << t.id << " holds the point";
+        }
+        return;
+    }
+    ASSERT_TRUE(complex.is_alive(location.triangle));
+    const int zeros = zeros_in(complex, location.triangle, p);
+    EXPECT_EQ(zeros, location.kind == Kind::triangle ? 0 : location.kind == Kind::edge ? 1 : 2);
+    const SimplexSet faces = closure(complex, location.triangle);
+    EXPECT_EQ(location.edge.is_valid(), location.kind == Kind::edge);
+    EXPECT_EQ(location.vertex.is_valid(), location.kind == Kind::vertex);
+    if (location.kind == Kind::edge) {
+        EXPECT_TRUE(faces.contains(location.edge));
+        const auto [a, b] = complex.vertices_of(location.edge);
+        EXPECT_EQ(orientation<Real>(complex.position(a), complex.position(b), p), 0);
+    }
+    if (location.kind == Kind::vertex) {
+        EXPECT_TRUE(faces.contains(location.vertex));
+        EXPECT_EQ(complex.position(location.vertex), p);
+    }
+}
+
+template <class Real>
+class Locate : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(Locate, Reals);
+
+TYPED_TEST(Locate, FindsVerticesEdgesAndTrianglesFromEverywhere) {
+    const auto complex = grid<TypeParam>(4);
+    for (const Triangle hint : triangles(complex)) {
+        for (int j = -1; j <= 17; ++j) {
+            for (int i = -1; i <= 17; ++i) {
+                const Point<TypeParam> p(static_cast<TypeParam>(i) / 4,
+                                         static_cast<TypeParam>(j) / 4);
+                const Location location = locate(complex, p, hint);
+                expect_right(complex, p, location);
+                const bool is_outside = i < 0 || j < 0 || i > 16 || j > 16;
+                EXPECT_EQ(location.kind == Kind::outside, is_outside);
+                EXPECT_EQ(location.kind == Kind::vertex, !is_outside && i % 4 == 0 && j % 4 == 0);
+            }
+        }
+    }
+}
+
+// A point off an edge by the last bit of its coordinate.
+TYPED_TEST(Locate, IsExact) {
+    const auto complex = hexagon<TypeParam>();
+    const auto least = std::numeric_limits<TypeParam>::denorm_min();
+    using P = Point<TypeParam>;
+    const Edge spoke = complex.find_edge(Vertex{0}, Vertex{1});
+    EXPECT_EQ(locate(complex, P(TypeParam(0.5), 0)).edge, spoke);
+    EXPECT_EQ(locate(complex, P(TypeParam(0.5), least)).triangle, Triangle{1});
+    EXPECT_EQ(locate(complex, P(TypeParam(0.5), least)).kind, Kind::triangle);
+    EXPECT_EQ(locate(complex, P(TypeParam(0.5), -least)).triangle, Triangle{6});
+    EXPECT_EQ(locate(complex, P(0, 0)).vertex, Vertex{0});
+    EXPECT_EQ(locate(complex, P(least, 0)).edge, spoke);
+    EXPECT_EQ(locate(complex, P(1, 0)).vertex, Vertex{1});
+    EXPECT_EQ(locate(complex, P(std::nextafter(TypeParam(1), TypeParam(2)), 0)).kind,
+              Kind::outside);
+}
+
+TYPED_TEST(Locate, TakesAnyHint) {
+    auto complex = hexagon<TypeParam>();
+    const Point<TypeParam> p(TypeParam(0.5), TypeParam(0.25));
+    for (const Triangle hint : {Triangle{}, Triangle{0}, Triangle{4}, Triangle{7}, Triangle{99}}) {
+        EXPECT_EQ(locate(complex, p, hint).triangle, Triangle{1});
+    }
+    remove(complex, SimplexSet({}, {}, {Triangle{3}}));
+    EXPECT_EQ(locate(complex, p, Triangle{3}).triangle, Triangle{1});
+}
+
+TYPED_TEST(Locate, FindsNothingInAnEmptyComplex) {
+    Complex<TypeParam> complex;
+    EXPECT_EQ(locate(complex, Point<TypeParam>(0, 0)), Location{});
+    insert_vertex(complex, Point<TypeParam>(0, 0));
+    EXPECT_EQ(locate(complex, Point<TypeParam>(0, 0)), Location{});
+}
+
+TYPED_TEST(Locate, RefusesWhatIsNotFinite) {
+    const auto complex = hexagon<TypeParam>();
+    const auto infinity = std::numeric_limits<TypeParam>::infinity();
+    try {
+        (void)locate(complex, Point<TypeParam>(0, infinity));
+        FAIL() << "nothing was thrown";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.where(), "locate");
+        EXPECT_EQ(error.value(), "(0, inf)");
+    }
+    EXPECT_THROW((void)locate(complex, Point<TypeParam>(infinity - infinity, 0)), InputError);
+}
+
+// A U: the straight way from one arm to the other leaves the domain.
+TEST(Locate, GoesRoundBaysAndHoles) {
+    auto complex = grid<double>(5, 0.1);
+    SimplexSet cut;
+    for (const Triangle t : triangles(complex)) {
+        const std::uint32_t square = (t.id - 1) / 2;
+        const std::uint32_t row = square / 5;
+        const std::uint32_t column = square % 5;
+        if ((column == 2 && row > 0) || (column == 0 && row == 3)) {
+            cut.insert(t);
+        }
+    }
+    remove(complex, cut);
+    std::size_t strays = 0;
+    for (const Triangle hint : triangles(complex)) {
+        for (double y = 0.25; y < 5; y += 0.5) {
+            for (double x = 0.25; x < 5; x += 0.5) {
+                const Point<double> p(x, y);
+                const Location location = locate(complex, p, hint);
+                expect_right(complex, p, location);
+                const WalkEnd end = walk(complex, hint, p, 1000,
+                                         [&](Corner c) { return !is_border(complex.twin(c)); });
+                strays += end.kind == WalkEnd::Kind::stopped && location.kind != Kind::outside;
+            }
+        }
+    }
+    EXPECT_GT(strays, 100U);
+}
+
+// Scrambled by random flips, with holes, free ids and points on a lattice.
+TEST(Locate, AgreesWithAllTrianglesOfMeshesThatAreNotDelaunay) {
+    std::size_t met[4] = {0, 0, 0, 0};
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+        const auto complex = test::random_complex<double>(
+            seed, {.points = 40, .grid = 12, .holes = seed % 2 == 0 ? 0.0 : 0.15, .scramble = 200});
+        test::Random random(seed);
+        for (int i = 0; i < 60; ++i) {
+            const Point<double> p(0.5 * random.below(24), 0.5 * random.below(24));
+            const Triangle hint{random.below(complex.triangle_bound())};
+            const Location location = locate(complex, p, hint);
+            expect_right(complex, p, location);
+            EXPECT_EQ(location, locate(complex, p, hint));
+            ++met[static_cast<std::size_t>(location.kind)];
+        }
+    }
+    for (const std::size_t count : met) {
+        EXPECT_GT(count, 100U);
+    }
+}
+
+// A turbine around a middle triangle fan: seen from the middle, each edge between two blades has
+// the point on the side of the next blade, so that a walk could go round and round.
+TEST(Locate, DoesNotGoInCircles) {
+    for (const double side : {1.0, -1.0}) {
+        constexpr std::uint32_t blades = 7;
+        std::vector<Point<double>> points;
+        std::vector<test::Indices> turbine;
+        for (std::uint32_t i = 0; i < blades; ++i) {
+            const double angle = 2 * 3.14159265358979323846 * i / blades;
+            points.emplace_back(side * std::cos(angle), std::sin(angle));
+            points.emplace_back(side * 4 * std::cos(angle + 0.6), 4 * std::sin(angle + 0.6));
+            const std::uint32_t inner = 2 * i;
+            const std::uint32_t next_inner = 2 * ((i + 1) % blades);
+            turbine.push_back({inner, inner + 1, next_inner + 1});
+            turbine.push_back({inner, next_inner + 1, next_inner});
+            turbine.push_back({2 * blades, inner, next_inner});
+        }
+        points.emplace_back(0, 0);
+        const auto complex = test::build<double>(points, turbine, std::vector<Phase>(21, 0));
+        const Point<double> p(side * 0.02, 0.01);
+        for (const Triangle start : triangles(complex)) {
+            const WalkEnd end =
+                walk(complex, start, p, 100, [&](Corner c) { return !is_border(complex.twin(c)); });
+            EXPECT_EQ(end.kind, WalkEnd::Kind::triangle) << "from triangle " << start.id;
+            EXPECT_EQ(triangle_of(end.corner), 3U);
+        }
+    }
+}
+
+} // namespace
+} // namespace dsc

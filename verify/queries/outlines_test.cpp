@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Interface curves and outlines of phases: on grids whose squares have phases, and on random meshes
+// compared with the phases of every triangle.
+#include "dsc/queries/outlines.h"
+
+#include "support/random_complex.h"
+#include "support/small_meshes.h"
+
+#include "dsc/algebra/algebra.h"
+#include "dsc/algebra/mesh_functions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace dsc {
+namespace {
+
+using Ids = std::vector<std::uint32_t>;
+
+// Rows of squares from top to bottom, in reading order; each digit is a phase.
+Complex<double> squares(const std::vector<std::string_view>& rows) {
+    const auto n = static_cast<std::uint32_t>(rows.size());
+    auto complex = test::grid<double>(n, 0.1);
+    for (const Triangle t : triangles(complex)) {
+        const std::uint32_t square = (t.id - 1) / 2;
+        const char digit = rows[n - 1 - square / n][square % n];
+        complex.set_phase(t, static_cast<Phase>(digit - '0'));
+    }
+    return complex;
+}
+
+Ids ids(const std::vector<Vertex>& vertices) {
+    Ids result;
+    for (const Vertex v : vertices) {
+        result.push_back(v.id);
+    }
+    return result;
+}
+
+// A closed curve, starting at its smallest vertex.
+Ids turned(const std::vector<Vertex>& loop) {
+    Ids result = ids(loop);
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+    return result;
+}
+
+double area(const Complex<double>& complex, const VertexLoop& loop) {
+    const Point<double> origin = complex.position(loop[0]); // some meshes are far out
+    double doubled = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Point<double> a = complex.position(loop[i]) - origin;
+        const Point<double> b = complex.position(loop[(i + 1) % loop.size()]) - origin;
+        doubled += a.x() * b.y() - a.y() * b.x();
+    }
+    return doubled / 2;
+}
+
+// The curve between two phases, which must be the only one.
+InterfaceCurve only(const std::vector<InterfaceCurve>& curves, Phase left, Phase right) {
+    std::vector<InterfaceCurve> found;
+    std::copy_if(curves.begin(), curves.end(), std::back_inserter(found),
+                 [&](const auto& c) { return c.left == left && c.right == right; });
+    EXPECT_EQ(found.size(), 1U) << left << " against " << right;
+    return found.empty() ? InterfaceCurve{} : found.front();
+}
+
+TEST(Outlines, OfADisc) {
+    const auto complex = squares({"000", "010", "000"});
+    const auto curves = interface_curves(complex);
+    ASSERT_EQ(curves.size(), 1U);
+    EXPECT_TRUE(curves[0].is_closed);
+    EXPECT_EQ(curves[0].left, 1U);
+    EXPECT_EQ(curves[0].right, exterior_phase);
+    EXPECT_EQ(turned(curves[0].vertices), (Ids{5, 6, 10, 9}));
+
+    const auto disc = outlines(complex, 1);
+    ASSERT_EQ(disc.size(), 1U);
+    EXPECT_EQ(disc[0], curves[0].vertices);
+    // Around it, the sides of the domain and the disc as a hole, clockwise.
+    const auto around = outlines(complex, 0);
+    ASSERT_EQ(around.size(), 2U);
+    EXPECT_EQ(turned(around[0]), (Ids{0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4}));
+    EXPECT_EQ(turned(around[1]), (Ids{5, 9, 10, 6}));
+    EXPECT_TRUE(outlines(complex, 2).empty());
+    EXPECT_TRUE(outlines(complex, border_phase).empty());
+    EXPECT_EQ(outlines_where(complex, [](Phase) { return true; }).size(), 1U);
+}
+
+TEST(Outlines, OfAnAnnulus) {
+    const auto complex = squares({"00000", "01110", "01010", "01110", "00000"});
+    const auto loops = outlines(complex, 1);
+    ASSERT_EQ(loops.size(), 2U);
+    EXPECT_EQ(turned(loops[0]), (Ids{7, 8, 9, 10, 16, 22, 28, 27, 26, 25, 19, 13}));
+    EXPECT_EQ(turned(loops[1]), (Ids{14, 20, 21, 15}));
+    EXPECT_NEAR(area(complex, loops[0]) + area(complex, loops[1]), phase_area(complex, 1), 1e-14);
+    const auto curves = interface_curves(complex);
+    ASSERT_EQ(curves.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_TRUE(curves[i].is_closed);
+        EXPECT_EQ(curves[i].vertices, loops[i]);
+    }
+}
+
+TEST(Outlines, OfThreePhasesEndAtJunctions) {
+    const auto complex = squares({"0000", "0120", "0120", "0000"});
+    const auto curves = interface_curves(complex);
+    ASSERT_EQ(curves.size(), 3U);
+    const InterfaceCurve between = only(curves, 2, 1);
+    EXPECT_FALSE(between.is_closed);
+    EXPECT_EQ(ids(between.vertices), (Ids{17, 12, 7}));
+    EXPECT_EQ(ids(only(curves, 1, 0).vertices), (Ids{17, 16, 11, 6, 7}));
+    EXPECT_EQ(ids(only(curves, 2, 0).vertices), (Ids{7, 8, 13, 18, 17}));
+    ASSERT_EQ(outlines(complex, 1).size(), 1U);
+    EXPECT_EQ(turned(outlines(complex, 1)[0]), (Ids{6, 7, 12, 17, 16, 11}));
+    // Taken together they have one outline, without the wall between them.
+    const auto both = outlines_where(complex, [](Phase p) { return p != 0; });
+    ASSERT_EQ(both.size(), 1U);
+    EXPECT_EQ(turned(both[0]), (Ids{6, 7, 8, 13, 18, 17, 16, 11}));
+}
+
+TEST(Outlines, OfAPhaseAtTheDomainBoundary) {
+    const auto complex = squares({"000", "000", "110"});
+    const auto curves = interface_curves(complex);
+    ASSERT_EQ(curves.size(), 2U);
+    EXPECT_FALSE(curves[0].is_closed || curves[1].is_closed);
+    EXPECT_EQ(ids(only(curves, 1, border_phase).vertices), (Ids{4, 0, 1, 2}));
+    EXPECT_EQ(ids(only(curves, 1, 0).vertices), (Ids{2, 6, 5, 4}));
+    ASSERT_EQ(outlines(complex, 1).size(), 1U);
+    EXPECT_EQ(turned(outlines(complex, 1)[0]), (Ids{0, 1, 2, 6, 5, 4}));
+}
+
+TEST(Outlines, OfAPhaseThatFillsTheDomain) {
+    const auto curves = interface_curves(squares({"11", "11"}));
+    ASSERT_EQ(curves.size(), 1U);
+    EXPECT_TRUE(curves[0].is_closed);
+    EXPECT_EQ(curves[0].right, border_phase);
+    EXPECT_EQ(turned(curves[0].vertices), (Ids{0, 1, 2, 5, 8, 7, 6, 3}));
+    // The exterior has no interface with the outside, but it has an outline.
+    EXPECT_TRUE(interface_curves(squares({"00", "00"})).empty());
+    EXPECT_EQ(outlines(squares({"00", "00"}), 0).size(), 1U);
+}
+
+TEST(Outlines, TouchAtAPinchedVertex) {
+    const auto complex = squares({"0000", "0010", "0100", "0000"});
+    const auto loops = outlines(complex, 1);
+    ASSERT_EQ(loops.size(), 2U);
+    EXPECT_EQ(turned(loops[0]), (Ids{6, 7, 12, 11}));
+    EXPECT_EQ(turned(loops[1]), (Ids{12, 13, 18, 17}));
+    // Four interface edges meet there: curves end and begin there.
+    const auto curves = interface_curves(complex);
+    ASSERT_EQ(curves.size(), 2U);
+    EXPECT_FALSE(curves[0].is_closed || curves[1].is_closed);
+    EXPECT_EQ(ids(curves[0].vertices), (Ids{12, 11, 6, 7, 12}));
+    EXPECT_EQ(ids(curves[1].vertices), (Ids{12, 13, 18, 17, 12}));
+}
+
+// A hole that touches the outside at vertex 14: one outline, which passes through it twice.
+TEST(Outlines, PassTwiceWhereAHoleTouchesTheOutside) {
+    const auto complex = squares({"00000", "01110", "01010", "00110", "00000"});
+    const auto loops = outlines(complex, 1);
+    ASSERT_EQ(loops.size(), 1U);
+    const Ids loop = ids(loops[0]);
+    EXPECT_EQ(loop.size(), 16U);
+    EXPECT_EQ(std::count(loop.begin(), loop.end(), 14U), 2);
+    EXPECT_NEAR(area(complex, loops[0]), phase_area(complex, 1), 1e-14);
+}
+
+// Vertex 0 is on the domain boundary; a wedge of phase 1 touches it between two of phase 0.
+TEST(Outlines, EndWhereTwoPhasesMeetTheDomainBoundary) {
+    const std::vector<Point<double>> points{{0, 0}, {1, 0}, {1, 1}, {-1, 1}, {-1, 0}};
+    const auto complex = test::build<double>(points, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}, {0, 1, 0});
+    const auto curves = interface_curves(complex);
+    // In the order of the corners of triangle 2.
+    ASSERT_EQ(curves.size(), 3U);
+    EXPECT_EQ(curves[0], (InterfaceCurve{{Vertex{2}, Vertex{3}}, false, 1, border_phase}));
+    EXPECT_EQ(curves[1], (InterfaceCurve{{Vertex{3}, Vertex{0}}, false, 1, 0}));
+    EXPECT_EQ(curves[2], (InterfaceCurve{{Vertex{0}, Vertex{2}}, false, 1, 0}));
+}
+
+// The number of interface edges at a vertex, by its star.
+std::size_t interface_edges_at(const Complex<double>& complex, Vertex v) {
+    const SimplexSet set = star(complex, v);
+    return static_cast<std::size_t>(std::count_if(
+        set.edges().begin(), set.edges().end(), [&](Edge e) { return is_interface(complex, e); }));
+}
+
+// The edges of a polyline, each checked to have the two phases beside it.
+void add_edges(const Complex<double>& complex, const std::vector<Vertex>& line, bool is_closed,
+               std::vector<Edge>& edges) {
+    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < line.size(); ++i) {
+        const Corner c = complex.find_half_edge(line[i], line[(i + 1) % line.size()]);
+        ASSERT_NE(c, no_id);
+        edges.push_back(complex.edge(c));
+    }
+}
+
+TEST(Outlines, HoldEachEdgeOfRandomMeshesOnce) {
+    std::size_t open = 0;
+    std::size_t closed = 0;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        const auto complex = test::random_complex<double>(seed, test::random_options(seed));
+        std::vector<Edge> edges;
+        for (const InterfaceCurve& curve : interface_curves(complex)) {
+            const auto& line = curve.vertices;
+            ++(curve.is_closed ? closed : open);
+            ASSERT_GE(line.size(), curve.is_closed ? 3U : 2U);
+            add_edges(complex, line, curve.is_closed, edges);
+            const bool at_border = curve.right == border_phase;
+            for (std::size_t i = 0; i < line.size(); ++i) {
+                const bool is_end = !curve.is_closed && (i == 0 || i + 1 == line.size());
+                const bool passes = interface_edges_at(complex, line[i]) == 2 &&
+                                    (at_border || !is_boundary(complex, line[i]));
+                // A curve of the domain boundary also ends where one from inside takes over.
+                ASSERT_TRUE(is_end ? !passes || at_border : passes) << "seed " << seed;
+                if (i + 1 < line.size()) {
+                    const Corner c = complex.find_half_edge(line[i], line[i + 1]);
+                    EXPECT_EQ(complex.phase_at(c), curve.left);
+                    EXPECT_EQ(complex.phase_at(complex.twin(c)), curve.right);
+                }
+            }
+        }
+        std::sort(edges.begin(), edges.end());
+        ASSERT_EQ(edges, interface_of(complex).edges()) << "seed " << seed;
+
+        for (const Phase phase : phases(complex)) {
+            double sum = 0;
+            edges.clear();
+            for (const VertexLoop& loop : outlines(complex, phase)) {
+                add_edges(complex, loop, true, edges);
+                sum += area(complex, loop);
+            }
+            EXPECT_NEAR(sum, phase_area(complex, phase), 1e-9 * std::max(1.0, sum));
+            std::sort(edges.begin(), edges.end());
+            std::vector<Edge> expected;
+            for (const Edge e : all_simplices(complex).edges()) {
+                if ((complex.phase_at(e.id) == phase) !=
+                    (complex.phase_at(complex.twin(e.id)) == phase)) {
+                    expected.push_back(e);
+                }
+            }
+            ASSERT_EQ(edges, expected) << "seed " << seed;
+        }
+    }
+    EXPECT_GT(open, 500U);
+    EXPECT_GT(closed, 50U);
+}
+
+} // namespace
+} // namespace dsc

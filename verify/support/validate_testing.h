@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dsc/base/error.h"
+#include "dsc/queries/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace dsc::test {
+
+/// The validator must see a problem, and its words must contain these.
+template <class Real>
+void expect_problem(const Complex<Real>& complex, const std::string& words) {
+    const ValidationReport report = validate(complex);
+    EXPECT_FALSE(report.ok()) << "not seen: " << words;
+    EXPECT_NE(report.problem.find(words), std::string::npos)
+        << "expected: " << words << "\nreported: " << report.problem;
+    EXPECT_THROW(validate_or_throw(complex), InvariantError);
+}
+
+} // namespace dsc::test
