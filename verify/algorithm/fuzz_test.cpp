@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random shapes in random flows, now and then wild ones: whatever is asked, every step ends, and
 // ends with a valid complex. The seeds are fixed; DSC_FUZZ_SEEDS=N runs N scenes of each kind, and
-// DSC_FUZZ_FIRST says where to begin.
+// DSC_FUZZ_FIRST says where to begin. The scene that took the most CPU time is printed at the end.
 #include "support/random_scene.h"
 #include "support/random_submeshes.h"
 
@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ctime>
+#include <iostream>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -195,14 +197,23 @@ class Fuzz : public testing::TestWithParam<Kind> {};
 
 void run_kind(const Kind& kind, std::uint64_t first, std::uint64_t count) {
     std::uint64_t moves = 0;
+    double most = 0;
+    std::string slowest;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        const std::clock_t start = std::clock();
         const Drawn drawn = seed % 4 == 3 ? survive<float>(seed, kind.wild, kind.patches)
                                           : survive<double>(seed, kind.wild, kind.patches);
         moves += drawn.moves;
         if (testing::Test::HasFailure()) {
             FAIL() << "first failing scene: " << drawn.words;
         }
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        if (seconds > most) {
+            most = seconds;
+            slowest = drawn.words;
+        }
     }
+    std::cout << "most CPU time of a scene: " << most << " s, " << slowest << '\n';
     EXPECT_GT(moves, 100 * count) << "hardly anything moved";
 }
 

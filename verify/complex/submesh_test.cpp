@@ -84,10 +84,12 @@ public:
             }
         }
         moved += work.log.counts.moves;
-        put_off += work.put_off_movers.size();
+        const auto movers = static_cast<std::size_t>(std::ranges::count(
+            work.deferred.entries, DeferredKind::mover, &Deferred<double>::kind));
+        put_off += movers;
         // Every vertex is accounted for: arrived, on the way, or put off; only deleted ones are
         // not.
-        EXPECT_LE(work.put_off_movers.size() + work.movers.size(), listed);
+        EXPECT_LE(movers + work.movers.size(), listed);
         for (std::uint32_t v = 0; v < vertices.size(); ++v) {
             const auto& now = complex.vertices[v];
             if ((vertices[v].flags & vertex_dead) == 0 && !owned(v)) {

@@ -137,7 +137,7 @@ TEST(InterfaceFlowParallel, AFlowOfPositionsMovesTheSameBitsEitherWay) {
 
 // For any phases: junctions, holes, the domain boundary.
 TEST(InterfaceFlowParallel, EverySubmeshSeesTheWholeInterface) {
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= test::seeds_or_fewer(6); ++seed) {
         for (const Strategy& strategy : strategies()) {
             for (const auto coarsening : {Coarsening::deviation, Coarsening::area}) {
                 SCOPED_TRACE(strategy.name + ", seed " + std::to_string(seed));

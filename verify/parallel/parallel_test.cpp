@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 namespace dsc {
 namespace {
 
@@ -29,9 +27,7 @@ class EveryDivision : public testing::TestWithParam<Division> {};
 TEST_P(EveryDivision, GivesTheSameBitsForAnyNumberOfThreads) {
     std::size_t several = 0;
     std::uint32_t most_threads = 0;
-    // DSC_PARALLEL_SEEDS: fewer, if each takes long.
-    const char* asked = std::getenv("DSC_PARALLEL_SEEDS");
-    const std::uint64_t seeds = asked != nullptr ? std::strtoull(asked, nullptr, 10) : 9;
+    const std::uint64_t seeds = seeds_or_fewer(9);
     for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
         const Scene scene = scene_of(seed);
         const Outcome one = run_division<double>(scene, GetParam(), 1);
@@ -47,7 +43,7 @@ TEST_P(EveryDivision, GivesTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST_P(EveryDivision, GivesTheSameBitsInFloat) {
-    for (std::uint64_t seed = 21; seed <= 23; ++seed) {
+    for (std::uint64_t seed = 21; seed < 21 + seeds_or_fewer(3); ++seed) {
         const Scene scene = scene_of(seed);
         const Outcome one = run_division<float>(scene, GetParam(), 1);
         expect_same(one, run_division<float>(scene, GetParam(), 4));
@@ -64,7 +60,7 @@ TEST_P(EveryDivision, GivesTheSameBitsWhateverTheInterfaceIsAskedFor) {
             i.turn_degrees = 15;
             i.gap = 1;
         }};
-    for (std::uint64_t seed = 41; seed <= 43; ++seed) {
+    for (std::uint64_t seed = 41; seed < 41 + seeds_or_fewer(3); ++seed) {
         for (const auto& way : ways) {
             Scene scene = scene_of(seed);
             scene.interface = [&](InterfaceThresholds& i) {
@@ -83,7 +79,7 @@ TEST_P(EveryDivision, GivesTheSameBitsWhateverTheInterfaceIsAskedFor) {
 // The memory of an integrator belongs to the vertices, wherever they are.
 TEST_P(EveryDivision, GivesTheSameBitsWithIntegratorsThatRememberAndThatChooseTheStep) {
     for (const Integrator integrator : {Integrator::centred, Integrator::adaptive}) {
-        for (std::uint64_t seed = 51; seed <= 52; ++seed) {
+        for (std::uint64_t seed = 51; seed < 51 + seeds_or_fewer(2); ++seed) {
             Scene scene = scene_of(seed);
             scene.integrator = integrator;
             const Outcome one = run_division<double>(scene, GetParam(), 1);
@@ -95,7 +91,7 @@ TEST_P(EveryDivision, GivesTheSameBitsWithIntegratorsThatRememberAndThatChooseTh
 
 // Only clocks are read, nothing else changes; and repeating a run gives the same result.
 TEST_P(EveryDivision, GivesTheSameBitsWithAnAccountOfTimesAndWhenRunAgain) {
-    for (std::uint64_t seed = 31; seed <= 33; ++seed) {
+    for (std::uint64_t seed = 31; seed < 31 + seeds_or_fewer(3); ++seed) {
         const Scene scene = scene_of(seed);
         const Outcome one = run_division<double>(scene, GetParam(), 3);
         expect_same(one, run_division<double>(scene, GetParam(), 3));
@@ -108,8 +104,6 @@ void expect_near(std::uint64_t value, std::uint64_t expected, double share, cons
                 share * static_cast<double>(expected) + 12)
         << what;
 }
-
-// Random shapes without obstacles.
 
 // Without obstacles all vertices arrive, and about as much is done as sequentially.
 TEST_P(EveryDivision, DoesWhatTheSequentialMethodDoes) {

@@ -81,10 +81,12 @@ TEST(SubmeshExecutor, LeavesNothingUndoneAtTheBoundaries) {
 // A vertex that was put off by one submesh, until another one looks at it.
 class Waiting {
 public:
-    void add(const std::vector<std::uint32_t>& vertices, const Work<double>& by) {
-        for (const std::uint32_t v : vertices) {
-            waiting_[v] = &by;
-            ++added_;
+    void add(DeferredKind kind, const Work<double>& by) {
+        for (const auto& one : by.deferred.entries) {
+            if (one.kind == kind) {
+                waiting_[one.vertex] = &by;
+                ++added_;
+            }
         }
     }
     void look_at(const std::vector<std::uint32_t>& vertices, const Work<double>& by) {
@@ -119,12 +121,12 @@ TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
         first.insert(first.begin(),
                      {"before", [&](Work<double>& work) { upkeep.look_at(work.interface, work); }});
         first.push_back(
-            {"after", [&](Work<double>& work) { upkeep.add(work.put_off_interface, work); }});
+            {"after", [&](Work<double>& work) { upkeep.add(DeferredKind::upkeep, work); }});
         auto& motion = algorithm.motion;
         motion.insert(motion.end() - 1,
                       {"before", [&](Work<double>& work) { stars.look_at(work.active, work); }});
         motion.push_back(
-            {"after", [&](Work<double>& work) { stars.add(work.put_off_active, work); }});
+            {"after", [&](Work<double>& work) { stars.add(DeferredKind::star, work); }});
         Growing disc(way.make(), 1, algorithm); // one thread: they may write to these
         for (int step = 0; step < 12; ++step) {
             const StepReport report = disc.simulation->step(disc.grow, 0, 0.5 * Growing::h);

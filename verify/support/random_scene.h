@@ -10,6 +10,7 @@
 #include "dsc/motion/integrator.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -233,6 +234,14 @@ std::string interface_fault(const Complex<Real>& complex, const std::vector<std:
         }
     }
     return {};
+}
+
+/// How many scenes a test of threads runs: `seeds`, or fewer where each takes long and the
+/// environment says so (DSC_PARALLEL_SEEDS).
+inline std::uint64_t seeds_or_fewer(std::uint64_t seeds) {
+    const char* asked = std::getenv("DSC_PARALLEL_SEEDS");
+    return asked != nullptr ? std::min<std::uint64_t>(seeds, std::strtoull(asked, nullptr, 10))
+                            : seeds;
 }
 
 } // namespace dsc::test

@@ -71,7 +71,7 @@ AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkee
         run_pass(work, pass);
     }
     // Alone on the complex, nothing is postponed.
-    work.put_off_interface.clear();
+    work.deferred.clear();
     if (flow.seeing() != nullptr) {
         sight.look(work);
     }
@@ -163,7 +163,7 @@ MoveReport SequentialExecutor<Real>::move() {
     report.held = collect_movers(work_);
     report.passes = run_motion(work_, algorithm_.motion, epoch_);
     report.unreached = give_up_movers(work_) + report.held;
-    work_.put_off_active.clear();
+    work_.deferred.clear();
     return report;
 }
 

@@ -66,7 +66,7 @@ private:
             // beyond the link cannot be seen, and a gap depends on that.
             if (gap_squared_ > 0 || should_collapse(ring, spokes) ||
                 long_spoke(ring, spokes) != no_id || wants_wall_upkeep(ring)) {
-                work_.put_off_interface.push_back(v);
+                work_.deferred.upkeep(v);
             }
             work_.interface_next.push_back(v);
             return;
@@ -100,7 +100,7 @@ private:
         }
         const SplitResult result = split_wall(work_, ring);
         if (is_put_off(result.verdict)) {
-            work_.put_off_interface.push_back(v);
+            work_.deferred.upkeep(v);
         }
         if (result.verdict != Verdict::legal) {
             return false;
@@ -208,7 +208,7 @@ private:
         Ring<Real>& beyond = work_.other_ring;
         const bool gathered = gather(complex_, work_.submesh.region, ring.link[survivor], beyond);
         if (!beyond.owned) {
-            work_.put_off_interface.push_back(ring.vertex);
+            work_.deferred.upkeep(ring.vertex);
             return false;
         }
         if (!gathered || !beyond.closed || is_corner(beyond.vertex) ||
@@ -293,7 +293,7 @@ private:
         newest_ = no_id;
         if (const std::uint32_t i = long_spoke(ring, spokes);
             i != no_id && !split(v, ring, spokes, i)) {
-            work_.put_off_interface.push_back(v);
+            work_.deferred.upkeep(v);
         }
         work_.interface_next.push_back(v);
         if (newest_ != no_id) {

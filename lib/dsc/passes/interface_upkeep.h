@@ -9,8 +9,8 @@ namespace dsc {
 
 /// Splits interface edges that are too long, with the interpolator of the options; collapses
 /// interface vertices at short edges if the curve stays in place. Rewrites `work.interface`; if a
-/// submesh may not do what is needed, the vertex stays in the list and is added to
-/// `put_off_interface` as well. O(interface vertices of the submesh).
+/// submesh may not do what is needed, the vertex stays in the list and is deferred as well.
+/// O(interface vertices of the submesh).
 template <class Real>
 void upkeep_interface(Work<Real>& work);
 

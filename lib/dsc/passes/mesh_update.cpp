@@ -60,7 +60,7 @@ private:
     bool gather_star(std::uint32_t v) {
         const bool gathered = gather(complex_, work_.submesh.region, v, ring_);
         if (!ring_.owned) {
-            work_.put_off_active.push_back(v);
+            work_.deferred.star(v);
         }
         return gathered && ring_.owned;
     }
@@ -172,7 +172,7 @@ private:
                 continue;
             }
             if (!owns(complex_, region, complex_.vertex(o))) {
-                work_.put_off_active.push_back(complex_.vertex(next(c)));
+                work_.deferred.star(complex_.vertex(next(c)));
                 continue;
             }
             // All four vertices are owned: the region need not be consulted.
@@ -244,7 +244,7 @@ private:
         }
         const SplitResult result = split_wall(work_, ring_);
         if (is_put_off(result.verdict)) {
-            work_.put_off_active.push_back(v);
+            work_.deferred.star(v);
         }
         return result.verdict == Verdict::legal ? WallUpkeep::split : WallUpkeep::none;
     }
@@ -278,7 +278,7 @@ private:
             return false;
         }
         if (!owns_place<Real>(work_.submesh.region, {best_x, best_y})) {
-            work_.put_off_active.push_back(v);
+            work_.deferred.star(v);
             return false;
         }
         rewire::move(complex_, work_.log, v, best_x, best_y, MoveReason::smoothing);
@@ -343,7 +343,7 @@ private:
         // colour, and made again.
         if (!work_.submesh.region.is_whole() &&
             (is_waiting(ring_.vertex) || is_waiting(ring_.link[base]))) {
-            work_.put_off_active.push_back(ring_.vertex);
+            work_.deferred.star(ring_.vertex);
             return false;
         }
         // A thin film consists of needles from sheet to sheet: a vertex inside would have no room,
@@ -363,13 +363,13 @@ private:
         const Point<Real> middle =
             midpoint<Real>({ring_.x0, ring_.y0}, {ring_.x[spoke], ring_.y[spoke]});
         if (!owns_place(work_.submesh.region, middle)) {
-            work_.put_off_active.push_back(ring_.vertex);
+            work_.deferred.star(ring_.vertex);
             return false;
         }
         const SplitResult result =
             dsc::split(work_, prev(ring_.corner[spoke]), middle, Wake::far_end);
         if (result.verdict == Verdict::out_of_ids) {
-            work_.put_off_active.push_back(ring_.vertex);
+            work_.deferred.star(ring_.vertex);
         }
         return result.verdict == Verdict::legal;
     }

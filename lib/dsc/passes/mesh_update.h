@@ -8,8 +8,8 @@
 
 namespace dsc {
 
-/// Works through `work.active` and empties it; vertices that a submesh may not touch are added to
-/// `put_off_active`. O(active).
+/// Works through `work.active` and empties it; stars that a submesh may not touch are deferred.
+/// O(active).
 template <class Real>
 void update_mesh(Work<Real>& work);
 

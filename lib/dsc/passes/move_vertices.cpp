@@ -44,7 +44,7 @@ void move_vertices(Work<Real>& work) {
             if (gathered) { // else the vertex belongs to another submesh
                 flags |= vertex_on_way;
             }
-            work.put_off_movers.push_back(mover);
+            work.deferred.mover(mover);
             continue;
         }
         if (!gathered) {
@@ -59,7 +59,7 @@ void move_vertices(Work<Real>& work) {
         if (!owns_place<Real>(work.submesh.region, {x, y})) {
             // It would leave the submesh, where the next colour looks for what was postponed.
             flags |= vertex_on_way;
-            work.put_off_movers.push_back(mover);
+            work.deferred.mover(mover);
             continue;
         }
         const MoveOutcome outcome = move_vertex(work.complex, work.submesh, ring, x, y);

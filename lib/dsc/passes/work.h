@@ -5,19 +5,12 @@
 #pragma once
 
 #include "dsc/complex/ring.h"
+#include "dsc/passes/deferred.h"
 #include "dsc/passes/options.h"
 
 #include <vector>
 
 namespace dsc {
-
-/// A vertex that is moving to its target.
-template <class Real>
-struct Mover {
-    std::uint32_t vertex;
-    Real x; ///< target
-    Real y;
-};
 
 /// Where the vertices of `Work::interface` are, and where they should move; one entry for each.
 template <class Real>
@@ -59,11 +52,9 @@ struct Work {
     std::vector<std::uint32_t> active;    ///< vertices whose star must be looked at; no duplicates
     std::uint32_t epoch = 0;              ///< a vertex with this stamp is in `active` already
 
-    // What the submesh boundary kept this submesh from doing: left to another colour (the
-    // submeshes that run at another time).
-    std::vector<Mover<Real>> put_off_movers;
-    std::vector<std::uint32_t> put_off_active;
-    std::vector<std::uint32_t> put_off_interface;
+    /// What the submesh boundary kept this submesh from doing: left to another colour (the
+    /// submeshes that run at another time).
+    DeferredQueue<Real> deferred;
 
     /// Changes of the interface by passes of an application: see `run_pass`.
     std::vector<std::uint32_t> changed_interface;

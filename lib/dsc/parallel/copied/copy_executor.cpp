@@ -22,9 +22,7 @@ void forget(Work<Real>& work) {
     work.interface.clear();
     work.movers.clear();
     work.active.clear();
-    work.put_off_movers.clear();
-    work.put_off_active.clear();
-    work.put_off_interface.clear();
+    work.deferred.clear();
 }
 
 } // namespace
@@ -92,7 +90,7 @@ MoveReport CopyExecutor<Real>::move() {
         report.passes += run_motion(whole_, algorithm_.motion, epoch_);
     }
     report.unreached = give_up_movers(whole_) + report.held;
-    whole_.put_off_active.clear();
+    whole_.deferred.clear();
     costs_.whole_s += timer.lap();
     under_way_ = false;
     return report;
@@ -213,19 +211,25 @@ bool CopyExecutor<Real>::take_back() {
         const Work<Real>& work = tasks_[i]->work;
         const auto& merged = submeshes_.list[i]->merged;
         // A vertex that is blocked here may find room once others have moved.
-        for (const auto* list : {&work.movers, &work.put_off_movers}) {
-            for (const Mover<Real>& mover : *list) {
-                whole_.movers.push_back({merged[mover.vertex], mover.x, mover.y});
+        const auto take_mover = [&](const Mover<Real>& mover) {
+            whole_.movers.push_back({merged[mover.vertex], mover.x, mover.y});
+        };
+        const auto take_star = [&](std::uint32_t v) {
+            if (merged[v] != no_id) {
+                whole_.activate(merged[v]);
+            }
+        };
+        std::ranges::for_each(work.movers, take_mover);
+        std::ranges::for_each(work.active, take_star);
+        for (const Deferred<Real>& one : work.deferred.entries) {
+            if (one.kind == DeferredKind::mover) {
+                take_mover(one.mover());
+                is_put_off = true;
+            } else if (one.kind == DeferredKind::star) {
+                take_star(one.vertex);
+                is_put_off = true;
             }
         }
-        for (const auto* list : {&work.active, &work.put_off_active}) {
-            for (const std::uint32_t v : *list) {
-                if (merged[v] != no_id) {
-                    whole_.activate(merged[v]);
-                }
-            }
-        }
-        is_put_off = is_put_off || !work.put_off_movers.empty() || !work.put_off_active.empty();
         is_as_given = is_as_given && work.interface == tasks_[i]->given;
     }
     take_interface_back(is_as_given);

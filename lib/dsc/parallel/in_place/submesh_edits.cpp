@@ -92,7 +92,7 @@ void SubmeshExecutor<Real>::forget_ids() {
     for (const auto& part : parts_) {
         part->pool.vertices.clear();
         part->pool.triangles.clear();
-        part->forget_put_off();
+        part->work.deferred.clear();
         part->work.active.clear();
         part->work.interface.clear();
     }

@@ -302,9 +302,8 @@ typename SubmeshExecutor<Real>::Part& SubmeshExecutor<Real>::owner_of(std::uint3
 template <class Real>
 void SubmeshExecutor<Real>::recover() {
     for (auto& part : parts_) {
-        part->forget_put_off();
-        part->immigrants.clear();
-        part->newcomers.clear();
+        part->work.deferred.clear();
+        part->arrivals.clear();
         part->work.movers.clear();
         part->work.active.clear();
         part->work.interface.clear();
@@ -313,8 +312,7 @@ void SubmeshExecutor<Real>::recover() {
     whole_.changed_interface.clear();
     whole_.movers.clear();
     whole_.active.clear();
-    whole_.put_off_active.clear();
-    whole_.put_off_interface.clear();
+    whole_.deferred.clear();
     hand_out(collect_interface(complex_, options_.shuffle_seed));
     under_way_ = false;
 }

@@ -82,6 +82,7 @@ private:
     void aim_part(Part& part, std::size_t pass, const Flow<Real>& flow, Real time, Real dt);
     void move_part(std::size_t task);
     void take_from_predecessors(Part& part, std::size_t task);
+    void take(Work<Real>& work, const Deferred<Real>& one);
     void route(Part& part);
     // Between and after them.
     AimReport<Real> hand_over(const Flow<Real>& flow, Real time, Real dt);

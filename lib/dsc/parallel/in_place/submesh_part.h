@@ -22,13 +22,10 @@ struct SubmeshExecutor<Real>::Part {
     const Colour* next = nullptr; // the next colour; null if there is none
     std::size_t next_first = 0;   // number of its first part
 
-    std::vector<std::uint32_t> emigrants; // interface vertices that have left the region
-    std::vector<std::uint32_t> newcomers; // that entered it: listed when the sub-step is over
-    std::vector<Mover<Real>> immigrants;  // those that entered, on their way
-    std::uint64_t examined = 0;           // stars, since the last division
-    // By entry of the lists of what was put off: the part of the next colour, or nowhere.
-    std::vector<std::uint32_t> mover_routes;
-    std::vector<std::uint32_t> active_routes;
+    // Interface vertices that have entered the region: on their way, and to be listed when the
+    // sub-step is over.
+    DeferredQueue<Real> arrivals;
+    std::uint64_t examined = 0; // stars, since the last division
     AimReport<Real> aimed;
     MoveReport moved;
 
@@ -46,11 +43,11 @@ struct SubmeshExecutor<Real>::Part {
         constexpr std::size_t entries = 512;
         const auto reserve = [](auto&... lists) { (lists.reserve(entries), ...); };
         reserve(work.interface, work.interface_next, work.movers, work.active, work.suspects,
-                work.put_off_movers, work.put_off_active, work.put_off_interface);
+                work.deferred.entries);
         reserve(work.aim.positions, work.aim.targets, work.aim.held, work.aim.scratch.first,
                 work.aim.scratch.stage, work.aim.scratch.slope, work.aim.scratch.sum);
         reserve(pool.vertices, pool.triangles);
-        reserve(emigrants, newcomers, immigrants, mover_routes, active_routes);
+        reserve(arrivals.entries);
     }
 
     void forget_aims() {
@@ -58,15 +55,6 @@ struct SubmeshExecutor<Real>::Part {
         work.aim.targets.clear();
         work.aim.held.clear();
         work.aim.scratch.first.clear();
-    }
-
-    void forget_put_off() {
-        work.put_off_movers.clear();
-        work.put_off_active.clear();
-        work.put_off_interface.clear();
-        mover_routes.clear();
-        active_routes.clear();
-        emigrants.clear();
     }
 };
 

@@ -7,13 +7,6 @@
 
 namespace dsc {
 
-namespace {
-
-/// No submesh: left to the serial clean-up.
-constexpr std::uint32_t nowhere = 0xffffffffU;
-
-} // namespace
-
 // --- tasks -------------------------------------------------------------------------------------
 
 // Decides where the work goes that was put off since the last call.
@@ -21,28 +14,25 @@ template <class Real>
 void SubmeshExecutor<Real>::route(Part& part) {
     Work<Real>& work = part.work;
     std::size_t hint = 0;
-    const auto destination = [&](std::uint32_t vertex) {
-        const Point<double> place = place_of(vertex);
+    auto& [entries, routed] = work.deferred;
+    for (; routed < entries.size(); ++routed) {
+        Deferred<Real>& one = entries[routed];
+        const Point<double> place = place_of(one.vertex);
         // The submeshes that wait for this one do not know what has left it.
-        if (part.next == nullptr || !work.submesh.region.owns(vertex, place.x(), place.y())) {
-            return nowhere;
+        if (part.next == nullptr || !work.submesh.region.owns(one.vertex, place.x(), place.y())) {
+            continue;
         }
-        hint = part.next->locate(vertex, place.x(), place.y(), hint);
-        return hint < part.next->regions.size() ? static_cast<std::uint32_t>(part.next_first + hint)
-                                                : nowhere;
-    };
-    for (std::size_t i = part.mover_routes.size(); i < work.put_off_movers.size(); ++i) {
-        part.mover_routes.push_back(destination(work.put_off_movers[i].vertex));
-    }
-    for (std::size_t i = part.active_routes.size(); i < work.put_off_active.size(); ++i) {
-        part.active_routes.push_back(destination(work.put_off_active[i]));
+        hint = part.next->locate(one.vertex, place.x(), place.y(), hint);
+        if (hint < part.next->regions.size()) {
+            one.route = static_cast<std::uint32_t>(part.next_first + hint);
+        }
     }
 }
 
 // Interface vertices that are no longer in the region belong to other submeshes.
 template <class Real>
 void SubmeshExecutor<Real>::begin_part(Part& part) {
-    part.forget_put_off();
+    part.work.deferred.clear();
     part.aim_s = 0;
     part.upkeep_s = 0;
     const Region& region = part.work.submesh.region;
@@ -54,7 +44,7 @@ void SubmeshExecutor<Real>::begin_part(Part& part) {
         if (region.owns(v, place.x(), place.y())) {
             return false;
         }
-        part.emigrants.push_back(v);
+        part.work.deferred.listing(v);
         return true;
     });
 }
@@ -85,6 +75,16 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Re
     }
 }
 
+// A star, or a vertex on its way; upkeep and lists have been seen to between the two sections.
+template <class Real>
+void SubmeshExecutor<Real>::take(Work<Real>& work, const Deferred<Real>& one) {
+    if (one.kind == DeferredKind::mover) {
+        work.movers.push_back(one.mover());
+    } else if (one.kind == DeferredKind::star && complex_.is_alive(Vertex{one.vertex})) {
+        work.activate(one.vertex);
+    }
+}
+
 // What was put off by the submeshes that this one waited for, as far as it lies in this one.
 template <class Real>
 void SubmeshExecutor<Real>::take_from_predecessors(Part& part, std::size_t task) {
@@ -92,15 +92,9 @@ void SubmeshExecutor<Real>::take_from_predecessors(Part& part, std::size_t task)
     const auto number = static_cast<std::uint32_t>(task);
     for (const std::uint32_t earlier : moving_.tasks.predecessors(task)) {
         const Part& from = *parts_[earlier];
-        for (std::size_t i = 0; i < from.mover_routes.size(); ++i) {
-            if (from.mover_routes[i] == number) {
-                work.movers.push_back(from.work.put_off_movers[i]);
-            }
-        }
-        for (std::size_t i = 0; i < from.active_routes.size(); ++i) {
-            const std::uint32_t v = from.work.put_off_active[i];
-            if (from.active_routes[i] == number && complex_.is_alive(Vertex{v})) {
-                work.activate(v);
+        for (const Deferred<Real>& one : from.work.deferred.entries) {
+            if (one.route == number) {
+                take(work, one);
             }
         }
     }
@@ -117,10 +111,11 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     if (is_first) {
         work.movers.clear();
         part.moved.held = collect_movers(work);
-        work.movers.insert(work.movers.end(), part.immigrants.begin(), part.immigrants.end());
-        part.immigrants.clear();
+        for (const Deferred<Real>& one : part.arrivals.entries) {
+            take(work, one);
+        }
     } else {
-        part.forget_put_off();
+        work.deferred.clear();
         take_from_predecessors(part, task);
     }
     std::uint32_t epoch = work.epoch;
@@ -133,7 +128,7 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
         std::erase_if(work.movers, [&](const auto& mover) {
             const bool may_find_room = !is_in_contact(complex_.vertices[mover.vertex]);
             if (may_find_room) {
-                work.put_off_movers.push_back(mover);
+                work.deferred.mover(mover);
             }
             return may_find_room;
         });
@@ -199,10 +194,13 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     whole_.interface.clear();
     listed_.clear();
     for (std::size_t i = 0; i < first_colour_; ++i) {
-        const auto& put_off = parts_[i]->work.put_off_interface;
-        listed_.insert(listed_.end(), put_off.begin(), put_off.end());
-        const auto& emigrants = parts_[i]->emigrants;
-        whole_.interface.insert(whole_.interface.end(), emigrants.begin(), emigrants.end());
+        for (const Deferred<Real>& one : parts_[i]->work.deferred.entries) {
+            if (one.kind == DeferredKind::upkeep) {
+                listed_.push_back(one.vertex);
+            } else if (one.kind == DeferredKind::listing) {
+                whole_.interface.push_back(one.vertex);
+            }
+        }
     }
     if (listed_.empty() && whole_.interface.empty()) {
         return {};
@@ -218,7 +216,7 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     for (const auto& pass : algorithm_.upkeep) {
         run_pass(whole_, pass);
     }
-    whole_.put_off_interface.clear();
+    whole_.deferred.clear();
     // Listed vertices that are still there stay listed; the others are new in some submesh. A
     // vertex that is elsewhere under the same id is a new one, which got the id of a deleted one.
     std::size_t kept = 0;
@@ -311,11 +309,11 @@ MoveReport SubmeshExecutor<Real>::move() {
         whole_.movers.clear();
         report.held += collect_movers(whole_);
         for (const auto& mover : whole_.movers) {
-            owner_of(mover.vertex).immigrants.push_back(mover);
+            owner_of(mover.vertex).arrivals.mover(mover);
         }
         whole_.movers.clear();
         for (const std::uint32_t v : whole_.interface) {
-            owner_of(v).newcomers.push_back(v);
+            owner_of(v).arrivals.listing(v);
         }
         whole_.interface.clear();
     }
@@ -355,15 +353,9 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const Part& part = *parts_[i];
         const bool is_last = i >= last_colour;
-        for (std::size_t k = 0; k < part.mover_routes.size(); ++k) {
-            if (is_last || part.mover_routes[k] == nowhere) {
-                whole_.movers.push_back(part.work.put_off_movers[k]);
-            }
-        }
-        for (std::size_t k = 0; k < part.active_routes.size(); ++k) {
-            const std::uint32_t v = part.work.put_off_active[k];
-            if ((is_last || part.active_routes[k] == nowhere) && complex_.is_alive(Vertex{v})) {
-                whole_.activate(v);
+        for (const Deferred<Real>& one : part.work.deferred.entries) {
+            if (is_last || one.route == Deferred<Real>::nowhere) {
+                take(whole_, one);
             }
         }
     }
@@ -372,12 +364,14 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
         report.passes = std::max(report.passes, run_motion(whole_, algorithm_.motion, epoch));
     }
     report.unreached += give_up_movers(whole_);
-    whole_.put_off_active.clear();
+    whole_.deferred.clear();
     for (std::size_t i = 0; i < first_colour_; ++i) {
-        auto& newcomers = parts_[i]->newcomers;
-        auto& list = parts_[i]->work.interface;
-        list.insert(list.end(), newcomers.begin(), newcomers.end());
-        newcomers.clear();
+        for (const Deferred<Real>& one : parts_[i]->arrivals.entries) {
+            if (one.kind == DeferredKind::listing) {
+                parts_[i]->work.interface.push_back(one.vertex);
+            }
+        }
+        parts_[i]->arrivals.clear();
     }
 }
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What a submesh leaves to another one, because the boundary between them is in the way. There is
+// one queue of it: a submesh fills its own as it works, each entry is given a route by the place
+// where it lies, and whoever comes next takes the entries that are routed to it. Entries stay in
+// the order in which they were put off, so that the result does not depend on the threads.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <vector>
+
+namespace dsc {
+
+/// A vertex that is moving to its target.
+template <class Real>
+struct Mover {
+    std::uint32_t vertex;
+    Real x; ///< target
+    Real y;
+};
+
+enum class DeferredKind : std::uint8_t {
+    star,    ///< a star that must be looked at
+    mover,   ///< a vertex that has yet to reach its target
+    upkeep,  ///< an interface vertex at which the interface may have to be split or collapsed
+    listing, ///< an interface vertex that lies in another submesh now, whose list it belongs to
+};
+
+template <class Real>
+struct Deferred {
+    /// The route of an entry that no submesh takes: it is left to what runs after all of them.
+    static constexpr std::uint32_t nowhere = 0xffffffffU;
+
+    std::uint32_t vertex;
+    std::uint32_t route = nowhere; ///< number of the submesh that takes it
+    Real x = 0;                    ///< target of a mover
+    Real y = 0;
+    DeferredKind kind;
+
+    [[nodiscard]] Mover<Real> mover() const { return {vertex, x, y}; }
+};
+
+/// Not safe for several threads: each submesh has one of its own, and others read it when the
+/// submesh has ended.
+template <class Real>
+struct DeferredQueue {
+    std::vector<Deferred<Real>> entries;
+    std::size_t routed = 0; ///< entries before this one have their route
+
+    void star(std::uint32_t v) { put(v, DeferredKind::star); }
+    void upkeep(std::uint32_t v) { put(v, DeferredKind::upkeep); }
+    void listing(std::uint32_t v) { put(v, DeferredKind::listing); }
+    void mover(const Mover<Real>& m) {
+        entries.push_back({.vertex = m.vertex, .x = m.x, .y = m.y, .kind = DeferredKind::mover});
+    }
+    void clear() {
+        entries.clear();
+        routed = 0;
+    }
+
+private:
+    void put(std::uint32_t v, DeferredKind kind) { entries.push_back({.vertex = v, .kind = kind}); }
+};
+
+} // namespace dsc
