@@ -43,6 +43,10 @@
 #include "dsc/motion/interpolation.h"
 #include "dsc/motion/unit_velocity.h"
 
+#include "dsc/topology/change.h"
+#include "dsc/topology/events.h"
+#include "dsc/topology/options.h"
+
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/options.h"
 #include "dsc/passes/thesis_algorithm.h"

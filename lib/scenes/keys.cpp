@@ -111,6 +111,11 @@ std::vector<Key> make_keys() {
             "finest", 1e-3, 1.0, "0.001 to 1, in edge lengths",
             [](auto& p) -> auto& { return p.interface.finest; }),
         choice(
+            "topology", topology_names, [](auto& p) -> auto& { return p.topology; }),
+        number(
+            "contact", 0.0, 1.0, "0 (0.4 edge lengths), or a length up to 0.75 edge lengths",
+            [](auto& p) -> auto& { return p.contact; }),
+        choice(
             "real", real_type_names, [](auto& p) -> auto& { return p.real; }),
         number(
             "seed", std::uint64_t{0}, UINT64_MAX, "a whole number from 0 to 2^64 - 1",

@@ -28,6 +28,8 @@ struct Parameters {
     double tolerance = Options<double>{}.tolerance; ///< of `adaptive`, in edge lengths
     Insertion insertion = Insertion::cubic;
     InterfaceThresholds interface {};
+    Topology topology = Topology::keep; ///< of all pairs of phases
+    double contact = 0; ///< thickness at which a film opens, a length; 0: the library's default
     RealType real = RealType::double_precision;
     std::uint64_t seed = 0; ///< shuffles the order in which the interface is worked through; 0: not
 };

@@ -110,6 +110,29 @@ Options<Real> draw_options(Dice& dice, double h, std::ostream& words) {
     return options;
 }
 
+// In half of the scenes the topology changes; from dice of its own, so that the rest of a scene is
+// what it was before topologies could change.
+template <class Real>
+void draw_topology(std::uint64_t seed, double h, TopologyOptions<Real>& topology,
+                   std::ostream& words) {
+    Dice dice(seed + 0x70b0UL);
+    if (!dice.chance(0.5)) {
+        return;
+    }
+    topology.rule = dice.one_of(topology_names);
+    topology.opening = dice.one_of(opening_names);
+    topology.contact = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.05, 0.75) * h);
+    topology.least_area = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.1, 4.0) * h * h);
+    if (dice.chance(0.5)) {
+        topology.pairs.push_back({.one = 1,
+                                  .other = dice.chance(0.5) ? exterior_phase : 2U,
+                                  .rule = Topology::change,
+                                  .contact = static_cast<Real>(dice.in(0.05, 0.75) * h)});
+    }
+    words << ", topology " << to_string(topology.rule) << " contact " << topology.contact
+          << " least area " << topology.least_area << " pairs " << topology.pairs.size();
+}
+
 // The log replayed gives the same mesh; of a mesh that has become invalid, the edits that it takes
 // to get there are kept in a file. What create and merge did is in no log.
 template <class Real>
@@ -139,7 +162,8 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
     const double h = dice.in(0.03, 0.07);
     auto complex = patches ? test::random_patches<Real>(dice, h, dice.in(2, 400))
                            : test::random_shapes<Real>(dice, h);
-    const auto options = draw_options<Real>(dice, h, words);
+    auto options = draw_options<Real>(dice, h, words);
+    draw_topology(seed, h, options.topology, words);
     const auto wildness = wild ? dice.one_of(test::wildness_names) : Wildness::none;
     const RandomFlow flow(dice, 1, wildness);
     const Velocity<Real> velocity = flow.velocity<Real>();

@@ -41,6 +41,10 @@ public:
     /// The records since the last call, in an order in which they can be replayed.
     [[nodiscard]] virtual std::vector<Edit> take_edits() = 0;
 
+    /// Appends the vertices at which upkeep saw that the topology may have to change, and forgets
+    /// them.
+    virtual void take_suspects(std::vector<Suspect<Real>>& list) { (void)list; }
+
     virtual void begin_step() {}
     /// Interface upkeep; then velocities at `time` and targets at time + dt. `dt` is the step that
     /// the driver expects; it may change it once the velocities are known.
@@ -93,6 +97,13 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
 template <class Real>
 void absorb_edits(Work<Real>& work, std::span<const Edit> edits);
 
+/// Appends the topology's suspects of a work to `list`, and empties them.
+template <class Real>
+void append_suspects(Work<Real>& work, std::vector<Suspect<Real>>& list) {
+    list.insert(list.end(), work.topology_suspects.begin(), work.topology_suspects.end());
+    work.topology_suspects.clear();
+}
+
 /// Appends the records of a log to `edits`, and empties it.
 void append_edits(EditLog& log, std::vector<Edit>& edits);
 
@@ -107,6 +118,7 @@ public:
     void absorb(std::span<const Edit> edits) override { absorb_edits(work_, edits); }
     void keep_edits(bool keep) override { work_.log.readers = keep ? 1 : 0; }
     [[nodiscard]] std::vector<Edit> take_edits() override;
+    void take_suspects(std::vector<Suspect<Real>>& list) override { append_suspects(work_, list); }
     void begin_step() override;
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;

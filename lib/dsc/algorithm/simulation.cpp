@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/passes/interface_list.h"
 #include "dsc/passes/readers.h"
+#include "dsc/topology/change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,9 +73,10 @@ void Simulation<Real>::tell_what_was_done() {
     }
 }
 
-// What the application did since the last step. O(its edits).
+// What the application did since the last step, or what a change of topology did just now. O(their
+// edits).
 template <class Real>
-void Simulation<Real>::absorb() {
+void Simulation<Real>::absorb(By by) {
     EditLog& journal = complex_.journal;
     if (absorbed_ == journal.records.size()) {
         return;
@@ -83,9 +85,12 @@ void Simulation<Real>::absorb() {
     tell(edits);
     executor_->absorb(edits);
     const auto after = edits_after_renumbering(edits);
-    // A new interface edge may make a sharp turn: that is a corner from now on.
-    mark_corners(complex_, on_interface(complex_, interface_changes(complex_, after)),
-                 options_.interface.corner_degrees);
+    // A new interface edge of the application may make a sharp turn: that is a corner from now on.
+    // The end of a seam is none.
+    if (by == By::application) {
+        mark_corners(complex_, on_interface(complex_, interface_changes(complex_, after)),
+                     options_.interface.corner_degrees);
+    }
     for (const Edit& edit : after) {
         if (edit.kind == EditKind::move && complex_.is_alive(edit.vertex)) {
             forget_vertex(edit.vertex);
@@ -95,6 +100,27 @@ void Simulation<Real>::absorb() {
     if (journal.readers == 1) {
         journal.records.clear();
         absorbed_ = 0;
+    }
+}
+
+// After each sub-step, serially, at the places that the upkeep of the sub-step has noted.
+template <class Real>
+void Simulation<Real>::change_topology(Real time, StepReport& report) {
+    suspects_.clear();
+    executor_->take_suspects(suspects_);
+    if (suspects_.empty()) {
+        return;
+    }
+    const std::size_t before = report.events.size();
+    dsc::change_topology<Real>(complex_, options_.topology, options_.edge_length, suspects_,
+                               static_cast<double>(time), report.events);
+    if (report.events.size() == before) {
+        return;
+    }
+    tell_what_was_done(); // what the sub-step did comes first
+    absorb(By::topology);
+    for (const EventListener& listener : event_listeners_) {
+        listener(std::span<const Event>(report.events).subspan(before));
     }
 }
 
@@ -124,7 +150,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
                           .allowed = "a finite time and a step of 0 or more"});
     }
     StepReport report;
-    absorb();
+    absorb(By::application);
     executor_->begin_step();
     Real remaining = dt;
     try {
@@ -199,6 +225,9 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
     ++report.sub_steps;
     time += dt;
     remaining = dt < remaining ? remaining - dt : Real(0);
+    if (options_.topology.changes()) {
+        change_topology(time, report);
+    }
     return true;
 }
 

@@ -6,6 +6,7 @@
 
 #include "dsc/algorithm/executor.h"
 #include "dsc/motion/integrator.h"
+#include "dsc/topology/events.h"
 
 #include <atomic>
 #include <limits>
@@ -34,7 +35,8 @@ struct StepReport {
     Vertex where;                         ///< when the step gave up: the fastest vertex...
     double speed = 0;                     ///< ...and its speed
     std::uint32_t interface_vertices = 0; ///< at the end of the step
-    double reached = 0; ///< the time at the end: earlier than asked for if it gave up
+    double reached = 0;        ///< the time at the end: earlier than asked for if it gave up
+    std::vector<Event> events; ///< changes of topology, in the order in which they happened
 };
 
 /// The number of threads, and how the mesh is divided among them; see parallel/parallel.h.
@@ -72,6 +74,12 @@ public:
     /// their order are the same for any number of threads. Without a listener there is no cost.
     void add_listener(EditListener listener);
 
+    /// Reports changes of topology to the listener from now on, after the sub-step in which they
+    /// happen. They are in the report of the step as well.
+    void add_event_listener(EventListener listener) {
+        event_listeners_.push_back(std::move(listener));
+    }
+
     /// A step gives up after the sub-step in which the flag is set. Null: steps are not
     /// interrupted.
     void interrupt_by(const std::atomic<bool>* flag) { interrupted_ = flag; }
@@ -102,7 +110,9 @@ private:
     Real shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach);
     void find_fastest(const Flow<Real>& flow, Real time, StepReport& report) const;
 
-    void absorb();
+    enum class By : std::uint8_t { application, topology };
+    void absorb(By by);
+    void change_topology(Real time, StepReport& report);
     void forget_vertex(Vertex v);
     void tell(std::span<const Edit> edits);
     void tell_what_was_done();
@@ -112,7 +122,9 @@ private:
     std::unique_ptr<Executor<Real>> executor_;
     Real fastest_ = 0; ///< speed of the last sub-step: the estimate for the next one
     std::vector<EditListener> listeners_;
-    std::size_t absorbed_ = 0; ///< records of the journal that have been read
+    std::vector<EventListener> event_listeners_;
+    std::vector<Suspect<Real>> suspects_; ///< scratch of change_topology
+    std::size_t absorbed_ = 0;            ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;
     Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
 };

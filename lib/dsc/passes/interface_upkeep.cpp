@@ -8,6 +8,7 @@
 #include "dsc/passes/interface_curve.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
+#include "dsc/topology/suspicion.h"
 
 #include <cmath>
 #include <numbers>
@@ -29,6 +30,7 @@ public:
           turn_squared_(
               static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
+          contact_(largest_contact(work.options.topology, work.options.edge_length)),
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
           // A wall edge ahead that is shorter than a sub-step blocks the motion. A poor triangle
           // for a while is better than one that cannot move.
@@ -60,6 +62,9 @@ private:
             return;
         }
         const Spokes spokes = interface_spokes(ring);
+        if (contact_ > 0) {
+            suspect(ring, spokes);
+        }
         if (!ring.owned) {
             // The triangles of this star straddle two submeshes, so nobody rewrites them or moves
             // their vertices: whether there is anything to do can be seen from here. What lies
@@ -81,6 +86,20 @@ private:
             return;
         }
         refine(v, ring, spokes);
+    }
+
+    // A film, or the end of a seam; or a small piece, whose outline turns sharply or ends soon.
+    void suspect(const Ring<Real>& ring, const Spokes& spokes) {
+        constexpr Real sharp = Real(0.7);
+        const bool is_thin = has_thin_triangle(ring, contact_ * contact_);
+        const bool is_sharp =
+            spokes.count > 2 ||
+            (spokes.count == 2 && !turns_less<Real>(link_point(ring, spokes.first),
+                                                    {ring.x0, ring.y0},
+                                                    link_point(ring, spokes.second), sharp));
+        if (is_thin || is_sharp) {
+            work_.topology_suspects.push_back({ring.vertex, ring.x0, ring.y0, is_thin, is_sharp});
+        }
     }
 
     // --- the interface along the domain boundary ----------------------------------------------
@@ -355,6 +374,7 @@ private:
     Real finest_squared_;
     Real turn_squared_;
     Real gap_squared_;
+    Real contact_; // where the topology may change; 0: nowhere
     bool follows_shape_;
     WallLimits<Real> wall_;
     std::uint32_t newest_ = no_id;

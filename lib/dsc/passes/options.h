@@ -7,6 +7,7 @@
 #include "dsc/base/enum_table.h"
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interpolation.h"
+#include "dsc/topology/options.h"
 
 #include <vector>
 
@@ -77,6 +78,8 @@ struct Options {
     PhaseThresholds phases = {};                 ///< of every phase without thresholds of its own
     std::vector<PhaseThresholds> per_phase = {}; ///< by phase number; may be shorter
     InterfaceThresholds interface = {};
+
+    TopologyOptions<Real> topology = {}; ///< kept, unless asked for
 
     Integrator integrator = Integrator::rk4;
     double tolerance = 1e-4; ///< of `adaptive`: error of a sub-step, in edge lengths

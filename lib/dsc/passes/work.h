@@ -7,6 +7,7 @@
 #include "dsc/complex/ring.h"
 #include "dsc/passes/deferred.h"
 #include "dsc/passes/options.h"
+#include "dsc/topology/suspicion.h"
 
 #include <vector>
 
@@ -58,6 +59,9 @@ struct Work {
 
     /// Changes of the interface by passes of an application: see `run_pass`.
     std::vector<std::uint32_t> changed_interface;
+
+    /// Interface vertices where the topology may have to change. Empty if it is kept.
+    std::vector<Suspect<Real>> topology_suspects;
 
     std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
 

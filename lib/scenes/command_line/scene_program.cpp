@@ -33,6 +33,7 @@ struct Arguments {
     std::string strategy = "sequential";
     std::string angle = "0";
     RunOptions run;
+    std::optional<std::string> events;
     std::optional<std::string> json;
 };
 
@@ -120,6 +121,9 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     if (arguments.json) {
         check_writable(*arguments.json, "--json");
     }
+    if (arguments.events) {
+        check_writable(*arguments.events, "--events");
+    }
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
 
@@ -127,6 +131,9 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     print_summary(result);
     if (arguments.json) {
         write_file(*arguments.json, to_json(result));
+    }
+    if (arguments.events) {
+        write_file(*arguments.events, events_to_json_lines(result.events));
     }
     if (!result.gave_up.empty()) {
         std::cerr << program << ": gave up: " << result.gave_up << '\n';
@@ -168,6 +175,8 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         ->check(CLI::Range(1, 1024));
     run_command->add_option("--frames", arguments.run.frames, "folder for .vtu and .pvd files");
     run_command->add_option("--json", arguments.json, "file for the result");
+    run_command->add_option("--events", arguments.events,
+                            "file for the changes of topology, one JSON object a line");
     return list_or_run(
         app, program, argc, argv, [&] { list_scenes(scenes); },
         [&] { return run(program, scenes, arguments); });

@@ -78,6 +78,7 @@ public:
         }
         vertex_steps_ += report.interface_vertices;
         add_operations(result, report.operations);
+        result.events.insert(result.events.end(), report.events.begin(), report.events.end());
     }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }

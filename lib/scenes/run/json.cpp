@@ -61,7 +61,41 @@ Json parameters_json(const Parameters& parameters) {
     return json;
 }
 
+// Count and area of each kind that happened.
+Json events_json(const std::vector<Event>& events) {
+    Json json = Json::object();
+    for (const auto& [kind, name] : event_names) {
+        std::uint64_t count = 0;
+        double area = 0;
+        for (const Event& event : events) {
+            if (event.kind == kind) {
+                ++count;
+                area += event.area;
+            }
+        }
+        if (count > 0) {
+            json[std::string(name)] = {{"count", count}, {"area", area}};
+        }
+    }
+    return json;
+}
+
 } // namespace
+
+std::string events_to_json_lines(std::span<const Event> events) {
+    std::string lines;
+    for (const Event& event : events) {
+        const Json json{{"kind", to_string(event.kind)},
+                        {"time", event.time},
+                        {"x", event.x},
+                        {"y", event.y},
+                        {"lost", event.lost},
+                        {"taken", event.taken},
+                        {"area", event.area}};
+        lines += json.dump() + "\n";
+    }
+    return lines;
+}
 
 std::string to_json(const RunResult& r) {
     char hash[17];
@@ -89,6 +123,7 @@ std::string to_json(const RunResult& r) {
         {"held", r.held},
         {"sub_steps", r.sub_steps},
         {"operations", r.operations},
+        {"events", events_json(r.events)},
         {"cpu_s", r.cpu_s},
         {"wall_s", r.wall_s},
         {"step_us_median", r.step_us_median},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/quality/histogram.h"
+#include "dsc/topology/events.h"
 #include "measures/measures.h"
 #include "scenes/run/strategy.h"
 #include "scenes/scene.h"
@@ -57,7 +58,8 @@ struct RunResult {
     std::uint64_t held = 0; ///< of these, because of a velocity that was not finite
     std::uint64_t sub_steps = 0;
     std::map<std::string, std::uint64_t> operations;
-    double cpu_s = 0; ///< of all steps, without measuring
+    std::vector<Event> events; ///< changes of topology
+    double cpu_s = 0;          ///< of all steps, without measuring
     double wall_s = 0;
     double step_us_median = 0;     ///< wall time
     double us_per_vertex_step = 0; ///< CPU time over interface vertices, summed over steps

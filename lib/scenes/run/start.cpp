@@ -24,6 +24,8 @@ Options<Real> scene_options(const Parameters& parameters) {
     options.tolerance = parameters.tolerance;
     options.insertion = parameters.insertion;
     options.interface = parameters.interface;
+    options.topology.rule = parameters.topology;
+    options.topology.contact = static_cast<Real>(parameters.contact);
     options.shuffle_seed = parameters.seed;
     return options;
 }

@@ -233,6 +233,11 @@ bool CopyExecutor<Real>::take_back() {
         is_as_given = is_as_given && work.interface == tasks_[i]->given;
     }
     take_interface_back(is_as_given);
+    for (Suspect<Real>& suspect : whole_.topology_suspects) {
+        suspect.vertex = submeshes_.merged_vertex(suspect.vertex);
+    }
+    std::erase_if(whole_.topology_suspects,
+                  [](const auto& suspect) { return suspect.vertex == no_id; });
     std::erase_if(whole_.movers, [](const auto& mover) { return mover.vertex == no_id; });
     return is_put_off;
 }
@@ -257,6 +262,7 @@ template <class Real>
 void CopyExecutor<Real>::recover() {
     const std::vector<std::uint32_t> active = std::move(whole_.active);
     forget(whole_);
+    whole_.topology_suspects.clear();
     whole_.epoch = ++epoch_;
     for (const std::uint32_t v : active) {
         if (complex_.is_alive(Vertex{v})) {

@@ -53,6 +53,7 @@ public:
     /// Edits within submeshes name the ids of copies and are not reported: each merge is one
     /// `rebuild`.
     [[nodiscard]] std::vector<Edit> take_edits() override;
+    void take_suspects(std::vector<Suspect<Real>>& list) override { append_suspects(whole_, list); }
     void begin_step() override { ++costs_.steps; }
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;

@@ -51,6 +51,14 @@ std::vector<Edit> SubmeshExecutor<Real>::take_edits() {
     return std::exchange(edits_, {});
 }
 
+template <class Real>
+void SubmeshExecutor<Real>::take_suspects(std::vector<Suspect<Real>>& list) {
+    for (const auto& part : parts_) {
+        append_suspects(part->work, list);
+    }
+    append_suspects(whole_, list);
+}
+
 // Passes of an application may have changed the interface in a part listed by another submesh.
 template <class Real>
 void SubmeshExecutor<Real>::collect_changes() {
@@ -126,6 +134,7 @@ void SubmeshExecutor<Real>::absorb(std::span<const Edit> edits) {
     template void SubmeshExecutor<Real>::collect_edits();                                          \
     template void SubmeshExecutor<Real>::collect_changes();                                        \
     template std::vector<Edit> SubmeshExecutor<Real>::take_edits();                                \
+    template void SubmeshExecutor<Real>::take_suspects(std::vector<Suspect<Real>>&);               \
     template void SubmeshExecutor<Real>::absorb(std::span<const Edit>);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

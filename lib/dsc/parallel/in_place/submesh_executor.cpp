@@ -308,7 +308,9 @@ void SubmeshExecutor<Real>::recover() {
         part->work.active.clear();
         part->work.interface.clear();
         part->work.changed_interface.clear();
+        part->work.topology_suspects.clear();
     }
+    whole_.topology_suspects.clear();
     whole_.changed_interface.clear();
     whole_.movers.clear();
     whole_.active.clear();

@@ -42,6 +42,7 @@ public:
     void absorb(std::span<const Edit> edits) override;
     void keep_edits(bool keep) override;
     [[nodiscard]] std::vector<Edit> take_edits() override;
+    void take_suspects(std::vector<Suspect<Real>>& list) override;
     void begin_step() override;
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;

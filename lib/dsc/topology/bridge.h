@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Where a film may open: two triangles side by side, one at each of its sheets.
+#pragma once
+
+#include "dsc/topology/region.h"
+#include "dsc/topology/suspicion.h"
+
+#include <span>
+
+namespace dsc {
+
+/// Two triangles that bridge a film.
+template <class Real>
+struct Bridge {
+    std::array<Corner, 2> sheets; ///< the half-edges on the interface, with the film on their left
+    Real thickness;
+};
+
+/// The contact distance at a half-edge on the interface; 0 if it has to stay.
+template <class Real>
+[[nodiscard]] Real contact_at(const TopologyWork<Real>& work, Corner sheet);
+
+/// Thin enough for one of the phases across its edges, and not at the domain boundary.
+template <class Real>
+[[nodiscard]] bool is_thin(const TopologyWork<Real>& work, Triangle t);
+
+/// The half-edges of a triangle that lie on the interface; returns their number.
+template <class Real>
+int sheets_of(const Complex<Real>& complex, Triangle t, std::array<Corner, 3>& sheets);
+
+/// The thinner of the bridges of a thin triangle, if the film is to open there. `suspects`: where
+/// vertices were before the sub-step; `VertexRecord::slot` of each is its index there. O(degrees).
+template <class Real>
+[[nodiscard]] bool find_bridge(const TopologyWork<Real>& work,
+                               std::span<const Suspect<Real>> suspects, Triangle t,
+                               Bridge<Real>& best);
+
+} // namespace dsc

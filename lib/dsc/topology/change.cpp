@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/topology/change.h"
+
+#include "dsc/topology/films.h"
+#include "dsc/topology/remnants.h"
+
+namespace dsc {
+
+template <class Real>
+void change_topology(Complex<Real>& complex, const TopologyOptions<Real>& options, Real edge_length,
+                     std::span<const Suspect<Real>> suspects, double time,
+                     std::vector<Event>& events) {
+    TopologyWork<Real> work{complex, options, edge_length, time, events};
+    open_films(work, suspects);
+    remove_remnants(work, suspects);
+}
+
+template void change_topology(Complex<double>&, const TopologyOptions<double>&, double,
+                              std::span<const Suspect<double>>, double, std::vector<Event>&);
+template void change_topology(Complex<float>&, const TopologyOptions<float>&, float,
+                              std::span<const Suspect<float>>, double, std::vector<Event>&);
+
+} // namespace dsc

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What happened to the topology of the phases: each event is told, with the area that changed
+// hands, so that none of it vanishes unreported.
+#pragma once
+
+#include "dsc/base/enum_table.h"
+#include "dsc/base/types.h"
+
+#include <functional>
+#include <span>
+
+namespace dsc {
+
+enum class EventKind : std::uint8_t {
+    merge,  ///< a film opened: two pieces of the phase beyond it became one
+    split,  ///< a neck closed: the phase fell into two pieces there
+    meet,   ///< a film opened between two different phases, which border on each other now
+    widen,  ///< the seam of an earlier event went on to where the film is as thick as `contact`
+    fill,   ///< a small piece of the exterior vanished
+    remove, ///< a small piece of another phase vanished
+};
+
+inline constexpr std::array event_names{
+    Named{EventKind::merge, "merge"}, Named{EventKind::split, "split"},
+    Named{EventKind::meet, "meet"},   Named{EventKind::widen, "widen"},
+    Named{EventKind::fill, "fill"},   Named{EventKind::remove, "remove"},
+};
+
+[[nodiscard]] constexpr std::string_view to_string(EventKind kind) {
+    return name_in(event_names, kind);
+}
+
+struct Event {
+    EventKind kind = EventKind::merge;
+    double time = 0; ///< at the end of the sub-step
+    double x = 0;    ///< where, in units of the domain
+    double y = 0;
+    Phase lost = exterior_phase; ///< the phase whose area it was
+    /// The phases that took the area; the same twice unless different ones took it.
+    std::array<Phase, 2> taken = {};
+    double area = 0; ///< that changed hands
+};
+
+/// Receives events in the order in which they happened, which does not depend on threads. Called by
+/// the thread that calls `Simulation::step`, between sub-steps.
+using EventListener = std::function<void(std::span<const Event> events)>;
+
+} // namespace dsc

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Whether the topology of the phases may change, and where (thesis, section 13: merging of phases).
+#pragma once
+
+#include "dsc/base/enum_table.h"
+#include "dsc/base/types.h"
+
+#include <functional>
+#include <vector>
+
+namespace dsc {
+
+/// When a film that is thin enough opens.
+enum class Opening : std::uint8_t {
+    squeezed, ///< while the flow takes area from it: its sheets approach each other
+    thin,     ///< in any case: filaments that are drawn out break as well
+};
+
+inline constexpr std::array opening_names{
+    Named{Opening::squeezed, "squeezed"},
+    Named{Opening::thin, "thin"},
+};
+
+/// What happens where a phase becomes thin.
+enum class Topology : std::uint8_t {
+    keep,   ///< two sheets of the interface that meet hold each other up
+    change, ///< a sheet of the phase opens and a neck closes; what is left of it vanishes
+};
+
+inline constexpr std::array topology_names{
+    Named{Topology::keep, "keep"},
+    Named{Topology::change, "change"},
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Topology topology) {
+    return name_in(topology_names, topology);
+}
+
+/// A rule of its own for one pair of phases; the order of the two does not matter. A film of phase
+/// `one` between two pieces of phase `other`, and the reverse, follow this rule.
+template <class Real>
+struct PairTopology {
+    Phase one = exterior_phase;
+    Phase other = exterior_phase;
+    Topology rule = Topology::keep;
+    Real contact = 0; ///< as in `TopologyOptions`
+};
+
+/// Two sheets of the interface that have come close, with a film of one phase between them.
+struct Contact {
+    Phase film = exterior_phase;     ///< the phase that is thin here
+    std::array<Phase, 2> sides = {}; ///< the phases beyond its two sheets
+    double x = 0;                    ///< where, in units of the domain
+    double y = 0;
+    double thickness = 0; ///< of the film, a length
+};
+
+template <class Real>
+struct TopologyOptions {
+    Topology rule = Topology::keep; ///< of all pairs without a rule of their own
+    /// The thickness, a length, at which a film opens or a neck closes. 0: 0.4 edge lengths. Films
+    /// are seen where single triangles span them, so that more than 0.75 edge lengths is refused.
+    Real contact = 0;
+    Opening opening = Opening::squeezed;
+    /// Pieces of a phase that are smaller than this area vanish. 0: one edge length squared.
+    Real least_area = 0;
+    std::vector<PairTopology<Real>> pairs = {};
+    /// Asked before a film opens: false keeps it. Called by the thread that calls
+    /// `Simulation::step`, between sub-steps; what it throws comes out of there, and the complex is
+    /// valid then.
+    std::function<bool(const Contact& contact)> may_change = {};
+
+    /// Whether anything may change at all.
+    [[nodiscard]] bool changes() const {
+        for (const auto& pair : pairs) {
+            if (pair.rule == Topology::change) {
+                return true;
+            }
+        }
+        return rule == Topology::change;
+    }
+};
+
+/// The default of `TopologyOptions::contact`, in edge lengths: below 0.15 a seam leaves holes; at
+/// 0.4 it leaves none, and the error of a union is of second order.
+inline constexpr double default_contact = 0.4;
+/// The farthest that `contact` may be, in edge lengths: the height of a triangle.
+inline constexpr double most_contact = 0.75;
+
+/// The rule of a pair, and its contact distance.
+template <class Real>
+struct TopologyRule {
+    Topology rule;
+    Real contact; ///< a length
+};
+template <class Real>
+[[nodiscard]] TopologyRule<Real> rule_of(const TopologyOptions<Real>& options, Real edge_length,
+                                         Phase one, Phase other);
+/// The largest contact distance of any pair that may change; 0 if none may.
+template <class Real>
+[[nodiscard]] Real largest_contact(const TopologyOptions<Real>& options, Real edge_length);
+
+/// Throws InputError if a distance or an area is negative or not finite, a distance too large, or a
+/// pair is named twice or has twice the same phase.
+template <class Real>
+void check_topology(const TopologyOptions<Real>& options, Real edge_length);
+
+} // namespace dsc

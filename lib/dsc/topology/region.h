@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// The region of one phase as it is seen from its edges, for changes of the topology. All of this
+// is serial and rare: it runs between two sub-steps, on a few triangles, in the whole complex.
+#pragma once
+
+#include "dsc/complex/circulate.h"
+#include "dsc/complex/interface_pair.h"
+#include "dsc/complex/rewire.h"
+#include "dsc/topology/events.h"
+#include "dsc/topology/options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dsc {
+
+/// What a change of topology works on.
+template <class Real>
+struct TopologyWork {
+    Complex<Real>& complex;
+    const TopologyOptions<Real>& options;
+    Real edge_length;
+    double time; ///< of the events
+    std::vector<Event>& events;
+};
+
+/// The half-edge has another phase, or the outside of the domain, on its right. O(1).
+template <class Real>
+[[nodiscard]] bool is_outline(const Complex<Real>& complex, Corner c) {
+    return complex.phase_at(complex.twin(c)) != complex.phase_at(c);
+}
+
+/// The half-edge has another phase on its right.
+template <class Real>
+[[nodiscard]] bool is_sheet(const Complex<Real>& complex, Corner c) {
+    return is_interface_pair(complex.phase_at(c), complex.phase_at(complex.twin(c)));
+}
+
+/// The next half-edge along the outline of the phase on the left.
+template <class Real>
+[[nodiscard]] Corner along_outline(const Complex<Real>& complex, Corner c) {
+    const Phase phase = complex.phase_at(c);
+    return next_along(complex, c, [&](Corner other) {
+        return complex.phase_at(other) == phase && is_outline(complex, other);
+    });
+}
+
+/// From the start of the half-edge to its end.
+template <class Real>
+[[nodiscard]] Point<Real> direction(const Complex<Real>& complex, Corner c) {
+    return complex.position(Vertex{complex.vertex(prev(c))}) -
+           complex.position(Vertex{complex.vertex(next(c))});
+}
+
+/// Twice the area.
+template <class Real>
+[[nodiscard]] Real doubled_area(const Complex<Real>& complex, Triangle t) {
+    const Corner c = corner_of(t.id, 0);
+    const Point<Real> a = direction(complex, c);
+    const Point<Real> b = direction(complex, next(c));
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// The smallest height.
+template <class Real>
+[[nodiscard]] Real thickness(const Complex<Real>& complex, Triangle t) {
+    Real longest = 0;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        longest = std::max(longest, direction(complex, corner_of(t.id, i)).squaredNorm());
+    }
+    return doubled_area(complex, t) / std::sqrt(longest);
+}
+
+template <class Real>
+[[nodiscard]] Point<Real> centroid(const Complex<Real>& complex, Triangle t) {
+    const auto v = complex.vertices_of(t);
+    return (complex.position(v[0]) + complex.position(v[1]) + complex.position(v[2])) / Real(3);
+}
+
+/// Below this area a piece of a phase vanishes.
+template <class Real>
+[[nodiscard]] Real least_area(const TopologyWork<Real>& work) {
+    return work.options.least_area > 0 ? work.options.least_area
+                                       : work.edge_length * work.edge_length;
+}
+
+/// Small pieces have no more triangles than this, unless their edges are very short.
+inline constexpr std::size_t most_of_piece = 96;
+
+/// All triangles of the piece of a phase that holds `start`, into `piece`, and the number of edges
+/// of its outlines. Stops at `most_of_piece` and one more. O(their number squared).
+template <class Real>
+std::size_t gather_piece(const Complex<Real>& complex, Triangle start,
+                         std::vector<Triangle>& piece) {
+    const Phase phase = complex.phase(start);
+    piece.assign(1, start);
+    std::size_t edges = 0;
+    for (std::size_t i = 0; i < piece.size() && piece.size() <= most_of_piece; ++i) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const Corner across = complex.twin(corner_of(piece[i].id, k));
+            const Triangle t{triangle_of(across)};
+            if (complex.phase_at(across) != phase) {
+                ++edges;
+            } else if (std::ranges::find(piece, t) == piece.end()) {
+                piece.push_back(t);
+            }
+        }
+    }
+    return edges;
+}
+
+/// Gives the triangle to another phase. Its vertices may move again, and are marked: they lie on a
+/// seam, which goes on from there.
+template <class Real>
+void give(TopologyWork<Real>& work, Triangle t, Phase phase) {
+    Complex<Real>& complex = work.complex;
+    rewire::relabel(complex, complex.journal, t, phase);
+    for (const Vertex v : complex.vertices_of(t)) {
+        auto& flags = complex.vertices[v.id].flags;
+        flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_corner);
+        flags |= vertex_seam;
+    }
+}
+
+} // namespace dsc
