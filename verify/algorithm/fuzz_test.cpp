@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
@@ -180,17 +181,21 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
     const Complex<Real> first = complex;
     std::vector<Edit> edits;
     Simulation<Real> simulation(complex, options, std::move(executor));
-    simulation.add_listener([&edits](std::span<const Edit> some) {
+    // Torn flows make interfaces of any length, fine sizes meshes of any size: then it is enough,
+    // also in the middle of a step.
+    constexpr std::size_t enough = 300'000;
+    std::atomic<bool> has_enough = false;
+    simulation.interrupt_by(&has_enough);
+    simulation.add_listener([&](std::span<const Edit> some) {
         edits.insert(edits.end(), some.begin(), some.end());
+        has_enough = edits.size() > enough;
     });
     Drawn drawn;
     drawn.words = words.str();
     std::string problem = validate(complex).problem;
     EXPECT_EQ(problem, "") << drawn.words << ", before the first step";
-    // Torn flows make interfaces of any length, fine sizes meshes of any size: then it is enough.
-    constexpr std::uint64_t enough = 300'000;
     std::uint64_t examined = 0;
-    for (int step = 0; step < 12 && problem.empty() && examined < enough; ++step) {
+    for (int step = 0; step < 12 && problem.empty() && examined < enough && !has_enough; ++step) {
         const StepReport report =
             simulation.step(velocity, static_cast<Real>(step * dt), static_cast<Real>(dt));
         problem = validate(complex).problem;
