@@ -98,7 +98,7 @@ void absorb_edits(Work<Real>& work, std::span<const Edit> edits) {
         work.active.clear();
         work.interface = collect_interface(complex, work.options.shuffle_seed);
     }
-    const std::vector<std::uint32_t> changed = interface_changes(complex, after);
+    const std::vector<std::uint32_t> changed = interface_changes(after);
     take_off(work.interface, changed);
     const std::vector<std::uint32_t> on = on_interface(complex, changed);
     work.interface.insert(work.interface.end(), on.begin(), on.end());

@@ -88,7 +88,7 @@ void Simulation<Real>::absorb(By by) {
     // A new interface edge of the application may make a sharp turn: that is a corner from now on.
     // The end of a seam is none.
     if (by == By::application) {
-        mark_corners(complex_, on_interface(complex_, interface_changes(complex_, after)),
+        mark_corners(complex_, on_interface(complex_, interface_changes(after)),
                      options_.interface.corner_degrees);
     }
     for (const Edit& edit : after) {

@@ -73,10 +73,12 @@ struct Edit {
     /// the vertex concerned.
     Vertex vertex = {};
     /// flip: the ends of the edge before; split: the parents; collapse: the one that vanished, and
-    /// the one that it was merged into. insert_triangle, remove_triangle: its first two vertices.
+    /// the one that it was merged into. relabel, insert_triangle, remove_triangle: the first two
+    /// vertices of the triangle.
     std::array<Vertex, 2> ends = {};
     /// flip: the ends of the edge after; split, collapse: the vertices opposite to the edge, the
-    /// second invalid on the domain boundary. insert_triangle, remove_triangle: the third vertex.
+    /// second invalid on the domain boundary. relabel, insert_triangle, remove_triangle: the third
+    /// vertex.
     std::array<Vertex, 2> apexes = {};
     /// split: the new triangles, the second invalid on the domain boundary. relabel: the phases
     /// before and after. insert_triangle: its phase.

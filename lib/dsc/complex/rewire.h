@@ -273,8 +273,11 @@ void relabel(Complex<Real>& complex, EditLog& log, Triangle t, Phase phase) {
     record.phase = phase;
     ++log.counts.relabelled;
     note(log, [&] {
-        return Edit{
-            .kind = EditKind::relabel, .corner = corner_of(t.id, 0), .made = {before, phase}};
+        return Edit{.kind = EditKind::relabel,
+                    .corner = corner_of(t.id, 0),
+                    .ends = {Vertex{record.v[0]}, Vertex{record.v[1]}},
+                    .apexes = {Vertex{record.v[2]}, Vertex{}},
+                    .made = {before, phase}};
     });
 }
 

@@ -51,7 +51,7 @@ bool links_meet_elsewhere(const Complex<Real>& complex, std::uint32_t v, std::ui
 
 template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
-                            rewire::Vanishing end) {
+                            rewire::Vanishing end, JunctionRule junctions) {
     const bool ccw = end == rewire::Vanishing::next;
     const Corner other = complex.twin(corner);
     const std::uint32_t v = complex.vertex(ccw ? next(corner) : prev(corner));
@@ -74,7 +74,7 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
         return Verdict::on_submesh_boundary;
     }
     if (fan.interface_edges > 0 &&
-        (fan.interface_edges != 2 ||
+        ((fan.interface_edges != 2 && junctions == JunctionRule::kept) ||
          !is_interface_pair(complex.phase_at(corner), complex.phase_at(other)))) {
         return Verdict::on_interface;
     }
@@ -151,9 +151,9 @@ Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring
 template Verdict star_collapse_guard(const Complex<double>&, const Ring<double>&, std::uint32_t);
 template Verdict star_collapse_guard(const Complex<float>&, const Ring<float>&, std::uint32_t);
 template Verdict edge_collapse_guard(const Complex<double>&, const Region&, Corner,
-                                     rewire::Vanishing);
+                                     rewire::Vanishing, JunctionRule);
 template Verdict edge_collapse_guard(const Complex<float>&, const Region&, Corner,
-                                     rewire::Vanishing);
+                                     rewire::Vanishing, JunctionRule);
 template Verdict edge_collapse(Complex<double>&, const Submesh&, Corner, rewire::Vanishing);
 template Verdict edge_collapse(Complex<float>&, const Submesh&, Corner, rewire::Vanishing);
 template Verdict edge_collapse(Complex<double>&, const Submesh&, Edge);

@@ -9,12 +9,15 @@
 
 namespace dsc {
 
+/// Whether a junction may be merged into another one along the interface edge between them.
+enum class JunctionRule : std::uint8_t { kept, may_merge };
+
 /// Whether the vanishing end v of the edge opposite to `corner` may be merged into the other end.
 /// An interface vertex may be merged along its interface, a boundary vertex along a straight
 /// boundary (thesis, section 6.5). O(degree). Exact.
 template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
-                            rewire::Vanishing end);
+                            rewire::Vanishing end, JunctionRule junctions = JunctionRule::kept);
 
 /// Collapses in that direction if it is legal. Thread-safe for disjoint submeshes.
 template <class Real>

@@ -78,9 +78,7 @@ void wake(Work<Real>& work, std::span<const Edit> edits) {
     }
 }
 
-template <class Real>
-std::vector<std::uint32_t> interface_changes(const Complex<Real>& complex,
-                                             std::span<const Edit> edits) {
+std::vector<std::uint32_t> interface_changes(std::span<const Edit> edits) {
     std::vector<std::uint32_t> changed;
     const auto add = [&](std::initializer_list<Vertex> vertices) {
         for (const Vertex v : vertices) {
@@ -96,16 +94,10 @@ std::vector<std::uint32_t> interface_changes(const Complex<Real>& complex,
             add({edit.vertex});
             break;
         case EditKind::collapse: add({edit.ends[0], edit.ends[1]}); break;
-        case EditKind::relabel: {
-            const Triangle t{triangle_of(edit.corner)};
-            if (complex.is_alive(t)) {
-                const auto v = complex.vertices_of(t);
-                add({v[0], v[1], v[2]});
-            }
-            break;
-        }
         case EditKind::insert_vertex:
         case EditKind::remove_vertex: add({edit.vertex}); break;
+        // The triangle may have other vertices by now: these are those of the moment.
+        case EditKind::relabel:
         case EditKind::insert_triangle:
         case EditKind::remove_triangle: add({edit.ends[0], edit.ends[1], edit.apexes[0]}); break;
         case EditKind::flip:
@@ -177,7 +169,7 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
         return;
     }
     wake(work, reading.edits());
-    const std::vector<std::uint32_t> changed = interface_changes(work.complex, reading.edits());
+    const std::vector<std::uint32_t> changed = interface_changes(reading.edits());
     if (changed.empty()) {
         return;
     }
@@ -189,8 +181,6 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void wake(Work<Real>&, std::span<const Edit>);                                        \
-    template std::vector<std::uint32_t> interface_changes(const Complex<Real>&,                    \
-                                                          std::span<const Edit>);                  \
     template std::vector<std::uint32_t> on_interface(const Complex<Real>&,                         \
                                                      std::span<const std::uint32_t>);              \
     template void run_pass(Work<Real>&, const Pass<Real>&);

@@ -22,9 +22,7 @@ void wake(Work<Real>& work, std::span<const Edit> edits);
 
 /// The vertices that the edits may have put on the interface, or taken off it; ascending, once
 /// each. Empty for most edits, which are inside a phase. O(edits log edits).
-template <class Real>
-[[nodiscard]] std::vector<std::uint32_t> interface_changes(const Complex<Real>& complex,
-                                                           std::span<const Edit> edits);
+[[nodiscard]] std::vector<std::uint32_t> interface_changes(std::span<const Edit> edits);
 
 /// Removes the vertices in `changed` (ascending) from the list. O(list log changed).
 void take_off(std::vector<std::uint32_t>& list, std::span<const std::uint32_t> changed);

@@ -2,6 +2,7 @@
 #include "dsc/topology/change.h"
 
 #include "dsc/topology/films.h"
+#include "dsc/topology/junctions.h"
 #include "dsc/topology/remnants.h"
 
 namespace dsc {
@@ -12,6 +13,7 @@ void change_topology(Complex<Real>& complex, const TopologyOptions<Real>& option
                      std::vector<Event>& events) {
     TopologyWork<Real> work{complex, options, edge_length, time, events};
     open_films(work, suspects);
+    change_junctions(work, suspects);
     remove_remnants(work, suspects);
 }
 

@@ -12,18 +12,20 @@
 namespace dsc {
 
 enum class EventKind : std::uint8_t {
-    merge,  ///< a film opened: two pieces of the phase beyond it became one
-    split,  ///< a neck closed: the phase fell into two pieces there
-    meet,   ///< a film opened between two different phases, which border on each other now
-    widen,  ///< the seam of an earlier event went on to where the film is as thick as `contact`
-    fill,   ///< a small piece of the exterior vanished
-    remove, ///< a small piece of another phase vanished
+    merge,    ///< a film opened: two pieces of the phase beyond it became one
+    split,    ///< a neck closed: the phase fell into two pieces there
+    meet,     ///< a film opened between two different phases, which border on each other now
+    widen,    ///< the seam of an earlier event went on to where the film is as thick as `contact`
+    exchange, ///< a vertex of four or more sectors came apart: some phases met, others parted
+    fill,     ///< a small piece of the exterior vanished
+    remove,   ///< a small piece of another phase vanished
 };
 
 inline constexpr std::array event_names{
-    Named{EventKind::merge, "merge"}, Named{EventKind::split, "split"},
-    Named{EventKind::meet, "meet"},   Named{EventKind::widen, "widen"},
-    Named{EventKind::fill, "fill"},   Named{EventKind::remove, "remove"},
+    Named{EventKind::merge, "merge"},       Named{EventKind::split, "split"},
+    Named{EventKind::meet, "meet"},         Named{EventKind::widen, "widen"},
+    Named{EventKind::exchange, "exchange"}, Named{EventKind::fill, "fill"},
+    Named{EventKind::remove, "remove"},
 };
 
 [[nodiscard]] constexpr std::string_view to_string(EventKind kind) {

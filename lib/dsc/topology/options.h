@@ -70,6 +70,10 @@ struct TopologyOptions {
     /// valid then.
     std::function<bool(const Contact& contact)> may_change = {};
 
+    /// The energy of an interface between two phases, per length: 0 or more. It decides how
+    /// vertices with four and more sectors come apart. Empty: the same for all pairs.
+    std::function<double(Phase one, Phase other)> energy = {};
+
     /// Whether anything may change at all.
     [[nodiscard]] bool changes() const {
         for (const auto& pair : pairs) {

@@ -120,7 +120,7 @@ void SubmeshExecutor<Real>::absorb(std::span<const Edit> edits) {
     if (after.size() != edits.size()) {
         forget_ids();
     }
-    if (const auto changed = interface_changes(complex_, after); !changed.empty()) {
+    if (const auto changed = interface_changes(after); !changed.empty()) {
         change_interface(changed);
     }
     // They are looked at after the submeshes have done their part.
