@@ -30,6 +30,7 @@
 #include "dsc/operations/loop_subdivision.h"
 #include "dsc/operations/replay.h"
 #include "dsc/operations/smoothing.h"
+#include "dsc/operations/triangle_collapse.h"
 
 #include "dsc/quality/histogram.h"
 #include "dsc/quality/measures.h"

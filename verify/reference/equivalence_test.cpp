@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Every operation of the library against the literal one of the reference: the same verdict and the
-// same mesh, on thousands of random complexes, whole ones and submeshes. As in thesis 8.4 to 8.6,
-// the reference works on the submesh copied out, and knows of the rest by flags only.
-#include "support/random_complex.h"
-#include "support/snapshot.h"
+// Every operation of chapter 7 of the thesis against the literal one of the reference: the same
+// verdict and the same mesh, on thousands of random complexes, whole ones and submeshes.
+#include "support/equivalence_testing.h"
 
-#include "dsc/algebra/mesh_functions.h"
-#include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/operations/local_retriangulation.h"
 #include "dsc/operations/loop_subdivision.h"
 #include "dsc/operations/smoothing.h"
-#include "dsc/queries/validate.h"
-#include "reference/algorithm/quality.h"
 #include "reference/operations/edge_collapse.h"
 #include "reference/operations/edge_flip.h"
 #include "reference/operations/edge_split.h"
@@ -24,191 +18,8 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <map>
-#include <set>
-
 namespace dsc::test {
 namespace {
-
-enum class Operation : std::uint8_t {
-    flip,
-    split,
-    collapse,
-    subdivision,
-    retriangulation,
-    smoothing
-};
-
-std::string to_string(Operation operation) {
-    constexpr std::array<const char*, 6> names{"flip",        "split",           "collapse",
-                                               "subdivision", "retriangulation", "smoothing"};
-    return names[static_cast<std::size_t>(operation)];
-}
-
-// How often each verdict was given: a test that never meets a verdict does not test it.
-struct Tally {
-    std::map<std::pair<Operation, Verdict>, int> verdicts;
-    int compared = 0;
-    int excused = 0;
-};
-
-template <class Real>
-struct Case {
-    Complex<Real> complex;
-    Region region;
-    reference::Complex copied;
-    std::set<Vertex> half_seen; // on the domain boundary, with a part of the star outside
-};
-
-// The submesh as the reference gets it. Vertices keep their ids, so that "the smaller id first"
-// means the same in both.
-template <class Real>
-reference::Complex copy_out(const Complex<Real>& complex, const Region& region) {
-    reference::Complex K;
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        K.insert(complex.position(Vertex{v}).template cast<double>());
-    }
-    std::vector<bool> in_use(complex.vertex_bound(), region.is_whole());
-    for (const Triangle t : triangles(complex)) {
-        if (!owns_triangle(complex, region, t.id)) {
-            continue;
-        }
-        const auto [a, b, c] = complex.vertices_of(t);
-        K.set_phase(K.insert(a, b, c), complex.phase(t));
-        for (const Vertex v : {a, b, c}) {
-            in_use[v.id] = true;
-        }
-        for (const Edge e : complex.edges_of(t)) {
-            if (is_submesh_boundary(complex, region, e)) {
-                const auto [p, q] = complex.vertices_of(e);
-                K.submesh_boundary_edges.insert(reference::edge_key(p, q));
-                if (is_interface(complex, e)) {
-                    K.submesh_boundary_interface.insert(reference::edge_key(p, q));
-                }
-            }
-        }
-    }
-    for (std::uint32_t id = 0; id < complex.vertex_bound(); ++id) {
-        const Vertex v{id};
-        if (!complex.is_alive(v) || !in_use[id]) {
-            K.remove(v);
-            continue;
-        }
-        if (is_submesh_boundary(complex, region, v)) {
-            K.submesh_boundary_vertices.insert(v);
-        }
-        if (complex.is_locked(v)) {
-            K.locked.insert(v);
-        }
-    }
-    return K;
-}
-
-std::vector<PlacedTriangle> placed_literally(const reference::Complex& K) {
-    std::vector<PlacedTriangle> list;
-    for (const auto& [key, oriented] : K.triangles()) {
-        std::array<std::array<double, 2>, 3> at;
-        for (std::size_t i = 0; i < 3; ++i) {
-            at[i] = {K.coord(oriented[i]).x(), K.coord(oriented[i]).y()};
-        }
-        list.push_back(placed(at, K.phase(key)));
-    }
-    return list;
-}
-
-template <class Real>
-class Equivalence {
-public:
-    Equivalence(const Case<Real>& given, Tally& tally) : given_(given), tally_(tally) {}
-
-    // `library` and `literal` perform the operation on copies; `vertices` are those of the simplex.
-    void compare(Operation operation, const std::vector<Vertex>& vertices,
-                 const std::function<Verdict(Complex<Real>&, const Submesh&)>& library,
-                 const std::function<Verdict(reference::Complex&)>& literal) {
-        Complex<Real> complex = given_.complex;
-        const std::string before = snapshot(complex);
-        const Verdict verdict =
-            library(complex, Submesh{given_.region, &complex.ids, &complex.journal});
-        reference::Complex copied = given_.copied;
-        Verdict expected = literal(copied);
-        if (expected == Verdict::not_a_simplex) {
-            expected = Verdict::on_submesh_boundary; // it lives outside the submesh
-        }
-        ++tally_.verdicts[{operation, verdict}];
-        ++tally_.compared;
-        const auto what = [&] {
-            std::string words = to_string(operation) + " of";
-            for (const Vertex v : vertices) {
-                words += " " + std::to_string(v.id);
-            }
-            return words + ": library " + std::string(dsc::to_string(verdict)) + ", reference " +
-                   std::string(dsc::to_string(expected));
-        };
-        if (verdict != Verdict::legal) {
-            ASSERT_EQ(before, snapshot(complex)) << what() << ", and changed something";
-        } else {
-            const ValidationReport report = validate(complex);
-            ASSERT_TRUE(report.ok()) << what() << ": " << report.problem;
-        }
-        if (verdict != expected) {
-            ASSERT_TRUE(excused(operation, verdict, expected, vertices, copied)) << what();
-            ++tally_.excused;
-            return;
-        }
-        if (verdict == Verdict::legal) {
-            if (operation == Operation::smoothing) {
-                // Sums in another order round differently.
-                const Vertex v = vertices.front();
-                const Point<double> p = complex.position(v).template cast<double>();
-                ASSERT_LT((copied.coord(v) - p).norm(), 1e-12 * (1 + p.norm())) << what();
-                copied.set_coord(v, p);
-            }
-            compare_meshes(complex, copied, what());
-        }
-    }
-
-private:
-    // What the reference cannot know: the domain boundary outside its submesh, and an edge out
-    // there that a collapse would fall onto (it sees the triangles between invert instead). And
-    // what neither can: whether a gain below rounding is one.
-    bool excused(Operation operation, Verdict verdict, Verdict expected,
-                 const std::vector<Vertex>& vertices, const reference::Complex& after) const {
-        const auto is_pair = [&](Verdict a, Verdict b) {
-            return (verdict == a && expected == b) || (verdict == b && expected == a);
-        };
-        if (operation == Operation::smoothing && is_pair(Verdict::legal, Verdict::no_gain)) {
-            const Vertex v = vertices.front();
-            return std::abs(reference::ring_quality(after, v) -
-                            reference::ring_quality(given_.copied, v)) < 1e-14;
-        }
-        if (operation == Operation::collapse && verdict == Verdict::changes_topology &&
-            expected == Verdict::inverts) {
-            return std::any_of(vertices.begin(), vertices.end(), [&](Vertex v) {
-                return given_.copied.submesh_boundary_vertices.contains(v);
-            });
-        }
-        return is_pair(Verdict::on_boundary, Verdict::on_submesh_boundary) &&
-               std::any_of(vertices.begin(), vertices.end(),
-                           [&](Vertex v) { return given_.half_seen.contains(v); });
-    }
-
-    void compare_meshes(const Complex<Real>& complex, const reference::Complex& copied,
-                        const std::string& what) const {
-        std::vector<PlacedTriangle> expected =
-            placed_triangles(given_.complex, [&](std::uint32_t t) {
-                return !owns_triangle(given_.complex, given_.region, t);
-            });
-        const std::vector<PlacedTriangle> inside = placed_literally(copied);
-        expected.insert(expected.end(), inside.begin(), inside.end());
-        std::sort(expected.begin(), expected.end());
-        ASSERT_TRUE(expected == placed_triangles(complex, [](std::uint32_t) { return true; }))
-            << what << ": the meshes differ";
-    }
-
-    const Case<Real>& given_;
-    Tally& tally_;
-};
 
 template <class Real>
 void compare_edge(Equivalence<Real>& equivalence, const Complex<Real>& K, Edge e,
@@ -292,43 +103,12 @@ void compare_all(const Case<Real>& given, Tally& tally, bool exact_middle, bool 
 
 template <class Real>
 void compare_many(std::uint64_t first_seed, int count, Tally& tally) {
-    for (int i = 0; i < count; ++i) {
-        const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        const RandomComplexOptions options = random_options(seed, 24);
-        Case<Real> given;
-        given.complex = random_complex<Real>(seed, options);
-        const ValidationReport report = validate(given.complex);
-        ASSERT_TRUE(report.ok()) << report.problem;
-        const std::vector<std::uint32_t> labels = random_labels(seed, given.complex);
-        if (i % 2 == 1) {
-            given.region.kind = Region::Kind::labels;
-            given.region.labels = labels.data();
-            given.region.label = 1;
-        }
-        given.copied = copy_out(given.complex, given.region);
-        for (const Vertex v : vertices(given.complex)) {
-            if (is_boundary(given.complex, v) &&
-                is_submesh_boundary(given.complex, given.region, v)) {
-                given.half_seen.insert(v);
-            }
-        }
-        const bool is_double = std::is_same_v<Real, double>;
-        compare_all(given, tally, is_double || (options.grid > 0 && !options.at_resolution),
-                    is_double && !options.at_resolution);
-        if (testing::Test::HasFatalFailure()) {
-            return;
-        }
-    }
-}
-
-// Every verdict that the semantics allow must have been met.
-void expect_all_met(Tally& tally, Operation operation, const std::vector<Verdict>& verdicts,
-                    int at_least) {
-    for (const Verdict verdict : verdicts) {
-        EXPECT_GE((tally.verdicts[{operation, verdict}]), at_least)
-            << to_string(operation) << ' ' << dsc::to_string(verdict);
-    }
+    for_each_case<Real>(
+        first_seed, count, [&](const Case<Real>& given, const RandomComplexOptions& options) {
+            const bool is_double = std::is_same_v<Real, double>;
+            compare_all(given, tally, is_double || (options.grid > 0 && !options.at_resolution),
+                        is_double && !options.at_resolution);
+        });
 }
 
 void expect_coverage(Tally& tally, bool with_smoothing) {

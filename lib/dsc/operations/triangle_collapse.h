@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Triangle collapse (thesis, chapter 13, figure 13.1): the triangle and its three neighbours
+// vanish, and its three vertices become one.
+#pragma once
+
+#include "dsc/base/verdict.h"
+#include "dsc/complex/submesh.h"
+
+#include <optional>
+
+namespace dsc {
+
+/// What a triangle collapse may do to the interface.
+enum class InterfaceRule : std::uint8_t {
+    keep,   ///< at most one of the three vertices is on the interface, and it stays where it is
+    change, ///< phases may meet, part or vanish: this removes small triangles between two sheets
+};
+
+template <class Real>
+struct TriangleCollapseOptions {
+    /// Where the three vertices become one, in units of the domain. By default where the one vertex
+    /// is that may not move: on the domain boundary, on an interface that is kept, or locked.
+    /// Without such a vertex, where the only one on the interface is, or the only corner of the
+    /// interface; otherwise the centroid.
+    std::optional<Point<Real>> place = {};
+    InterfaceRule interface = InterfaceRule::keep;
+};
+
+/// Whether the triangle may collapse. At most one of its vertices may be on the domain boundary, on
+/// an interface that is kept, or locked, and the place must be there. Answers not_a_simplex,
+/// on_boundary, on_submesh_boundary (unless the submesh owns the stars of all three vertices and
+/// the place), on_interface, locked, changes_topology (a vertex outside would be joined to the new
+/// one twice, or two triangles would fall onto each other) or inverts. Throws InputError if the
+/// place is not finite. O(sum of degrees, squared). Exact.
+template <class Real>
+Verdict triangle_collapse_guard(const Complex<Real>& complex, const Region& region,
+                                Triangle triangle,
+                                const TriangleCollapseOptions<Real>& options = {});
+
+struct TriangleCollapseResult {
+    Verdict verdict = Verdict::legal;
+    Vertex vertex; ///< the one that is left, if legal
+};
+
+/// Collapses the triangle if that is legal: two edge collapses, as the thesis suggests, and a
+/// movement, and so they are counted and logged. The vertex that may not move remains; where all
+/// may, the only one on the interface, the only corner of the interface, or the one with the
+/// smallest id. It keeps its attributes; data of edges and triangles follow as in edge collapses.
+/// Never needs a free id. Thread-safe for disjoint submeshes.
+template <class Real>
+TriangleCollapseResult triangle_collapse(Complex<Real>& complex, const Submesh& submesh,
+                                         Triangle triangle,
+                                         const TriangleCollapseOptions<Real>& options = {});
+
+template <class Real>
+Verdict triangle_collapse_guard(const Complex<Real>& complex, Triangle triangle,
+                                const TriangleCollapseOptions<Real>& options = {}) {
+    return triangle_collapse_guard(complex, Region{}, triangle, options);
+}
+
+template <class Real>
+TriangleCollapseResult triangle_collapse(Complex<Real>& complex, Triangle triangle,
+                                         const TriangleCollapseOptions<Real>& options = {}) {
+    return triangle_collapse(complex, whole_submesh(complex), triangle, options);
+}
+
+} // namespace dsc

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+// Triangle collapse on hand-sized complexes: each verdict, each choice of the vertex that remains.
+// A refused operation changes no byte; every result is validated.
+#include "support/operations_testing.h"
+#include "support/small_meshes.h"
+
+#include "dsc/base/error.h"
+#include "dsc/operations/fan.h"
+#include "dsc/operations/replay.h"
+#include "dsc/operations/triangle_collapse.h"
+#include "dsc/queries/hash.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace dsc::test {
+namespace {
+
+template <class Real>
+class TriangleCollapse : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(TriangleCollapse, Reals);
+
+// In the middle of grid(5): its vertices (2, 2), (3, 2) and (2, 3) or (3, 3) are 14, 15 and 20 or
+// 21.
+constexpr Triangle middle{25};
+
+// A small triangle in a hexagon: vertices 0 to 2, triangle 1. Vertices 3 to 8 are around it.
+// Triangles 2, 5 and 8 have one of its vertices, 0, 1 and 2; triangles 4, 7 and 10 have two.
+template <class Real>
+Complex<Real> in_hexagon() {
+    std::vector<Point<Real>> points;
+    const auto add = [&](double radius, double angle_deg) {
+        const double angle = angle_deg * 3.14159265358979323846 / 180;
+        points.emplace_back(static_cast<Real>(radius * std::cos(angle)),
+                            static_cast<Real>(radius * std::sin(angle)));
+    };
+    for (int i = 0; i < 3; ++i) {
+        add(1, 120 * i);
+    }
+    for (int k = 0; k < 6; ++k) {
+        add(10, 60 * k);
+    }
+    std::vector<Indices> list{{0, 1, 2}};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t here = 3 + 2 * i;
+        const std::uint32_t before = i == 0 ? 8 : here - 1;
+        list.push_back({i, before, here});
+        list.push_back({i, here, here + 1});
+        list.push_back({i, here + 1, (i + 1) % 3});
+    }
+    return build<Real>(points, list, std::vector<Phase>(list.size(), 0));
+}
+
+template <class Real>
+auto collapse(Triangle t, const TriangleCollapseOptions<Real>& options = {}) {
+    return [t, options](Complex<Real>& K, const Submesh& submesh) {
+        return triangle_collapse(K, submesh, t, options).verdict;
+    };
+}
+
+template <class Real>
+double whole_area(const Complex<Real>& K) {
+    double sum = 0;
+    for (const Triangle t : triangles(K)) {
+        const auto [a, b, c] = K.vertices_of(t);
+        sum += static_cast<double>(area<Real>(K.position(a), K.position(b), K.position(c)));
+    }
+    return sum;
+}
+
+// Triangle 1 is (0, 2, 1). Vertex 0 has degree three: around it is the triangle (1, 2, 3).
+template <class Real>
+Complex<Real> with_degree_three() {
+    const std::vector<Point<Real>> points{{-1, 0}, {0, 1}, {0, -1}, {-4, 0},
+                                          {4, 0},  {0, 6}, {0, -6}};
+    return build<Real>(
+        points,
+        {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {1, 4, 5}, {1, 5, 3}, {2, 3, 6}, {2, 6, 4}},
+        std::vector<Phase>(8, 0));
+}
+
+TYPED_TEST(TriangleCollapse, ThreeVerticesBecomeOneAtTheCentroid) {
+    auto K = grid<TypeParam>(5);
+    const auto [a, b, c] = K.vertices_of(middle);
+    const Point<TypeParam> centroid =
+        (K.position(a) + K.position(b) + K.position(c)) / TypeParam(3);
+    const std::uint32_t vertices_before = K.vertex_count();
+    const std::uint32_t triangles_before = K.triangle_count();
+    const auto result = triangle_collapse(K, middle);
+    ASSERT_EQ(result.verdict, Verdict::legal);
+    expect_valid(K);
+    EXPECT_EQ(result.vertex, std::min({a, b, c}));
+    EXPECT_EQ(K.position(result.vertex), centroid);
+    EXPECT_EQ(K.vertex_count(), vertices_before - 2);
+    EXPECT_EQ(K.triangle_count(), triangles_before - 4);
+    EXPECT_NEAR(whole_area(K), 25, 1e-5);
+    EXPECT_FALSE(K.is_alive(middle));
+    EXPECT_EQ(K.journal.counts.collapses, 2U);
+}
+
+TYPED_TEST(TriangleCollapse, TheVertexThatMayNotMoveRemains) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        auto K = in_hexagon<TypeParam>();
+        expect_valid(K);
+        const Vertex v{i};
+        const Point<TypeParam> place = K.position(v);
+        K.set_locked(v, true);
+        const auto result = triangle_collapse(K, Triangle{1});
+        EXPECT_EQ(result.verdict, Verdict::legal);
+        EXPECT_EQ(result.vertex, v);
+        EXPECT_EQ(K.position(v), place);
+        EXPECT_TRUE(K.is_locked(v));
+        EXPECT_EQ(K.triangle_count(), 6U);
+        expect_valid(K);
+    }
+}
+
+// Without triangles 5 and 6, the edges 1-5 and 1-6 are on the domain boundary.
+TYPED_TEST(TriangleCollapse, AVertexOfTheDomainBoundaryRemains) {
+    auto K = in_hexagon<TypeParam>();
+    remove(K, SimplexSet({}, {}, {Triangle{5}, Triangle{6}}));
+    expect_valid(K);
+    const double before = whole_area(K);
+    expect_refused(K, Verdict::on_boundary,
+                   collapse<TypeParam>(Triangle{1}, {.place = K.position(Vertex{0})}));
+    const auto result = triangle_collapse(K, Triangle{1});
+    ASSERT_EQ(result.verdict, Verdict::legal);
+    EXPECT_EQ(result.vertex, Vertex{1});
+    expect_valid(K);
+    EXPECT_NEAR(whole_area(K), before, 1e-4);
+}
+
+TYPED_TEST(TriangleCollapse, IsRefused) {
+    auto K = grid<TypeParam>(5);
+    const auto [a, b, c] = K.vertices_of(middle);
+    expect_refused(K, Verdict::not_a_simplex, collapse<TypeParam>(Triangle{}));
+    expect_refused(K, Verdict::not_a_simplex, collapse<TypeParam>(Triangle{border_triangle}));
+    expect_refused(K, Verdict::on_boundary, collapse<TypeParam>(Triangle{1}));
+    // Beyond the vertices of the star.
+    expect_refused(K, Verdict::inverts, collapse<TypeParam>(middle, {.place = {{0, 0}}}));
+    std::vector<std::uint32_t> labels(K.vertex_bound(), 1);
+    labels[a.id] = 0;
+    expect_refused(K, Verdict::on_submesh_boundary, collapse<TypeParam>(middle), labels);
+    labels[a.id] = 1;
+    labels[7] = 0; // (1, 1): the star of (2, 2) is not owned as a whole, wherever its diagonals run
+    labels[8] = 0;
+    labels[13] = 0;
+    expect_refused(K, Verdict::on_submesh_boundary, collapse<TypeParam>(middle), labels);
+    K.set_locked(a, true);
+    expect_refused(K, Verdict::locked, collapse<TypeParam>(middle, {.place = K.position(b)}));
+    K.set_locked(c, true);
+    expect_refused(K, Verdict::locked, collapse<TypeParam>(middle));
+}
+
+TYPED_TEST(TriangleCollapse, ThePlaceBelongsToTheSubmesh) {
+    auto K = grid<TypeParam>(5);
+    Submesh submesh = whole_submesh(K);
+    submesh.region.kind = Region::Kind::box;
+    submesh.region.low = 0.5; // owns all stars of the middle
+    submesh.region.high = 4.5;
+    const Point<TypeParam> beyond(TypeParam(0.25), 2);
+    EXPECT_EQ(triangle_collapse(K, submesh, middle, {.place = beyond}).verdict,
+              Verdict::on_submesh_boundary);
+    EXPECT_EQ(triangle_collapse(K, submesh, middle).verdict, Verdict::legal);
+    expect_valid(K);
+}
+
+TYPED_TEST(TriangleCollapse, APlaceThatIsNotFiniteIsBadInput) {
+    auto K = grid<TypeParam>(5);
+    const TypeParam nan = std::numeric_limits<TypeParam>::quiet_NaN();
+    EXPECT_THROW((void)triangle_collapse(K, middle, {.place = {{nan, 1}}}), InputError);
+}
+
+// The vertex of degree three is in turn the one that remains and one of those that vanish.
+TYPED_TEST(TriangleCollapse, AVertexOfDegreeThreeMayVanish) {
+    for (std::uint32_t heir = 0; heir < 3; ++heir) {
+        auto K = with_degree_three<TypeParam>();
+        expect_valid(K);
+        K.set_locked(Vertex{heir}, true);
+        const auto result = triangle_collapse(K, Triangle{1});
+        EXPECT_EQ(result.verdict, Verdict::legal);
+        EXPECT_EQ(result.vertex, Vertex{heir});
+        EXPECT_EQ(K.triangle_count(), 4U);
+        expect_valid(K);
+    }
+}
+
+// As before, but 7 is around vertex 0, and 3 around 7: the edges from 3 to 1 and to 2 would become
+// one, with the triangles of 7 caught between them.
+TYPED_TEST(TriangleCollapse, NothingIsCaughtInBetween) {
+    const std::vector<Point<TypeParam>> points{{-1, 0}, {0, 1}, {0, -1}, {-6, 0},
+                                               {4, 0},  {0, 8}, {0, -8}, {-2, 0}};
+    auto K = build<TypeParam>(points,
+                              {{0, 2, 1},
+                               {0, 1, 7},
+                               {0, 7, 2},
+                               {1, 3, 7},
+                               {7, 3, 2},
+                               {1, 2, 4},
+                               {1, 4, 5},
+                               {1, 5, 3},
+                               {2, 3, 6},
+                               {2, 6, 4}},
+                              std::vector<Phase>(10, 0));
+    expect_valid(K);
+    expect_refused(K, Verdict::changes_topology, collapse<TypeParam>(Triangle{1}));
+}
+
+// Two sheets with a gap of one row of squares between them: 2 < y < 3 is exterior.
+template <class Real>
+Complex<Real> two_sheets() {
+    auto K = grid<Real>(6);
+    for (const Triangle t : triangles(K)) {
+        const auto [a, b, c] = K.vertices_of(t);
+        const Real y = (K.position(a) + K.position(b) + K.position(c)).y() / 3;
+        K.set_phase(t, y > 2 && y < 3 ? 0 : y < 2 ? 1 : 2);
+    }
+    return K;
+}
+
+TYPED_TEST(TriangleCollapse, TwoSheetsMeet) {
+    auto K = two_sheets<TypeParam>();
+    const Triangle t{2 * (2 * 6 + 2) + 1}; // in the gap, at (2, 2)
+    ASSERT_EQ(K.phase(t), 0U);
+    expect_refused(K, Verdict::on_interface, collapse<TypeParam>(t));
+    const auto result = triangle_collapse(K, t, {.interface = InterfaceRule::change});
+    ASSERT_EQ(result.verdict, Verdict::legal);
+    expect_valid(K);
+    EXPECT_EQ(inspect(K, Region{}, result.vertex.id).interface_edges, 4U);
+    EXPECT_EQ(K.journal.counts.interface_collapses + K.journal.counts.collapses, 2U);
+}
+
+TYPED_TEST(TriangleCollapse, AnInterfaceVertexOrACornerIsKept) {
+    // One vertex of the triangle is on the interface: it remains, whether or not it may move.
+    for (const InterfaceRule rule : {InterfaceRule::keep, InterfaceRule::change}) {
+        auto K = in_hexagon<TypeParam>();
+        K.set_phase(Triangle{5}, 1);
+        const Point<TypeParam> place = K.position(Vertex{1});
+        const auto result = triangle_collapse(K, Triangle{1}, {.interface = rule});
+        EXPECT_EQ(result.vertex, Vertex{1});
+        EXPECT_EQ(K.position(Vertex{1}), place);
+        expect_valid(K);
+    }
+    // All are, and one of them is a corner.
+    const auto K = two_sheets<TypeParam>();
+    const Triangle t{2 * (2 * 6 + 2) + 1};
+    const auto [a, b, c] = K.vertices_of(t);
+    const Point<TypeParam> centroid =
+        (K.position(a) + K.position(b) + K.position(c)) / TypeParam(3);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        auto copy = K;
+        const Vertex corner = copy.vertices_of(t)[i];
+        copy.vertices[corner.id].flags |= vertex_corner;
+        const auto result =
+            triangle_collapse(copy, t, {.place = centroid, .interface = InterfaceRule::change});
+        EXPECT_EQ(result.verdict, Verdict::legal);
+        EXPECT_EQ(result.vertex, corner);
+        expect_valid(copy);
+    }
+}
+
+TYPED_TEST(TriangleCollapse, IsReplayedFromItsRecords) {
+    auto K = with_degree_three<TypeParam>();
+    auto again = K;
+    K.journal.readers = 1;
+    ASSERT_EQ(triangle_collapse(K, Triangle{1}).verdict, Verdict::legal);
+    ASSERT_EQ(K.journal.records.size(), 3U);
+    EXPECT_EQ(K.journal.records[0].kind, EditKind::collapse);
+    EXPECT_EQ(K.journal.records[1].kind, EditKind::collapse);
+    EXPECT_EQ(K.journal.records[2].kind, EditKind::move);
+    const ReplayReport report = replay<TypeParam>(again, K.journal.records);
+    EXPECT_EQ(report.skipped, 0U);
+    EXPECT_EQ(mesh_hash(again), mesh_hash(K));
+    expect_valid(again);
+}
+
+} // namespace
+} // namespace dsc::test
