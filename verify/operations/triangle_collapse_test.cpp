@@ -188,6 +188,36 @@ TYPED_TEST(TriangleCollapse, AVertexOfDegreeThreeMayVanish) {
     }
 }
 
+// The edges that the remaining vertex had keep their data, even one that would be lost from sight
+// if the vertex of degree three went last.
+TYPED_TEST(TriangleCollapse, EdgesOfTheVertexThatRemainsKeepTheirData) {
+    for (std::uint32_t heir = 0; heir < 3; ++heir) {
+        auto K = with_degree_three<TypeParam>();
+        auto& data = K.attributes.template add<Edge, double>("name");
+        const auto name = [](Vertex a, Vertex b) { return a.id + 10.0 * b.id; };
+        for (std::uint32_t a = 0; a < 7; ++a) {
+            for (std::uint32_t b = a + 1; b < 7; ++b) {
+                if (const Edge e = K.find_edge(Vertex{a}, Vertex{b}); e.is_valid()) {
+                    data.set(K, e, name(Vertex{a}, Vertex{b}));
+                }
+            }
+        }
+        std::vector<Vertex> known;
+        for (std::uint32_t w = 3; w < 7; ++w) {
+            if (K.find_edge(Vertex{heir}, Vertex{w}).is_valid()) {
+                known.push_back(Vertex{w});
+            }
+        }
+        K.set_locked(Vertex{heir}, true);
+        ASSERT_EQ(triangle_collapse(K, Triangle{1}).verdict, Verdict::legal);
+        for (const Vertex w : known) {
+            const Edge e = K.find_edge(Vertex{heir}, w);
+            ASSERT_TRUE(e.is_valid());
+            EXPECT_EQ(data[e], name(Vertex{heir}, w));
+        }
+    }
+}
+
 // As before, but 7 is around vertex 0, and 3 around 7: the edges from 3 to 1 and to 2 would become
 // one, with the triangles of 7 caught between them.
 TYPED_TEST(TriangleCollapse, NothingIsCaughtInBetween) {

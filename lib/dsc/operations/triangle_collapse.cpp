@@ -218,7 +218,7 @@ TriangleCollapseResult triangle_collapse(Complex<Real>& complex, const Submesh& 
     Corner to_next = complex.twin(prev(at_heir));
     Corner to_prev = complex.twin(next(at_heir));
     // A vertex of degree three goes first. Left until the second collapse it would have only two
-    // triangles, both with the same three vertices.
+    // triangles, both with the same three vertices, and an edge of the heir would lose its data.
     if (complex.vertex(to_prev) == complex.vertex(complex.twin(at_heir))) {
         std::swap(to_next, to_prev);
     }
