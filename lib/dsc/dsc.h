@@ -18,6 +18,7 @@
 #include "dsc/algebra/algebra.h"
 #include "dsc/algebra/mesh_functions.h"
 
+#include "dsc/queries/components.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/locate.h"
 #include "dsc/queries/outlines.h"

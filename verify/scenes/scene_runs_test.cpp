@@ -254,6 +254,34 @@ TEST(RunScene, WritesTheContractsKeys) {
     }
 }
 
+TEST(RunScene, SaysHowThePhasesDivideTheDomain) {
+    const Scene& scene = find_scene("swirl");
+    RunResult result = run_scene(scene, short_run(scene), {});
+    auto json = nlohmann::json::parse(to_json(result));
+    const auto& phases = json["phases"];
+    ASSERT_EQ(phases.size(), 2U);
+    EXPECT_EQ(phases[0]["phase"], 0);
+    EXPECT_EQ(phases[1]["phase"], 1);
+    EXPECT_NEAR(phases[0]["area"].get<double>() + phases[1]["area"].get<double>(), 1, 1e-13);
+    EXPECT_NEAR(phases[1]["area"].get<double>(), json["area_last"].get<double>(), 1e-3);
+    EXPECT_NEAR(phases[0]["wall"].get<double>(), 4, 1e-13);
+    EXPECT_EQ(phases[0]["perimeter"], phases[1]["perimeter"]);
+    EXPECT_EQ(phases[0]["holes"], 1);
+    EXPECT_EQ(phases[1]["components"], 1);
+    ASSERT_EQ(json["pairs"].size(), 1U);
+    EXPECT_EQ(json["pairs"][0]["phases"], nlohmann::json({0, 1}));
+    EXPECT_EQ(json["pairs"][0]["length"], phases[1]["perimeter"]);
+    EXPECT_EQ(json["junctions_last"], 0);
+    EXPECT_TRUE(json["junction_angle_min_deg"].is_null());
+    EXPECT_TRUE(json["junction_deviation_worst_deg"].is_null());
+    result.junctions = {.count = 2, .crossings = 1, .min_deg = 90, .max_deg = 130};
+    json = nlohmann::json::parse(to_json(result));
+    EXPECT_EQ(json["junctions_last"], 2);
+    EXPECT_EQ(json["junction_crossings"], 1);
+    EXPECT_EQ(json["junction_angle_min_deg"], 90);
+    EXPECT_EQ(json["junction_angle_max_deg"], 130);
+}
+
 TEST(RunScene, MeasuresBothMoments) {
     const Scene& scene = find_scene("swirl");
     const Parameters parameters = short_run(scene);

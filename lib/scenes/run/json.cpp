@@ -52,6 +52,28 @@ void add_figures(const RunResult& r, Json& json) {
     }
 }
 
+Json phases_json(const PhaseReport& report) {
+    Json list = Json::array();
+    for (const PhaseFigures& one : report.phases) {
+        list.push_back({{"phase", one.phase},
+                        {"area", finite(one.area)},
+                        {"perimeter", finite(one.perimeter)},
+                        {"wall", finite(one.wall)},
+                        {"components", one.components},
+                        {"holes", one.holes}});
+    }
+    return list;
+}
+
+Json pairs_json(const PhaseReport& report) {
+    Json list = Json::array();
+    for (const PairFigures& pair : report.pairs) {
+        list.push_back(
+            {{"phases", Json::array({pair.one, pair.other})}, {"length", finite(pair.length)}});
+    }
+    return list;
+}
+
 Json parameters_json(const Parameters& parameters) {
     Json json;
     for (const Key& key : parameter_keys()) {
@@ -116,6 +138,14 @@ std::string to_json(const RunResult& r) {
     };
     add_figures(r, json);
     json.update({
+        {"phases", phases_json(r.phases)},
+        {"pairs", pairs_json(r.phases)},
+        {"junctions_last", r.junctions.count},
+        {"junction_crossings", r.junctions.crossings},
+        {"junction_angle_min_deg", finite(r.junctions.min_deg)},
+        {"junction_angle_max_deg", finite(r.junctions.max_deg)},
+        {"junction_deviation_median_deg", finite(r.junctions.median_deviation_deg)},
+        {"junction_deviation_worst_deg", finite(r.junctions.worst_deviation_deg)},
         {"min_quality_ever", finite(r.min_quality_ever)},
         {"quality_sampled_every", r.quality_sampled_every},
         {"inverted", r.inverted},

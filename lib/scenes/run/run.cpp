@@ -133,6 +133,8 @@ private:
         result_.interface_vertices_last = method_.interface_vertices();
         result_.last = figures();
         result_.area_ratio = signed_area(outlines()) / result_.area_first;
+        result_.phases = measure_phases(complex());
+        result_.junctions = summarise(measure_junctions(complex()));
         look_at_the_worst();
         result_.mesh_hash = mesh_hash(complex());
         const double h = result_.parameters.h;

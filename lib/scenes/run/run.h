@@ -4,7 +4,9 @@
 
 #include "dsc/quality/histogram.h"
 #include "dsc/topology/events.h"
+#include "measures/junctions.h"
 #include "measures/measures.h"
+#include "measures/phases.h"
 #include "scenes/run/strategy.h"
 #include "scenes/scene.h"
 
@@ -51,6 +53,8 @@ struct RunResult {
     double area_ratio = 0;       ///< A(t_n) / A(t_0), as in the thesis
     Figures last;                ///< of the measures, at the end
     std::optional<Figures> half; ///< when a reversing flow is farthest out
+    PhaseReport phases;          ///< at the end, like the next
+    JunctionFigures junctions;
     double min_quality_ever = 0;
     int quality_sampled_every = 1; ///< steps between samples of `min_quality_ever` and `inverted`
     std::uint64_t inverted = 0;    ///< triangles that an exact predicate found not positive, summed

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// How the domain is divided among its phases, and how long their common interfaces are. Lengths and
+// areas are in units of the domain and those of the mesh: edges are straight.
+#pragma once
+
+#include "dsc/complex/complex.h"
+
+#include <vector>
+
+namespace dsc::scenes {
+
+struct PhaseFigures {
+    Phase phase = exterior_phase;
+    double area = 0;
+    double perimeter = 0;         ///< of the edges between it and other phases
+    double wall = 0;              ///< of its edges on the domain boundary
+    std::uint32_t components = 0; ///< triangles joined across edges
+    /// In all components together. Of holes that touch at a vertex, one is counted.
+    std::uint32_t holes = 0;
+};
+
+struct PairFigures {
+    Phase one = exterior_phase; ///< the smaller one
+    Phase other = exterior_phase;
+    double length = 0; ///< of their common interface
+};
+
+struct PhaseReport {
+    std::vector<PhaseFigures> phases; ///< those that have a triangle, in rising order
+    std::vector<PairFigures> pairs;   ///< those that meet along an edge, in rising order
+};
+
+/// O(triangles + pairs log pairs).
+template <class Real>
+[[nodiscard]] PhaseReport measure_phases(const Complex<Real>& complex);
+
+} // namespace dsc::scenes

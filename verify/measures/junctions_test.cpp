@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Angles at junctions on hand-made meshes.
+#include "measures/junctions.h"
+#include "support/small_meshes.h"
+
+#include "dsc/complex/ranges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace dsc::test {
+namespace {
+
+using namespace dsc::scenes;
+
+constexpr double degree = std::numbers::pi / 180;
+
+// n curves of two edges from vertex 0, in these directions and with these curvatures (to the left),
+// and a phase between each two. Edges have the length h; vertices 2 i + 1 and 2 i + 2 are on curve
+// i.
+Complex<double> star_of(const std::vector<double>& directions_deg,
+                        const std::vector<double>& curvatures, double h,
+                        const std::vector<Phase>& phases) {
+    std::vector<Point<double>> points{{0, 0}};
+    const auto n = static_cast<std::uint32_t>(directions_deg.size());
+    for (std::uint32_t i = 0; i < n; ++i) {
+        Point<double> at(0, 0);
+        for (int k = 0; k < 2; ++k) {
+            // The chord from arc length k h on: half a step's turn ahead of the tangent there.
+            const double angle = directions_deg[i] * degree + curvatures[i] * h * (k + 0.5);
+            at += h * Point<double>(std::cos(angle), std::sin(angle));
+            points.push_back(at);
+        }
+    }
+    std::vector<Indices> list;
+    std::vector<Phase> of;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t a = 2 * i + 1;
+        const std::uint32_t b = 2 * ((i + 1) % n) + 1;
+        for (const Indices& t :
+             {Indices{0, a, b}, Indices{a, a + 1, b}, Indices{b, a + 1, b + 1}}) {
+            list.push_back(t);
+            of.push_back(phases[i]);
+        }
+    }
+    return build<double>(points, list, of);
+}
+
+TEST(Junctions, AreWhereThreePhasesMeet) {
+    const auto K = star_of({0, 100, 230}, {0, 0, 0}, 1, {1, 2, 0});
+    const auto junctions = measure_junctions(K);
+    ASSERT_EQ(junctions.size(), 1U);
+    EXPECT_EQ(junctions[0].vertex, Vertex{0});
+    EXPECT_EQ(junctions[0].sectors, 3U);
+    EXPECT_NEAR(junctions[0].min_deg, 100, 1e-12);
+    EXPECT_NEAR(junctions[0].max_deg, 130, 1e-12);
+    const JunctionFigures figures = summarise(junctions);
+    EXPECT_EQ(figures.count, 1U);
+    EXPECT_EQ(figures.crossings, 0U);
+    EXPECT_NEAR(figures.median_deviation_deg, 20, 1e-12);
+    EXPECT_NEAR(figures.worst_deviation_deg, 20, 1e-12);
+}
+
+TEST(Junctions, AlsoWhereAPhaseTouchesItself) {
+    const auto junctions =
+        measure_junctions(star_of({0, 80, 180, 260}, {0, 0, 0, 0}, 1, {1, 0, 1, 0}));
+    ASSERT_EQ(junctions.size(), 1U);
+    EXPECT_EQ(junctions[0].sectors, 4U);
+    EXPECT_NEAR(junctions[0].min_deg, 80, 1e-12);
+    EXPECT_NEAR(junctions[0].max_deg, 100, 1e-12);
+    const JunctionFigures figures = summarise(junctions);
+    EXPECT_EQ(figures.crossings, 1U);
+    EXPECT_TRUE(std::isnan(figures.worst_deviation_deg));
+}
+
+// Neither on a curve of two phases, nor where curves end at the wall.
+TEST(Junctions, AreNowhereElse) {
+    EXPECT_TRUE(measure_junctions(grid<float>(8, 0.1, 1, 3)).empty());
+    const auto figures = summarise(std::vector<Junction>{});
+    EXPECT_EQ(figures.count, 0U);
+    EXPECT_TRUE(std::isnan(figures.min_deg));
+    EXPECT_TRUE(std::isnan(figures.max_deg));
+    // Three interface edges of three phases meet at a vertex of the wall.
+    auto K = grid<double>(4);
+    for (const Triangle t : triangles(K)) {
+        const auto [a, b, c] = K.vertices_of(t);
+        const Point<double> middle = (K.position(a) + K.position(b) + K.position(c)) / 3;
+        const double angle = std::atan2(middle.y(), middle.x() - 2) / degree;
+        K.set_phase(t, angle < 45 ? 1 : angle < 90 ? 2 : angle < 135 ? 3 : 0);
+    }
+    for (const Junction& junction : measure_junctions(K)) {
+        EXPECT_GT(K.position(junction.vertex).y(), 0);
+    }
+}
+
+// One curve bends away: the angles are off by (h / R)^3 / 4, where chords would be off by h / 2R.
+TEST(Junctions, AnglesAreReadFromTheCurves) {
+    const double h = 0.1;
+    const double error = std::pow(h, 3) / 4 / degree;
+    for (const double curvature : {1.0, -1.0}) {
+        const auto junctions =
+            measure_junctions(star_of({0, 120, 240}, {curvature, 0, 0}, h, {1, 2, 3}));
+        ASSERT_EQ(junctions.size(), 1U);
+        EXPECT_NEAR(junctions[0].min_deg, 120, 1.01 * error);
+        EXPECT_NEAR(junctions[0].max_deg, 120, 1.01 * error);
+        EXPECT_GT(junctions[0].max_deg, 120 + 0.9 * error) << "the error is known";
+    }
+}
+
+TEST(Junctions, MedianAndWorst) {
+    std::vector<Junction> junctions{{Vertex{0}, 3, 119, 121},
+                                    {Vertex{1}, 3, 118, 121},
+                                    {Vertex{2}, 3, 117, 130},
+                                    {Vertex{3}, 4, 60, 120}};
+    const JunctionFigures figures = summarise(junctions);
+    EXPECT_EQ(figures.count, 4U);
+    EXPECT_EQ(figures.crossings, 1U);
+    EXPECT_EQ(figures.min_deg, 60);
+    EXPECT_EQ(figures.max_deg, 130);
+    EXPECT_EQ(figures.median_deviation_deg, 2);
+    EXPECT_EQ(figures.worst_deviation_deg, 10);
+}
+
+} // namespace
+} // namespace dsc::test
