@@ -33,7 +33,7 @@ std::map<Vertex, std::vector<Point<double>>> find_ends(const Complex<Real>& comp
     for (const InterfaceCurve& curve : interface_curves(complex)) {
         const auto& v = curve.vertices;
         const std::size_t n = v.size();
-        if (curve.is_closed || curve.right == border_phase) {
+        if (curve.is_closed) {
             continue;
         }
         const bool is_long = n > 2;
