@@ -2,6 +2,7 @@
 // Triangle collapse on hand-sized complexes: each verdict, each choice of the vertex that remains.
 // A refused operation changes no byte; every result is validated.
 #include "support/operations_testing.h"
+#include "support/random_complex.h"
 #include "support/small_meshes.h"
 
 #include "dsc/base/error.h"
@@ -305,6 +306,25 @@ TYPED_TEST(TriangleCollapse, IsReplayedFromItsRecords) {
     EXPECT_EQ(report.skipped, 0U);
     EXPECT_EQ(mesh_hash(again), mesh_hash(K));
     expect_valid(again);
+}
+
+TYPED_TEST(TriangleCollapse, IsReplayedOnRandomComplexes) {
+    int done = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const auto first = random_complex<TypeParam>(seed, random_options(seed, 40));
+        auto K = first;
+        K.journal.readers = 1;
+        for (const Triangle t : triangles(K)) {
+            const auto result = triangle_collapse(K, t, {.interface = InterfaceRule::change});
+            done += result.verdict == Verdict::legal ? 1 : 0;
+        }
+        expect_valid(K);
+        auto again = first;
+        EXPECT_EQ(replay<TypeParam>(again, K.journal.records).skipped, 0U);
+        EXPECT_EQ(mesh_hash(again), mesh_hash(K));
+    }
+    EXPECT_GT(done, 60);
 }
 
 } // namespace

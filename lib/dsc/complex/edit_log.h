@@ -58,7 +58,7 @@ enum class MoveReason : std::uint8_t {
     application, ///< an edit by the application
     flow,        ///< towards the target that the velocity gave it
     smoothing,   ///< for the quality of its star
-    coarsening,  ///< to preserve an area when its neighbour on the interface was removed
+    coarsening,  ///< it remains when neighbours vanish: for an area, or in a triangle collapse
 };
 
 /// One edit. Fields that a kind of edit does not use are invalid (no_id).
