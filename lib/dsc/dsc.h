@@ -40,6 +40,7 @@
 #include "dsc/initial/initial_complex.h"
 #include "dsc/initial/unit_box.h"
 
+#include "dsc/motion/curvature_flow.h"
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interface_flow.h"
 #include "dsc/motion/interpolation.h"

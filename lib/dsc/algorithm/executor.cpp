@@ -9,16 +9,6 @@
 
 namespace dsc {
 
-namespace {
-
-/// Calls `act` with the flow as a function of positions and time.
-template <class Real, class Act>
-auto with_velocity(InterfaceSight<Real>& sight, const Flow<Real>& flow, Act act) {
-    return flow.velocity() != nullptr ? act(*flow.velocity()) : act(sight.velocity(*flow.seeing()));
-}
-
-} // namespace
-
 MoveReport& MoveReport::operator+=(const MoveReport& other) {
     passes = std::max(passes, other.passes);
     unreached += other.unreached;
@@ -72,22 +62,20 @@ AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkee
     }
     // Alone on the complex, nothing is postponed.
     work.deferred.clear();
-    if (flow.seeing() != nullptr) {
-        sight.look(work);
-    }
-    return with_velocity(sight, flow, [&](const Velocity<Real>& velocity) {
-        AimReport<Real> report = find_velocities(work, velocity, time);
-        report.reach = find_targets(work, velocity, time, dt);
+    if (const Velocity<Real>* velocity = flow.velocity()) {
+        AimReport<Real> report = find_velocities(work, *velocity, time);
+        report.reach = find_targets(work, *velocity, time, dt);
         return report;
-    });
+    }
+    sight.look(work);
+    return sight.aim(flow, time, dt);
 }
 
 template <class Real>
 Reach<Real> aim_whole_again(Work<Real>& work, InterfaceSight<Real>& sight, const Flow<Real>& flow,
                             Real time, Real dt) {
-    return with_velocity(sight, flow, [&](const Velocity<Real>& velocity) {
-        return find_targets(work, velocity, time, dt);
-    });
+    return flow.velocity() != nullptr ? find_targets(work, *flow.velocity(), time, dt)
+                                      : sight.aim_again(flow, time, dt);
 }
 
 template <class Real>

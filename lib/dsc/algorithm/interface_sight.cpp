@@ -2,6 +2,7 @@
 #include "dsc/algorithm/interface_sight.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace dsc {
@@ -65,6 +66,65 @@ void InterfaceSight<Real>::evaluate(std::span<const Point<Real>> positions, Real
             velocities[i].setZero();
         }
     }
+}
+
+template <class Real>
+AimReport<Real> InterfaceSight<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
+    AimReport<Real> report;
+    if (flow.motion() == nullptr) {
+        const Velocity<Real> seen = velocity(*flow.seeing());
+        report = find_velocities(*work_, seen, time);
+        report.reach = find_targets(*work_, seen, time, dt);
+        return report;
+    }
+    Aim<Real>& aim = work_->aim;
+    const std::vector<std::uint32_t>& list = work_->interface;
+    aim.positions.resize(list.size());
+    aim.targets.resize(list.size());
+    aim.scratch.first.resize(list.size());
+    aim.held.assign(list.size(), 0);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        aim.positions[i] = work_->complex.position(Vertex{list[i]});
+    }
+    report.vertices = list.size();
+    report.reach = displace(*flow.motion(), time, dt);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (!aim.targets[i].allFinite()) {
+            aim.held[i] = 1;
+            aim.targets[i] = aim.positions[i];
+            ++report.held;
+        }
+    }
+    report.fastest = report.reach.farthest / dt;
+    return report;
+}
+
+template <class Real>
+Reach<Real> InterfaceSight<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
+    return flow.motion() == nullptr ? find_targets(*work_, velocity(*flow.seeing()), time, dt)
+                                    : displace(*flow.motion(), time, dt);
+}
+
+template <class Real>
+Reach<Real> InterfaceSight<Real>::displace(const InterfaceMotion<Real>& motion, Real time,
+                                           Real dt) {
+    Aim<Real>& aim = work_->aim;
+    aim.dt = dt;
+    std::vector<Point<Real>>& displacements = aim.scratch.first;
+    std::ranges::fill(displacements, Point<Real>(0, 0));
+    if (!displacements.empty()) {
+        motion(graph_.view(work_->complex, aim.positions), time, dt, displacements);
+    }
+    Real farthest = 0;
+    for (std::size_t i = 0; i < displacements.size(); ++i) {
+        aim.targets[i] = aim.positions[i];
+        if (!stays(i)) {
+            aim.targets[i] += displacements[i];
+            const Real squared = displacements[i].squaredNorm();
+            farthest = std::isfinite(squared) ? std::max(farthest, squared) : farthest;
+        }
+    }
+    return {.farthest = std::sqrt(farthest)};
 }
 
 template class InterfaceSight<double>;

@@ -3,6 +3,7 @@
 // function takes all interface vertices at once, so that they are all at the same stage.
 #pragma once
 
+#include "dsc/algorithm/aim.h"
 #include "dsc/algorithm/interface_graph.h"
 #include "dsc/passes/work.h"
 
@@ -31,7 +32,14 @@ public:
     /// seen at their present positions: a failure at one vertex must not affect its neighbours.
     [[nodiscard]] Velocity<Real> velocity(const InterfaceFlow<Real>& flow);
 
+    /// Aims the work that was read by a flow that sees the interface: velocities at `time`, and
+    /// targets at time + dt.
+    AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt);
+    /// New targets of the same flow for another dt. A vertex that is held stays held.
+    Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt);
+
 private:
+    Reach<Real> displace(const InterfaceMotion<Real>& motion, Real time, Real dt);
     void evaluate(std::span<const Point<Real>> positions, Real time,
                   std::span<Point<Real>> velocities);
     [[nodiscard]] std::size_t begin_of(std::size_t range) const {

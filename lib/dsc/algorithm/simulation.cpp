@@ -208,7 +208,7 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
           static_cast<Real>(options_.max_sub_steps))) {
         report.gave_up = GiveUp::too_many_sub_steps;
         report.unreached += aim.vertices;
-        find_fastest(flow, time, report);
+        find_fastest(flow, time, dt, report);
         return false;
     }
     if (dt_of(pieces) != dt) {
@@ -260,7 +260,8 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
 
 // Finds the vertex that requires too many sub-steps. O(interface vertices), once.
 template <class Real>
-void Simulation<Real>::find_fastest(const Flow<Real>& flow, Real time, StepReport& report) const {
+void Simulation<Real>::find_fastest(const Flow<Real>& flow, Real time, Real dt,
+                                    StepReport& report) const {
     const std::vector<std::uint32_t> list = interface();
     std::vector<Point<Real>> positions;
     for (const std::uint32_t v : list) {
@@ -272,7 +273,13 @@ void Simulation<Real>::find_fastest(const Flow<Real>& flow, Real time, StepRepor
     } else {
         InterfaceGraph<Real> graph;
         graph.build(complex_, list);
-        (*flow.seeing())(graph.view(complex_, positions), 0, list.size(), time, velocities);
+        const InterfaceView<Real> view = graph.view(complex_, positions);
+        if (flow.seeing() != nullptr) {
+            (*flow.seeing())(view, 0, list.size(), time, velocities);
+        } else {
+            (*flow.motion())(view, time, dt, velocities);
+            std::ranges::for_each(velocities, [dt](Point<Real>& way) { way /= dt; });
+        }
     }
     for (std::size_t i = 0; i < list.size(); ++i) {
         const double speed = velocities[i].template cast<double>().norm();

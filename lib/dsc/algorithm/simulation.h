@@ -93,6 +93,10 @@ public:
     StepReport step(const InterfaceFlow<Real>& flow, Real time, Real dt) {
         return step_along(flow, time, dt);
     }
+    /// The same with a motion of the whole interface (motion/interface_flow.h).
+    StepReport step(const InterfaceMotion<Real>& motion, Real time, Real dt) {
+        return step_along(motion, time, dt);
+    }
 
     /// To be called when the flow has changed abruptly: integrators with a memory start afresh.
     /// O(interface vertices) for those, O(1) for all others.
@@ -108,7 +112,7 @@ private:
     [[nodiscard]] Real pieces_of_speed(Real remaining, Real fastest) const;
     [[nodiscard]] Real pieces_of(Real remaining, Real fastest) const;
     Real shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach);
-    void find_fastest(const Flow<Real>& flow, Real time, StepReport& report) const;
+    void find_fastest(const Flow<Real>& flow, Real time, Real dt, StepReport& report) const;
 
     enum class By : std::uint8_t { application, topology };
     void absorb(By by);

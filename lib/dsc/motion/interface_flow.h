@@ -131,22 +131,40 @@ template <class Real, class Function>
     };
 }
 
-/// Either kind of flow, as the driver hands it to an executor. Refers to the function, and costs
+/// A flow whose motion is found for the whole interface at once, such as one that needs a linear
+/// system along the curves: writes into displacements[i] by how much vertex i moves from `time` to
+/// time + dt. Entries that it does not write are zero: the vertex stays. NaN or infinity: the
+/// vertex is held and counted.
+///
+/// It is called once for a sub-step, before anything moves, and again whenever the driver changes
+/// dt; by one thread at a time, so that the result is the same to the bit for any number of
+/// threads. The integrator of the options has no part in it: the targets are the positions plus
+/// the displacements. The driver chooses its sub-steps by displacement / dt. What it throws comes
+/// out of `Simulation::step`, and leaves a valid complex.
+template <class Real>
+using InterfaceMotion = std::function<void(const InterfaceView<Real>& view, Real time, Real dt,
+                                           std::span<Point<Real>> displacements)>;
+
+/// Any kind of flow, as the driver hands it to an executor. Refers to the function, and costs
 /// nothing to copy.
 template <class Real>
 class Flow {
 public:
-    Flow(const Velocity<Real>& velocity) : velocity_(&velocity) {} // NOLINT: both are flows
+    Flow(const Velocity<Real>& velocity) : velocity_(&velocity) {} // NOLINT: all are flows
     Flow(const InterfaceFlow<Real>& along_curves) : seeing_(&along_curves) {} // NOLINT: the same
+    Flow(const InterfaceMotion<Real>& motion) : motion_(&motion) {}           // NOLINT: the same
 
     /// The function of positions and time; null where the flow sees the interface.
     [[nodiscard]] const Velocity<Real>* velocity() const { return velocity_; }
-    /// The function of the interface; null where it is one of positions and time.
+    /// The velocity that sees the interface; null for the two other kinds.
     [[nodiscard]] const InterfaceFlow<Real>* seeing() const { return seeing_; }
+    /// The motion of the whole interface; null for the two other kinds.
+    [[nodiscard]] const InterfaceMotion<Real>* motion() const { return motion_; }
 
 private:
     const Velocity<Real>* velocity_ = nullptr;
     const InterfaceFlow<Real>* seeing_ = nullptr;
+    const InterfaceMotion<Real>* motion_ = nullptr;
 };
 
 } // namespace dsc

@@ -96,8 +96,8 @@ private:
     void change_interface(std::span<const std::uint32_t> changed);
     void forget_ids();
     // Flows that see the interface: submesh_sight.cpp.
-    AimReport<Real> aim_by_sight(const InterfaceFlow<Real>& flow, Real time, Real dt);
-    Reach<Real> aim_again_by_sight(const InterfaceFlow<Real>& flow, Real time, Real dt);
+    AimReport<Real> aim_by_sight(const Flow<Real>& flow, Real time, Real dt);
+    Reach<Real> aim_again_by_sight(const Flow<Real>& flow, Real time, Real dt);
     void join_interface();
     void hand_out_aims();
     [[nodiscard]] Part& owner_of(std::uint32_t vertex);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Aiming by a flow that sees the interface: whenever it is asked, the interface vertices of all
 // submeshes have to be at the same stage, so they are integrated together. The flow itself is
-// evaluated submesh by submesh, in parallel.
+// evaluated submesh by submesh, in parallel; a motion of the whole interface is evaluated once.
 #include "dsc/parallel/in_place/submesh_part.h"
 
 namespace dsc {
@@ -25,8 +25,7 @@ void SubmeshExecutor<Real>::join_interface() {
 }
 
 template <class Real>
-AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const InterfaceFlow<Real>& flow, Real time,
-                                                    Real dt) {
+AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const Flow<Real>& flow, Real time, Real dt) {
     if (!joined_) {
         joined_ = std::make_unique<Joined>(complex_, options_);
     }
@@ -35,17 +34,14 @@ AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const InterfaceFlow<Real>& f
         aiming_.run(threads_, submeshes_.assignment, run);
         run(first_colour_); // those in no submesh: few
     });
-    const Velocity<Real> velocity = joined_->sight.velocity(flow);
-    AimReport<Real> report = find_velocities(joined_->work, velocity, time);
-    report.reach = find_targets(joined_->work, velocity, time, dt);
+    const AimReport<Real> report = joined_->sight.aim(flow, time, dt);
     hand_out_aims();
     return report;
 }
 
 template <class Real>
-Reach<Real> SubmeshExecutor<Real>::aim_again_by_sight(const InterfaceFlow<Real>& flow, Real time,
-                                                      Real dt) {
-    const Reach<Real> reach = find_targets(joined_->work, joined_->sight.velocity(flow), time, dt);
+Reach<Real> SubmeshExecutor<Real>::aim_again_by_sight(const Flow<Real>& flow, Real time, Real dt) {
+    const Reach<Real> reach = joined_->sight.aim_again(flow, time, dt);
     hand_out_aims();
     return reach;
 }
@@ -72,10 +68,8 @@ void SubmeshExecutor<Real>::hand_out_aims() {
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const InterfaceFlow<Real>&, Real, \
-                                                                 Real);                            \
-    template Reach<Real> SubmeshExecutor<Real>::aim_again_by_sight(const InterfaceFlow<Real>&,     \
-                                                                   Real, Real);
+    template AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const Flow<Real>&, Real, Real);   \
+    template Reach<Real> SubmeshExecutor<Real>::aim_again_by_sight(const Flow<Real>&, Real, Real);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

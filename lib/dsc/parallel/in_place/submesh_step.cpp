@@ -169,8 +169,8 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     }
     report += hand_over(flow, time, dt);
     collect_edits();
-    if (flow.seeing() != nullptr) {
-        report = aim_by_sight(*flow.seeing(), time, dt);
+    if (flow.velocity() == nullptr) {
+        report = aim_by_sight(flow, time, dt);
     }
     if (submeshes_.profile) {
         SubStepProfile& profile = profile_.sub_steps.emplace_back();
@@ -286,8 +286,8 @@ void SubmeshExecutor<Real>::unlist(std::uint32_t vertex) {
 
 template <class Real>
 Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
-    if (flow.seeing() != nullptr) {
-        return aim_again_by_sight(*flow.seeing(), time, dt);
+    if (flow.velocity() == nullptr) {
+        return aim_again_by_sight(flow, time, dt);
     }
     const Velocity<Real>& velocity = *flow.velocity();
     aiming_.run(threads_, submeshes_.assignment, [&](std::size_t i) {

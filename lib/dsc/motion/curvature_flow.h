@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Curvature flow of networks of curves, with a multiplier for each pair of phases, and with areas
+// that are kept where the application asks for it.
+#pragma once
+
+#include "dsc/motion/interface_flow.h"
+
+#include <vector>
+
+namespace dsc {
+
+/// A pair of phases with values of its own.
+struct PairCurvature {
+    Phase one = 0;
+    Phase other = 1;
+    double tension = 1;  ///< as in `CurvatureFlowOptions`
+    double mobility = 1; ///< as in `CurvatureFlowOptions`
+};
+
+/// A phase whose area is kept.
+struct KeptArea {
+    Phase phase = 1; ///< not the exterior, 0: its area is kept where all others are
+    double area = 0; ///< in units of the domain; usually `phase_area(complex, phase)` at the start
+};
+
+/// The interface between two phases moves along its normal at tension * mobility * curvature
+/// towards the inside of its bend. Only the ratios of tensions matter for angles: three phases of
+/// equal tensions meet at 120 degrees.
+struct CurvatureFlowOptions {
+    double tension = 1;  ///< energy per length, 0 or more; of all pairs that are not in `pairs`
+    double mobility = 1; ///< velocity per tension and curvature, above 0; of the same pairs
+    std::vector<PairCurvature> pairs = {}; ///< in any order, each pair once
+    /// The curves of each of these phases also move at one speed along their normals, which is
+    /// found such that the phase ends every sub-step with this area. An area that differs from the
+    /// present one is reached in the next sub-step.
+    std::vector<KeptArea> kept_areas = {};
+};
+
+/// Curvature flow for `Simulation::step`. Second order in time and along the curve, and stable for
+/// any step; the driver limits its sub-steps by the distance that a vertex moves, so that they are
+/// proportional to the edge length where curves are smooth.
+///
+/// Each step is linear in the new positions, with the lengths of the old ones: G. Dziuk, "An
+/// algorithm for evolutionary surfaces" (1990), with lumped masses. Junctions are moved by the
+/// normal parts of their curves alone, as in J. W. Barrett, H. Garcke, R. Nürnberg, "On the
+/// variational approximation of combined second and fourth order geometric evolution equations"
+/// (2007), so that the tensions balance there (Young's law). One step and two of half the length
+/// are extrapolated to second order in time. Curves that end at the domain boundary slide along it
+/// and meet it at 90 degrees. Locked vertices stay.
+///
+/// O(interface) for each sub-step if junctions are few, in double precision whatever `Real` is; it
+/// allocates. The function has no memory: simulations in several threads may share it. Throws
+/// InputError if an option is out of range.
+template <class Real>
+[[nodiscard]] InterfaceMotion<Real> curvature_flow(const CurvatureFlowOptions& options = {});
+
+} // namespace dsc

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/motion/curve_network.h"
+
+#include "dsc/complex/circulate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dsc {
+
+namespace {
+
+/// Edges of an intermediate stage are taken to be at least this long, relative to the square root
+/// of the scalar's smallest value: the matrix stays finite where two vertices coincide.
+constexpr double shortest_edge = 1e-150;
+
+double length_of(const CurveEdge& edge, std::span<const Point<double>> positions) {
+    return std::max((positions[edge.to] - positions[edge.from]).norm(), shortest_edge);
+}
+
+Freedom operator+(const Freedom& one, const Freedom& other) {
+    return {one.xx + other.xx, one.xy + other.xy, one.yy + other.yy};
+}
+
+Freedom operator*(double factor, const Freedom& of) {
+    return {factor * of.xx, factor * of.xy, factor * of.yy};
+}
+
+/// The projection onto the direction of a vector of this length.
+Freedom along(const Point<double>& way, double length) {
+    const Point<double> t = way / length;
+    return {t.x() * t.x(), t.x() * t.y(), t.y() * t.y()};
+}
+
+constexpr Freedom anywhere{};
+constexpr Freedom nowhere{0, 0, 0};
+
+Freedom rest_of(const Freedom& one) { return anywhere + -1.0 * one; }
+
+/// one * middle * one, for symmetric matrices.
+Freedom within(const Freedom& one, const Freedom& middle) {
+    const Point<double> x = one.of(middle.of({one.xx, one.xy}));
+    const Point<double> y = one.of(middle.of({one.xy, one.yy}));
+    return {x.x(), x.y(), y.y()};
+}
+
+} // namespace
+
+template <class Real>
+Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i) {
+    if ((view.flags[i] & interface_locked) != 0) {
+        return nowhere;
+    }
+    if (!view.is_on_boundary(i)) {
+        return anywhere;
+    }
+    const Complex<Real>& complex = view.complex;
+    Point<double> before(0, 0);
+    Point<double> after(0, 0);
+    const Point<double> here = complex.position(view.vertices[i]).template cast<double>();
+    const auto way_to = [&](Corner c) {
+        return Point<double>(complex.position(Vertex{complex.vertex(c)}).template cast<double>() -
+                             here);
+    };
+    for_each_corner(complex, view.vertices[i], [&](Corner c) {
+        if (is_border(complex.twin(prev(c)))) {
+            after = way_to(next(c));
+        }
+        if (is_border(complex.twin(next(c)))) {
+            before = way_to(prev(c));
+        }
+    });
+    // The library slides vertices along straight boundaries only: any turn is a corner.
+    const bool is_straight =
+        after.x() * before.y() == after.y() * before.x() && after.dot(before) < 0;
+    return is_straight ? along(after, after.norm()) : nowhere;
+}
+
+std::vector<double> lumped_drag(const CurveNetwork& network,
+                                std::span<const Point<double>> positions) {
+    std::vector<double> drag(positions.size(), 0.0);
+    for (const CurveEdge& edge : network.edges) {
+        const double half = edge.forces.drag * length_of(edge, positions) / 2;
+        drag[edge.from] += half;
+        drag[edge.to] += half;
+    }
+    return drag;
+}
+
+// For the displacements d: (drag / dt) d + A d = -A x, where A x is the sum of the tensions at each
+// vertex, restricted to the directions in which the vertices can move.
+void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) {
+    const std::size_t n = positions.size();
+    const auto row = [](std::size_t i) { return static_cast<int>(2 * i); };
+    std::vector<Freedom> diagonal(n, nowhere);
+    std::vector<Point<double>> force(n, Point<double>(0, 0));
+    entries_.clear();
+    for (const CurveEdge& edge : network_.edges) {
+        const Point<double> way = positions[edge.to] - positions[edge.from];
+        const double length = length_of(edge, positions);
+        const double stiffness = edge.forces.tension / length;
+        const double half = edge.forces.drag * length / (2 * dt);
+        // A junction that moves along one of its curves does not move the curve.
+        const Freedom normal = rest_of(along(way, length));
+        const auto at_end = [&](std::uint32_t i) {
+            return stiffness * anywhere + half * (network_.is_junction[i] != 0 ? normal : anywhere);
+        };
+        diagonal[edge.from] = diagonal[edge.from] + at_end(edge.from);
+        diagonal[edge.to] = diagonal[edge.to] + at_end(edge.to);
+        force[edge.from] += stiffness * way;
+        force[edge.to] -= stiffness * way;
+
+        const auto [low, high] = std::minmax(edge.from, edge.to);
+        const Freedom& l = network_.freedom[low];
+        const Freedom& h = network_.freedom[high];
+        entries_.emplace_back(row(high), row(low), -stiffness * (h.xx * l.xx + h.xy * l.xy));
+        entries_.emplace_back(row(high) + 1, row(low) + 1,
+                              -stiffness * (h.xy * l.xy + h.yy * l.yy));
+        if (h.xy != 0 || l.xy != 0) {
+            entries_.emplace_back(row(high), row(low) + 1,
+                                  -stiffness * (h.xx * l.xy + h.xy * l.yy));
+            entries_.emplace_back(row(high) + 1, row(low),
+                                  -stiffness * (h.xy * l.xx + h.yy * l.xy));
+        }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const Freedom& free = network_.freedom[i];
+        const Freedom block = within(free, diagonal[i]) + rest_of(free);
+        entries_.emplace_back(row(i), row(i), block.xx);
+        entries_.emplace_back(row(i) + 1, row(i) + 1, block.yy);
+        if (network_.is_junction[i] != 0 || free.xy != 0) {
+            entries_.emplace_back(row(i) + 1, row(i), block.xy);
+        }
+        forces_.segment<2>(row(i)) = free.of(force[i]);
+    }
+    matrix_.setFromTriplets(entries_.begin(), entries_.end());
+}
+
+std::vector<Point<double>> CurveSystem::step(std::span<const Point<double>> positions, double dt) {
+    const auto size = static_cast<Eigen::Index>(2 * positions.size());
+    forces_.resize(size);
+    matrix_.resize(size, size);
+    assemble(positions, dt);
+    if (!is_analysed_) {
+        solver_.analyzePattern(matrix_);
+        is_analysed_ = true;
+    }
+    solver_.factorize(matrix_);
+    std::vector<Point<double>> displacements(positions.size());
+    if (solver_.info() != Eigen::Success) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        std::ranges::fill(displacements, Point<double>(none, none));
+        return displacements;
+    }
+    const Eigen::VectorXd found = solver_.solve(forces_);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        displacements[i] = found.segment<2>(static_cast<Eigen::Index>(2 * i));
+    }
+    return displacements;
+}
+
+template Freedom freedom_of(const InterfaceView<double>&, std::size_t);
+template Freedom freedom_of(const InterfaceView<float>&, std::size_t);
+
+} // namespace dsc

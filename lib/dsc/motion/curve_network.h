@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The interface as a network of straight edges under tension: what a step of curvature flow solves
+// for. Everything is in double precision.
+#pragma once
+
+#include "dsc/motion/interface_flow.h"
+
+#include <Eigen/Sparse>
+#include <Eigen/SparseCholesky>
+
+#include <vector>
+
+namespace dsc {
+
+/// What resists and what drives the motion of an interface edge.
+struct EdgeForces {
+    double tension = 1; ///< energy per length
+    double drag = 1;    ///< 1 / mobility
+};
+
+struct CurveEdge {
+    std::uint32_t from = no_id;
+    std::uint32_t to = no_id;
+    Phase left = border_phase;
+    Phase right = border_phase;
+    EdgeForces forces{};
+};
+
+/// In which directions a vertex can move: a symmetric projection.
+struct Freedom {
+    double xx = 1;
+    double xy = 0;
+    double yy = 1;
+
+    [[nodiscard]] Point<double> of(const Point<double>& p) const {
+        return {xx * p.x() + xy * p.y(), xy * p.x() + yy * p.y()};
+    }
+};
+
+/// Indices are those of the view that it was made from.
+struct CurveNetwork {
+    std::vector<Point<double>> positions;
+    std::vector<CurveEdge> edges; ///< each edge once
+    std::vector<Freedom> freedom;
+    std::vector<std::uint8_t> is_junction;
+};
+
+/// `forces_of(left, right)` is asked for each edge between two phases; edges of the domain boundary
+/// get a tension that is negligible, and no drag: their vertices spread evenly between the curves
+/// that arrive there. O(interface).
+template <class Real, class ForcesOf>
+[[nodiscard]] CurveNetwork curve_network(const InterfaceView<Real>& view,
+                                         const ForcesOf& forces_of);
+
+/// In which directions the vertex can move: none if it is locked or a corner of the domain, and
+/// along the boundary if it lies there. O(star) on the boundary, else O(1).
+template <class Real>
+[[nodiscard]] Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i);
+
+/// Half of the drag of its edges, for each vertex: the lumped mass of a scalar. O(edges).
+[[nodiscard]] std::vector<double> lumped_drag(const CurveNetwork& network,
+                                              std::span<const Point<double>> positions);
+
+/// Implicit Euler steps of one network. The matrix keeps its structure from step to step.
+class CurveSystem {
+public:
+    explicit CurveSystem(const CurveNetwork& network) : network_(network) {}
+    /// The displacements in a time dt of vertices that are at `positions`; NaN if the system cannot
+    /// be solved.
+    [[nodiscard]] std::vector<Point<double>> step(std::span<const Point<double>> positions,
+                                                  double dt);
+
+private:
+    void assemble(std::span<const Point<double>> positions, double dt);
+
+    const CurveNetwork& network_;
+    std::vector<Eigen::Triplet<double>> entries_;
+    Eigen::VectorXd forces_;
+    Eigen::SparseMatrix<double> matrix_;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+    bool is_analysed_ = false;
+};
+
+template <class Real, class ForcesOf>
+CurveNetwork curve_network(const InterfaceView<Real>& view, const ForcesOf& forces_of) {
+    CurveNetwork network;
+    const std::size_t n = view.size();
+    network.positions.reserve(n);
+    network.freedom.reserve(n);
+    network.edges.reserve(n + view.arms.size());
+    network.is_junction.assign(n, 0);
+    const auto add = [&](std::size_t from, std::uint32_t to, Phase left, Phase right) {
+        constexpr EdgeForces wall{.tension = 1e-9, .drag = 0};
+        const bool is_wall = left == border_phase || right == border_phase;
+        network.edges.push_back({static_cast<std::uint32_t>(from), to, left, right,
+                                 is_wall ? wall : forces_of(left, right)});
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        network.positions.push_back(view.positions[i].template cast<double>());
+        network.freedom.push_back(freedom_of(view, i));
+        if (!view.is_junction(i) && !view.is_junction(view.next[i])) {
+            add(i, view.next[i], view.left[i], view.right[i]);
+        }
+    }
+    for (std::size_t k = 0; k < view.junctions.size(); ++k) {
+        const std::uint32_t i = view.junctions[k];
+        network.is_junction[i] = 1;
+        for (std::uint32_t a = view.arm_begin[k]; a < view.arm_begin[k + 1]; ++a) {
+            const InterfaceArm& arm = view.arms[a];
+            // The other end of an edge between two junctions has it as well.
+            if (!view.is_junction(arm.neighbour) || arm.neighbour > i) {
+                add(i, arm.neighbour, arm.left, arm.right);
+            }
+        }
+    }
+    return network;
+}
+
+} // namespace dsc
