@@ -86,7 +86,7 @@ std::vector<Point<double>> extrapolated(const CurveNetwork& network, std::span<c
     const auto step = [&](std::span<const Point<double>> positions, double time) {
         std::vector<Point<double>> way = system.step(positions, time);
         if (!kept.empty()) {
-            keep_areas(network, kept, positions, way);
+            keep_areas(network, kept, positions, way, &system);
         }
         return way;
     };
@@ -102,7 +102,7 @@ std::vector<Point<double>> extrapolated(const CurveNetwork& network, std::span<c
         halves[i] = 2 * (halves[i] + second[i]) - whole[i];
     }
     if (!kept.empty()) {
-        keep_areas(network, kept, start, halves);
+        keep_areas(network, kept, start, halves, nullptr);
     }
     return halves;
 }

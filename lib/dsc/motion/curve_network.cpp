@@ -160,6 +160,15 @@ std::vector<Point<double>> CurveSystem::step(std::span<const Point<double>> posi
     return displacements;
 }
 
+Eigen::VectorXd CurveSystem::response_to(const Eigen::VectorXd& forces) const {
+    Eigen::VectorXd possible(forces.size());
+    for (std::size_t i = 0; i < network_.freedom.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(2 * i);
+        possible.segment<2>(row) = network_.freedom[i].of(forces.segment<2>(row));
+    }
+    return solver_.solve(possible);
+}
+
 template Freedom freedom_of(const InterfaceView<double>&, std::size_t);
 template Freedom freedom_of(const InterfaceView<float>&, std::size_t);
 

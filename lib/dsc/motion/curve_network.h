@@ -69,6 +69,9 @@ public:
     /// be solved.
     [[nodiscard]] std::vector<Point<double>> step(std::span<const Point<double>> positions,
                                                   double dt);
+    /// The additional displacements in the last step if these forces had acted as well: x and y of
+    /// each vertex. Only after a step that was not NaN.
+    [[nodiscard]] Eigen::VectorXd response_to(const Eigen::VectorXd& forces) const;
 
 private:
     void assemble(std::span<const Point<double>> positions, double dt);

@@ -2,6 +2,7 @@
 #include "dsc/motion/kept_areas.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace dsc {
 
@@ -84,6 +85,90 @@ Matrix responses(const CurveNetwork& network, std::span<const Point<double>> pos
     return mobility * gradients;
 }
 
+/// Those of the phases whose areas can be kept. A phase that is absent or locked has none that
+/// could change; where all phases are kept, the last one follows from the others.
+std::vector<KeptArea> changeable(const CurveNetwork& network, std::span<const KeptArea> kept) {
+    std::vector<std::uint8_t> is_there(kept.size(), 0);
+    bool are_all_kept = true;
+    const auto note = [&](Phase phase) {
+        const int place = place_in(kept, phase);
+        if (place >= 0) {
+            is_there[static_cast<std::size_t>(place)] = 1;
+        }
+        are_all_kept = are_all_kept && place >= 0;
+    };
+    const auto can_move = [&](std::uint32_t i) {
+        return network.freedom[i].xx + network.freedom[i].yy > 0;
+    };
+    for (const CurveEdge& edge : network.edges) {
+        if (edge.forces.drag > 0 && (can_move(edge.from) || can_move(edge.to))) {
+            note(edge.left);
+            note(edge.right);
+        }
+    }
+    std::vector<KeptArea> list;
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        if (is_there[k] != 0) {
+            list.push_back(kept[k]);
+        }
+    }
+    if (are_all_kept && !list.empty()) {
+        list.pop_back();
+    }
+    return list;
+}
+
+/// What changes areas: by pressures alone, without tension.
+struct Pressing {
+    Matrix gradients;
+    Matrix responses;
+    Eigen::SimplicialLDLT<Matrix> solver; ///< from areas to pressures
+};
+
+/// False if the pressures cannot be found.
+bool prepare(const CurveNetwork& network, std::span<const Point<double>> positions,
+             std::span<const KeptArea> kept, Pressing& pressing) {
+    pressing.gradients = area_gradients(network, positions, kept);
+    pressing.responses = responses(network, positions, pressing.gradients);
+    const Matrix system = pressing.gradients.transpose() * pressing.responses;
+    pressing.solver.compute(system);
+    return pressing.solver.info() == Eigen::Success;
+}
+
+/// Written out: the compiler warns of Eigen's own.
+double dot(const Eigen::VectorXd& one, const Eigen::VectorXd& other) {
+    return std::inner_product(one.begin(), one.end(), other.begin(), 0.0);
+}
+
+/// The displacements by pressures during a step of the system that change the areas by `change`:
+/// conjugate gradients for the pressures, preconditioned by what they do without tension.
+Eigen::VectorXd press(const CurveSystem& system, const Pressing& pressing,
+                      const Eigen::VectorXd& change) {
+    constexpr int most_rounds = 30;
+    constexpr double tolerance = 1e-8; // what remains is left to a shift
+    Eigen::VectorXd displacements = Eigen::VectorXd::Zero(pressing.gradients.rows());
+    Eigen::VectorXd left = change;
+    Eigen::VectorXd preconditioned = pressing.solver.solve(left);
+    Eigen::VectorXd direction = preconditioned;
+    double size = dot(left, preconditioned);
+    const double enough = tolerance * tolerance * dot(change, change);
+    for (int round = 0; round < most_rounds && dot(left, left) > enough; ++round) {
+        const Eigen::VectorXd response = system.response_to(pressing.gradients * direction);
+        const Eigen::VectorXd by_direction = pressing.gradients.transpose() * response;
+        const double slope = dot(direction, by_direction);
+        if (!(slope > 0)) {
+            break;
+        }
+        displacements += (size / slope) * response;
+        left -= (size / slope) * by_direction;
+        preconditioned = pressing.solver.solve(left);
+        const double next = dot(left, preconditioned);
+        direction = preconditioned + (next / size) * direction;
+        size = next;
+    }
+    return displacements;
+}
+
 } // namespace
 
 double area_in(const CurveNetwork& network, std::span<const Point<double>> positions, Phase phase) {
@@ -92,45 +177,37 @@ double area_in(const CurveNetwork& network, std::span<const Point<double>> posit
 }
 
 void keep_areas(const CurveNetwork& network, std::span<const KeptArea> kept,
-                std::span<const Point<double>> positions, std::span<Point<double>> displacements) {
-    // Area is quadratic in the displacement: each round squares the relative error, about.
-    constexpr int rounds = 4;
-    const auto count = static_cast<Eigen::Index>(kept.size());
+                std::span<const Point<double>> positions, std::span<Point<double>> displacements,
+                const CurveSystem* system) {
+    // Area is quadratic in the displacement: a shift leaves about its square.
+    constexpr int shifts = 3;
+    const std::vector<KeptArea> list = changeable(network, kept);
+    if (list.empty()) {
+        return;
+    }
     std::vector<Point<double>> moved(positions.begin(), positions.end());
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-        moved[i] += displacements[i];
-    }
-    Eigen::VectorXd wanted(count);
-    for (std::size_t k = 0; k < kept.size(); ++k) {
-        wanted[static_cast<Eigen::Index>(k)] = kept[k].area;
-    }
-    const Matrix gradients = area_gradients(network, moved, kept);
-    const Matrix response = responses(network, moved, gradients);
-    Matrix system = gradients.transpose() * response;
-    // Where phases fill the domain without an exterior their areas have a constant sum, and a phase
-    // may be absent or locked: the pressure that changes nothing is kept finite.
-    double largest = 0;
-    for (Eigen::Index k = 0; k < count; ++k) {
-        largest = std::max(largest, system.coeff(k, k));
-    }
-    if (!(largest > 0)) {
-        return;
-    }
-    Matrix identity(count, count);
-    identity.setIdentity();
-    system += (1e-12 * largest) * identity;
-    const Eigen::SimplicialLDLT<Matrix> solver(system);
-    if (solver.info() != Eigen::Success) {
-        return;
-    }
-    for (int round = 0; round < rounds; ++round) {
-        const Eigen::VectorXd pressure = solver.solve(wanted - areas(network, moved, kept));
-        const Eigen::VectorXd shift = response * pressure;
+    const auto move = [&](const Eigen::VectorXd& by) {
         for (std::size_t i = 0; i < moved.size(); ++i) {
-            const Point<double> way = shift.segment<2>(static_cast<Eigen::Index>(2 * i));
-            moved[i] += way;
+            const Point<double> way = by.segment<2>(static_cast<Eigen::Index>(2 * i));
             displacements[i] += way;
+            moved[i] = positions[i] + displacements[i];
         }
+    };
+    move(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * positions.size())));
+    Eigen::VectorXd wanted(static_cast<Eigen::Index>(list.size()));
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        wanted[static_cast<Eigen::Index>(k)] = list[k].area;
+    }
+    Pressing pressing;
+    if (!prepare(network, moved, list, pressing)) {
+        return;
+    }
+    if (system != nullptr) {
+        move(press(*system, pressing, wanted - areas(network, moved, list)));
+    }
+    for (int shift = 0; shift < shifts; ++shift) {
+        const Eigen::VectorXd change = wanted - areas(network, moved, list);
+        move(pressing.responses * pressing.solver.solve(change));
     }
 }
 

@@ -11,10 +11,13 @@ namespace dsc {
 [[nodiscard]] double area_in(const CurveNetwork& network, std::span<const Point<double>> positions,
                              Phase phase);
 
-/// Adds to the displacements from `positions` what gives each phase its area: the same speed along
-/// all normals of the phase, times mobility. `kept` is sorted by phase. O(edges log phases), and a
-/// sparse solve for the phases.
+/// Adds to the displacements from `positions` what gives each phase its area: one pressure for each
+/// phase moves all of its curves along their normals. `kept` is sorted by phase. With `system`,
+/// whose last step gave these displacements, the pressures act during that step; null: what is
+/// missing is small, and vertices move by the shortest way. O(edges log phases), and some solves
+/// of the system: their number hardly depends on the number of phases.
 void keep_areas(const CurveNetwork& network, std::span<const KeptArea> kept,
-                std::span<const Point<double>> positions, std::span<Point<double>> displacements);
+                std::span<const Point<double>> positions, std::span<Point<double>> displacements,
+                const CurveSystem* system);
 
 } // namespace dsc
