@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
+#include "dsc/motion/interface_flow.h"
 #include "flows/velocity.h"
 #include "scenes/keys.h"
 #include "shapes/exact_shape.h"
@@ -15,11 +16,18 @@
 
 namespace dsc::scenes {
 
+/// A motion of the whole interface, in either precision.
+struct Motion {
+    InterfaceMotion<double> in_double;
+    InterfaceMotion<float> in_float;
+};
+
 /// A scene with its parameters filled in.
 struct Setup {
     Rectangle domain{};
     std::vector<Outline> outlines{}; ///< each of phase 1
     Flow flow{};
+    std::optional<Motion> motion{}; ///< replaces `flow`; not for the reference
     double dt = 0;
     int steps = 0;                  ///< in total
     std::optional<int> half_step{}; ///< the step at which a reversing flow is farthest out

@@ -179,6 +179,73 @@ Outline crescent(const Crescent& crescent, double edge_length) {
     return outline;
 }
 
+namespace {
+
+/// From the centre of a disc of the dumbbell to that of an arc beside it: along the axis, and away
+/// from it.
+Point<double> to_rounding(const Dumbbell& d) {
+    check_positive(d.radius, "radius", "dumbbell");
+    check_positive(d.rounding, "radius of the rounding", "dumbbell");
+    check_positive(d.neck, "width of the neck", "dumbbell");
+    const double across = 0.5 * d.neck + d.rounding;
+    const double reach = d.radius + d.rounding;
+    if (across >= reach) {
+        throw InputError({.what = "width of the neck",
+                          .where = "dumbbell",
+                          .value = std::to_string(d.neck),
+                          .allowed = "less than the diameter"});
+    }
+    const double along = std::sqrt((reach - across) * (reach + across));
+    if (!(0.5 * d.distance >= along)) {
+        throw InputError({.what = "distance of the centres",
+                          .where = "dumbbell",
+                          .value = std::to_string(d.distance),
+                          .allowed = "at least " + std::to_string(2 * along)});
+    }
+    return {along, across};
+}
+
+} // namespace
+
+Outline dumbbell(const Dumbbell& d, double edge_length) {
+    const Point<double> to = to_rounding(d);
+    const double angle = std::atan2(to.y(), to.x());
+    Outline outline;
+    // One half after the other, each seen with its disc on the right.
+    for (const double side : {1.0, -1.0}) {
+        const Point<double> disc = d.centre + side * Point<double>(0.5 * d.distance, 0);
+        const double turned = side > 0 ? 0.0 : pi;
+        const auto at = [&](double radius, double direction) {
+            return Point<double>(radius * std::cos(turned + direction),
+                                 radius * std::sin(turned + direction));
+        };
+        const auto arc = [&](const Point<double>& centre, double radius, double begin,
+                             double sweep) {
+            outline.push_back(centre + at(radius, begin));
+            append_arc(centre, radius, turned + begin, sweep, edge_length, outline);
+        };
+        const Point<double> below = disc - side * to;
+        const Point<double> above = disc + side * Point<double>(-to.x(), to.y());
+        arc(below, d.rounding, 0.5 * pi, angle - 0.5 * pi);
+        arc(disc, d.radius, angle - pi, 2.0 * (pi - angle));
+        arc(above, d.rounding, -angle, angle - 0.5 * pi);
+        append_side(above + at(d.rounding, -0.5 * pi),
+                    d.centre - side * Point<double>(0.5 * d.distance - to.x(), -0.5 * d.neck),
+                    edge_length, outline);
+    }
+    return outline;
+}
+
+double dumbbell_area(const Dumbbell& d) {
+    const Point<double> to = to_rounding(d);
+    const double angle = std::atan2(to.y(), to.x());
+    const double discs = 2.0 * (pi - angle) * d.radius * d.radius;
+    // Between the centres of disc and arc and the axis, without the arc's sector.
+    const double beside =
+        0.5 * to.x() * to.y() - 0.5 * d.rounding * d.rounding * (0.5 * pi - angle);
+    return discs + 4.0 * beside + d.neck * (d.distance - 2.0 * to.x());
+}
+
 Outline star(const Point<double>& centre, double outer_radius, double inner_radius, int tips,
              double edge_length) {
     check_positive(outer_radius, "outer radius", "star");

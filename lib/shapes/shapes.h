@@ -49,6 +49,20 @@ struct Crescent {
 
 [[nodiscard]] Outline crescent(const Crescent& crescent, double edge_length);
 
+/// Two discs side by side, joined by a straight neck with rounded ends: a curve without corners,
+/// concave where the neck begins.
+struct Dumbbell {
+    Point<double> centre{0.5, 0.5};
+    double radius = 0.15;   ///< of the discs
+    double distance = 0.5;  ///< of their centres
+    double neck = 0.06;     ///< width of the straight part
+    double rounding = 0.05; ///< radius of the arcs between the neck and the discs
+};
+
+[[nodiscard]] Outline dumbbell(const Dumbbell& dumbbell, double edge_length);
+/// In closed form.
+[[nodiscard]] double dumbbell_area(const Dumbbell& dumbbell);
+
 /// A star with `tips` corners on the outer circle, the first at angle zero, and as many between
 /// them on the inner one.
 [[nodiscard]] Outline star(const Point<double>& centre, double outer_radius, double inner_radius,

@@ -224,14 +224,15 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
         }
         const auto setup = scene.prepare(scene.defaults);
         EXPECT_FALSE(setup.outlines.empty());
-        EXPECT_FALSE(setup.flow.empty());
+        EXPECT_NE(setup.flow.empty(), setup.motion.has_value());
         EXPECT_GT(setup.steps, 0);
         EXPECT_TRUE(std::isfinite(setup.dt) && setup.dt > 0);
         EXPECT_GT(setup.exact(0).area, 0);
     }
-    for (const char* name : {"translation", "scaling", "rotation-rectangle", "rotation-crescent",
-                             "vortex-square", "zalesak", "swirl", "swirl-zalesak", "single-vortex",
-                             "speedup-scaling", "speedup-four-circles"}) {
+    for (const char* name :
+         {"translation", "scaling", "rotation-rectangle", "rotation-crescent", "vortex-square",
+          "zalesak", "swirl", "swirl-zalesak", "single-vortex", "speedup-scaling",
+          "speedup-four-circles", "curvature-circle", "curvature-dumbbell"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
 }

@@ -166,6 +166,10 @@ Eigen::VectorXd press(const CurveSystem& system, const Pressing& pressing,
         direction = preconditioned + (next / size) * direction;
         size = next;
     }
+    // Rounding errors alone would be left over by targets that contradict each other.
+    if (!(dot(left, left) <= dot(change, change))) {
+        displacements.setZero();
+    }
     return displacements;
 }
 

@@ -17,6 +17,7 @@ const std::vector<Scene>& catalogue() {
                  zalesak_scenes,
                  swirl_scenes,
                  speedup_scenes,
+                 curvature_scenes,
              }) {
             for (Scene& scene : family()) {
                 all.push_back(std::move(scene));

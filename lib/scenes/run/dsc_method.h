@@ -65,20 +65,17 @@ public:
             simulation_->forget();
             leg_ = &velocity;
         }
-        const StepReport report = simulation_->step(velocity_in<Real>(velocity),
-                                                    static_cast<Real>(time), static_cast<Real>(dt));
-        result.unreached += report.unreached;
-        result.held += report.held;
-        result.sub_steps += report.sub_steps;
-        if (report.gave_up == GiveUp::too_many_sub_steps) {
-            result.gave_up = "a step at time " + std::to_string(time) + " asks for more than " +
-                             std::to_string(options_.max_sub_steps) + " sub-steps: vertex " +
-                             std::to_string(report.where.id) + " moves at " +
-                             std::to_string(report.speed);
+        take(simulation_->step(velocity_in<Real>(velocity), static_cast<Real>(time),
+                               static_cast<Real>(dt)),
+             time, result);
+    }
+    void step(const Motion& motion, double time, double dt, RunResult& result) {
+        const auto begin = static_cast<Real>(time);
+        if constexpr (std::is_same_v<Real, double>) {
+            take(simulation_->step(motion.in_double, begin, dt), time, result);
+        } else {
+            take(simulation_->step(motion.in_float, begin, static_cast<Real>(dt)), time, result);
         }
-        vertex_steps_ += report.interface_vertices;
-        add_operations(result, report.operations);
-        result.events.insert(result.events.end(), report.events.begin(), report.events.end());
     }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
@@ -92,6 +89,21 @@ public:
     }
 
 private:
+    void take(const StepReport& report, double time, RunResult& result) {
+        result.unreached += report.unreached;
+        result.held += report.held;
+        result.sub_steps += report.sub_steps;
+        if (report.gave_up == GiveUp::too_many_sub_steps) {
+            result.gave_up = "a step at time " + std::to_string(time) + " asks for more than " +
+                             std::to_string(options_.max_sub_steps) + " sub-steps: vertex " +
+                             std::to_string(report.where.id) + " moves at " +
+                             std::to_string(report.speed);
+        }
+        vertex_steps_ += report.interface_vertices;
+        add_operations(result, report.operations);
+        result.events.insert(result.events.end(), report.events.begin(), report.events.end());
+    }
+
     Complex<Real> complex_;
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;

@@ -44,9 +44,8 @@ public:
             // Multiplied, not summed: the last step ends where the scene ends.
             const double begin = (step - 1) * setup_.dt;
             const double end = step * setup_.dt;
-            const Velocity& velocity = velocity_of_step(setup_.flow, begin, end);
             const Stopwatch watch;
-            method_.step(velocity, begin, setup_.dt, result_);
+            advance(begin, end);
             step_us.push_back(watch.wall() * 1e6);
             result_.wall_s += watch.wall();
             result_.cpu_s += watch.cpu();
@@ -65,6 +64,16 @@ public:
 
 private:
     const auto& complex() { return method_.complex(); }
+
+    void advance(double begin, double end) {
+        if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
+            if (setup_.motion) {
+                method_.step(*setup_.motion, begin, setup_.dt, result_);
+                return;
+            }
+        }
+        method_.step(velocity_of_step(setup_.flow, begin, end), begin, setup_.dt, result_);
+    }
 
     void observe(int step) {
         if constexpr (std::is_same_v<Method, DscMethod<double>>) {
@@ -193,6 +202,12 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
                               .where = "--set real",
                               .value = "'float'",
                               .allowed = "double"});
+        }
+        if (setup.motion) {
+            throw InputError({.what = "the reference moves vertices by velocities alone",
+                              .where = "--strategy",
+                              .value = "'reference'",
+                              .allowed = "another strategy for the scene " + scene.name});
         }
         run_method<ReferenceMethod>(setup, parameters, options, result);
     } else if (parameters.real == RealType::double_precision) {

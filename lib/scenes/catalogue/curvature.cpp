@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Curvature flow. Any closed curve loses area at the rate 2 pi, becomes convex, and vanishes as a
+// round point without ever splitting: M. A. Grayson, "The heat equation shrinks embedded plane
+// curves to round points" (1987).
+#include "dsc/motion/curvature_flow.h"
+#include "flows/exact.h"
+#include "scenes/catalogue/families.h"
+#include "shapes/shapes.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dsc::scenes {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// The farthest that a vertex goes in a step where the curvature is that of the radius below.
+constexpr double step = 0.25;
+
+Motion by_curvature() { return {curvature_flow<double>(), curvature_flow<float>()}; }
+
+Setup circle_to_half(const Parameters& p) {
+    static constexpr double first_radius = 0.3;
+    static const Point<double> middle(0.5, 0.5);
+    const double last_radius = first_radius / std::sqrt(2.0);
+    const Schedule s = schedule(p, first_radius * first_radius / 4, step * p.h * last_radius);
+    Setup setup;
+    setup.outlines = {circle(middle, first_radius, p.h)};
+    setup.motion = by_curvature();
+    setup.dt = s.dt;
+    setup.steps = s.steps;
+    setup.exact = [](double time) {
+        return exact_circle(middle, std::sqrt(first_radius * first_radius - 2 * time));
+    };
+    return setup;
+}
+
+// The area is exact at all times; the shape is only known where it ends, and where it begins.
+Setup dumbbell_to_a_hundredth(const Parameters& p) {
+    static const Dumbbell first;
+    static const double first_area = dumbbell_area(first);
+    const Schedule s = schedule(p, 0.99 * first_area / (2 * pi), step * p.h * first.rounding);
+    Setup setup;
+    setup.outlines = {dumbbell(first, p.h)};
+    setup.motion = by_curvature();
+    setup.dt = s.dt;
+    setup.steps = s.steps;
+    setup.exact = [](double time) {
+        const double area = first_area - 2 * pi * time;
+        ExactShape shape = exact_circle(first.centre, std::sqrt(area / pi));
+        shape.area = area;
+        shape.description = "the disc of the exact area, which the curve approaches";
+        shape.own_error = std::numeric_limits<double>::quiet_NaN();
+        return shape;
+    };
+    return setup;
+}
+
+} // namespace
+
+std::vector<Scene> curvature_scenes() {
+    return {
+        {.name = "curvature-circle",
+         .description = "a circle shrinks by its curvature to half its area",
+         .section = "13",
+         .defaults = {.h = 0.015, .dt = 0},
+         .prepare = circle_to_half},
+        {.name = "curvature-dumbbell",
+         .description =
+             "a dumbbell shrinks by its curvature to a hundredth of its area, in one piece",
+         .section = "13",
+         .defaults = {.h = 0.01, .dt = 0},
+         .prepare = dumbbell_to_a_hundredth},
+    };
+}
+
+} // namespace dsc::scenes
