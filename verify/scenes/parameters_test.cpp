@@ -224,7 +224,7 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
         }
         const auto setup = scene.prepare(scene.defaults);
         EXPECT_FALSE(setup.outlines.empty());
-        EXPECT_NE(setup.flow.empty(), setup.motion.has_value());
+        EXPECT_EQ(setup.flow.empty(), setup.motion.has_value());
         EXPECT_GT(setup.steps, 0);
         EXPECT_TRUE(std::isfinite(setup.dt) && setup.dt > 0);
         EXPECT_GT(setup.exact(0).area, 0);
