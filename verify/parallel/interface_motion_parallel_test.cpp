@@ -34,12 +34,13 @@ struct Outcome {
     double kept = 0;                   ///< of the other disc
 };
 
-// The ring closes, and the other disc, whose area is kept, is pushed aside.
+// The ring shrinks on both sides, and the other disc, whose area is kept, is pushed aside.
 Outcome run(const std::optional<Parallel>& parallel) {
     Complex<double> complex = two_discs();
     Options<double> options;
     options.edge_length = h;
-    const auto curvature = curvature_flow<double>({.kept_areas = {{2, phase_area(complex, 2)}}});
+    const auto curvature =
+        curvature_flow<double>({.mobility = 0.05, .kept_areas = {{2, phase_area(complex, 2)}}});
     std::atomic<int> inside = 0;
     const InterfaceMotion<double> motion = [&](const auto& view, double time, double dt,
                                                auto displacements) {
