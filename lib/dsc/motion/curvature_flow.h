@@ -46,7 +46,8 @@ struct CurvatureFlowOptions {
 /// variational approximation of combined second and fourth order geometric evolution equations"
 /// (2007), so that the tensions balance there (Young's law). One step and two of half the length
 /// are extrapolated to second order in time. Curves that end at the domain boundary slide along it
-/// and meet it at 90 degrees. Locked vertices stay.
+/// and meet it at 90 degrees. Locked vertices stay. A jagged start becomes smooth at once: with
+/// `interface.corner_degrees` 180 its corners are not kept, which would stand in a junction's way.
 ///
 /// O(interface) for each sub-step if junctions are few, in double precision whatever `Real` is; it
 /// allocates. The function has no memory: simulations in several threads may share it. Throws

@@ -11,8 +11,8 @@ namespace dsc {
 
 namespace {
 
-/// Edges of an intermediate stage are taken to be at least this long, relative to the square root
-/// of the scalar's smallest value: the matrix stays finite where two vertices coincide.
+/// Edges are taken to be at least this long, so that the matrix stays finite where two vertices of
+/// an intermediate stage coincide. Its square is still a normal number.
 constexpr double shortest_edge = 1e-150;
 
 double length_of(const CurveEdge& edge, std::span<const Point<double>> positions) {

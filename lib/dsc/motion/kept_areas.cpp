@@ -175,11 +175,6 @@ Eigen::VectorXd press(const CurveSystem& system, const Pressing& pressing,
 
 } // namespace
 
-double area_in(const CurveNetwork& network, std::span<const Point<double>> positions, Phase phase) {
-    const KeptArea one{.phase = phase};
-    return areas(network, positions, std::span<const KeptArea>(&one, 1))[0];
-}
-
 void keep_areas(const CurveNetwork& network, std::span<const KeptArea> kept,
                 std::span<const Point<double>> positions, std::span<Point<double>> displacements,
                 const CurveSystem* system) {

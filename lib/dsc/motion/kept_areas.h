@@ -7,10 +7,6 @@
 
 namespace dsc {
 
-/// The area of a phase other than the exterior, from the edges around it. O(edges).
-[[nodiscard]] double area_in(const CurveNetwork& network, std::span<const Point<double>> positions,
-                             Phase phase);
-
 /// Adds to the displacements from `positions` what gives each phase its area: one pressure for each
 /// phase moves all of its curves along their normals. `kept` is sorted by phase. With `system`,
 /// whose last step gave these displacements, the pressures act during that step; null: what is
