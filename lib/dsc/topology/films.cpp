@@ -151,8 +151,8 @@ private:
                     .lost = film,
                     .taken = {one, other}};
         event.area = static_cast<double>(doubled_area(complex_, t) + doubled_area(complex_, u)) / 2;
-        give(work_, t, one);
-        give(work_, u, other);
+        close(t, one);
+        close(u, other);
         for (const Triangle end : {t, u}) {
             for (std::uint32_t i = 0; i < 3; ++i) {
                 event.area += close_from(complex_.twin(corner_of(end.id, i)), film);
@@ -166,12 +166,20 @@ private:
         work_.events.push_back(event);
     }
 
+    // Marks the vertices: they lie on a seam, which goes on from there.
+    void close(Triangle t, Phase phase) {
+        give(work_, t, phase);
+        for (const Vertex v : complex_.vertices_of(t)) {
+            complex_.vertices[v.id].flags |= vertex_seam;
+        }
+    }
+
     double give_piece(Triangle start, Phase to) {
         double area = 0;
         (void)gather_piece(complex_, start, piece_);
         for (const Triangle t : piece_.size() <= most_of_piece ? piece_ : std::vector<Triangle>{}) {
             area += static_cast<double>(doubled_area(complex_, t)) / 2;
-            give(work_, t, to);
+            close(t, to);
         }
         return area;
     }
@@ -237,7 +245,7 @@ private:
         }
         closed_ = static_cast<double>(doubled_area(complex_, t)) / 2;
         if (to != film) {
-            give(work_, t, to);
+            close(t, to);
         }
         return to;
     }

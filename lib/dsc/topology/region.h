@@ -110,16 +110,13 @@ std::size_t gather_piece(const Complex<Real>& complex, Triangle start,
     return edges;
 }
 
-/// Gives the triangle to another phase. Its vertices may move again, and are marked: they lie on a
-/// seam, which goes on from there.
+/// Gives the triangle to another phase; its vertices may move again.
 template <class Real>
 void give(TopologyWork<Real>& work, Triangle t, Phase phase) {
     Complex<Real>& complex = work.complex;
     rewire::relabel(complex, complex.journal, t, phase);
     for (const Vertex v : complex.vertices_of(t)) {
-        auto& flags = complex.vertices[v.id].flags;
-        flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_corner);
-        flags |= vertex_seam;
+        complex.vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_corner);
     }
 }
 
