@@ -41,6 +41,7 @@
 #include "dsc/initial/unit_box.h"
 
 #include "dsc/motion/curvature_flow.h"
+#include "dsc/motion/growth.h"
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interface_flow.h"
 #include "dsc/motion/interpolation.h"
@@ -51,6 +52,7 @@
 #include "dsc/topology/options.h"
 
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/growth_corners.h"
 #include "dsc/passes/options.h"
 #include "dsc/passes/thesis_algorithm.h"
 

@@ -57,6 +57,8 @@ std::uint64_t give_up_movers(Work<Real>& work) {
 template <class Real>
 AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkeep,
                           InterfaceSight<Real>& sight, const Flow<Real>& flow, Real time, Real dt) {
+    work.time = time;
+    work.dt = dt;
     for (const auto& pass : upkeep) {
         run_pass(work, pass);
     }

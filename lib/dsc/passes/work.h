@@ -53,6 +53,11 @@ struct Work {
     std::vector<std::uint32_t> active;    ///< vertices whose star must be looked at; no duplicates
     std::uint32_t epoch = 0;              ///< a vertex with this stamp is in `active` already
 
+    Real time = 0; ///< at the start of the sub-step
+    /// What the sub-step is expected to last; it may become shorter or, if the flow turns out to be
+    /// slower than in the last one, longer.
+    Real dt = 0;
+
     /// What the submesh boundary kept this submesh from doing: left to another colour (the
     /// submeshes that run at another time).
     DeferredQueue<Real> deferred;

@@ -57,6 +57,8 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Re
     Work<Real>& work = part.work;
     if (pass == 0) {
         begin_part(part);
+        work.time = time;
+        work.dt = dt;
     }
     if (pass < algorithm_.upkeep.size()) {
         run_pass(work, algorithm_.upkeep[pass]);
@@ -213,6 +215,8 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
         listed_places_.push_back(place_of(v));
     }
     whole_.epoch = next_epochs();
+    whole_.time = time;
+    whole_.dt = dt;
     for (const auto& pass : algorithm_.upkeep) {
         run_pass(whole_, pass);
     }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Growth and shrinkage along the normal by the principle of Huygens: the interface at a later time
+// is the envelope of circles about all of its points. Where the side that is left behind sees a
+// convex corner, the corner opens into an arc; where two sheets run into each other, they keep
+// meeting in a sharp notch.
+//
+// Normals alone do neither: the arc starts from one point, and what is inserted there later lies
+// beside it. So a pass (passes/growth_corners.h) puts a fan of vertices at the corner, each with a
+// direction of its own, and the flow moves each along its ray: a characteristic of the eikonal
+// equation (J. A. Sethian, "Curvature and the evolution of fronts", 1985).
+#pragma once
+
+#include "dsc/motion/interface_flow.h"
+
+#include <vector>
+
+namespace dsc {
+
+/// How fast one phase grows into another: in units of length per time, negative where it shrinks.
+struct GrowthSpeed {
+    Phase growing = 1;
+    Phase into = 0;
+    double speed = 0;
+};
+
+/// A factor of all speeds, by place and time. Called from several threads at once.
+template <class Real>
+using GrowthFactor = std::function<Real(const Point<Real>& place, Real time)>;
+
+template <class Real>
+struct GrowthOptions {
+    std::vector<GrowthSpeed> speeds; ///< interfaces between other phases stay
+    GrowthFactor<Real> factor = {};  ///< none: 1
+
+    double open_degrees = 30; ///< corners that turn by more open into a fan...
+    double fan_degrees = 25;  ///< ...whose edges turn by at most this much
+    /// Sheets that run into each other and turn by more than this meet in a notch, which is a
+    /// corner from then on...
+    double notch_degrees = 40;
+    double smooth_degrees = 15; ///< ...until it turns by less than this
+    /// A notch moves by at most this times the speed: a sharp one would leave its mesh behind.
+    double most_notch = 4;
+};
+
+/// Throws InputError if a value is not finite or out of range, a pair of phases is named twice, or
+/// is no pair.
+template <class Real>
+void check_growth(const GrowthOptions<Real>& options);
+
+/// The speed with which an interface moves from its left phase to its right one; 0 for pairs that
+/// the options do not name. O(pairs).
+template <class Real>
+[[nodiscard]] Real growth_speed(const GrowthOptions<Real>& options, Phase left, Phase right,
+                                const Point<Real>& place, Real time);
+
+/// What becomes of a vertex of a fan.
+enum class FanState : std::uint8_t {
+    none,     ///< in no fan
+    opening,  ///< on its way from beside the corner
+    inserted, ///< new, between two vertices of a fan; not on the arc yet
+    open,     ///< on its ray
+    closing,  ///< on its way to where the sheets will meet again
+};
+
+/// The ray of a vertex of a fan.
+template <class Real>
+struct FanRay {
+    Point<Real> source = Point<Real>::Zero(); ///< the corner
+    /// Unit vector from the left phase to the right; `closing`: the velocity.
+    Point<Real> direction = Point<Real>::Zero();
+    float start = 0;    ///< how far along its ray the vertex was when the corner opened
+    float to_first = 0; ///< angle from its ray to the first one along the curve, in radians
+    float to_last = 0;  ///< to the last one
+    FanState state = FanState::none;
+};
+
+/// Whether both start from one corner.
+template <class Real>
+[[nodiscard]] bool belong_together(const FanRay<Real>& a, const FanRay<Real>& b) {
+    return a.state != FanState::none && b.state != FanState::none && a.source == b.source;
+}
+
+/// The rays of a complex, by vertex; null if it has none.
+template <class Real>
+[[nodiscard]] VertexAttribute<FanRay<Real>>* fan_rays(Complex<Real>& complex);
+template <class Real>
+[[nodiscard]] const VertexAttribute<FanRay<Real>>* fan_rays(const Complex<Real>& complex);
+
+/// Adds them if there are none yet. O(vertices).
+template <class Real>
+VertexAttribute<FanRay<Real>>& add_fan_rays(Complex<Real>& complex);
+
+/// The tangent at the end c of a sheet that comes from a and b: that of their circle, or of the
+/// chord where the sheet turns too much at b. Unit vector; zero if b and c coincide. Second order.
+template <class Real>
+[[nodiscard]] Point<Real> end_tangent(const Point<Real>& a, const Point<Real>& b,
+                                      const Point<Real>& c);
+
+/// The flow. Corners open only in a simulation whose algorithm is `growth_algorithm`; without it
+/// they move along the mean of both normals. A junction moves as closely as it can with all sheets
+/// that meet there; on the domain boundary it slides with them. Second order in the edge length;
+/// first order beside corners that have opened where the speed depends on the place, as the rays of
+/// a fan bend there and are given up early. O(1) for a vertex, O(arms) for a
+/// junction. Throws InputError if the options make no sense. Safe to call from several threads.
+template <class Real>
+[[nodiscard]] InterfaceFlow<Real> growth(const GrowthOptions<Real>& options);
+
+} // namespace dsc

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// A growing interface as seen from one of its vertices: how it turns there, and which way it moves.
+#pragma once
+
+#include "dsc/motion/growth.h"
+#include "dsc/passes/interface_curve.h"
+
+namespace dsc {
+
+/// The curve at a vertex with two interface edges; the larger phase is on the left.
+template <class Real>
+struct Bend {
+    std::uint32_t in = no_id;  ///< spoke to the previous vertex
+    std::uint32_t out = no_id; ///< spoke to the next one
+    Point<Real> from = Point<Real>::Zero();
+    Point<Real> at = Point<Real>::Zero();
+    Point<Real> to = Point<Real>::Zero();
+    Real turn = 0;      ///< in radians, positive to the left
+    Real speed = 0;     ///< to the right
+    bool known = false; ///< false at junctions, and on the domain boundary
+};
+
+/// The corner of a ring. O(degree).
+template <class Real>
+[[nodiscard]] Bend<Real> bend_of(const Ring<Real>& ring, const GrowthOptions<Real>& options,
+                                 Real time) {
+    Bend<Real> bend;
+    const Spokes spokes = interface_spokes(ring);
+    if (spokes.count != 2 || !ring.closed) {
+        return bend;
+    }
+    const bool first_is_out = ring.phase_after(spokes.first) > ring.phase_before(spokes.first);
+    bend.out = first_is_out ? spokes.first : spokes.second;
+    bend.in = spokes.other(bend.out);
+    bend.from = link_point(ring, bend.in);
+    bend.at = {ring.x0, ring.y0};
+    bend.to = link_point(ring, bend.out);
+    bend.turn = turn_angle<Real>(bend.from, bend.at, bend.to);
+    bend.speed = growth_speed(options, ring.phase_after(bend.out), ring.phase_before(bend.out),
+                              bend.at, time);
+    bend.known = true;
+    return bend;
+}
+
+/// Whether both edges are longer than that. Shorter ones may turn sharply for a while, until upkeep
+/// has removed them: such a turn is no corner.
+template <class Real>
+[[nodiscard]] bool has_longer_edges(const Bend<Real>& bend, Real length) {
+    return (bend.from - bend.at).squaredNorm() > length * length &&
+           (bend.to - bend.at).squaredNorm() > length * length;
+}
+
+/// Counter-clockwise by an angle in radians.
+template <class Real>
+[[nodiscard]] Point<Real> turned(const Point<Real>& direction, Real by) {
+    const Real cosine = std::cos(by);
+    const Real sine = std::sin(by);
+    return {cosine * direction.x() - sine * direction.y(),
+            sine * direction.x() + cosine * direction.y()};
+}
+
+/// How far the vertex of a ray has come along it: positive where the left phase has grown.
+template <class Real>
+[[nodiscard]] Real along(const FanRay<Real>& ray, const Point<Real>& at) {
+    const Real reached = (at - ray.source).dot(ray.direction);
+    return ray.state == FanState::opening ? reached - static_cast<Real>(ray.start) : reached;
+}
+
+} // namespace dsc

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The corners of an interface that grows along its normal (motion/growth.h): fans where they open,
+// notches where sheets run into each other.
+#pragma once
+
+#include "dsc/motion/growth.h"
+#include "dsc/passes/algorithm.h"
+
+namespace dsc {
+
+/// A pass of upkeep, to run after that of the interface. At corners that open it puts a fan of
+/// vertices: beside the corner at first, on their rays as soon as there is room. What upkeep
+/// inserts between two of them it puts on the arc. It marks notches as corners, and takes away
+/// what a notch is about to run over. Where the flow has turned round and a fan has shrunk to less
+/// than a sub-step, it makes it a notch again. O(interface vertices). Expects `add_fan_rays`.
+template <class Real>
+[[nodiscard]] Pass<Real> growth_corners(const GrowthOptions<Real>& options);
+
+/// The default algorithm and that pass; adds what it keeps to the complex:
+///
+///     const GrowthOptions<double> options{.speeds = {{1, 0, 1.0}}};
+///     Simulation<double> simulation(
+///         complex, numbers, make_executor(complex, numbers, Parallel{.threads = 2},
+///                                         growth_algorithm(complex, options)));
+///     simulation.step(growth(options), time, dt);
+///
+/// Throws InputError if the options make no sense, or name a phase that the complex does not have.
+/// O(n), once.
+template <class Real>
+[[nodiscard]] Algorithm<Real> growth_algorithm(Complex<Real>& complex,
+                                               const GrowthOptions<Real>& options);
+
+} // namespace dsc

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Growth along the normal: speeds by pairs of phases, by place and time; junctions and walls; what
+// is refused; what fails.
+#include "support/growth_testing.h"
+
+#include "dsc/base/error.h"
+#include "dsc/queries/hash.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace dsc {
+namespace {
+
+using test::complex_of;
+using test::difference;
+using test::Growing;
+using test::offset_polygon;
+using test::options_for;
+using test::Outline;
+
+const Outline square{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
+
+TEST(GrowthRules, SpeedsBelongToPairsOfPhases) {
+    const GrowthOptions<double> options{
+        .speeds = {{1, 0, 2.0}, {0, 3, 5.0}},
+        .factor = [](const Point<double>& place, double time) { return place.x() + time; }};
+    const Point<double> place(0.5, 0);
+    EXPECT_EQ(growth_speed(options, 1, 0, place, 1.0), 3);
+    EXPECT_EQ(growth_speed(options, 0, 1, place, 1.0), -3);
+    EXPECT_EQ(growth_speed(options, 3, 0, place, 0.5), -5);
+    EXPECT_EQ(growth_speed(options, 3, 1, place, 0.5), 0);
+}
+
+TEST(GrowthRules, TheTangentAtTheEndIsThatOfACircle) {
+    const auto on_circle = [](double angle) {
+        return Point<double>(3 + 2 * std::cos(angle), 1 + 2 * std::sin(angle));
+    };
+    for (const double turn : {0.3, -0.3}) {
+        const double at = 0.8;
+        const Point<double> tangent =
+            end_tangent<double>(on_circle(at - 1.7 * turn), on_circle(at - turn), on_circle(at));
+        const double sense = turn > 0 ? 1 : -1;
+        EXPECT_NEAR(tangent.x(), -sense * std::sin(at), 1e-14);
+        EXPECT_NEAR(tangent.y(), sense * std::cos(at), 1e-14);
+    }
+    // At a corner, the chord.
+    EXPECT_EQ(end_tangent<double>({0, 1}, {0, 0}, {2, 0}), Point<double>(1, 0));
+    EXPECT_EQ(end_tangent<double>({0, 0}, {1, 0}, {1, 0}), Point<double>(0, 0));
+}
+
+TEST(GrowthRules, AFactorByTimeOnlyChangesTheClock) {
+    constexpr double h = 0.01;
+    auto complex = complex_of(square, h);
+    // Its integral to 0.1 is 0.1, to 0.2 zero.
+    Growing<double> growing(
+        complex, h, {.speeds = {{1, 0, 1.0}}, .factor = [](const Point<double>&, double time) {
+                         return std::numbers::pi / 2 * std::sin(10 * std::numbers::pi * time);
+                     }});
+    EXPECT_EQ(growing.run(0, 0.1, 0.25), 0U);
+    EXPECT_LT(difference(complex, {offset_polygon(square, 0.1)}), 5e-4);
+    EXPECT_EQ(growing.run(0.1, 0.1, 0.25), 0U);
+    test::expect_sound(complex, growing.simulation());
+    EXPECT_LT(difference(complex, {square}), 5e-3);
+}
+
+// A grid over the unit square, sheared by `slant` to the right, whose lines are interfaces where
+// the phases of the squares (by their lower left corner, before shearing) say so.
+template <class PhaseAt>
+Complex<double> grid(int n, double slant, PhaseAt phase_at) {
+    std::vector<Point<double>> points;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<Phase> phases;
+    for (int j = 0; j <= n; ++j) {
+        for (int i = 0; i <= n; ++i) {
+            const double y = static_cast<double>(j) / n;
+            points.emplace_back(static_cast<double>(i) / n + slant * y, y);
+        }
+    }
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) {
+            const auto a = static_cast<std::uint32_t>(j * (n + 1) + i);
+            const auto above = a + static_cast<std::uint32_t>(n) + 1;
+            triangles.push_back({a, a + 1, above + 1});
+            triangles.push_back({a, above + 1, above});
+            phases.resize(triangles.size(), phase_at(i, j));
+        }
+    }
+    return make_complex<double>(points, triangles, phases);
+}
+
+TEST(GrowthRules, AFactorByPlaceIsThatOfThePlace) {
+    // A straight front at a speed of x: x = 0.3 exp(t).
+    auto complex = grid(50, 0, [](int i, int) { return Phase{i < 15}; });
+    Growing<double> growing(
+        complex, 0.02, {.speeds = {{1, 0, 1.0}}, .factor = [](const Point<double>& place, double) {
+                            return place.x();
+                        }});
+    EXPECT_EQ(growing.run(0, 0.5), 0U);
+    test::expect_sound(complex, growing.simulation());
+    EXPECT_NEAR(phase_area(complex, 1), 0.3 * std::exp(0.5), 1e-9);
+}
+
+TEST(GrowthRules, AFanWhereTheSpeedDependsOnThePlaceLooksAfterItself) {
+    // The speed is x / 2: fronts about a point (a, b) are circles about (a cosh(t / 2), b) with the
+    // radius a sinh(t / 2), and the square's sides lie inside.
+    constexpr double h = 0.01;
+    auto complex = complex_of(square, h);
+    Growing<double> growing(
+        complex, h, {.speeds = {{1, 0, 0.5}}, .factor = [](const Point<double>& place, double) {
+                         return place.x();
+                     }});
+    EXPECT_EQ(growing.run(0, 0.4, 0.8), 0U);
+    test::expect_sound(complex, growing.simulation());
+    for (const Point<double>& corner : square) {
+        const Point<double> centre(corner.x() * std::cosh(0.2), corner.y());
+        const double radius = corner.x() * std::sinh(0.2);
+        // The envelope touches the circle on the side away from the square.
+        const double side = corner.y() > 0.5 ? 1 : -1;
+        double nearest = 1;
+        for (const std::uint32_t v : growing.simulation().interface()) {
+            const Point<double> off = complex.position(Vertex{v}) - centre;
+            if (off.y() * side > 0.3 * radius && off.x() * (corner.x() - 0.5) > 0 &&
+                std::abs(off.x()) > 0.5 * radius) {
+                nearest = std::min(nearest, off.norm() / radius);
+                EXPECT_NEAR(off.norm(), radius, 0.1 * h);
+            }
+        }
+        EXPECT_LT(nearest, 1.01); // there was one
+    }
+}
+
+TEST(GrowthRules, ASheetSlidesAlongTheWallsAtAnyAngle) {
+    for (const double slant : {0.0, 0.5, -0.5}) {
+        auto complex = grid(50, slant, [](int i, int) { return Phase{i < 15}; });
+        Growing<double> growing(complex, 0.02, {.speeds = {{1, 0, 1.0}}});
+        EXPECT_EQ(growing.run(0, 0.1), 0U);
+        test::expect_sound(complex, growing.simulation());
+        EXPECT_NEAR(phase_area(complex, 1), 0.3 + 0.1 * std::hypot(slant, 1), 1e-12) << slant;
+    }
+}
+
+TEST(GrowthRules, AJunctionMovesWithTheSheetsThatMeetThere) {
+    // Phases 1 and 2 side by side below phase 0, into which both grow.
+    auto complex = grid(50, 0, [](int i, int j) {
+        return j >= 25 ? exterior_phase : Phase{1U + static_cast<unsigned>(i >= 20)};
+    });
+    Growing<double> growing(complex, 0.02, {.speeds = {{1, 0, 1.0}, {0, 2, -1.0}}});
+    EXPECT_EQ(growing.run(0, 0.1), 0U);
+    test::expect_sound(complex, growing.simulation());
+    EXPECT_NEAR(phase_area(complex, 1), 0.4 * 0.6, 1e-12);
+    EXPECT_NEAR(phase_area(complex, 2), 0.6 * 0.6, 1e-12);
+}
+
+TEST(GrowthRules, PhasesWithoutASpeedStay) {
+    auto complex = complex_of(square, 0.02);
+    Growing<double> growing(complex, 0.02, {});
+    EXPECT_EQ(growing.run(0, 0.1), 0U);
+    EXPECT_EQ(difference(complex, {square}), 0);
+}
+
+// --- what is refused ----------------------------------------------------------------------------
+
+std::string refusal(const GrowthOptions<double>& options) {
+    auto complex = complex_of(square, 0.05);
+    try {
+        (void)growth_algorithm(complex, options);
+    } catch (const InputError& error) {
+        EXPECT_FALSE(fan_rays(complex) != nullptr);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(GrowthRules, RefuseSpeedsThatMakeNoSense) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refusal({.speeds = {{1, 0, 1.0}}}), "");
+    EXPECT_EQ(refusal({.speeds = {{1, 0, nan}}}),
+              "growth.speeds: 1 into 0: value out of range: got nan; allowed: a finite speed");
+    EXPECT_EQ(refusal({.speeds = {{1, 1, 1.0}}}),
+              "growth.speeds: not a pair of phases: got 1 into 1; allowed: two different phases of "
+              "the complex");
+    EXPECT_EQ(refusal({.speeds = {{1, 0, 1.0}, {0, 1, 1.0}}}),
+              "growth.speeds: a pair of phases with two speeds: got 0 into 1; allowed: each pair "
+              "once");
+    EXPECT_EQ(refusal({.speeds = {{1, 7, 1.0}}}),
+              "growth.speeds: a phase that the complex does not have: got 7; allowed: a phase of "
+              "one of its triangles");
+    EXPECT_THROW((void)growth<double>({.speeds = {{1, border_phase, 1.0}}}), InputError);
+}
+
+TEST(GrowthRules, RefuseAnglesThatMakeNoSense) {
+    EXPECT_NE(refusal({.speeds = {}, .open_degrees = 0}), "");
+    EXPECT_NE(refusal({.speeds = {}, .fan_degrees = 30}), "");
+    EXPECT_NE(refusal({.speeds = {}, .smooth_degrees = 31}), "");
+    EXPECT_NE(refusal({.speeds = {}, .notch_degrees = 10}), "");
+    EXPECT_NE(refusal({.speeds = {}, .most_notch = 0.5}), "");
+    EXPECT_NE(refusal({.speeds = {}, .most_notch = std::numeric_limits<double>::infinity()}), "");
+}
+
+// --- what fails ---------------------------------------------------------------------------------
+
+TEST(GrowthRules, WhatTheFactorThrowsArrives) {
+    constexpr double h = 0.02;
+    for (const std::uint32_t threads : {1U, 2U}) {
+        auto complex = complex_of(square, h);
+        const Parallel parallel{.threads = threads};
+        Growing<double> growing(complex, h,
+                                {.speeds = {{1, 0, 1.0}},
+                                 .factor = [](const Point<double>&, double time) -> double {
+                                     return time < 0.05 ? 1
+                                                        : throw std::domain_error("no speed known");
+                                 }},
+                                &parallel);
+        EXPECT_THROW((void)growing.run(0, 0.1), std::domain_error);
+        test::expect_sound(complex, growing.simulation());
+    }
+}
+
+TEST(GrowthRules, AVertexWithoutAFiniteSpeedIsHeld) {
+    constexpr double h = 0.02;
+    auto complex = complex_of(square, h);
+    Growing<double> growing(
+        complex, h,
+        {.speeds = {{1, 0, 1.0}}, .factor = [](const Point<double>& place, double) -> double {
+             return place.x() < 0.41 ? std::nan("") : 1.0;
+         }});
+    EXPECT_GT(growing.run(0, 0.02), 0U);
+    test::expect_sound(complex, growing.simulation());
+}
+
+} // namespace
+} // namespace dsc
