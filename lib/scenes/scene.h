@@ -22,12 +22,19 @@ struct Motion {
     InterfaceMotion<float> in_float;
 };
 
+/// Growth along the normal, at a speed that changes its sign once.
+struct Growth {
+    double speed = 1;    ///< of phase 1 into the exterior
+    double turns_at = 0; ///< the time at which it begins to shrink at that speed
+};
+
 /// A scene with its parameters filled in.
 struct Setup {
     Rectangle domain{};
     std::vector<Outline> outlines{}; ///< each of phase 1
     Flow flow{};
     std::optional<Motion> motion{}; ///< replaces `flow`; not for the reference
+    std::optional<Growth> growth{}; ///< the same
     double dt = 0;
     int steps = 0;                  ///< in total
     std::optional<int> half_step{}; ///< the step at which a reversing flow is farthest out

@@ -16,7 +16,7 @@ namespace {
 
 using test::complex_of;
 using test::difference;
-using test::Growing;
+using test::GrowingShape;
 using test::offset_polygon;
 using test::options_for;
 using test::Outline;
@@ -55,7 +55,7 @@ TEST(GrowthRules, AFactorByTimeOnlyChangesTheClock) {
     constexpr double h = 0.01;
     auto complex = complex_of(square, h);
     // Its integral to 0.1 is 0.1, to 0.2 zero.
-    Growing<double> growing(
+    GrowingShape<double> growing(
         complex, h, {.speeds = {{1, 0, 1.0}}, .factor = [](const Point<double>&, double time) {
                          return std::numbers::pi / 2 * std::sin(10 * std::numbers::pi * time);
                      }});
@@ -94,7 +94,7 @@ Complex<double> grid(int n, double slant, PhaseAt phase_at) {
 TEST(GrowthRules, AFactorByPlaceIsThatOfThePlace) {
     // A straight front at a speed of x: x = 0.3 exp(t).
     auto complex = grid(50, 0, [](int i, int) { return Phase{i < 15}; });
-    Growing<double> growing(
+    GrowingShape<double> growing(
         complex, 0.02, {.speeds = {{1, 0, 1.0}}, .factor = [](const Point<double>& place, double) {
                             return place.x();
                         }});
@@ -108,7 +108,7 @@ TEST(GrowthRules, AFanWhereTheSpeedDependsOnThePlaceLooksAfterItself) {
     // radius a sinh(t / 2), and the square's sides lie inside.
     constexpr double h = 0.01;
     auto complex = complex_of(square, h);
-    Growing<double> growing(
+    GrowingShape<double> growing(
         complex, h, {.speeds = {{1, 0, 0.5}}, .factor = [](const Point<double>& place, double) {
                          return place.x();
                      }});
@@ -135,7 +135,7 @@ TEST(GrowthRules, AFanWhereTheSpeedDependsOnThePlaceLooksAfterItself) {
 TEST(GrowthRules, ASheetSlidesAlongTheWallsAtAnyAngle) {
     for (const double slant : {0.0, 0.5, -0.5}) {
         auto complex = grid(50, slant, [](int i, int) { return Phase{i < 15}; });
-        Growing<double> growing(complex, 0.02, {.speeds = {{1, 0, 1.0}}});
+        GrowingShape<double> growing(complex, 0.02, {.speeds = {{1, 0, 1.0}}});
         EXPECT_EQ(growing.run(0, 0.1), 0U);
         test::expect_sound(complex, growing.simulation());
         EXPECT_NEAR(phase_area(complex, 1), 0.3 + 0.1 * std::hypot(slant, 1), 1e-12) << slant;
@@ -147,7 +147,7 @@ TEST(GrowthRules, AJunctionMovesWithTheSheetsThatMeetThere) {
     auto complex = grid(50, 0, [](int i, int j) {
         return j >= 25 ? exterior_phase : Phase{1U + static_cast<unsigned>(i >= 20)};
     });
-    Growing<double> growing(complex, 0.02, {.speeds = {{1, 0, 1.0}, {0, 2, -1.0}}});
+    GrowingShape<double> growing(complex, 0.02, {.speeds = {{1, 0, 1.0}, {0, 2, -1.0}}});
     EXPECT_EQ(growing.run(0, 0.1), 0U);
     test::expect_sound(complex, growing.simulation());
     EXPECT_NEAR(phase_area(complex, 1), 0.4 * 0.6, 1e-12);
@@ -156,7 +156,7 @@ TEST(GrowthRules, AJunctionMovesWithTheSheetsThatMeetThere) {
 
 TEST(GrowthRules, PhasesWithoutASpeedStay) {
     auto complex = complex_of(square, 0.02);
-    Growing<double> growing(complex, 0.02, {});
+    GrowingShape<double> growing(complex, 0.02, {});
     EXPECT_EQ(growing.run(0, 0.1), 0U);
     EXPECT_EQ(difference(complex, {square}), 0);
 }
@@ -207,13 +207,14 @@ TEST(GrowthRules, WhatTheFactorThrowsArrives) {
     for (const std::uint32_t threads : {1U, 2U}) {
         auto complex = complex_of(square, h);
         const Parallel parallel{.threads = threads};
-        Growing<double> growing(complex, h,
-                                {.speeds = {{1, 0, 1.0}},
-                                 .factor = [](const Point<double>&, double time) -> double {
-                                     return time < 0.05 ? 1
-                                                        : throw std::domain_error("no speed known");
-                                 }},
-                                &parallel);
+        GrowingShape<double> growing(complex, h,
+                                     {.speeds = {{1, 0, 1.0}},
+                                      .factor = [](const Point<double>&, double time) -> double {
+                                          return time < 0.05
+                                                     ? 1
+                                                     : throw std::domain_error("no speed known");
+                                      }},
+                                     &parallel);
         EXPECT_THROW((void)growing.run(0, 0.1), std::domain_error);
         test::expect_sound(complex, growing.simulation());
     }
@@ -222,7 +223,7 @@ TEST(GrowthRules, WhatTheFactorThrowsArrives) {
 TEST(GrowthRules, AVertexWithoutAFiniteSpeedIsHeld) {
     constexpr double h = 0.02;
     auto complex = complex_of(square, h);
-    Growing<double> growing(
+    GrowingShape<double> growing(
         complex, h,
         {.speeds = {{1, 0, 1.0}}, .factor = [](const Point<double>& place, double) -> double {
              return place.x() < 0.41 ? std::nan("") : 1.0;

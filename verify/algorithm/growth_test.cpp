@@ -18,7 +18,7 @@ using std::numbers::pi;
 using test::complex_of;
 using test::difference;
 using test::grow_and_shrink;
-using test::Growing;
+using test::GrowingShape;
 using test::offset_polygon;
 using test::Outline;
 using test::union_outline;
@@ -153,7 +153,8 @@ TEST(Growth, TheVerticesOfAnEllipseStayOnItsParallelCurveToFourthOrder) {
                 ellipse.push_back(on_ellipse(2 * pi * i / vertices));
             }
             auto complex = complex_of(ellipse, h);
-            Growing<double> growing(complex, h, {.speeds = {{1, 0, distance > 0 ? 1.0 : -1.0}}});
+            GrowingShape<double> growing(complex, h,
+                                         {.speeds = {{1, 0, distance > 0 ? 1.0 : -1.0}}});
             EXPECT_EQ(growing.run(0, std::abs(distance)), 0U);
             double sum = 0;
             for (const std::uint32_t v : growing.simulation().interface()) {

@@ -14,7 +14,7 @@ namespace {
 
 using test::complex_of;
 using test::difference;
-using test::Growing;
+using test::GrowingShape;
 using test::offset_polygon;
 using test::Outline;
 
@@ -31,7 +31,7 @@ Course course_of(const Parallel& parallel, double h) {
     Course course;
     auto complex = complex_of<Real>(star, h);
     for (const double speed : {1.0, -1.0}) {
-        Growing<Real> growing(complex, h, {.speeds = {{1, 0, speed}}}, &parallel);
+        GrowingShape<Real> growing(complex, h, {.speeds = {{1, 0, speed}}}, &parallel);
         for (int i = 0; i < 13; ++i) {
             course.unreached += growing.run(0, 0.4 * h);
             course.hashes.push_back(mesh_hash(complex));

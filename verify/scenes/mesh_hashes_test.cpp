@@ -67,8 +67,9 @@ std::string run_hash(const Scene& scene, Strategy strategy, RealType real, std::
 bool runs(const Scene& scene, Strategy strategy, RealType real) {
     // The reference is written for double and for velocities, and takes hours to the end of some
     // scenes.
-    return strategy != Strategy::reference || (real == RealType::double_precision && !is_long() &&
-                                               !scene.prepare(scene.defaults).motion);
+    const Setup setup = scene.prepare(scene.defaults);
+    return strategy != Strategy::reference ||
+           (real == RealType::double_precision && !is_long() && !setup.motion && !setup.growth);
 }
 
 nlohmann::json read_table() {

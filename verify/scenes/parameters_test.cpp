@@ -145,6 +145,7 @@ TEST(Parameters, ArePrintedAsTheyAreRead) {
         {"shortest", "0.125"},   {"deviation", "0.5"},
         {"turn", "15"},          {"gap", "2"},
         {"grading", "2.5"},      {"finest", "0.0625"},
+        {"topology", "change"},  {"contact", "0.0078125"},
         {"real", "float"},       {"seed", "18446744073709551615"}};
     for (const Key& key : parameter_keys()) {
         ASSERT_TRUE(texts.contains(key.name)) << key.name;
@@ -224,7 +225,7 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
         }
         const auto setup = scene.prepare(scene.defaults);
         EXPECT_FALSE(setup.outlines.empty());
-        EXPECT_EQ(setup.flow.empty(), setup.motion.has_value());
+        EXPECT_EQ(setup.flow.empty(), setup.motion.has_value() || setup.growth.has_value());
         EXPECT_GT(setup.steps, 0);
         EXPECT_TRUE(std::isfinite(setup.dt) && setup.dt > 0);
         EXPECT_GT(setup.exact(0).area, 0);

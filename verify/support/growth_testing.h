@@ -78,10 +78,10 @@ Complex<Real> complex_of(const Outline& outline, double h) {
 
 /// A simulation of phase 1, which grows into phase 0.
 template <class Real>
-class Growing {
+class GrowingShape {
 public:
-    Growing(Complex<Real>& complex, double h, const GrowthOptions<Real>& growing,
-            const Parallel* parallel = nullptr)
+    GrowingShape(Complex<Real>& complex, double h, const GrowthOptions<Real>& growing,
+                 const Parallel* parallel = nullptr)
         : options_(options_for<Real>(h)),
           simulation_(
               complex, options_,
@@ -120,7 +120,7 @@ void grow_and_shrink(Complex<Real>& complex, double h, double growth, double shr
     for (const double distance : {growth, -shrinkage}) {
         if (distance != 0) {
             const double speed = distance > 0 ? 1 : -1;
-            Growing<Real> growing(complex, h, {.speeds = {{1, 0, speed}}});
+            GrowingShape<Real> growing(complex, h, {.speeds = {{1, 0, speed}}});
             EXPECT_EQ(growing.run(0, std::abs(distance), step), 0U);
             expect_sound(complex, growing.simulation());
         }

@@ -18,6 +18,7 @@ const std::vector<Scene>& catalogue() {
                  swirl_scenes,
                  speedup_scenes,
                  curvature_scenes,
+                 growth_scenes,
              }) {
             for (Scene& scene : family()) {
                 all.push_back(std::move(scene));

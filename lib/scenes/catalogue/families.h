@@ -15,6 +15,7 @@ namespace dsc::scenes {
 [[nodiscard]] std::vector<Scene> swirl_scenes();
 [[nodiscard]] std::vector<Scene> speedup_scenes();
 [[nodiscard]] std::vector<Scene> curvature_scenes();
+[[nodiscard]] std::vector<Scene> growth_scenes();
 
 /// What a list of scenes and its help say about a scene.
 struct About {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc/motion/growth.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/passes/growth_corners.h"
 #include "scenes/output/submesh_map.h"
 #include "scenes/run/run.h"
 #include "scenes/run/start.h"
@@ -55,7 +57,12 @@ public:
           options_(scene_options<Real>(parameters)) {
         Submeshing submeshing = run.submeshing;
         submeshing.profile = !run.frames.empty(); // the submeshes are drawn by their work
-        auto executor = make_executor(complex_, options_, run.strategy, submeshing);
+        std::optional<Algorithm<Real>> algorithm;
+        if (setup.growth) {
+            algorithm = growth_algorithm(complex_, growth_of(*setup.growth, both_ways));
+        }
+        auto executor = make_executor(complex_, options_, run.strategy, submeshing,
+                                      algorithm ? &*algorithm : nullptr);
         submeshes_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
         simulation_ = std::make_unique<Simulation<Real>>(complex_, options_, std::move(executor));
     }
@@ -77,6 +84,12 @@ public:
             take(simulation_->step(motion.in_float, begin, static_cast<Real>(dt)), time, result);
         }
     }
+    void step(const Growth& growth, double time, double dt, RunResult& result) {
+        const double way = both_ways(growth, time);
+        const auto flow =
+            dsc::growth<Real>(growth_of(growth, [way](const Growth&, double) { return way; }));
+        take(simulation_->step(flow, static_cast<Real>(time), static_cast<Real>(dt)), time, result);
+    }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
@@ -89,6 +102,20 @@ public:
     }
 
 private:
+    // The step that begins at the turn, but for rounding, is the first of those back.
+    static double both_ways(const Growth& growth, double time) {
+        return time < growth.turns_at * (1 - 1e-9) ? 1 : -1;
+    }
+    template <class Way>
+    static dsc::GrowthOptions<Real> growth_of(const Growth& growth, Way way) {
+        dsc::GrowthOptions<Real> options;
+        options.speeds = {{.growing = 1, .into = exterior_phase, .speed = growth.speed}};
+        options.factor = [growth, way](const Point<Real>&, Real time) {
+            return static_cast<Real>(way(growth, static_cast<double>(time)));
+        };
+        return options;
+    }
+
     void take(const StepReport& report, double time, RunResult& result) {
         result.unreached += report.unreached;
         result.held += report.held;

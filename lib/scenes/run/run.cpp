@@ -67,6 +67,10 @@ private:
 
     void advance(double begin, double end) {
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
+            if (setup_.growth) {
+                method_.step(*setup_.growth, begin, setup_.dt, result_);
+                return;
+            }
             if (setup_.motion) {
                 method_.step(*setup_.motion, begin, setup_.dt, result_);
                 return;
@@ -203,7 +207,7 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
                               .value = "'float'",
                               .allowed = "double"});
         }
-        if (setup.motion) {
+        if (setup.motion || setup.growth) {
             throw InputError({.what = "the reference moves vertices by velocities alone",
                               .where = "--strategy",
                               .value = "'reference'",

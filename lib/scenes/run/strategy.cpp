@@ -82,19 +82,25 @@ std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing) {
 
 template <class Real>
 std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
-                                              Strategy strategy, const Submeshing& submeshing) {
+                                              Strategy strategy, const Submeshing& submeshing,
+                                              const Algorithm<Real>* algorithm) {
     const std::optional<Division> division = entry_of(strategy).division;
     if (!division) {
-        return nullptr;
+        if (algorithm == nullptr || strategy == Strategy::reference) {
+            return nullptr;
+        }
+        return std::make_unique<SequentialExecutor<Real>>(complex, options, *algorithm);
     }
     Parallel parallel = submeshing;
     parallel.division = *division;
-    return dsc::make_executor(complex, options, parallel);
+    return dsc::make_executor(complex, options, parallel,
+                              algorithm != nullptr ? *algorithm : default_algorithm<Real>());
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::unique_ptr<Executor<Real>> make_executor(Complex<Real>&, const Options<Real>&,   \
-                                                           Strategy, const Submeshing&);
+                                                           Strategy, const Submeshing&,            \
+                                                           const Algorithm<Real>*);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

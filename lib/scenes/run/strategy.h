@@ -54,10 +54,11 @@ struct StrategyEntry {
 /// during the run.
 [[nodiscard]] std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing);
 
-/// The executor; null for `sequential` and `reference`. Throws InputError if options make no sense
-/// for this strategy.
+/// The executor, for the default algorithm or another; null for `reference`, and for `sequential`
+/// with the default one. Throws InputError if options make no sense for this strategy.
 template <class Real>
 std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
-                                              Strategy strategy, const Submeshing& submeshing);
+                                              Strategy strategy, const Submeshing& submeshing,
+                                              const Algorithm<Real>* algorithm = nullptr);
 
 } // namespace dsc::scenes

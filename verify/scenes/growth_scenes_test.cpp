@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Two discs that merge and shrink again, against the exact shapes.
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/run/run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc::scenes {
+namespace {
+
+RunResult run(double h, Strategy strategy) {
+    const Scene& scene = find_scene("grow-shrink");
+    Parameters parameters = scene.defaults;
+    parameters.h = h;
+    RunOptions options;
+    options.strategy = strategy;
+    return run_scene(scene, parameters, options);
+}
+
+TEST(GrowShrink, MergesOnceAndIsOfSecondOrder) {
+    const RunResult coarse = run(0.02, Strategy::sequential);
+    const RunResult fine = run(0.005, Strategy::sequential);
+    ASSERT_TRUE(fine.half.has_value());
+    EXPECT_LT(number(*fine.half, "sd_rel"), 1.2e-4);
+    EXPECT_LT(number(fine.last, "sd_rel"), 5e-4);
+    const auto order = [](double one, double other) { return std::log2(one / other) / 2; };
+    EXPECT_GT(order(number(*coarse.half, "sd_rel"), number(*fine.half, "sd_rel")), 1.9);
+    EXPECT_GT(order(number(coarse.last, "sd_rel"), number(fine.last, "sd_rel")), 1.9);
+}
+
+TEST(GrowShrink, HappensInTheSameWayInEveryStrategy) {
+    for (const Strategy strategy : all_strategies()) {
+        if (strategy == Strategy::reference) {
+            continue;
+        }
+        SCOPED_TRACE(to_string(strategy));
+        const RunResult result = run(0.01, strategy);
+        EXPECT_LT(number(*result.half, "sd_rel"), 5e-4);
+        EXPECT_LT(number(result.last, "sd_rel"), 2e-3);
+        EXPECT_EQ(result.inverted, 0U);
+        EXPECT_EQ(std::ranges::count(result.events, EventKind::merge, &Event::kind), 1);
+        EXPECT_EQ(std::ranges::count(result.events, EventKind::split, &Event::kind), 0);
+        // They touch at 0.025, two sheets at a speed of 1: half the contact distance and a step.
+        const auto merge = std::ranges::find(result.events, EventKind::merge, &Event::kind);
+        EXPECT_NEAR(merge->time, 0.025, 0.4 * 0.01 / 2 + result.parameters.dt);
+    }
+}
+
+// Flows that keep areas: what gets thin is drawn out, and nothing happens, to the bit.
+TEST(Topology, ScenesWithoutContactAreWhatTheyWere) {
+    for (const char* name : {"translation", "zalesak", "vortex-square", "speedup-four-circles"}) {
+        SCOPED_TRACE(name);
+        const Scene& scene = find_scene(name);
+        RunOptions options;
+        options.measure_shape = false;
+        Parameters parameters = scene.defaults;
+        const RunResult kept = run_scene(scene, parameters, options);
+        parameters.topology = Topology::change;
+        const RunResult free = run_scene(scene, parameters, options);
+        EXPECT_TRUE(free.events.empty());
+        EXPECT_EQ(free.mesh_hash, kept.mesh_hash);
+    }
+}
+
+} // namespace
+} // namespace dsc::scenes
