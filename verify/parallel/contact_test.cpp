@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two discs pressed against each other: the interface cannot pass through itself. Vertices that do
 // not arrive are counted, are not tried again and again, and move on as soon as there is room.
-#include "scenes/run/strategy.h"
+#include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
@@ -39,7 +39,7 @@ Velocity<double> left_moves(double speed) {
     };
 }
 
-class Contact : public testing::TestWithParam<scenes::Strategy> {};
+class Contact : public testing::TestWithParam<test::Way> {};
 
 TEST_P(Contact, IsNotTriedForEverAndEndsWhenThereIsRoom) {
     const Rectangle domain{{0, 0}, {1, 1}};
@@ -49,11 +49,8 @@ TEST_P(Contact, IsNotTriedForEverAndEndsWhenThereIsRoom) {
         domain, std::vector<Shape>{disc(0.28, 0.18), disc(0.72, 0.18)}, initial);
     Options<double> options;
     options.edge_length = h;
-    scenes::Submeshing submeshing;
-    submeshing.submeshes = 4;
-    submeshing.always_all_threads = true;
     Simulation<double> simulation(complex, options,
-                                  scenes::make_executor(complex, options, GetParam(), submeshing));
+                                  test::executor_of(GetParam(), complex, options));
     const Velocity<double> press = left_moves(0.3 * h);
     double time = 0;
     std::uint64_t missed = 0;
@@ -95,9 +92,8 @@ TEST_P(Contact, IsNotTriedForEverAndEndsWhenThereIsRoom) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Strategies, Contact,
-                         testing::Values(scenes::Strategy::sequential, scenes::Strategy::active,
-                                         scenes::Strategy::cells),
-                         [](const auto& one) { return scenes::to_string(one.param); });
+                         testing::Values(std::nullopt, Division::active, Division::cells),
+                         [](const auto& one) { return test::name_of(one.param); });
 
 } // namespace
 } // namespace dsc

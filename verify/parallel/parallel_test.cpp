@@ -39,7 +39,7 @@ TEST_P(EveryDivision, GivesTheSameBitsForAnyNumberOfThreads) {
         }
     }
     EXPECT_GE(several, seeds / 2) << "hardly anything ran in parallel";
-    EXPECT_GE(most_threads, 3U);
+    EXPECT_GE(most_threads, seeds < 3 ? 2U : 3U);
 }
 
 TEST_P(EveryDivision, GivesTheSameBitsInFloat) {

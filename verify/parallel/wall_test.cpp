@@ -2,6 +2,7 @@
 // The interface along the domain boundary, by every strategy; and its parts checked by hand.
 #include "hard/scene.h"
 #include "hard/watch.h"
+#include "support/ways.h"
 
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/ranges.h"
@@ -9,7 +10,6 @@
 #include "dsc/quality/ring_quality.h"
 #include "dsc/queries/validate.h"
 #include "flows/velocity.h"
-#include "scenes/run/strategy.h"
 
 #include <gtest/gtest.h>
 
@@ -26,17 +26,13 @@ hard::Scene<double> strip(double left, double right) {
     });
 }
 
-class Wall : public testing::TestWithParam<scenes::Strategy> {};
+class Wall : public testing::TestWithParam<test::Way> {};
 
 TEST_P(Wall, StripSlidesFromOneEndToTheOther) {
     auto scene = strip(0.2, 0.5);
-    scenes::Submeshing submeshing;
-    submeshing.submeshes = 4;
-    submeshing.always_all_threads = true;
     hard::HardResult result;
-    hard::Watch<double> watch(
-        scene.complex, scene.options, {.domain = domain}, result,
-        scenes::make_executor(scene.complex, scene.options, GetParam(), submeshing));
+    hard::Watch<double> watch(scene.complex, scene.options, {.domain = domain}, result,
+                              test::executor_of(GetParam(), scene.complex, scene.options));
     // 24 edges to the right: the walls before the strip vanish, and reappear behind it.
     constexpr int steps = 60;
     watch.run(scenes::Translation{{1.2, 0}}, 0, 1.0 / steps, steps);
@@ -59,9 +55,9 @@ TEST_P(Wall, StripSlidesFromOneEndToTheOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Strategies, Wall,
-                         testing::Values(scenes::Strategy::sequential, scenes::Strategy::active,
-                                         scenes::Strategy::blocks, scenes::Strategy::cells),
-                         [](const auto& one) { return scenes::to_string(one.param); });
+                         testing::Values(std::nullopt, Division::active, Division::blocks,
+                                         Division::cells),
+                         [](const auto& one) { return test::name_of(one.param); });
 
 TEST(WallMeeting, AnInterfaceThatMeetsTheWallIsNotInterpolatedAlongIt) {
     // The strip's wall is an interface as well, and turns into its side by only 35 degrees: a cubic
