@@ -27,7 +27,8 @@ class EveryDivision : public testing::TestWithParam<Division> {};
 TEST_P(EveryDivision, GivesTheSameBitsForAnyNumberOfThreads) {
     std::size_t several = 0;
     std::uint32_t most_threads = 0;
-    const std::uint64_t seeds = seeds_or_fewer(9);
+    // With fewer, some divisions never have work for three threads.
+    const std::uint64_t seeds = std::max<std::uint64_t>(seeds_or_fewer(9), 3);
     for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
         const Scene scene = scene_of(seed);
         const Outcome one = run_division<double>(scene, GetParam(), 1);
@@ -39,7 +40,7 @@ TEST_P(EveryDivision, GivesTheSameBitsForAnyNumberOfThreads) {
         }
     }
     EXPECT_GE(several, seeds / 2) << "hardly anything ran in parallel";
-    EXPECT_GE(most_threads, seeds < 3 ? 2U : 3U);
+    EXPECT_GE(most_threads, 3U);
 }
 
 TEST_P(EveryDivision, GivesTheSameBitsInFloat) {
