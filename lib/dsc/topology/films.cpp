@@ -177,7 +177,10 @@ private:
     double give_piece(Triangle start, Phase to) {
         double area = 0;
         (void)gather_piece(complex_, start, piece_);
-        for (const Triangle t : piece_.size() <= most_of_piece ? piece_ : std::vector<Triangle>{}) {
+        if (piece_.size() > most_of_piece) {
+            return 0;
+        }
+        for (const Triangle t : piece_) {
             area += static_cast<double>(doubled_area(complex_, t)) / 2;
             close(t, to);
         }

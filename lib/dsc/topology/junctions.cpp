@@ -27,8 +27,9 @@ constexpr double tie = 1e-9;
 template <class Real>
 struct Sector {
     Phase phase;
-    std::vector<Corner> corners; ///< at the vertex, counter-clockwise
-    Point<Real> ray;             ///< unit direction of the interface edge that it begins with
+    Corner first;      ///< at the vertex, in its first triangle
+    std::size_t count; ///< of its triangles, counter-clockwise
+    Point<Real> ray;   ///< unit direction of the interface edge that it begins with
     double angle = 0;
 };
 
@@ -82,9 +83,9 @@ private:
         do {
             const Phase phase = complex_.phase_at(c);
             if (sectors.empty() || sectors.back().phase != phase) {
-                sectors.push_back({phase, {}, ray(v, complex_.vertex(next(c))), 0});
+                sectors.push_back({phase, c, 0, ray(v, complex_.vertex(next(c))), 0});
             }
-            sectors.back().corners.push_back(c);
+            ++sectors.back().count;
             c = corner_ccw(complex_, c);
             if (is_border(c)) {
                 return false;
@@ -135,7 +136,7 @@ private:
     void exchange(Vertex v) {
         const Real shortest = static_cast<Real>(exchange_length) * work_.edge_length;
         for (std::size_t i = 0; i < 3; ++i) {
-            const Corner at = sectors_[i].corners.front(); // the spoke of its ray is opposite prev
+            const Corner at = sectors_[i].first; // the spoke of its ray is opposite prev
             const Corner edge = prev(at);
             const Vertex w{complex_.vertex(next(at))};
             if ((complex_.position(w) - complex_.position(v)).norm() >= shortest ||
@@ -263,7 +264,7 @@ private:
         const Phase before = sector(k, -1).phase;
         const Phase after = sector(k, 1).phase;
         const Phase phase = sectors_[k].phase;
-        const std::uint32_t begin = complex_.vertex(next(sectors_[k].corners.front()));
+        const std::uint32_t begin = complex_.vertex(next(sectors_[k].first));
         Corner first = no_id;
         if (!make_two_triangles(v, sectors_[k], first)) {
             return false;
@@ -294,9 +295,9 @@ private:
     // two triangles. `first`: the corner at v of the first.
     bool make_two_triangles(Vertex v, const Sector<Real>& sector, Corner& first) {
         const Phase phase = sector.phase;
-        const std::uint32_t begin = complex_.vertex(next(sector.corners.front()));
-        std::size_t count = sector.corners.size();
-        first = sector.corners.front();
+        const std::uint32_t begin = complex_.vertex(next(sector.first));
+        std::size_t count = sector.count;
+        first = sector.first;
         if (count == 1) {
             const Point<Real> middle = (complex_.position(Vertex{complex_.vertex(next(first))}) +
                                         complex_.position(Vertex{complex_.vertex(prev(first))})) /
