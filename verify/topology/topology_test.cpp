@@ -119,6 +119,46 @@ TEST_P(EveryWay, TwoDiscsMergeOnce) {
     }
 }
 
+// A sub-step that gives up has noted suspects, whose ids may mean anything in the next step.
+void expect_no_old_suspects(Complex<double>& complex, Executor<double>& executor) {
+    const Velocity<double> velocity = grow();
+    std::vector<Suspect<double>> suspects;
+    for (const bool is_second : {false, true}) {
+        executor.begin_step();
+        if (is_second) {
+            executor.take_suspects(suspects);
+            EXPECT_TRUE(suspects.empty()) << suspects.size() << " of the step before";
+        }
+        (void)executor.aim(velocity, 0, 0.3 * h);
+        if (is_second) {
+            executor.take_suspects(suspects);
+            EXPECT_FALSE(suspects.empty());
+        }
+        executor.end_step(); // without a move
+    }
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
+Complex<double> discs_that_nearly_touch() {
+    auto complex = two_discs();
+    Simulation<double> simulation(complex, options());
+    (void)run(complex, simulation, 0.02);
+    return complex;
+}
+
+TEST_P(EveryWay, SuspectsDoNotOutliveTheirStep) {
+    auto complex = discs_that_nearly_touch();
+    const auto executor = make_executor(
+        complex, options(), Parallel{.division = GetParam(), .always_all_threads = true});
+    expect_no_old_suspects(complex, *executor);
+}
+
+TEST(Topology, SuspectsDoNotOutliveTheirStep) {
+    auto complex = discs_that_nearly_touch();
+    SequentialExecutor<double> executor(complex, options(), default_algorithm<double>());
+    expect_no_old_suspects(complex, executor);
+}
+
 INSTANTIATE_TEST_SUITE_P(Topology, EveryWay,
                          testing::Values(Division::fixed, Division::counting, Division::active,
                                          Division::blocks, Division::cells, Division::copy),

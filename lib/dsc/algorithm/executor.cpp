@@ -134,6 +134,7 @@ void SequentialExecutor<Real>::begin_step() {
         shuffle_interface(work_.interface, work_.options.shuffle_seed + steps_);
     }
     ++steps_;
+    work_.topology_suspects.clear(); // of a sub-step that gave up
 }
 
 template <class Real>

@@ -54,7 +54,10 @@ public:
     /// `rebuild`.
     [[nodiscard]] std::vector<Edit> take_edits() override;
     void take_suspects(std::vector<Suspect<Real>>& list) override { append_suspects(whole_, list); }
-    void begin_step() override { ++costs_.steps; }
+    void begin_step() override {
+        ++costs_.steps;
+        whole_.topology_suspects.clear(); // of a sub-step that gave up
+    }
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;
     /// O(mesh) for each colour, however little moves.
