@@ -29,7 +29,7 @@ static_assert(is_complete(slabbing_names));
 static_assert(is_complete(assignment_names));
 static_assert(is_complete(test::phase_pattern_names));
 static_assert(is_complete(test::wildness_names));
-static_assert(is_complete(test::division_names));
+static_assert(is_complete(test::partition_families));
 
 // The check itself: what it must find.
 enum class Fruit : std::uint8_t { apple, pear, plum };

@@ -11,7 +11,7 @@ namespace dsc {
 namespace {
 
 using test::Growing;
-using test::Way;
+using test::NamedPartitioner;
 using test::ways_to_divide;
 
 // The addresses of all arrays that grow with the mesh.
@@ -30,7 +30,7 @@ void add_attributes(Complex<double>& complex) {
 }
 
 TEST(FirstStep, CopiesNoArrayOfTheMesh) {
-    for (const Way& way : ways_to_divide(8)) {
+    for (const NamedPartitioner& way : ways_to_divide(8)) {
         SCOPED_TRACE(way.name);
         Growing disc(way.make(), 1, default_algorithm<double>(), &add_attributes);
         const auto before = storage_of(disc.complex);

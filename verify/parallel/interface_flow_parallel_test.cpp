@@ -37,7 +37,7 @@ struct Strategy {
 
 std::vector<Strategy> strategies() {
     std::vector<Strategy> list;
-    for (const test::Way& way : test::ways_to_divide(4)) {
+    for (const test::NamedPartitioner& way : test::ways_to_divide(4)) {
         list.push_back({way.name, [way](auto& complex, const auto& options, auto threads) {
                             return std::make_unique<SubmeshExecutor<double>>(
                                 complex, options, default_algorithm<double>(), way.make(),

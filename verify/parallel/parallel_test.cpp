@@ -22,7 +22,7 @@ Scene scene_of(std::uint64_t seed) {
     return scene;
 }
 
-class EveryDivision : public testing::TestWithParam<Division> {};
+class EveryDivision : public testing::TestWithParam<PartitionFamily> {};
 
 TEST_P(EveryDivision, GivesTheSameBitsForAnyNumberOfThreads) {
     std::size_t several = 0;
@@ -142,7 +142,7 @@ TEST_P(EveryDivision, DoesWhatTheSequentialMethodDoes) {
     EXPECT_GE(several, 2U) << "hardly anything ran in parallel";
 }
 
-INSTANTIATE_TEST_SUITE_P(Parallel, EveryDivision, testing::ValuesIn(test::all_divisions),
+INSTANTIATE_TEST_SUITE_P(Parallel, EveryDivision, testing::ValuesIn(test::all_partition_families),
                          [](const auto& one) { return std::string(to_string(one.param)); });
 
 } // namespace

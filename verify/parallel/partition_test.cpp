@@ -6,8 +6,8 @@
 #include "support/random_scene.h"
 #include "support/random_submeshes.h"
 
-#include "dsc/passes/interface_list.h"
 #include "dsc/base/error.h"
+#include "dsc/passes/interface_list.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace {
 
 using test::Dice;
 using test::Divided;
-using test::Division;
+using test::PartitionFamily;
 using test::random_divided;
 
 constexpr double infinity = Region::infinity;
@@ -72,7 +72,7 @@ std::vector<Point<double>> sample_points(Dice& dice, const Divided& divided) {
     return points;
 }
 
-class EveryPartition : public testing::TestWithParam<Division> {};
+class EveryPartition : public testing::TestWithParam<PartitionFamily> {};
 
 TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
     std::size_t several = 0;
@@ -116,7 +116,8 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
         for (const Colour& colour : colours) {
             for (const Region& a : colour.regions) {
                 for (const Region& b : colour.regions) {
-                    EXPECT_TRUE(&a == &b || GetParam() == Division::voronoi || !a.may_meet(b));
+                    EXPECT_TRUE(&a == &b || GetParam() == PartitionFamily::voronoi ||
+                                !a.may_meet(b));
                 }
             }
         }
@@ -182,14 +183,15 @@ TEST_P(EveryPartition, IsDueAfterAsManySteps) {
             const Recut recut = partitioner->is_due(
                 {.step = 100, .steps_since_all = steps, .interface_vertices = 9});
             due = recut == Recut::all ? steps : 0;
-            EXPECT_TRUE(recut != Recut::later || GetParam() == Division::cells);
+            EXPECT_TRUE(recut != Recut::later || GetParam() == PartitionFamily::cells);
         }
         EXPECT_NE(words.str().find("recut " + std::to_string(due)), std::string::npos)
             << due << " steps, with" << words.str();
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Partitions, EveryPartition, testing::ValuesIn(test::all_divisions),
+INSTANTIATE_TEST_SUITE_P(Partitions, EveryPartition,
+                         testing::ValuesIn(test::all_partition_families),
                          [](const auto& one) { return std::string(to_string(one.param)); });
 
 // --- regions ------------------------------------------------------------------------------------

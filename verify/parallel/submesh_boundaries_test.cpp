@@ -24,7 +24,7 @@ namespace {
 
 using test::everywhere;
 using test::Growing;
-using test::Way;
+using test::NamedPartitioner;
 using test::ways_to_divide;
 
 // The work that is left to do in a mesh.
@@ -61,7 +61,7 @@ TEST(SubmeshExecutor, LeavesNothingUndoneAtTheBoundaries) {
     ways.push_back(
         {"one slab",
          [] { return std::make_unique<SlabPartitioner<double>>(SlabOptions{.submeshes = 1}); }});
-    for (const Way& way : ways) {
+    for (const NamedPartitioner& way : ways) {
         SCOPED_TRACE(way.name);
         Growing disc(way.make(), 2);
         Flaws flaws;
@@ -112,7 +112,7 @@ private:
 };
 
 TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
-    for (const Way& way : ways_to_divide(4)) {
+    for (const NamedPartitioner& way : ways_to_divide(4)) {
         SCOPED_TRACE(way.name);
         Waiting stars;
         Waiting upkeep;

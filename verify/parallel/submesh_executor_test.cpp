@@ -25,7 +25,7 @@ namespace {
 
 using test::everywhere;
 using test::Growing;
-using test::Way;
+using test::NamedPartitioner;
 using test::ways_to_divide;
 
 // --- failures -----------------------------------------------------------------------------------
@@ -35,7 +35,7 @@ struct Fault : std::runtime_error {
 };
 
 TEST(SubmeshExecutor, PassesOnWhatAVelocityThrows) {
-    for (const Way& way : ways_to_divide(3)) {
+    for (const NamedPartitioner& way : ways_to_divide(3)) {
         for (const std::uint32_t threads : {1U, 2U, 4U}) {
             for (const int good_steps : {0, 2}) { // before; with two it is about to divide anew
                 SCOPED_TRACE(std::string(way.name) + ", threads " + std::to_string(threads));
@@ -72,7 +72,7 @@ bool is_same(const Region& a, const Region& b) {
 TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
     constexpr std::size_t serial = 99;
     int serial_faults = 0;
-    for (const Way& way : ways_to_divide(3)) {
+    for (const NamedPartitioner& way : ways_to_divide(3)) {
         for (const bool in_upkeep : {true, false}) {
             for (const bool before : {true, false}) {
                 for (const std::size_t colour : {std::size_t{0}, std::size_t{1}, serial}) {

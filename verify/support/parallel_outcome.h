@@ -225,12 +225,12 @@ Outcome simulate(const Scene& scene, const MakeExecutor<Real>& make) {
 }
 
 template <class Real>
-Outcome run_division(const Scene& scene, Division division, std::uint32_t threads,
+Outcome run_division(const Scene& scene, PartitionFamily family, std::uint32_t threads,
                      bool profile = false) {
     return simulate<Real>(
         scene, [&](Complex<Real>& complex, const Options<Real>& options, std::ostream& words) {
-            Dice dice(1000 * scene.seed + static_cast<std::uint64_t>(division));
-            return test::random_executor(dice, division, complex, options, threads, words, profile);
+            Dice dice(1000 * scene.seed + static_cast<std::uint64_t>(family));
+            return test::random_executor(dice, family, complex, options, threads, words, profile);
         });
 }
 

@@ -23,17 +23,17 @@
 namespace dsc::test {
 
 /// A family of partitions: one partitioner, or one of its ways to choose the cuts.
-enum class Division : std::uint8_t { fixed, counting, active, blocks, cells, voronoi };
+enum class PartitionFamily : std::uint8_t { fixed, counting, active, blocks, cells, voronoi };
 
-inline constexpr std::array division_names{
-    Named{Division::fixed, "fixed"},   Named{Division::counting, "counting"},
-    Named{Division::active, "active"}, Named{Division::blocks, "blocks"},
-    Named{Division::cells, "cells"},   Named{Division::voronoi, "voronoi"},
+inline constexpr std::array partition_families{
+    Named{PartitionFamily::fixed, "fixed"},   Named{PartitionFamily::counting, "counting"},
+    Named{PartitionFamily::active, "active"}, Named{PartitionFamily::blocks, "blocks"},
+    Named{PartitionFamily::cells, "cells"},   Named{PartitionFamily::voronoi, "voronoi"},
 };
-inline constexpr std::array all_divisions = values_in(division_names);
+inline constexpr std::array all_partition_families = values_in(partition_families);
 
-[[nodiscard]] constexpr std::string_view to_string(Division division) {
-    return name_in(division_names, division);
+[[nodiscard]] constexpr std::string_view to_string(PartitionFamily family) {
+    return name_in(partition_families, family);
 }
 
 inline std::uint32_t number_in(Dice& dice, int low, int high) {
@@ -43,20 +43,20 @@ inline std::uint32_t number_in(Dice& dice, int low, int high) {
 /// A partitioner of this family, with small least widths, so that small scenes have many submeshes,
 /// and with a new division after a few steps; `words` receives what was drawn.
 template <class Real>
-std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, Division division,
+std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamily family,
                                                       std::ostream& words) {
-    words << ", " << to_string(division);
+    words << ", " << to_string(family);
     const double least_width = dice.in(2.0, 8.0);
     const std::uint32_t recut = number_in(dice, 1, 8);
     words << " least width " << least_width << " recut " << recut;
-    switch (division) {
-    case Division::fixed:
-    case Division::counting:
-    case Division::active: {
+    switch (family) {
+    case PartitionFamily::fixed:
+    case PartitionFamily::counting:
+    case PartitionFamily::active: {
         SlabOptions slabs;
-        slabs.slabbing = division == Division::fixed      ? Slabbing::fixed
-                         : division == Division::counting ? Slabbing::counting
-                                                          : Slabbing::active;
+        slabs.slabbing = family == PartitionFamily::fixed      ? Slabbing::fixed
+                         : family == PartitionFamily::counting ? Slabbing::counting
+                                                               : Slabbing::active;
         slabs.submeshes = number_in(dice, 1, 9);
         // Upright slabs have their own code.
         slabs.degrees = dice.chance(0.3) ? 90 * dice.in(0, 3) : dice.in(-400.0, 400.0);
@@ -67,7 +67,7 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, Division divis
               << (slabs.follow_shape ? " follow shape" : "");
         return std::make_unique<SlabPartitioner<Real>>(slabs);
     }
-    case Division::blocks: {
+    case PartitionFamily::blocks: {
         BlockOptions blocks;
         blocks.submeshes = number_in(dice, 1, 36);
         blocks.least_width = least_width;
@@ -75,7 +75,7 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, Division divis
         words << " submeshes " << blocks.submeshes;
         return std::make_unique<BlockPartitioner<Real>>(blocks);
     }
-    case Division::cells: {
+    case PartitionFamily::cells: {
         CellOptions cells;
         cells.submeshes = dice.chance(0.3) ? 0 : number_in(dice, 2, 12);
         cells.least_vertices = number_in(dice, 3, 12);
@@ -87,7 +87,7 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, Division divis
               << " band " << cells.band << " recut later " << cells.recut_later;
         return std::make_unique<CellPartitioner<Real>>(cells);
     }
-    case Division::voronoi: {
+    case PartitionFamily::voronoi: {
         const std::uint32_t submeshes = number_in(dice, 1, 10);
         const int rounds = dice.in(0, 8);
         words << " submeshes " << submeshes << " rounds " << rounds;
@@ -115,9 +115,10 @@ inline SubmeshOptions random_submesh_options(Dice& dice, std::uint32_t threads,
 /// An executor with a division of the family.
 template <class Real>
 std::unique_ptr<SubmeshExecutor<Real>>
-random_executor(Dice& dice, Division division, Complex<Real>& complex, const Options<Real>& options,
-                std::uint32_t threads, std::ostream& words, bool profile = false) {
-    auto partitioner = random_partitioner<Real>(dice, division, words);
+random_executor(Dice& dice, PartitionFamily family, Complex<Real>& complex,
+                const Options<Real>& options, std::uint32_t threads, std::ostream& words,
+                bool profile = false) {
+    auto partitioner = random_partitioner<Real>(dice, family, words);
     SubmeshOptions submeshes = random_submesh_options(dice, threads, words);
     submeshes.profile = profile;
     return std::make_unique<SubmeshExecutor<Real>>(complex, options, default_algorithm<Real>(),
@@ -129,8 +130,8 @@ template <class Real>
 std::unique_ptr<SubmeshExecutor<Real>> random_executor(Dice& dice, Complex<Real>& complex,
                                                        const Options<Real>& options,
                                                        std::uint32_t threads, std::ostream& words) {
-    const Division division = dice.one_of(division_names);
-    return random_executor(dice, division, complex, options, threads, words);
+    const PartitionFamily family = dice.one_of(partition_families);
+    return random_executor(dice, family, complex, options, threads, words);
 }
 
 /// A complex and the view of it that a partitioner gets.

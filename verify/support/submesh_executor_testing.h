@@ -66,13 +66,13 @@ struct Growing {
     std::unique_ptr<Simulation<double>> simulation;
 };
 
-struct Way {
+struct NamedPartitioner {
     const char* name;
     std::function<std::unique_ptr<Partitioner<double>>()> make;
 };
 
 // Into small submeshes.
-inline std::vector<Way> ways_to_divide(std::uint32_t recut) {
+inline std::vector<NamedPartitioner> ways_to_divide(std::uint32_t recut) {
     return {
         {"slabs",
          [=] {
