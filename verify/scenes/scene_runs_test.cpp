@@ -320,22 +320,5 @@ TEST(RunScene, MeasuresBothMoments) {
     EXPECT_NEAR(json["area_drift_first_last"].get<double>(), result.area_ratio - 1, 1e-15);
 }
 
-// What linear insertion does to a curve shows in its turns, not in its area.
-TEST(RunScene, LinearInsertionIsJagged) {
-    const Scene& scene = find_scene("swirl");
-    Parameters parameters = scene.defaults;
-    parameters.h = 0.02;
-    parameters.steps = 160;
-    const RunResult cubic = run_scene(scene, parameters, {});
-    parameters.insertion = Insertion::linear;
-    const RunResult linear = run_scene(scene, parameters, {});
-    EXPECT_EQ(number(cubic.last, "jaggedness.beyond"), 0);
-    EXPECT_LE(number(cubic.last, "jaggedness.largest_excess_deg"), 0.0);
-    EXPECT_GT(number(linear.last, "jaggedness.beyond"), 0);
-    EXPECT_GT(number(linear.last, "jaggedness.largest_excess_deg"), 0.0);
-    EXPECT_GT(number(linear.last, "jaggedness.rms_deg"),
-              2 * number(cubic.last, "jaggedness.rms_deg"));
-}
-
 } // namespace
 } // namespace dsc::scenes

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Scenes whose interface is jagged, told from those whose interface is not.
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/run/run.h"
+
+#include <gtest/gtest.h>
+
+namespace dsc::scenes {
+namespace {
+
+// What linear insertion does to a curve shows in its turns, not in its area.
+TEST(Jagged, LinearInsertionIsJagged) {
+    const Scene& scene = find_scene("swirl");
+    Parameters parameters = scene.defaults;
+    parameters.h = 0.02;
+    parameters.steps = 160;
+    const RunResult cubic = run_scene(scene, parameters, {});
+    parameters.insertion = Insertion::linear;
+    const RunResult linear = run_scene(scene, parameters, {});
+    EXPECT_EQ(number(cubic.last, "jaggedness.beyond"), 0);
+    EXPECT_LE(number(cubic.last, "jaggedness.largest_excess_deg"), 0.0);
+    EXPECT_GT(number(linear.last, "jaggedness.beyond"), 0);
+    EXPECT_GT(number(linear.last, "jaggedness.largest_excess_deg"), 0.0);
+    EXPECT_GT(number(linear.last, "jaggedness.rms_deg"),
+              2 * number(cubic.last, "jaggedness.rms_deg"));
+}
+
+} // namespace
+} // namespace dsc::scenes
