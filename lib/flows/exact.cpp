@@ -45,7 +45,7 @@ double turn_at(const std::vector<Marker>& markers, std::size_t i) {
                                             here.place, cyclic(markers, i + 1).place);
 }
 
-void place_markers(const Curve& curve, const FlowMap& map, std::vector<Marker>& markers) {
+void place_markers(const ParametricCurve& curve, const FlowMap& map, std::vector<Marker>& markers) {
     std::vector<Point<double>> points;
     points.reserve(markers.size());
     for (const Marker& marker : markers) {
@@ -66,7 +66,7 @@ void divide(double from, double span, int count, std::vector<Marker>& markers) {
     }
 }
 
-std::vector<Marker> spread_markers(const Curve& curve, const FlowMap& map, double spacing,
+std::vector<Marker> spread_markers(const ParametricCurve& curve, const FlowMap& map, double spacing,
                                    double deviation, int most_markers) {
     std::vector<Marker> markers;
     const std::vector<double>& corners = curve.corners;
@@ -178,9 +178,9 @@ ExactShape exact_circle(const Point<double>& centre, double radius, int vertices
                           .value = std::to_string(vertices),
                           .allowed = "at least 8"});
     }
-    const Curve curve = circle_curve(centre, radius);
+    const ParametricCurve curve = circle_curve(centre, radius);
     const double angle = 2.0 * pi / vertices;
-    const Curve outer = circle_curve(centre, radius * std::sqrt(angle / std::sin(angle)));
+    const ParametricCurve outer = circle_curve(centre, radius * std::sqrt(angle / std::sin(angle)));
     ExactShape shape;
     Outline outline;
     outline.reserve(static_cast<std::size_t>(vertices));
@@ -198,7 +198,7 @@ ExactShape exact_circle(const Point<double>& centre, double radius, int vertices
     return shape;
 }
 
-ExactShape mapped_shape(const Curve& curve, const FlowMap& map, const FlowMap& rough,
+ExactShape mapped_shape(const ParametricCurve& curve, const FlowMap& map, const FlowMap& rough,
                         const std::string& description, const MarkerOptions& options) {
     if (!(options.spacing > 0.0) || !(options.deviation > 0.0)) {
         throw InputError(
@@ -230,7 +230,7 @@ ExactShape mapped_shape(const Curve& curve, const FlowMap& map, const FlowMap& r
     return shape;
 }
 
-ExactShape advected_shape(const Curve& curve, const Flow& flow, double time, int steps,
+ExactShape advected_shape(const ParametricCurve& curve, const Flow& flow, double time, int steps,
                           const MarkerOptions& options) {
     return mapped_shape(curve, runge_kutta_map(flow, 0.0, time, steps),
                         runge_kutta_map(flow, 0.0, time, std::max(1, steps / 2)),
@@ -246,11 +246,11 @@ int advection_steps(double time) {
     return std::max(least, static_cast<int>(std::min(most, std::ceil(per_time * time))));
 }
 
-ExactShape advected_shape(const Curve& curve, const Flow& flow, double time) {
+ExactShape advected_shape(const ParametricCurve& curve, const Flow& flow, double time) {
     return advected_shape(curve, flow, time, advection_steps(time), MarkerOptions{});
 }
 
-ExactShape unmoved_shape(const Curve& curve, const MarkerOptions& options) {
+ExactShape unmoved_shape(const ParametricCurve& curve, const MarkerOptions& options) {
     const FlowMap stay = [](std::span<Point<double>>) {};
     return mapped_shape(curve, stay, stay, "curve itself", options);
 }

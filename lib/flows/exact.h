@@ -37,8 +37,8 @@ struct MarkerOptions {
 /// the polygon's area that of the curve to fourth order. `rough` is the same map with half the
 /// effort (the same one if it is exact); its result, with markers twice as far apart, gives
 /// own_error.
-[[nodiscard]] ExactShape mapped_shape(const Curve& curve, const FlowMap& map, const FlowMap& rough,
-                                      const std::string& description,
+[[nodiscard]] ExactShape mapped_shape(const ParametricCurve& curve, const FlowMap& map,
+                                      const FlowMap& rough, const std::string& description,
                                       const MarkerOptions& options = {});
 
 /// The number of RK4 steps for a time in a flow of speeds of about 1 in the unit square: they keep
@@ -47,15 +47,16 @@ struct MarkerOptions {
 
 /// The image of a curve under a divergence-free flow at a time, by `steps` steps of RK4 from time
 /// 0.
-[[nodiscard]] ExactShape advected_shape(const Curve& curve, const Flow& flow, double time,
+[[nodiscard]] ExactShape advected_shape(const ParametricCurve& curve, const Flow& flow, double time,
                                         int steps, const MarkerOptions& options = {});
 /// With `advection_steps(time)` steps: own_error is below 1e-7 for the swirl of a circle of radius
 /// 0.15 until time 4.2, and for the single vortex at half of a period of up to 8.
-[[nodiscard]] ExactShape advected_shape(const Curve& curve, const Flow& flow, double time);
+[[nodiscard]] ExactShape advected_shape(const ParametricCurve& curve, const Flow& flow,
+                                        double time);
 
 /// The curve itself, to which a flow and its reversal lead back. Markers that need no flow are
 /// cheap, so there are many: own_error is below 1e-9 for a circle of radius 0.15.
-[[nodiscard]] ExactShape unmoved_shape(const Curve& curve,
+[[nodiscard]] ExactShape unmoved_shape(const ParametricCurve& curve,
                                        const MarkerOptions& options = {.deviation = 2e-9});
 
 } // namespace dsc::scenes

@@ -15,7 +15,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 }
 
-Curve circle_curve(const Point<double>& centre, double radius) {
+ParametricCurve circle_curve(const Point<double>& centre, double radius) {
     if (!(radius > 0.0) || !std::isfinite(radius)) {
         throw InputError({.what = "radius",
                           .where = "circle_curve",
@@ -29,7 +29,7 @@ Curve circle_curve(const Point<double>& centre, double radius) {
     return {point, {}, pi * radius * radius};
 }
 
-Curve polygon_curve(std::span<const Point<double>> corners) {
+ParametricCurve polygon_curve(std::span<const Point<double>> corners) {
     const Outline outline(corners.begin(), corners.end());
     check_outline(outline, "polygon_curve");
     const auto point = [outline](double s) {
@@ -39,14 +39,14 @@ Curve polygon_curve(std::span<const Point<double>> corners) {
         const Point<double>& b = outline[i + 1 == outline.size() ? 0 : i + 1];
         return Point<double>{a + (place - static_cast<double>(i)) * (b - a)};
     };
-    Curve curve{point, {}, signed_area(outline)};
+    ParametricCurve curve{point, {}, signed_area(outline)};
     for (std::size_t i = 0; i < outline.size(); ++i) {
         curve.corners.push_back(static_cast<double>(i) / static_cast<double>(outline.size()));
     }
     return curve;
 }
 
-Curve slotted_disc_curve(const SlottedDisc& disc) {
+ParametricCurve slotted_disc_curve(const SlottedDisc& disc) {
     const std::vector<Point<double>> slot = slot_corners(disc);
     const double begin = std::atan2(slot[3].y() - disc.centre.y(), slot[3].x() - disc.centre.x());
     const double sweep = 2.0 * pi - 2.0 * std::asin(0.5 * disc.slot_width / disc.radius);

@@ -13,14 +13,14 @@
 namespace dsc::scenes {
 
 /// A simple closed curve, counter-clockwise.
-struct Curve {
+struct ParametricCurve {
     std::function<Point<double>(double)> point; ///< for parameters in [0, 1)
     std::vector<double> corners; ///< parameters at which the tangent jumps, ascending
     double area = 0.0;           ///< in closed form
 };
 
-[[nodiscard]] Curve circle_curve(const Point<double>& centre, double radius);
-[[nodiscard]] Curve polygon_curve(std::span<const Point<double>> corners);
-[[nodiscard]] Curve slotted_disc_curve(const SlottedDisc& disc);
+[[nodiscard]] ParametricCurve circle_curve(const Point<double>& centre, double radius);
+[[nodiscard]] ParametricCurve polygon_curve(std::span<const Point<double>> corners);
+[[nodiscard]] ParametricCurve slotted_disc_curve(const SlottedDisc& disc);
 
 } // namespace dsc::scenes

@@ -3,9 +3,9 @@
 // and their own statements of error.
 #include "dsc/base/error.h"
 #include "flows/exact.h"
-#include "shapes/shapes.h"
 #include "flows/sine_cosine.h"
 #include "measures/symmetric_difference.h"
+#include "shapes/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -147,7 +147,7 @@ TEST(Exact, RigidMotions) {
 }
 
 TEST(Exact, SingleVortexHasTheKnownPerimeterAndKeepsItsArea) {
-    const Curve curve = circle_curve({0.5, 0.75}, 0.15);
+    const ParametricCurve curve = circle_curve({0.5, 0.75}, 0.15);
     for (const auto& [period, length] : {std::pair(2.0, 1.843087), {8.0, 6.450337}}) {
         const Flow flow = steady(Swirl{1.0, period});
         const ExactShape rough =
@@ -212,7 +212,7 @@ class FarthestOut : public testing::TestWithParam<Swirled> {};
 
 TEST_P(FarthestOut, IsKnownToItsOwnError) {
     const auto [period, time, most_error] = GetParam();
-    const Curve curve = circle_curve({0.5, 0.75}, 0.15);
+    const ParametricCurve curve = circle_curve({0.5, 0.75}, 0.15);
     const Flow flow = steady(Swirl{1.0, period});
     const ExactShape shape = advected_shape(curve, flow, time);
     EXPECT_LT(shape.own_error, most_error);
@@ -257,7 +257,7 @@ TEST(Exact, SwirledSlottedDisc) {
 
 TEST(Exact, TwistedSquareAgreesWithItsClosedForm) {
     const Vortex field{{0, 0}, 1.0};
-    const Curve curve = polygon_curve(square(-50, -50, 100));
+    const ParametricCurve curve = polygon_curve(square(-50, -50, 100));
     const FlowMap map = vortex_map(field, 125.0);
     const MarkerOptions options{.spacing = 4e-3, .deviation = 3e-6};
     const ExactShape closed = mapped_shape(curve, map, map, "twisted square", options);
@@ -270,14 +270,14 @@ TEST(Exact, TwistedSquareAgreesWithItsClosedForm) {
 TEST(Exact, CornersStayVertices) {
     const Outline box = square(0, 0, 100);
     // The same square with its parameter shifted, so that no corner is at the parameter zero.
-    const Curve plain = polygon_curve(box);
-    const Curve shifted{[&](double s) {
-                            EXPECT_TRUE(s >= 0.0 && s < 1.0);
-                            return plain.point(s < 0.125 ? s + 0.875 : s - 0.125);
-                        },
-                        {0.125, 0.375, 0.625, 0.875},
-                        plain.area};
-    for (const Curve& curve : {plain, shifted}) {
+    const ParametricCurve plain = polygon_curve(box);
+    const ParametricCurve shifted{[&](double s) {
+                                      EXPECT_TRUE(s >= 0.0 && s < 1.0);
+                                      return plain.point(s < 0.125 ? s + 0.875 : s - 0.125);
+                                  },
+                                  {0.125, 0.375, 0.625, 0.875},
+                                  plain.area};
+    for (const ParametricCurve& curve : {plain, shifted}) {
         const Outline outline = unmoved_shape(curve).outlines.front();
         EXPECT_LT(symmetric_difference(outline, box), 1e-10);
         EXPECT_LT(outline.size(), 10000U);

@@ -42,7 +42,7 @@ struct Schedule {
 
 /// A curve that a flow takes away and back: `steps` is the number of steps each way.
 [[nodiscard]] Scene there_and_back_scene(About about, double h, double dt, int steps,
-                                         const Velocity& velocity, const Curve& curve,
+                                         const Velocity& velocity, const ParametricCurve& curve,
                                          std::function<Outline(double h)> outline);
 
 } // namespace dsc::scenes

@@ -38,7 +38,7 @@ Setup reversing_vortex(const Parameters& p) {
         setup.half_step = s.steps / 2;
     }
     setup.exact = [flow = setup.flow, period = p.period](double t) {
-        const Curve curve = circle_curve(centre(), radius);
+        const ParametricCurve curve = circle_curve(centre(), radius);
         return std::abs(t - period) < 1e-9 * period ? unmoved_shape(curve)
                                                     : advected_shape(curve, flow, t);
     };

@@ -9,7 +9,7 @@
 namespace dsc::scenes {
 
 Scene there_and_back_scene(About about, double h, double dt, int steps, const Velocity& velocity,
-                           const Curve& curve, std::function<Outline(double h)> outline) {
+                           const ParametricCurve& curve, std::function<Outline(double h)> outline) {
     return {.name = std::move(about.name),
             .description = std::move(about.description),
             .section = std::move(about.section),
