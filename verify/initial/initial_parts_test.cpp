@@ -142,15 +142,19 @@ TEST(Segments, AreRecoveredThroughAnything) {
         chains.push_back(
             {insert({0.01, 0.5}), insert({0.99, 0.5}), insert({0.7, 0.9 - 0.1 * first})});
         chains.push_back({insert({0.05, 0.03}), insert({0.9, 0.04}), insert({0.5, 0.07})});
+        for (auto& chain : chains) {
+            chain.push_back(chain.front());
+        }
         const auto touched = dsc::initial::recover_segments(complex, chains);
         EXPECT_FALSE(touched.empty());
         EXPECT_GT(chains.front().size(), 20U) << "vertices on a segment become part of it";
         const auto report = dsc::validate(complex);
         ASSERT_TRUE(report.ok()) << report.problem;
         for (const auto& chain : chains) {
-            for (std::size_t i = 0; i < chain.size(); ++i) {
+            EXPECT_EQ(chain.front(), chain.back());
+            for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
                 const Vertex a{chain[i]};
-                const Vertex b{chain[i + 1 < chain.size() ? i + 1 : 0]};
+                const Vertex b{chain[i + 1]};
                 EXPECT_TRUE(complex.find_edge(a, b).is_valid());
             }
         }

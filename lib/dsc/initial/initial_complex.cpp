@@ -2,11 +2,14 @@
 #include "dsc/initial/initial_complex.h"
 
 #include "dsc/complex/numbering.h"
+#include "dsc/initial/build/clearing.h"
 #include "dsc/initial/build/delaunay.h"
+#include "dsc/initial/build/faces.h"
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/phases.h"
 #include "dsc/initial/build/segments.h"
 #include "dsc/initial/improve/improvement.h"
+#include "dsc/initial/input/curve_check.h"
 #include "dsc/initial/input/input_check.h"
 
 namespace dsc {
@@ -20,33 +23,30 @@ constexpr double clearance = 0.5;
 // arrays of a large complex need not be copied to grow.
 constexpr std::size_t spare_per_piece = 4;
 
-} // namespace
+// Vertices of the lattice on a side closer to an end than this share of their distance are removed.
+constexpr double side_clearance = 0.5;
 
-template <class Real>
-Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
-                              const InitialOptions& options) {
+// A complex with these paths as its interface. `fill` gives the phases.
+template <class Real, class Fill>
+Complex<Real> build(const initial::Lattice& lattice, std::span<const initial::Path> paths,
+                    const InitialOptions& options, Fill fill) {
     using namespace initial;
-    const CheckedInput input = check_input<Real>(domain, shapes, options);
-    const std::span<const Outline> outlines = input.outlines;
     std::size_t pieces = 0;
-    for (const Outline& outline : outlines) {
-        pieces += outline.points.size();
+    for (const Path& path : paths) {
+        pieces += path.size() - 1;
     }
     Complex<Real> complex;
-    write_lattice(input.lattice, spare_per_piece * pieces, complex);
-    clear_lattice(complex, input.lattice, outlines, clearance);
-    Chains chains = insert_outlines(complex, input.lattice, outlines);
+    write_lattice(lattice, spare_per_piece * pieces, complex);
+    clear_lattice(complex, lattice, paths, clearance);
+    clear_sides(complex, lattice, paths, side_clearance);
+    Chains chains = insert_paths(complex, lattice, paths);
     const std::vector<std::uint32_t> touched = recover_segments(complex, chains);
-    fill_phases(complex, outlines, chains);
+    fill(complex, chains);
     std::vector<Corner> stack;
     for (const std::uint32_t v : touched) {
         legalise_star(complex, v, stack);
     }
-    std::vector<std::uint32_t> interface_vertices;
-    interface_vertices.reserve(pieces);
-    for (const auto& chain : chains) {
-        interface_vertices.insert(interface_vertices.end(), chain.begin(), chain.end());
-    }
+    const auto interface_vertices = vertices_on(chains, complex.vertex_bound());
     improve(complex, std::span<const std::uint32_t>(interface_vertices), options.edge_length,
             options.improve_rounds);
     if (options.renumber) {
@@ -55,9 +55,45 @@ Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> sh
     return complex;
 }
 
+template <class Checked>
+std::vector<initial::Path> paths_of(const std::vector<Checked>& lines) {
+    std::vector<initial::Path> paths;
+    paths.reserve(lines.size());
+    for (const Checked& line : lines) {
+        paths.emplace_back(line.points);
+    }
+    return paths;
+}
+
+} // namespace
+
+template <class Real>
+Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
+                              const InitialOptions& options) {
+    const initial::CheckedInput input = initial::check_input<Real>(domain, shapes, options);
+    return build<Real>(input.lattice, paths_of(input.outlines), options,
+                       [&](Complex<Real>& complex, const initial::Chains& chains) {
+                           initial::fill_phases(complex, std::span(input.outlines), chains);
+                       });
+}
+
+template <class Real>
+Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> curves,
+                              const InitialOptions& options) {
+    const initial::CheckedCurves input = initial::check_curves<Real>(domain, curves, options);
+    return build<Real>(input.lattice, paths_of(input.curves), options,
+                       [&](Complex<Real>& complex, const initial::Chains& chains) {
+                           initial::fill_faces(complex, std::span(input.curves), chains);
+                       });
+}
+
 template Complex<double> initial_complex(const Rectangle&, std::span<const Shape>,
                                          const InitialOptions&);
 template Complex<float> initial_complex(const Rectangle&, std::span<const Shape>,
+                                        const InitialOptions&);
+template Complex<double> initial_complex(const Rectangle&, std::span<const Curve>,
+                                         const InitialOptions&);
+template Complex<float> initial_complex(const Rectangle&, std::span<const Curve>,
                                         const InitialOptions&);
 
 } // namespace dsc

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The complex that a scene starts from (thesis, section 5.6 and chapter 9): a rectangle and any
-// number of simple polygons, each with its phase, triangulated at a target edge length. A lattice
-// of near-equilateral triangles is laid over the rectangle; only the part near an outline is
+// The complex that a scene starts from (thesis, section 5.6 and chapter 9): a rectangle with any
+// number of simple polygons, each with its phase, or with a network of curves that meet each other
+// and the sides of the rectangle, triangulated at a target edge length. A lattice of
+// near-equilateral triangles is laid over the rectangle; only the part near the interface is
 // searched, changed or improved.
 //
 // The result is a constrained Delaunay triangulation (up to `delaunay_slack`) whose interface
-// consists of the outlines and nothing else.
+// consists of the outlines or curves and nothing else.
 #pragma once
 
 #include "dsc/complex/complex.h"
 
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -19,6 +21,13 @@ namespace dsc {
 struct Shape {
     std::vector<Point<double>> outline; ///< either orientation; the first point is not repeated
     Phase phase = 1;                    ///< differs from the phase around the shape
+};
+
+/// A piece of the interface between two junctions, or a closed curve.
+struct Curve {
+    std::vector<Point<double>> points; ///< two or more; a closed curve repeats its first at the end
+    Phase left = 1;                    ///< of the region on the left of the way along it
+    Phase right = exterior_phase;      ///< differs from the one on the left
 };
 
 /// A rectangle with sides parallel to the axes.
@@ -50,9 +59,41 @@ template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
                               const InitialOptions& options = {});
 
+/// The same for shapes in braces. `{}` stands for no shapes: all of it is `exterior_phase`.
+template <class Real>
+Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Shape> shapes,
+                              const InitialOptions& options = {}) {
+    return initial_complex<Real>(domain, std::span(shapes.begin(), shapes.size()), options);
+}
+
+/// Triangulates `domain` with a planar network of curves as its interface.
+///
+/// The curves cut the domain into regions; each region gets the phase that all curves around it
+/// name for their side there. Several regions may have the same phase. Without curves, everything
+/// is `exterior_phase`. An end of a curve lies exactly on a side of the domain, or at exactly the
+/// coordinates of other ends: three and more make a junction. Edges are cut as those of outlines;
+/// all points given stay, bit for bit (for float: as rounded).
+///
+/// Time and memory: O(1) per triangle, plus O(n log n) for n curves; the contacts of pieces much
+/// shorter than the others, and crowded, are searched in up to the square of their number. The same
+/// input gives the same bits.
+///
+/// \throw InputError where a coordinate or the edge length makes no sense; a curve has too few
+/// points, an edge without length, one phase on both sides or a reserved one; a point lies outside
+/// the domain or, unless it is an end, on a side or next to it; an end meets nothing; curves cross,
+/// touch or overlap anywhere but at common ends; two curves name different phases for a region; or
+/// the complex would be absurdly large.
+template <class Real>
+Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> curves,
+                              const InitialOptions& options = {});
+
 extern template Complex<double> initial_complex(const Rectangle&, std::span<const Shape>,
                                                 const InitialOptions&);
 extern template Complex<float> initial_complex(const Rectangle&, std::span<const Shape>,
+                                               const InitialOptions&);
+extern template Complex<double> initial_complex(const Rectangle&, std::span<const Curve>,
+                                                const InitialOptions&);
+extern template Complex<float> initial_complex(const Rectangle&, std::span<const Curve>,
                                                const InitialOptions&);
 
 } // namespace dsc

@@ -4,6 +4,10 @@
 
 #include "dsc/base/types.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace dsc::initial {
 
 /// The nearest representable number. Through memory: g++ 12 at -O2 turns two conversions from
@@ -17,6 +21,25 @@ Real narrowed(double value) {
 template <class Real>
 Point<Real> narrowed(const Point<double>& point) {
     return {narrowed<Real>(point.x()), narrowed<Real>(point.y())};
+}
+
+inline bool is_finite(const Point<double>& point) {
+    return std::isfinite(point.x()) && std::isfinite(point.y());
+}
+
+/// The larger magnitude of the two coordinates.
+inline double largest(const Point<double>& point) {
+    return std::max(std::abs(point.x()), std::abs(point.y()));
+}
+
+/// The nearest representable point; a coordinate beyond the range of the scalar becomes infinite.
+template <class Real>
+Point<double> rounded(const Point<double>& point) {
+    constexpr auto limit = static_cast<double>(std::numeric_limits<Real>::max());
+    if (largest(point) > limit) {
+        return Point<double>::Constant(std::numeric_limits<double>::infinity());
+    }
+    return narrowed<Real>(point).template cast<double>();
 }
 
 } // namespace dsc::initial

@@ -3,13 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/walk.h"
-#include "dsc/geometry/distance.h"
 #include "dsc/initial/build/delaunay.h"
-#include "dsc/initial/build/star_quality.h"
-#include "dsc/operations/edge_collapse.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace dsc::initial {
 
@@ -58,97 +52,19 @@ std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
     return m;
 }
 
-namespace {
-
-std::uint32_t clamped(double value, std::uint32_t low, std::uint32_t high) {
-    return static_cast<std::uint32_t>(
-        std::clamp(value, static_cast<double>(low), static_cast<double>(high)));
-}
-
-// Collapses an inner vertex of one phase into the neighbour that leaves the best triangles.
 template <class Real>
-bool remove_vertex(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack) {
-    Ring<Real> ring;
-    if (!gather(complex, Region{}, vertex, ring) || !ring.closed) {
-        return false;
-    }
-    const CollapseChoice best = best_collapse(ring);
-    if (best.spoke == no_id) {
-        return false;
-    }
-    const std::uint32_t keep = ring.link[best.spoke];
-    // The spoke is opposite to the previous corner of the triangle that begins with it.
-    const Corner corner = prev(ring.corner[best.spoke]);
-    if (edge_collapse(complex, whole_submesh(complex), corner, rewire::Vanishing::next) !=
-        Verdict::legal) {
-        return false;
-    }
-    legalise_star(complex, keep, stack);
-    return true;
-}
-
-} // namespace
-
-template <class Real>
-std::size_t clear_lattice(Complex<Real>& complex, const Lattice& lattice,
-                          std::span<const Outline> outlines, double clearance) {
-    std::size_t removed = 0;
+Chains insert_paths(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths) {
+    Chains chains;
     std::vector<Corner> stack;
-    if (lattice.rows < 2) {
-        return 0;
-    }
-    for (const Outline& outline : outlines) {
-        const std::size_t n = outline.points.size();
-        for (std::size_t i = 0; i < n; ++i) {
-            const Point<double>& a = outline.points[i];
-            const Point<double>& b = outline.points[i + 1 < n ? i + 1 : 0];
-            const double reach = clearance * (b - a).norm();
-            const auto row_of = [&](double y) { return (y - lattice.low.y()) / lattice.height; };
-            const auto column_of = [&](double x) {
-                return (x - lattice.low.x()) / lattice.spacing;
-            };
-            const std::uint32_t first_row =
-                clamped(std::floor(row_of(std::min(a.y(), b.y()) - reach)), 1, lattice.rows - 1);
-            const std::uint32_t last_row =
-                clamped(std::ceil(row_of(std::max(a.y(), b.y()) + reach)), 1, lattice.rows - 1);
-            for (std::uint32_t row = first_row; row <= last_row; ++row) {
-                const std::uint32_t last = lattice.vertices_in_row(row) - 1;
-                if (last < 2) {
-                    continue;
-                }
-                const std::uint32_t from =
-                    clamped(std::floor(column_of(std::min(a.x(), b.x()) - reach)), 1, last - 1);
-                const std::uint32_t to =
-                    clamped(std::ceil(column_of(std::max(a.x(), b.x()) + reach)) + 1, 1, last - 1);
-                for (std::uint32_t column = from; column <= to; ++column) {
-                    const std::uint32_t id = lattice.vertex(row, column);
-                    const Point<double> p(lattice.x(row, column), lattice.y(row));
-                    if (squared_distance<double>(p, nearest_point<double>(p, a, b)) <
-                            reach * reach &&
-                        complex.is_alive(Vertex{id}) && remove_vertex(complex, id, stack)) {
-                        ++removed;
-                    }
-                }
-            }
-        }
-    }
-    return removed;
-}
-
-template <class Real>
-std::vector<std::vector<std::uint32_t>>
-insert_outlines(Complex<Real>& complex, const Lattice& lattice, std::span<const Outline> outlines) {
-    std::vector<std::vector<std::uint32_t>> chains;
-    std::vector<Corner> stack;
-    for (const Outline& outline : outlines) {
+    for (const Path& path : paths) {
         auto& chain = chains.emplace_back();
-        chain.reserve(outline.points.size());
-        std::uint32_t near = lattice.triangle_near(outline.points.front());
+        chain.reserve(path.size());
+        std::uint32_t near = lattice.triangle_near(path.front());
         while (!complex.is_alive(Triangle{near})) {
             // It was removed. The triangles of the lattice at the corners of the domain are left.
             near = near + 1 < complex.triangle_bound() ? near + 1 : 1;
         }
-        for (const Point<double>& place : outline.points) {
+        for (const Point<double>& place : path) {
             const Point<Real> point = place.template cast<Real>();
             const std::uint32_t id =
                 insert_point(complex, locate(complex, near, point), point, stack);
@@ -165,13 +81,7 @@ template std::uint32_t insert_point(Complex<double>&, const Location&, const Poi
                                     std::vector<Corner>&);
 template std::uint32_t insert_point(Complex<float>&, const Location&, const Point<float>&,
                                     std::vector<Corner>&);
-template std::size_t clear_lattice(Complex<double>&, const Lattice&, std::span<const Outline>,
-                                   double);
-template std::size_t clear_lattice(Complex<float>&, const Lattice&, std::span<const Outline>,
-                                   double);
-template std::vector<std::vector<std::uint32_t>> insert_outlines(Complex<double>&, const Lattice&,
-                                                                 std::span<const Outline>);
-template std::vector<std::vector<std::uint32_t>> insert_outlines(Complex<float>&, const Lattice&,
-                                                                 std::span<const Outline>);
+template Chains insert_paths(Complex<double>&, const Lattice&, std::span<const Path>);
+template Chains insert_paths(Complex<float>&, const Lattice&, std::span<const Path>);
 
 } // namespace dsc::initial

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/initial/build/chains.h"
 #include "dsc/initial/build/lattice.h"
-#include "dsc/initial/input/input_check.h"
 
 #include <span>
 #include <vector>
@@ -36,15 +36,8 @@ template <class Real>
 std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
                            const Point<Real>& point, std::vector<Corner>& stack);
 
-/// Removes the lattice's inner vertices that are closer to a piece of an outline than
-/// `clearance` times the length of that piece. Only for a lattice as written. O(1) per piece.
+/// Inserts all points of the paths; for each path the ids of its vertices, in order.
 template <class Real>
-std::size_t clear_lattice(Complex<Real>& complex, const Lattice& lattice,
-                          std::span<const Outline> outlines, double clearance);
-
-/// Inserts all vertices of the outlines; for each outline the ids of its vertices, in order.
-template <class Real>
-std::vector<std::vector<std::uint32_t>>
-insert_outlines(Complex<Real>& complex, const Lattice& lattice, std::span<const Outline> outlines);
+Chains insert_paths(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths);
 
 } // namespace dsc::initial

@@ -2,7 +2,7 @@
 // Phases from outlines: each region between outlines is flooded from one of its edges.
 #pragma once
 
-#include "dsc/initial/build/segments.h"
+#include "dsc/initial/build/chains.h"
 #include "dsc/initial/input/input_check.h"
 
 #include <span>

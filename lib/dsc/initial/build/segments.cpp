@@ -27,7 +27,7 @@ public:
     explicit Recovery(Complex<Real>& complex) : complex_(complex) {}
 
     // Appends the vertices after p, q included, and makes all edges between them.
-    void recover(std::uint32_t p, std::uint32_t q, std::vector<std::uint32_t>& chain) {
+    void recover(std::uint32_t p, std::uint32_t q, Chain& chain) {
         while (p != q) {
             std::uint32_t end = q;
             if (!complex_.find_edge(Vertex{p}, Vertex{q}).is_valid()) {
@@ -130,10 +130,11 @@ template <class Real>
 std::vector<std::uint32_t> recover_segments(Complex<Real>& complex, Chains& chains) {
     Recovery<Real> recovery(complex);
     for (auto& chain : chains) {
-        std::vector<std::uint32_t> whole;
+        Chain whole;
         whole.reserve(chain.size());
-        for (std::size_t i = 0; i < chain.size(); ++i) {
-            recovery.recover(chain[i], chain[i + 1 < chain.size() ? i + 1 : 0], whole);
+        whole.push_back(chain.front());
+        for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+            recovery.recover(chain[i], chain[i + 1], whole);
         }
         chain = std::move(whole);
     }

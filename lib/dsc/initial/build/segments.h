@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Makes the pieces of the outlines edges: edges that cross a missing piece are flipped until none
+// Makes the pieces of the interface edges: edges that cross a missing piece are flipped until none
 // is left (S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations",
 // 1993).
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/initial/build/chains.h"
 
 #include <vector>
 
 namespace dsc::initial {
-
-/// Closed chains of vertices, one for each outline.
-using Chains = std::vector<std::vector<std::uint32_t>>;
 
 /// Makes each link of the chains an edge. A vertex that lies exactly on a link becomes part of the
 /// chain. Links must not cross. Returns the vertices around which edges were flipped: there the

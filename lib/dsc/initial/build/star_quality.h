@@ -5,6 +5,7 @@
 
 #include "dsc/complex/ring.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/operations/edge_collapse.h"
 #include "dsc/quality/measures.h"
 
 #include <algorithm>
@@ -78,6 +79,17 @@ CollapseChoice best_collapse(const Ring<Real>& ring,
         }
     }
     return best;
+}
+
+/// Collapses the centre of a star into the link vertex at the end of this spoke if that is legal.
+template <class Real>
+bool collapse_along(Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t spoke) {
+    // A spoke is opposite to the previous corner of the triangle that begins with it; the last one
+    // of an open star to the next corner of the triangle that ends there.
+    const bool last = spoke == ring.size;
+    const Corner corner = last ? next(ring.corner[ring.size - 1]) : prev(ring.corner[spoke]);
+    const auto end = last ? rewire::Vanishing::prev : rewire::Vanishing::next;
+    return edge_collapse(complex, whole_submesh(complex), corner, end) == Verdict::legal;
 }
 
 } // namespace dsc::initial

@@ -5,7 +5,6 @@
 #include "dsc/initial/build/star_quality.h"
 #include "dsc/initial/build/zone.h"
 #include "dsc/initial/rounding.h"
-#include "dsc/operations/edge_collapse.h"
 
 #include <array>
 #include <cmath>
@@ -156,7 +155,6 @@ std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone
     std::size_t collapses = 0;
     Ring<Real> ring;
     std::vector<Corner> stack;
-    const Submesh whole = whole_submesh(complex);
     for (const std::uint32_t v : zone) {
         if (!complex.is_alive(Vertex{v}) || !gather(complex, Region{}, v, ring) ||
             freedom_of(ring) == Freedom::none) {
@@ -170,13 +168,7 @@ std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone
         if (best.spoke == no_id || best.quality < before + collapse_gain) {
             continue;
         }
-        // A spoke is opposite to the previous corner of the triangle that begins with it; the last
-        // one of an open star to the next corner of the triangle that ends there.
-        const bool last = best.spoke == ring.size;
-        const Corner corner =
-            last ? next(ring.corner[ring.size - 1]) : prev(ring.corner[best.spoke]);
-        const auto end = last ? rewire::Vanishing::prev : rewire::Vanishing::next;
-        if (edge_collapse(complex, whole, corner, end) == Verdict::legal) {
+        if (collapse_along(complex, ring, best.spoke)) {
             ++collapses;
             legalise_star(complex, ring.link[best.spoke], stack);
         }

@@ -3,29 +3,16 @@
 
 #include "dsc/base/error.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/initial/input/cutting.h"
 #include "dsc/initial/input/outline_sweep.h"
-#include "dsc/initial/rounding.h"
+#include "dsc/initial/input/text.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <limits>
 #include <string>
 
 namespace dsc::initial {
 
 namespace {
-
-std::string text(double value) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), end.ptr};
-}
-
-std::string text(const Point<double>& point) {
-    return "(" + text(point.x()) + ", " + text(point.y()) + ")";
-}
 
 std::string shape_name(std::size_t shape) { return "shape " + std::to_string(shape); }
 
@@ -35,90 +22,6 @@ std::string vertex_name(std::size_t shape, std::size_t vertex) {
 
 std::string edge_name(std::size_t shape, std::size_t edge) {
     return shape_name(shape) + ", edge " + std::to_string(edge);
-}
-
-bool is_finite(const Point<double>& point) {
-    return std::isfinite(point.x()) && std::isfinite(point.y());
-}
-
-double largest(const Point<double>& point) {
-    return std::max(std::abs(point.x()), std::abs(point.y()));
-}
-
-// The nearest representable point; a coordinate beyond the range of the scalar becomes infinite.
-template <class Real>
-Point<double> rounded(const Point<double>& point) {
-    constexpr auto limit = static_cast<double>(std::numeric_limits<Real>::max());
-    if (largest(point) > limit) {
-        return Point<double>::Constant(std::numeric_limits<double>::infinity());
-    }
-    return narrowed<Real>(point).template cast<double>();
-}
-
-template <class Real>
-Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
-    const double h = options.edge_length;
-    if (!std::isfinite(h) || h <= 0) {
-        throw InputError({.what = "edge length",
-                          .where = "options",
-                          .value = text(h),
-                          .allowed = "a finite number above 0"});
-    }
-    if (options.improve_rounds < 0) {
-        throw InputError({.what = "rounds of improvement",
-                          .where = "options",
-                          .value = std::to_string(options.improve_rounds),
-                          .allowed = "0 or more"});
-    }
-    const Point<double> low = rounded<Real>(domain.low);
-    const Point<double> high = rounded<Real>(domain.high);
-    if (!is_finite(low) || !is_finite(high)) {
-        throw InputError({.what = "a coordinate is not finite",
-                          .where = "domain",
-                          .value = text(domain.low) + " to " + text(domain.high),
-                          .allowed = "finite coordinates"});
-    }
-    const double width = high.x() - low.x();
-    const double height = high.y() - low.y();
-    if (!(width > 0) || !(height > 0) || !std::isfinite(width * height)) {
-        throw InputError({.what = "the rectangle is empty or out of range",
-                          .where = "domain",
-                          .value = text(domain.low) + " to " + text(domain.high),
-                          .allowed = "low below high in x and y, and an area that is finite"});
-    }
-    if (h < least_initial_edge_length || h > 1 / least_initial_edge_length) {
-        throw InputError({.what = "edge length is out of range",
-                          .where = "options",
-                          .value = text(h),
-                          .allowed = text(least_initial_edge_length) + " to " +
-                                     text(1 / least_initial_edge_length) +
-                                     "; a UnitMap brings any scene there"});
-    }
-    if (h > std::min(width, height)) {
-        throw InputError({.what = "edge length is larger than the domain",
-                          .where = "options",
-                          .value = text(h),
-                          .allowed = "at most " + text(std::min(width, height))});
-    }
-    const double resolution = std::max(largest(low), largest(high)) *
-                              static_cast<double>(std::numeric_limits<Real>::epsilon());
-    if (h < least_steps * resolution) {
-        throw InputError({.what = "edge length is below what coordinates of this size resolve",
-                          .where = "options",
-                          .value = text(h),
-                          .allowed = "at least " + text(least_steps * resolution) +
-                                     "; a UnitMap brings a scene near the origin"});
-    }
-    // An equilateral triangle has the area sqrt(3)/4 h^2.
-    const double triangles = width / h * (height / h) / 0.43301270189221933;
-    if (!(triangles <= most_triangles)) {
-        throw InputError(
-            {.what = "the complex would be absurdly large",
-             .where = "options",
-             .value = "edge length " + text(h) + ", about " + text(triangles) + " triangles",
-             .allowed = "at most " + text(most_triangles) + " triangles"});
-    }
-    return fit_lattice(low, high, h);
 }
 
 void check_collinear(const std::vector<Point<double>>& points, std::size_t shape) {
@@ -144,9 +47,7 @@ void check_extent(const std::vector<Point<double>>& points, std::size_t shape,
     Point<double> high = points.front();
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point<double>& p = points[i];
-        const double margin = std::min({p.x() - lattice.low.x(), lattice.high.x() - p.x(),
-                                        p.y() - lattice.low.y(), lattice.high.y() - p.y()});
-        if (!(margin >= least_margin * h)) {
+        if (!(distance_to_sides(lattice, p) >= least_margin * h)) {
             throw InputError({.what = "the outline is not strictly inside the domain",
                               .where = vertex_name(shape, i),
                               .value = text(p),
@@ -229,13 +130,8 @@ struct CutOutline {
     std::vector<std::uint32_t> edge; // the edge of which a piece is part
 };
 
-// A length that is a whole number of target lengths, up to rounding, is cut into as many pieces.
-constexpr double whole_number_slack = 1e-9;
-
-double piece_count(const std::vector<Point<double>>& outline, std::size_t edge, double h) {
-    const Point<double>& a = outline[edge];
-    const Point<double>& b = outline[edge + 1 < outline.size() ? edge + 1 : 0];
-    return std::max(1.0, std::ceil((b - a).norm() / h * (1 - whole_number_slack)));
+double pieces_of_edge(const std::vector<Point<double>>& outline, std::size_t edge, double h) {
+    return piece_count(outline[edge], outline[edge + 1 < outline.size() ? edge + 1 : 0], h);
 }
 
 // Counts pieces of the outline before rounding, so that float and double are cut alike.
@@ -246,10 +142,9 @@ CutOutline cut(const std::vector<Point<double>>& given, const std::vector<Point<
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point<double>& a = points[i];
         const Point<double>& b = points[i + 1 < points.size() ? i + 1 : 0];
-        const auto pieces = static_cast<std::uint32_t>(piece_count(given, i, h));
+        const auto pieces = static_cast<std::uint32_t>(pieces_of_edge(given, i, h));
         for (std::uint32_t k = 0; k < pieces; ++k) {
-            const double fraction = static_cast<double>(k) / pieces;
-            result.points.push_back(k == 0 ? a : rounded<Real>(a + fraction * (b - a)));
+            result.points.push_back(cut_point<Real>(a, b, k, pieces));
             result.edge.push_back(static_cast<std::uint32_t>(i));
         }
     }
@@ -287,13 +182,13 @@ CheckedInput check_input(const Rectangle& domain, std::span<const Shape> shapes,
     for (std::size_t k = 0; k < shapes.size(); ++k) {
         outlines.push_back(check_shape<Real>(shapes[k], k, input.lattice, h));
         for (std::size_t i = 0; i < shapes[k].outline.size(); ++i) {
-            pieces += piece_count(shapes[k].outline, i, h);
+            pieces += pieces_of_edge(shapes[k].outline, i, h);
         }
-        if (pieces > most_triangles / 4) {
+        if (pieces > most_pieces) {
             throw InputError({.what = "the outlines would be cut into absurdly many pieces",
                               .where = shape_name(k),
                               .value = text(pieces),
-                              .allowed = "at most " + text(most_triangles / 4)});
+                              .allowed = "at most " + text(most_pieces)});
         }
     }
     const SweepResult result = sweep(polygons_of(outlines));
@@ -327,6 +222,7 @@ CheckedInput check_input(const Rectangle& domain, std::span<const Shape> shapes,
         if (!polygons[k].counter_clockwise) {
             std::reverse(cuts[k].points.begin(), cuts[k].points.end());
         }
+        cuts[k].points.push_back(cuts[k].points.front());
         input.outlines.push_back({std::move(cuts[k].points), shapes[k].phase});
     }
     return input;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Numbers in messages: the shortest digits that read back as the same number.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace dsc::initial {
+
+inline std::string text(double value) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end.ptr};
+}
+
+inline std::string text(const Point<double>& point) {
+    return "(" + text(point.x()) + ", " + text(point.y()) + ")";
+}
+
+} // namespace dsc::initial

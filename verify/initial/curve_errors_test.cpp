@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// Networks of curves that make no sense, each with its message; and the search for contacts against
+// all pairs.
+#include "dsc/base/error.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/initial/initial_complex.h"
+#include "dsc/initial/input/curve_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+
+namespace {
+
+using dsc::Curve;
+using dsc::Point;
+using dsc::initial::EdgeContact;
+using dsc::initial::NetworkEdge;
+using dsc::initial::NetworkPiece;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+template <class Real = double>
+void build(const std::vector<Curve>& curves, double h = 0.05) {
+    static_cast<void>(dsc::initial_complex<Real>({}, curves, {.edge_length = h}));
+}
+
+template <class Real = double>
+void expect_error(const std::vector<Curve>& curves, const std::string& where,
+                  const std::string& words, double h = 0.05) {
+    try {
+        build<Real>(curves, h);
+        ADD_FAILURE() << "no error; expected: " << where << ": " << words;
+    } catch (const dsc::InputError& error) {
+        EXPECT_EQ(error.where(), where) << error.what();
+        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+        EXPECT_FALSE(error.value().empty());
+        EXPECT_FALSE(error.allowed().empty());
+    }
+}
+
+const Curve across{{{0, 0.5}, {1, 0.5}}, 1, 0};
+
+TEST(CurveErrors, OneCurve) {
+    expect_error({across, {{}, 1, 0}}, "curve 1", "too few points");
+    expect_error({{{{0, 0.5}}, 1, 0}}, "curve 0", "too few points: got 1");
+    expect_error({{{{0.2, 0.5}, {0.4, 0.5}, {0.2, 0.5}}, 1, 0}}, "curve 0",
+                 "closed curve has too few points");
+    for (const double bad : {infinity, -infinity, not_a_number}) {
+        expect_error({across, {{{0, 0.2}, {0.5, bad}, {1, 0.2}}, 1, 0}}, "curve 1, point 1",
+                     "not finite");
+    }
+    expect_error({{across.points, dsc::border_phase, 0}}, "curve 0", "reserved");
+    expect_error({{across.points, 0, dsc::border_phase}}, "curve 0", "reserved");
+    expect_error({across, {{{0, 0.2}, {1, 0.2}}, 3, 3}}, "curve 1", "one phase on both sides");
+    expect_error({{{{0, 0.5}, {0.5, 0.5}, {0.5, 0.5}, {1, 0.5}}, 1, 0}}, "curve 0, edge 1",
+                 "no length");
+    expect_error({across}, "options", "edge length", 0);
+    expect_error({across}, "options", "larger than the domain", 1.5);
+}
+
+TEST(CurveErrors, Sides) {
+    expect_error({{{{0, 0.5}, {1.1, 0.5}}, 1, 0}}, "curve 0, point 1", "outside the domain");
+    expect_error({{{{0, 0.5}, {0, 1.5}}, 1, 0}}, "curve 0, point 1", "outside the domain");
+    expect_error({{{{0, 0.5}, {0.5, 1}, {1, 0.5}}, 1, 0}}, "curve 0, point 1",
+                 "too close to a side");
+    expect_error({{{{0, 0.5}, {0.5, 1e-5}, {1, 0.5}}, 1, 0}}, "curve 0, point 1",
+                 "too close to a side");
+    EXPECT_NO_THROW(build({{{{0, 0.5}, {0.5, 6e-5}, {1, 0.5}}, 1, 0}}));
+    expect_error({{{{1e-9, 0.5}, {1, 0.5}}, 1, 0}}, "curve 0, point 0", "too close to a side");
+    expect_error({{{{0, 0.2}, {0, 0.8}}, 1, 0}}, "curve 0, edge 0", "lies in a side");
+    expect_error({{{{0.2, 1}, {0.8, 1}}, 1, 0}}, "curve 0, edge 0", "lies in a side");
+    expect_error({{{{0, 0}, {1, 0.0003}, {0.9, 0.5}, {0, 0.4}}, 1, 0}}, "curve 0, point 1",
+                 "too close to a side");
+    expect_error({{{{0, 0}, {0.9, 0.0003}, {0.9, 0.5}, {0, 0.4}}, 1, 0}}, "curve 0, edge 0",
+                 "runs along a side");
+}
+
+TEST(CurveErrors, Ends) {
+    expect_error({across, {{{0, 0.2}, {0.5, 0.2}}, 1, 0}}, "curve 1, point 1",
+                 "ends inside the domain");
+    expect_error({{{{0.2, 0.2}, {0.5, 0.2}, {1, 0.3}}, 1, 0}}, "curve 0, point 0",
+                 "ends inside the domain");
+    // An end on the middle of another curve is no junction.
+    expect_error({across, {{{0.5, 0.5}, {0.5, 1}}, 1, 0}}, "curve 1, point 0",
+                 "ends inside the domain");
+    const Curve right{{{0.5, 0.5}, {1, 0.5}}, 1, 0};
+    EXPECT_NO_THROW(build({{{{0, 0.5}, {0.5, 0.5}}, 1, 0}, right}));
+    expect_error({{{{0, 0.5}, {std::nextafter(0.5, 0), 0.5}}, 1, 0}, right}, "curve 0, point 1",
+                 "ends inside the domain");
+}
+
+TEST(CurveErrors, Contacts) {
+    expect_error({across, {{{0.5, 0}, {0.5, 1}}, 1, 0}}, "curve 0, edge 0",
+                 "cross or touch: got contact with curve 1, edge 0");
+    expect_error({{{{0, 0.2}, {0.6, 0.2}, {0.6, 0.6}, {0.3, 0.6}, {0.3, 0}}, 1, 0}},
+                 "curve 0, edge 0", "contact with curve 0, edge 3");
+    // A point on an edge, on a point; ends on a point that is no end; an overlap; two the same.
+    expect_error({across, {{{0, 0.8}, {0.37, 0.5}, {1, 0.8}}, 1, 0}}, "curve 0, edge 0",
+                 "contact with curve 1, edge 0");
+    expect_error(
+        {{{{0, 0.2}, {0.5, 0.5}, {1, 0.2}}, 1, 0}, {{{0, 0.8}, {0.5, 0.5}, {1, 0.8}}, 1, 0}},
+        "curve 0, edge 0", "contact with curve 1, edge 0");
+    expect_error({{{{0, 0.2}, {0.5, 0.5}, {1, 0.2}}, 0, 1},
+                  {{{0, 0.8}, {0.5, 0.5}}, 1, 0},
+                  {{{0.5, 0.5}, {1, 0.8}}, 1, 0}},
+                 "curve 0, edge 0", "contact with curve 1, edge 0");
+    expect_error({{{{0, 0.5}, {0.6, 0.5}, {0.3, 0.5}, {0.3, 1}}, 1, 0}}, "curve 0, edge 0",
+                 "contact with curve 0, edge 1");
+    expect_error({across, across}, "curve 0, edge 0", "contact with curve 1, edge 0");
+    expect_error({{{{0.2, 0.2}, {0.4, 0.4}, {0.6, 0.6}, {0.2, 0.2}}, 1, 0}}, "curve 0, edge 0",
+                 "contact with curve 0, edge 2");
+    // A point beside an edge by less than rounding moves the points that cut it.
+    const double beside = std::nextafter(0.4, 1);
+    expect_error({{{{0.2, 0}, {0.6, 1}}, 1, 0}, {{{1, 0.3}, {0.4, 0.5}, {1, 0.7}}, 1, 0}},
+                 "curve 0, edge 0", "contact with curve 1, edge 0");
+    EXPECT_NO_THROW(
+        build({{{{0.4, 0}, {0.4, 1}}, 1, 2}, {{{1, 0.3}, {beside, 0.51}, {1, 0.7}}, 2, 0}}));
+}
+
+TEST(CurveErrors, PhasesThatContradict) {
+    expect_error({{{{0, 0.3}, {1, 0.3}}, 1, 0}, {{{0, 0.6}, {1, 0.6}}, 0, 2}}, "curve 1",
+                 "two phases for one region: got phase 2 on the right of curve 1, phase 1 on the "
+                 "left of curve 0");
+    // A bridge between two rings has one region on both sides.
+    const auto ring = [](double left) {
+        return Curve{
+            {{left, 0.5}, {left + 0.1, 0.4}, {left + 0.2, 0.5}, {left + 0.1, 0.6}, {left, 0.5}},
+            2,
+            1};
+    };
+    expect_error({ring(0.2), ring(0.6), {{{0.2, 0.5}, {0, 0.5}}, 1, 0}}, "curve 2",
+                 "two phases for one region");
+}
+
+TEST(CurveErrors, FloatsThatCollide) {
+    const std::vector<Curve> close{{{{0, 0.5}, {0.5, 0.5}, {0.5 + 1e-9, 0.5}, {1, 0.5}}, 1, 0}};
+    EXPECT_NO_THROW(build<double>(close));
+    expect_error<float>(close, "curve 0, edge 1", "points collide when rounded");
+    const std::vector<Curve> ends{{{{0, 0.5}, {0.5, 0.5}}, 1, 0},
+                                  {{{0.5, 0.5}, {1, 0.5}}, 1, 2},
+                                  {{{0.5, 0.5}, {0.5, 0}}, 2, 0},
+                                  {{{0, 0.4}, {0.5 - 1e-9, 0.5}}, 0, 3}};
+    expect_error<double>(ends, "curve 3, point 1", "ends inside the domain");
+    expect_error<float>(ends, "curve 3", "ends of curves collide when rounded");
+    const std::vector<Curve> twins{{{{0, 0.5}, {1, 0.5}}, 1, 0},
+                                   {{{0, 0.5 + 1e-9}, {1, 0.5 + 1e-9}}, 2, 1}};
+    EXPECT_NO_THROW(build<double>(twins, 0.5));
+    expect_error<float>(twins, "curve 1", "ends of curves collide when rounded", 0.5);
+}
+
+// --- the search for contacts against all pairs ---------------------------------------------------
+
+struct Lines {
+    std::vector<Point<double>> points;
+    std::vector<NetworkEdge> edges;
+    std::vector<NetworkPiece> pieces;
+};
+
+// Lines between points of a coarse lattice, cut in the middle. Ends at the same place now and then
+// have the same number.
+Lines random_lines(std::mt19937& random) {
+    Lines lines;
+    std::map<std::pair<double, double>, std::uint32_t> numbers;
+    const auto number = [&](double x, double y) {
+        const auto [at, fresh] =
+            numbers.try_emplace({x, y}, static_cast<std::uint32_t>(lines.points.size()));
+        if (fresh || random() % 64 == 0) {
+            at->second = static_cast<std::uint32_t>(lines.points.size());
+            lines.points.emplace_back(x, y);
+        }
+        return at->second;
+    };
+    const std::size_t count = 2 + random() % 5;
+    while (lines.edges.size() < count) {
+        std::array<double, 4> at{};
+        for (double& c : at) {
+            c = static_cast<double>(random() % 12);
+        }
+        if (at[0] == at[2] && at[1] == at[3]) {
+            continue;
+        }
+        const std::uint32_t from = number(at[0], at[1]);
+        const std::uint32_t to = number(at[2], at[3]);
+        const auto edge = static_cast<std::uint32_t>(lines.edges.size());
+        const auto middle = static_cast<std::uint32_t>(lines.points.size());
+        lines.points.emplace_back((at[0] + at[2]) / 2, (at[1] + at[3]) / 2);
+        lines.edges.push_back({from, to});
+        lines.pieces.push_back({{from, middle}, edge});
+        lines.pieces.push_back({{middle, to}, edge});
+    }
+    return lines;
+}
+
+// Any common point counts that is not the place of a common number.
+bool touch(const Lines& lines, const NetworkEdge& s, const NetworkEdge& t) {
+    const auto& p = lines.points;
+    const auto inside = [&](std::uint32_t v, const NetworkEdge& e) {
+        return dsc::orientation<double>(p[e.from], p[e.to], p[v]) == 0 &&
+               dsc::box_contains<double>(p[e.from], p[e.to], p[v]);
+    };
+    for (const std::uint32_t v : {s.from, s.to}) {
+        if (v != t.from && v != t.to && inside(v, t)) {
+            return true;
+        }
+    }
+    for (const std::uint32_t v : {t.from, t.to}) {
+        if (v != s.from && v != s.to && inside(v, s)) {
+            return true;
+        }
+    }
+    if ((s.from == t.from && s.to == t.to) || (s.from == t.to && s.to == t.from)) {
+        return true;
+    }
+    const auto side = [&](const NetworkEdge& e, std::uint32_t v) {
+        return dsc::orientation<double>(p[e.from], p[e.to], p[v]);
+    };
+    return side(s, t.from) * side(s, t.to) < 0 && side(t, s.from) * side(t, s.to) < 0;
+}
+
+TEST(CurveContacts, AgreeWithAllPairs) {
+    std::mt19937 random(5);
+    std::size_t with = 0;
+    std::size_t without = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Lines lines = random_lines(random);
+        std::optional<EdgeContact> expected;
+        for (std::uint32_t e = 0; e < lines.edges.size(); ++e) {
+            for (std::uint32_t f = e + 1; f < lines.edges.size() && !expected; ++f) {
+                if (touch(lines, lines.edges[e], lines.edges[f])) {
+                    expected = EdgeContact{e, f};
+                }
+            }
+        }
+        ASSERT_EQ(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 1e-3),
+                  expected)
+            << "case " << i;
+        (expected ? with : without) += 1;
+    }
+    EXPECT_GT(with, 2000U);
+    EXPECT_GT(without, 2000U);
+}
+
+// Pieces that rounding has moved over a neighbour are found though their edges are apart.
+TEST(CurveContacts, PiecesCountAsWell) {
+    Lines lines;
+    lines.points = {{0, 0}, {2, 0}, {0, 1}, {2, 1}, {1, 1.1}};
+    lines.edges = {{0, 1}, {2, 3}};
+    lines.pieces = {{{0, 4}, 0}, {{4, 1}, 0}, {{2, 3}, 1}};
+    const std::optional<EdgeContact> contact{{0, 1}};
+    EXPECT_EQ(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 0.1), contact);
+    lines.points[4].y() = 0.9;
+    EXPECT_FALSE(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 0.1));
+}
+
+TEST(CurveContacts, ManyLinesThatAreApartAreSearchedQuickly) {
+    Lines lines;
+    const std::uint32_t count = 200000;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double x = i % 1000;
+        const double y = static_cast<double>(i / 1000);
+        lines.points.emplace_back(x, y);
+        lines.points.emplace_back(x + 0.9, y + 0.9);
+        lines.edges.push_back({2 * i, 2 * i + 1});
+        lines.pieces.push_back({lines.edges.back(), i});
+    }
+    EXPECT_FALSE(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 1e-3));
+    lines.points[2 * 70001 + 1] += Point<double>(2, 0);
+    EXPECT_TRUE(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 1e-3));
+}
+
+} // namespace

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// The initial complex of a network of curves: every curve comes out as it went in, with its phases
+// on both sides, and the triangles are as good as the angles between the curves allow.
+#include "dsc/queries/hash.h"
+#include "shapes/shapes.h"
+#include "support/curve_testing.h"
+
+#include <numbers>
+#include <ostream>
+#include <set>
+
+namespace {
+
+using dsc::Curve;
+using dsc::Phase;
+using dsc::Point;
+using dsc::testing::CurveScenery;
+
+constexpr double pi = std::numbers::pi;
+
+struct Case {
+    std::string name;
+    CurveScenery scenery;
+    std::map<Phase, double> areas; // exact, or empty
+    double smallest_angle;         // what the angles of the input allow, with some room
+};
+
+std::vector<Point<double>> arc(const Point<double>& centre, double radius, double from, double to,
+                               double h) {
+    const int n = static_cast<int>(std::ceil(radius * std::abs(to - from) / h));
+    std::vector<Point<double>> points;
+    for (int i = 0; i <= n; ++i) {
+        const double angle = from + (to - from) * i / n;
+        points.emplace_back(centre.x() + radius * std::cos(angle),
+                            centre.y() + radius * std::sin(angle));
+    }
+    return points;
+}
+
+// Two arcs between the same two ends, and a straight line from there to either side.
+Case lens(double h) {
+    const double radius = 0.2;
+    auto upper = arc({0.5, 0.5}, radius, 0, pi, h);
+    upper.front() = {0.7, 0.5};
+    upper.back() = {0.3, 0.5};
+    auto lower = upper;
+    for (Point<double>& p : lower) {
+        p.y() = 1 - p.y();
+    }
+    const auto n = static_cast<double>(2 * (upper.size() - 1));
+    const double disc = 0.5 * n * radius * radius * std::sin(2 * pi / n);
+    return {"lens",
+            {{{upper, 3, 1},
+              {lower, 2, 3},
+              {{{0, 0.5}, {0.3, 0.5}}, 1, 2},
+              {{{0.7, 0.5}, {1, 0.5}}, 1, 2}},
+             h},
+            {{1, 0.5 - disc / 2}, {2, 0.5 - disc / 2}, {3, disc}},
+            25};
+}
+
+// Curves from the centre at +-40 degrees to the horizontal.
+Case four_sectors(double h) {
+    const Point<double> centre(0.5, 0.5);
+    const double t = 0.5 * std::tan(40 * pi / 180);
+    return {"four_sectors",
+            {{{{centre, {1, 0.5 + t}}, 2, 1},
+              {{centre, {0, 0.5 + t}}, 3, 2},
+              {{centre, {0, 0.5 - t}}, 4, 3},
+              {{centre, {1, 0.5 - t}}, 1, 4}},
+             h},
+            {{1, t / 2}, {2, 0.5 - t / 2}, {3, t / 2}, {4, 0.5 - t / 2}},
+            29};
+}
+
+std::vector<Case> cases() {
+    const double h = 0.05;
+    const Curve floor{{{0, 0.1}, {0.2, 0.1}, {0.3, 0.08}, {0.5, 0.1}, {1, 0.12}}, 0, 1};
+    return {
+        {"half_planes", {{{{{0, 0.437}, {1, 0.437}}, 2, 1}}, h}, {{1, 0.437}, {2, 0.563}}, 29},
+        {"slanted", {{{{{0, 0.3}, {1, 0.71}}, 2, 1}}, 0.02}, {{1, 0.505}, {2, 0.495}}, 29},
+        {"from_corner_to_corner", {{{{{0, 0}, {1, 1}}, 0, 5}}, h}, {{0, 0.5}, {5, 0.5}}, 29},
+        {"one_phase_twice",
+         {{{{{0, 0.3}, {1, 0.3}}, 1, 7}, {{{0, 0.6}, {1, 0.6}}, 7, 1}}, h},
+         {{1, 0.3}, {7, 0.7}},
+         29},
+        {"t_at_the_wall",
+         {{{{{0, 0.4}, {0.5, 0.4}}, 1, 0},
+           {{{0.5, 0.4}, {1, 0.4}}, 1, 2},
+           {{{0.5, 0.4}, {0.5, 0}}, 2, 0}},
+          h},
+         {{0, 0.2}, {1, 0.6}, {2, 0.2}},
+         29},
+        {"two_on_one_point_of_the_wall",
+         {{{{{0.5, 0}, {0.2, 1}}, 1, 2}, {{{0.5, 0}, {0.7, 1}}, 2, 3}}, h},
+         {{1, 0.35}, {2, 0.25}, {3, 0.4}},
+         23},
+        {"small_angle_at_the_wall", {{{{{0, 0.1}, {1, 0.3}}, 1, 0}}, h}, {{0, 0.2}, {1, 0.8}}, 29},
+        {"near_a_corner", {{{{{0.02, 0}, {0, 0.02}}, 1, 0}}, h}, {{0, 0.9998}, {1, 0.0002}}, 25},
+        {"pool", {{floor}, 0.03}, {}, 29},
+        {"in_a_strip_at_the_wall",
+         {{{{{0.01, 0}, {0.01, 1}}, 1, 0}}, h},
+         {{0, 0.99}, {1, 0.01}},
+         19},
+        four_sectors(h),
+        four_sectors(0.013),
+        lens(h),
+        lens(0.02),
+    };
+}
+
+void PrintTo(const Case& test, std::ostream* out) { *out << test.name; }
+
+class InitialCurves : public ::testing::TestWithParam<Case> {};
+
+TEST_P(InitialCurves, ComeOutAsTheyWentIn) {
+    const Case& test = GetParam();
+    const auto complex = dsc::testing::complex_of<double>(test.scenery);
+    dsc::testing::expect_sound(complex, test.scenery);
+    const double angle = dsc::testing::smallest_angle(complex);
+    RecordProperty("smallest_angle_deg", std::to_string(angle));
+    EXPECT_GE(angle, test.smallest_angle);
+    if (!test.areas.empty()) {
+        const auto areas = dsc::testing::areas_by_phase(complex);
+        ASSERT_EQ(areas.size(), test.areas.size());
+        for (const auto& [phase, area] : test.areas) {
+            EXPECT_NEAR(areas.at(phase), area, 1e-14) << "phase " << phase;
+        }
+    }
+}
+
+TEST_P(InitialCurves, ComeOutAsTheyWentInAsFloat) {
+    const Case& test = GetParam();
+    const auto complex = dsc::testing::complex_of<float>(test.scenery);
+    dsc::testing::expect_sound(complex, test.scenery);
+    EXPECT_GE(dsc::testing::smallest_angle(complex), 0.97 * test.smallest_angle);
+    const auto areas = dsc::testing::areas_by_phase(complex);
+    for (const auto& [phase, area] : test.areas) {
+        EXPECT_NEAR(areas.at(phase), area, 2e-7) << "phase " << phase;
+    }
+}
+
+TEST_P(InitialCurves, AreDeterministic) {
+    const auto one = dsc::testing::complex_of<double>(GetParam().scenery);
+    const auto two = dsc::testing::complex_of<double>(GetParam().scenery);
+    EXPECT_EQ(dsc::mesh_hash(one), dsc::mesh_hash(two));
+}
+
+// The direction of a curve is only a way to write its phases down.
+TEST_P(InitialCurves, MayRunEitherWay) {
+    CurveScenery backwards = GetParam().scenery;
+    for (Curve& curve : backwards.curves) {
+        std::reverse(curve.points.begin(), curve.points.end());
+        std::swap(curve.left, curve.right);
+    }
+    const auto complex = dsc::testing::complex_of<double>(backwards);
+    dsc::testing::expect_sound(complex, backwards);
+    EXPECT_GE(dsc::testing::smallest_angle(complex), 0.9 * GetParam().smallest_angle);
+}
+
+INSTANTIATE_TEST_SUITE_P(Networks, InitialCurves, ::testing::ValuesIn(cases()),
+                         [](const auto& test) {
+                             return test.param.name + "_" +
+                                    std::to_string(std::lround(1 / test.param.scenery.edge_length));
+                         });
+
+using Place = std::pair<double, double>;
+
+// The edges of the interface by the places of their ends.
+std::set<std::pair<Place, Place>> interface_edges(const dsc::Complex<double>& complex) {
+    std::set<std::pair<Place, Place>> edges;
+    const auto place = [&](dsc::Corner c) {
+        const auto& record = complex.vertices[complex.vertex(c)];
+        return Place{record.x, record.y};
+    };
+    for (const dsc::Triangle t : dsc::triangles(complex)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const dsc::Corner c = dsc::corner_of(t.id, i);
+            const dsc::Corner other = complex.twin(c);
+            if (!dsc::is_border(other) && complex.phase_at(c) != complex.phase_at(other)) {
+                edges.insert(std::minmax(place(dsc::next(c)), place(dsc::prev(c))));
+            }
+        }
+    }
+    return edges;
+}
+
+TEST(InitialCurvesAndShapes, AClosedCurveIsTheInterfaceOfItsShape) {
+    const double h = 0.03;
+    const auto circle = dsc::scenes::circle({0.5, 0.5}, 0.25, h);
+    Curve closed{circle, 1, 0};
+    closed.points.push_back(circle.front());
+    const auto of_shape = dsc::initial_complex<double>({}, {{circle, 1}}, {.edge_length = h});
+    const auto of_curve =
+        dsc::initial_complex<double>({}, std::vector<Curve>{closed}, {.edge_length = h});
+    EXPECT_EQ(interface_edges(of_curve), interface_edges(of_shape));
+    EXPECT_EQ(dsc::mesh_hash(of_curve), dsc::mesh_hash(of_shape));
+    EXPECT_GE(interface_edges(of_curve).size(), circle.size());
+}
+
+TEST(InitialCurvesAndShapes, WithoutCurvesThereIsNoInterface) {
+    const auto none = dsc::initial_complex<double>({}, std::vector<Curve>{}, {.edge_length = 0.1});
+    const auto braces = dsc::initial_complex<double>({}, {}, {.edge_length = 0.1});
+    EXPECT_TRUE(interface_edges(none).empty());
+    EXPECT_EQ(dsc::mesh_hash(none), dsc::mesh_hash(braces));
+}
+
+} // namespace
