@@ -93,6 +93,30 @@ TEST(UnitMap, ComplexIsTheSameBitsAtAnyPowerOfTwo) {
     }
 }
 
+// Ends of curves stay exactly on the sides and at each other, also far from the origin.
+TEST(UnitMap, NetworksAreMappedAsWell) {
+    const auto network = [](const Point<double>& low, double size) {
+        const auto at = [&](double x, double y) -> Point<double> {
+            return low + size * Point<double>(x, y);
+        };
+        return std::vector<Curve>{{{at(0, 0.4), at(0.5, 0.4)}, 1, 0},
+                                  {{at(0.5, 0.4), at(1, 0.5)}, 1, 2},
+                                  {{at(0.5, 0.4), at(0.4, 0)}, 2, 0}};
+    };
+    const auto plain = initial_complex<double>({}, network({0, 0}, 1), {.edge_length = 0.05});
+    for (const Point<double>& low : {Point<double>(0, 0), Point<double>(1e9, -3e9)}) {
+        const double size = 0x1p20;
+        const Rectangle domain{low, low + size * Point<double>(1, 1)};
+        const UnitMap map = fit_unit_map(domain.low, domain.high);
+        const auto complex =
+            initial_complex<double>(map, domain, network(low, size), {.edge_length = 0.05 * size});
+        EXPECT_EQ(complex.triangle_count(), plain.triangle_count());
+        if (low.x() == 0) {
+            EXPECT_EQ(mesh_hash(complex), mesh_hash(plain));
+        }
+    }
+}
+
 TEST(UnitMap, VelocityIsAskedInTheWorldAndGivenInUnits) {
     const UnitMap map{{1e6, -2e6}, 10};
     std::size_t calls = 0;

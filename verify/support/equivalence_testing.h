@@ -234,7 +234,7 @@ void for_each_case(std::uint64_t first_seed, int count, Compare compare) {
             }
         }
         compare(given, options);
-        if (testing::Test::HasFatalFailure()) {
+        if (::testing::Test::HasFatalFailure()) {
             return;
         }
     }

@@ -29,7 +29,7 @@ constexpr double side_clearance = 0.5;
 // A complex with these paths as its interface. `fill` gives the phases.
 template <class Real, class Fill>
 Complex<Real> build(const initial::Lattice& lattice, std::span<const initial::Path> paths,
-                    const InitialOptions& options, Fill fill) {
+                    const InitialOptions& options, initial::Protection protection, Fill fill) {
     using namespace initial;
     std::size_t pieces = 0;
     for (const Path& path : paths) {
@@ -48,7 +48,7 @@ Complex<Real> build(const initial::Lattice& lattice, std::span<const initial::Pa
     }
     const auto interface_vertices = vertices_on(chains, complex.vertex_bound());
     improve(complex, std::span<const std::uint32_t>(interface_vertices), options.edge_length,
-            options.improve_rounds);
+            options.improve_rounds, protection);
     if (options.renumber) {
         renumber(complex);
     }
@@ -72,6 +72,7 @@ Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> sh
                               const InitialOptions& options) {
     const initial::CheckedInput input = initial::check_input<Real>(domain, shapes, options);
     return build<Real>(input.lattice, paths_of(input.outlines), options,
+                       initial::Protection::circle,
                        [&](Complex<Real>& complex, const initial::Chains& chains) {
                            initial::fill_phases(complex, std::span(input.outlines), chains);
                        });
@@ -81,7 +82,7 @@ template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> curves,
                               const InitialOptions& options) {
     const initial::CheckedCurves input = initial::check_curves<Real>(domain, curves, options);
-    return build<Real>(input.lattice, paths_of(input.curves), options,
+    return build<Real>(input.lattice, paths_of(input.curves), options, initial::Protection::lens,
                        [&](Complex<Real>& complex, const initial::Chains& chains) {
                            initial::fill_faces(complex, std::span(input.curves), chains);
                        });

@@ -17,17 +17,44 @@ Shape to_unit(const UnitMap& map, const Shape& world) {
     return unit;
 }
 
-template <class Real>
-Complex<Real> initial_complex(const UnitMap& map, const Rectangle& domain,
-                              std::span<const Shape> shapes, const InitialOptions& options) {
-    std::vector<Shape> unit_shapes;
-    unit_shapes.reserve(shapes.size());
-    for (const Shape& shape : shapes) {
-        unit_shapes.push_back(to_unit(map, shape));
+Curve to_unit(const UnitMap& map, const Curve& world) {
+    Curve unit = world;
+    for (Point<double>& point : unit.points) {
+        point = to_unit(map, point);
+    }
+    return unit;
+}
+
+namespace {
+
+// `lines` are shapes or curves.
+template <class Real, class Line>
+Complex<Real> initial_complex_in_unit_box(const UnitMap& map, const Rectangle& domain,
+                                          std::span<const Line> lines,
+                                          const InitialOptions& options) {
+    std::vector<Line> unit_lines;
+    unit_lines.reserve(lines.size());
+    for (const Line& line : lines) {
+        unit_lines.push_back(to_unit(map, line));
     }
     InitialOptions unit_options = options;
     unit_options.edge_length = length_to_unit(map, options.edge_length);
-    return initial_complex<Real>(to_unit(map, domain), unit_shapes, unit_options);
+    return initial_complex<Real>(to_unit(map, domain), std::span<const Line>(unit_lines),
+                                 unit_options);
+}
+
+} // namespace
+
+template <class Real>
+Complex<Real> initial_complex(const UnitMap& map, const Rectangle& domain,
+                              std::span<const Shape> shapes, const InitialOptions& options) {
+    return initial_complex_in_unit_box<Real>(map, domain, shapes, options);
+}
+
+template <class Real>
+Complex<Real> initial_complex(const UnitMap& map, const Rectangle& domain,
+                              std::span<const Curve> curves, const InitialOptions& options) {
+    return initial_complex_in_unit_box<Real>(map, domain, curves, options);
 }
 
 template <class Real>
@@ -42,6 +69,10 @@ Complex<Real> to_world(const UnitMap& map, Complex<Real> complex) {
 template Complex<double> initial_complex(const UnitMap&, const Rectangle&, std::span<const Shape>,
                                          const InitialOptions&);
 template Complex<float> initial_complex(const UnitMap&, const Rectangle&, std::span<const Shape>,
+                                        const InitialOptions&);
+template Complex<double> initial_complex(const UnitMap&, const Rectangle&, std::span<const Curve>,
+                                         const InitialOptions&);
+template Complex<float> initial_complex(const UnitMap&, const Rectangle&, std::span<const Curve>,
                                         const InitialOptions&);
 template Complex<double> to_world(const UnitMap&, Complex<double>);
 template Complex<float> to_world(const UnitMap&, Complex<float>);

@@ -3,14 +3,13 @@
 
 #include "dsc/initial/build/delaunay.h"
 #include "dsc/initial/build/zone.h"
-#include "dsc/initial/improve/refinement.h"
 #include "dsc/initial/improve/relaxation.h"
 
 namespace dsc::initial {
 
 template <class Real>
 Improvement improve(Complex<Real>& complex, std::span<const std::uint32_t> interface_vertices,
-                    double edge_length, int rounds) {
+                    double edge_length, int rounds, Protection protection) {
     Improvement done;
     bool busy = true;
     while (done.rounds < rounds && busy) {
@@ -21,7 +20,7 @@ Improvement improve(Complex<Real>& complex, std::span<const std::uint32_t> inter
         const std::size_t collapses = thin_out(complex, zone, edge_length);
         moves += smooth(complex, zone);
         const std::size_t insertions =
-            refine(complex, zone) + split_long(complex, zone, edge_length);
+            refine(complex, zone, protection) + split_long(complex, zone, edge_length);
         done.moves += moves;
         done.collapses += collapses;
         done.insertions += insertions;
@@ -33,7 +32,9 @@ Improvement improve(Complex<Real>& complex, std::span<const std::uint32_t> inter
     return done;
 }
 
-template Improvement improve(Complex<double>&, std::span<const std::uint32_t>, double, int);
-template Improvement improve(Complex<float>&, std::span<const std::uint32_t>, double, int);
+template Improvement improve(Complex<double>&, std::span<const std::uint32_t>, double, int,
+                             Protection);
+template Improvement improve(Complex<float>&, std::span<const std::uint32_t>, double, int,
+                             Protection);
 
 } // namespace dsc::initial

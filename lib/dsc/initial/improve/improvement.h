@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/initial/improve/refinement.h"
 
 #include <span>
 
@@ -20,6 +21,6 @@ struct Improvement {
 /// improves any more. O(vertices near the interface) a round.
 template <class Real>
 Improvement improve(Complex<Real>& complex, std::span<const std::uint32_t> interface_vertices,
-                    double edge_length, int rounds);
+                    double edge_length, int rounds, Protection protection = Protection::circle);
 
 } // namespace dsc::initial

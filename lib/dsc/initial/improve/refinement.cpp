@@ -15,9 +15,10 @@ namespace dsc::initial {
 
 namespace {
 
-constexpr double refine_below = 0.5;  // quality of a triangle that is broken up
-constexpr double split_above = 1.5;   // length of an inner edge that is split, over the target
-constexpr double split_quality = 0.4; // of the triangles that a split may leave for smoothing
+constexpr double refine_below = 0.5;    // quality of a triangle that is broken up
+constexpr double split_above = 1.5;     // length of an inner edge that is split, over the target
+constexpr double split_quality = 0.4;   // of the triangles that a split may leave for smoothing
+constexpr double cosine_of_lens = -0.5; // of the angle at which a piece is seen from its rim
 
 template <class Real>
 Point<double> at(const Complex<Real>& complex, std::uint32_t vertex) {
@@ -35,14 +36,20 @@ double quality_of(const Complex<Real>& complex, std::uint32_t triangle) {
     return quality<double>(at(complex, v[0]), at(complex, v[1]), at(complex, v[2]));
 }
 
-// Whether the point lies in the smallest circle about a constrained edge of the triangle.
+// Whether the point lies in the protection of a constrained edge of the triangle.
 template <class Real>
-bool encroaches(const Complex<Real>& complex, std::uint32_t triangle, const Point<double>& point) {
+bool encroaches(const Complex<Real>& complex, std::uint32_t triangle, const Point<double>& point,
+                Protection protection) {
     for (std::uint32_t i = 0; i < 3; ++i) {
         const Corner c = corner_of(triangle, i);
-        if (is_constrained(complex, c) &&
-            (at(complex, complex.vertex(next(c))) - point)
-                    .dot(at(complex, complex.vertex(prev(c))) - point) < 0) {
+        if (!is_constrained(complex, c)) {
+            continue;
+        }
+        const Point<double> p = at(complex, complex.vertex(next(c))) - point;
+        const Point<double> q = at(complex, complex.vertex(prev(c))) - point;
+        const double dot = p.dot(q);
+        if (dot < 0 &&
+            (protection == Protection::circle || dot < cosine_of_lens * p.norm() * q.norm())) {
             return true;
         }
     }
@@ -52,17 +59,18 @@ bool encroaches(const Complex<Real>& complex, std::uint32_t triangle, const Poin
 // The same for the triangle and its neighbours, which an insertion is certain to change.
 template <class Real>
 bool encroaches_near(const Complex<Real>& complex, std::uint32_t triangle,
-                     const Point<double>& point) {
+                     const Point<double>& point, Protection protection) {
     const auto& across = complex.triangles[triangle].n;
-    return encroaches(complex, triangle, point) ||
+    return encroaches(complex, triangle, point, protection) ||
            std::any_of(across.begin(), across.end(), [&](Corner c) {
-               return !is_border(c) && encroaches(complex, triangle_of(c), point);
+               return !is_border(c) && encroaches(complex, triangle_of(c), point, protection);
            });
 }
 
 // The new vertex, or no_id where the centre lies beyond the interface or too near to it.
 template <class Real>
-std::uint32_t break_up(Complex<Real>& complex, std::uint32_t triangle, std::vector<Corner>& stack) {
+std::uint32_t break_up(Complex<Real>& complex, std::uint32_t triangle, Protection protection,
+                       std::vector<Corner>& stack) {
     const auto& v = complex.triangles[triangle].v;
     const Point<double> centre =
         circumcentre<double>(at(complex, v[0]), at(complex, v[1]), at(complex, v[2]));
@@ -72,7 +80,7 @@ std::uint32_t break_up(Complex<Real>& complex, std::uint32_t triangle, std::vect
     const Point<Real> point = narrowed<Real>(centre);
     const Location location = locate(complex, triangle, point);
     if (location.place == Place::beyond || location.place == Place::vertex ||
-        encroaches_near(complex, triangle_of(location.corner), centre)) {
+        encroaches_near(complex, triangle_of(location.corner), centre, protection)) {
         return no_id;
     }
     return insert_point(complex, location, point, stack);
@@ -110,7 +118,8 @@ bool split(Complex<Real>& complex, Corner corner, std::vector<Corner>& stack) {
 } // namespace
 
 template <class Real>
-std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone) {
+std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone,
+                   Protection protection) {
     std::vector<std::uint32_t> queue;
     std::vector<Corner> stack;
     for (const std::uint32_t v : zone) {
@@ -126,7 +135,7 @@ std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone) 
         if (!complex.is_alive(Triangle{t}) || quality_of(complex, t) >= refine_below) {
             continue;
         }
-        const std::uint32_t v = break_up(complex, t, stack);
+        const std::uint32_t v = break_up(complex, t, protection, stack);
         if (v != no_id) {
             push_poor(complex, v, queue);
             ++inserted;
@@ -161,8 +170,8 @@ std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zo
     return inserted;
 }
 
-template std::size_t refine(Complex<double>&, std::span<const std::uint32_t>);
-template std::size_t refine(Complex<float>&, std::span<const std::uint32_t>);
+template std::size_t refine(Complex<double>&, std::span<const std::uint32_t>, Protection);
+template std::size_t refine(Complex<float>&, std::span<const std::uint32_t>, Protection);
 template std::size_t split_long(Complex<double>&, std::span<const std::uint32_t>, double);
 template std::size_t split_long(Complex<float>&, std::span<const std::uint32_t>, double);
 

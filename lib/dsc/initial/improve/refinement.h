@@ -9,11 +9,21 @@
 
 namespace dsc::initial {
 
+/// What no new vertex may enter, about a piece of the interface or of a side of the domain.
+enum class Protection : std::uint8_t {
+    circle, ///< the smallest circle: the piece is seen at an angle of at most 90 degrees
+    /// The part of it where the piece is seen at more than 120 degrees, so that triangles may have
+    /// angles of 30 at its ends (L. P. Chew, "Guaranteed-quality mesh generation for curved
+    /// surfaces", 1993). Where curves meet, short pieces next to long ones need that.
+    lens,
+};
+
 /// Breaks up poor triangles by the centres of their circles, as long as these do not crowd the
-/// interface: new edges are no shorter than those that there are, and grow with the distance from
-/// the short ones. Returns the number of new vertices.
+/// interface: new edges are no shorter than those that there are (with `lens`: not by much), and
+/// grow with the distance from the short ones. Returns the number of new vertices.
 template <class Real>
-std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone);
+std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone,
+                   Protection protection = Protection::circle);
 
 /// Splits inner edges that are much longer than the target. Returns the number of new vertices.
 template <class Real>

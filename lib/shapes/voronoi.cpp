@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "shapes/voronoi.h"
+
+#include "dsc/base/error.h"
+#include "shapes/short_edges.h"
+#include "shapes/voronoi_diagram.h"
+
+#include <cmath>
+#include <string>
+
+namespace dsc::scenes {
+
+namespace {
+
+VoronoiDiagram diagram_of(const Rectangle& domain, std::span<const Point<double>> sites,
+                          const VoronoiOptions& options) {
+    if (!(options.shortest >= 0) || !std::isfinite(options.shortest)) {
+        throw InputError({.what = "the length of the shortest edges",
+                          .where = "options",
+                          .value = std::to_string(options.shortest),
+                          .allowed = "a finite number, 0 or above"});
+    }
+    VoronoiDiagram diagram = voronoi_diagram(domain, sites);
+    return options.shortest > 0 ? without_short_edges(std::move(diagram), options.shortest)
+                                : diagram;
+}
+
+// SplitMix64 by G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number
+// generators" (2014), and its 53 upper bits as a fraction.
+class Fractions {
+public:
+    explicit Fractions(std::uint64_t seed) : state_(seed) {}
+
+    double draw() {
+        state_ += 0x9e3779b97f4a7c15U;
+        std::uint64_t z = state_;
+        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+        z ^= z >> 31U;
+        return static_cast<double>(z >> 11U) * 0x1p-53;
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+} // namespace
+
+std::vector<Curve> voronoi_curves(const Rectangle& domain, std::span<const Point<double>> sites,
+                                  const VoronoiOptions& options) {
+    if (sites.size() < 2) {
+        throw InputError({.what = "too few sites",
+                          .where = "sites",
+                          .value = std::to_string(sites.size()),
+                          .allowed = "2 or more: curves name the phases, and one cell has none"});
+    }
+    const VoronoiDiagram diagram = diagram_of(domain, sites, options);
+    std::vector<Curve> curves;
+    for (std::uint32_t i = 0; i < sites.size(); ++i) {
+        const VoronoiCell& cell = diagram.cells[i];
+        for (std::size_t k = 0; k < cell.vertices.size(); ++k) {
+            const std::uint32_t other = cell.beyond[k];
+            if (other > i && !is_side(other)) {
+                const std::size_t after = k + 1 < cell.vertices.size() ? k + 1 : 0;
+                curves.push_back(
+                    {{diagram.vertices[cell.vertices[k]], diagram.vertices[cell.vertices[after]]},
+                     i + 1,
+                     other + 1});
+            }
+        }
+    }
+    return curves;
+}
+
+std::vector<Outline> voronoi_cells(const Rectangle& domain, std::span<const Point<double>> sites,
+                                   const VoronoiOptions& options) {
+    const VoronoiDiagram diagram = diagram_of(domain, sites, options);
+    std::vector<Outline> cells;
+    cells.reserve(sites.size());
+    for (const VoronoiCell& cell : diagram.cells) {
+        Outline& outline = cells.emplace_back();
+        for (const std::uint32_t v : cell.vertices) {
+            outline.push_back(diagram.vertices[v]);
+        }
+    }
+    return cells;
+}
+
+std::vector<Point<double>> relaxed_sites(const Rectangle& domain,
+                                         std::span<const Point<double>> sites, int rounds) {
+    if (rounds < 0) {
+        throw InputError({.what = "rounds of relaxation",
+                          .where = "relaxed_sites",
+                          .value = std::to_string(rounds),
+                          .allowed = "0 or more"});
+    }
+    std::vector<Point<double>> result(sites.begin(), sites.end());
+    for (int round = 0; round < rounds; ++round) {
+        const std::vector<ClippedCell> cells = clip_cells(domain, result);
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            result[i] += centroid(cells[i].corners); // both relative to the site
+        }
+    }
+    return result;
+}
+
+std::vector<Point<double>> random_sites(const Rectangle& domain, std::size_t count,
+                                        std::uint64_t seed) {
+    std::vector<Point<double>> sites;
+    sites.reserve(count);
+    Fractions fractions(seed);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = fractions.draw();
+        const double y = fractions.draw();
+        sites.emplace_back(domain.low.x() + x * (domain.high.x() - domain.low.x()),
+                           domain.low.y() + y * (domain.high.y() - domain.low.y()));
+    }
+    return sites;
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Voronoi diagrams: scenes of many grains or bubbles. A point belongs to the cell of the site that
+// is nearest to it.
+#pragma once
+
+#include "dsc/initial/initial_complex.h"
+#include "shapes/outline.h"
+
+#include <span>
+#include <vector>
+
+namespace dsc::scenes {
+
+struct VoronoiOptions {
+    /// Edges shorter than this, in units of the coordinates, and such pieces of the domain's sides,
+    /// are contracted: their ends become one vertex in their middle, at which four or more cells
+    /// may meet; more than two such ends become one at their mean; one that contains a corner of
+    /// the domain becomes that corner. An edge stays where a cell would lose its third side or
+    /// would not be seen as a whole from its centre any more. Short edges make small triangles:
+    /// a third of the mesh's edge length avoids these.
+    double shortest = 0;
+};
+
+/// The Voronoi diagram of the sites, clipped to the domain, as curves for `initial_complex`: one
+/// straight curve for each edge, and none for the sides of the domain. The cell of site i has the
+/// phase i + 1. Vertices are bitwise equal in all curves that meet there.
+///
+/// O(n) expected for n sites that are spread evenly. Throws InputError for fewer than two sites;
+/// for a site that is not finite or lies outside the domain; where sites coincide; and where four
+/// lie on one circle about a vertex, up to rounding, or a vertex at a corner of the domain, so that
+/// it is not certain which cells meet.
+[[nodiscard]] std::vector<Curve> voronoi_curves(const Rectangle& domain,
+                                                std::span<const Point<double>> sites,
+                                                const VoronoiOptions& options = {});
+
+/// The same diagram as polygons, counter-clockwise, in the order of the sites.
+[[nodiscard]] std::vector<Outline> voronoi_cells(const Rectangle& domain,
+                                                 std::span<const Point<double>> sites,
+                                                 const VoronoiOptions& options = {});
+
+/// Moves each site to the centroid of its cell, that many times (S. P. Lloyd, "Least squares
+/// quantization in PCM", 1982): cells become rounder and edges longer. O(n) expected a round.
+/// Throws InputError for sites as above, if there are any, and for negative rounds.
+[[nodiscard]] std::vector<Point<double>>
+relaxed_sites(const Rectangle& domain, std::span<const Point<double>> sites, int rounds);
+
+/// Evenly distributed and independent. The same points with every compiler.
+[[nodiscard]] std::vector<Point<double>> random_sites(const Rectangle& domain, std::size_t count,
+                                                      std::uint64_t seed);
+
+} // namespace dsc::scenes

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A Voronoi diagram by numbers: which cells meet at which vertex. Each vertex is computed once, in
+// one way, so that all cells around it agree to the bit.
+#pragma once
+
+#include "shapes/cell_clipping.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace dsc::scenes {
+
+/// A cell by its vertices, counter-clockwise, and by what lies beyond the edge from vertex k to
+/// k + 1: a site or a side of the domain.
+struct VoronoiCell {
+    std::vector<std::uint32_t> vertices;
+    std::vector<std::uint32_t> beyond;
+};
+
+struct VoronoiDiagram {
+    Rectangle domain;
+    std::vector<Point<double>> sites;
+    /// The corners of the domain, from the lower left one counter-clockwise, and then the others,
+    /// in the order of the three numbers of the sites and sides that meet there.
+    std::vector<Point<double>> vertices;
+    /// By vertex, which sides of the domain it lies on: bit k for the side `bottom_side` + k.
+    std::vector<std::uint8_t> sides;
+    std::vector<VoronoiCell> cells;
+};
+
+inline constexpr std::uint32_t domain_corners = 4;
+
+/// Whether the whole cell is seen from a point in it: each edge goes counter-clockwise about it,
+/// with some length. The point may lie on a side of the domain. Exact. Such a cell is a simple
+/// polygon.
+[[nodiscard]] bool is_seen_from(const Point<double>& point, std::span<const Point<double>> corners,
+                                std::span<const std::uint32_t> beyond);
+
+/// O(n log n), and as `clip_cells`. Throws InputError as that, and where cells do not agree on who
+/// meets at a vertex.
+[[nodiscard]] VoronoiDiagram voronoi_diagram(const Rectangle& domain,
+                                             std::span<const Point<double>> sites);
+
+} // namespace dsc::scenes
