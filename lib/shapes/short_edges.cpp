@@ -9,8 +9,6 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr std::uint32_t fewest_corners = 3;
-
 // Vertices that have become one, by the smallest of their numbers.
 struct Cluster {
     std::vector<std::uint32_t> members; // ascending
@@ -181,15 +179,10 @@ private:
         return true;
     }
 
+    // A cell that has lost its third side turns clockwise on the way back along its second one.
     [[nodiscard]] bool is_sound(std::uint32_t cell) const {
         const VoronoiCell shape = shrunk(cell);
-        if (shape.vertices.size() < fewest_corners) {
-            return false;
-        }
-        auto distinct = shape.vertices;
-        std::sort(distinct.begin(), distinct.end());
-        return std::adjacent_find(distinct.begin(), distinct.end()) == distinct.end() &&
-               is_seen_from(centres_[cell], corners_of(shape), shape.beyond);
+        return is_seen_from(centres_[cell], corners_of(shape), shape.beyond);
     }
 
     VoronoiDiagram diagram_;

@@ -164,6 +164,20 @@ INSTANTIATE_TEST_SUITE_P(Networks, InitialCurves, ::testing::ValuesIn(cases()),
                                     std::to_string(std::lround(1 / test.param.scenery.edge_length));
                          });
 
+// Wherever a curve ends on a side, the vertices of the side make room for it.
+TEST(InitialCurvesSizes, CurvesToTheSidesAnywhereGetGoodTriangles) {
+    for (int i = 1; i < 40; ++i) {
+        const double from = 0.1 + 0.02 * i;
+        const double to = 0.1 + 0.8 * std::fmod(0.618 * i, 1.0);
+        const bool upwards = i % 2 == 0;
+        const Curve curve{upwards ? std::vector<Point<double>>{{from, 0}, {to, 1}}
+                                  : std::vector<Point<double>>{{0, from}, {1, to}},
+                          1, 0};
+        const auto complex = dsc::testing::complex_of<double>({{curve}, 0.05 - 0.0007 * i});
+        EXPECT_GE(dsc::testing::smallest_angle(complex), 29) << i;
+    }
+}
+
 using Place = std::pair<double, double>;
 
 // The edges of the interface by the places of their ends.

@@ -71,7 +71,7 @@ protected:
         const double found = dsc::testing::smallest_angle(complex);
         RecordProperty("smallest_angle_of_the_input_deg", std::to_string(input));
         RecordProperty("smallest_angle_deg", std::to_string(found));
-        EXPECT_GE(found, std::min(15.0, 0.9 * input)) << "the input has " << input << " degrees";
+        EXPECT_GE(found, std::min(17.0, 0.9 * input)) << "the input has " << input << " degrees";
         return complex;
     }
 };

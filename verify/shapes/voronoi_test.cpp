@@ -125,7 +125,7 @@ double shortest_edge(const Outline& cell) {
 }
 
 TEST(VoronoiShortEdges, AreContracted) {
-    const double shortest = 0.012;
+    const double shortest = 0.016; // the mean edge is 0.038 long
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const Sites sites = random_sites({}, 300, seed);

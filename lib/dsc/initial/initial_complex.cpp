@@ -23,9 +23,6 @@ constexpr double clearance = 0.5;
 // arrays of a large complex need not be copied to grow.
 constexpr std::size_t spare_per_piece = 4;
 
-// Vertices of the lattice on a side closer to an end than this share of their distance are removed.
-constexpr double side_clearance = 0.5;
-
 // A complex with these paths as its interface. `fill` gives the phases.
 template <class Real, class Fill>
 Complex<Real> build(const initial::Lattice& lattice, std::span<const initial::Path> paths,
@@ -38,7 +35,6 @@ Complex<Real> build(const initial::Lattice& lattice, std::span<const initial::Pa
     Complex<Real> complex;
     write_lattice(lattice, spare_per_piece * pieces, complex);
     clear_lattice(complex, lattice, paths, clearance);
-    clear_sides(complex, lattice, paths, side_clearance);
     Chains chains = insert_paths(complex, lattice, paths);
     const std::vector<std::uint32_t> touched = recover_segments(complex, chains);
     fill(complex, chains);
@@ -46,7 +42,7 @@ Complex<Real> build(const initial::Lattice& lattice, std::span<const initial::Pa
     for (const std::uint32_t v : touched) {
         legalise_star(complex, v, stack);
     }
-    const auto interface_vertices = vertices_on(chains, complex.vertex_bound());
+    const auto interface_vertices = vertices_on(chains);
     improve(complex, std::span<const std::uint32_t>(interface_vertices), options.edge_length,
             options.improve_rounds, protection);
     if (options.renumber) {

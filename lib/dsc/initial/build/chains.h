@@ -18,21 +18,14 @@ using Path = std::span<const Point<double>>;
 using Chain = std::vector<std::uint32_t>;
 using Chains = std::vector<Chain>;
 
-/// Each vertex of the chains once: by its first place, but a chain's own first vertex last.
-inline std::vector<std::uint32_t> vertices_on(const Chains& chains, std::uint32_t vertex_bound) {
+/// The vertices of the chains, the first of each last. A junction comes once for each chain there.
+inline std::vector<std::uint32_t> vertices_on(const Chains& chains) {
     std::vector<std::uint32_t> result;
-    std::vector<std::uint8_t> seen(vertex_bound, 0);
-    const auto add = [&](std::uint32_t v) {
-        if (seen[v] == 0) {
-            seen[v] = 1;
-            result.push_back(v);
-        }
-    };
     for (const Chain& chain : chains) {
-        for (std::size_t i = 1; i < chain.size(); ++i) {
-            add(chain[i]);
+        result.insert(result.end(), chain.begin() + 1, chain.end());
+        if (chain.front() != chain.back()) {
+            result.push_back(chain.front());
         }
-        add(chain.front());
     }
     return result;
 }

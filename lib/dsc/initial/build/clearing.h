@@ -14,12 +14,4 @@ template <class Real>
 std::size_t clear_lattice(Complex<Real>& complex, const Lattice& lattice,
                           std::span<const Path> paths, double clearance);
 
-/// Removes the lattice's vertices on the sides of the domain that are closer to the end of a path
-/// there than `clearance` times the distance between two of them; never a corner of the domain, nor
-/// a vertex that lies exactly at such an end. After `clear_lattice`. O(1) per path. Returns how
-/// many.
-template <class Real>
-std::size_t clear_sides(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths,
-                        double clearance);
-
 } // namespace dsc::initial
