@@ -161,8 +161,8 @@ struct Lines {
     std::vector<NetworkPiece> pieces;
 };
 
-// Lines between points of a coarse lattice, cut in the middle. Ends at the same place now and then
-// have the same number.
+// Lines between points of a coarse lattice, some cut in the middle. Ends at the same place now and
+// then have the same number.
 Lines random_lines(std::mt19937& random) {
     Lines lines;
     std::map<std::pair<double, double>, std::uint32_t> numbers;
@@ -187,9 +187,13 @@ Lines random_lines(std::mt19937& random) {
         const std::uint32_t from = number(at[0], at[1]);
         const std::uint32_t to = number(at[2], at[3]);
         const auto edge = static_cast<std::uint32_t>(lines.edges.size());
+        lines.edges.push_back({from, to});
+        if (random() % 2 == 0) {
+            lines.pieces.push_back({{from, to}, edge});
+            continue;
+        }
         const auto middle = static_cast<std::uint32_t>(lines.points.size());
         lines.points.emplace_back((at[0] + at[2]) / 2, (at[1] + at[3]) / 2);
-        lines.edges.push_back({from, to});
         lines.pieces.push_back({{from, middle}, edge});
         lines.pieces.push_back({{middle, to}, edge});
     }
@@ -255,6 +259,9 @@ TEST(CurveContacts, PiecesCountAsWell) {
     EXPECT_EQ(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 0.1), contact);
     lines.points[4].y() = 0.9;
     EXPECT_FALSE(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 0.1));
+    // And the other way round: an edge ends on another one, whose pieces have been moved away.
+    lines.points = {{0, 0}, {2, 0}, {0.5, 0}, {0.5, 1}, {1, -0.05}};
+    EXPECT_EQ(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 0.1), contact);
 }
 
 TEST(CurveContacts, AreFoundAmongManyLinesThatAreApart) {

@@ -160,6 +160,22 @@ TEST(VoronoiShortEdges, AreContracted) {
     }
 }
 
+// An edge that becomes too short only as a neighbour of it is contracted.
+TEST(VoronoiShortEdges, ThatCameLaterAreContractedAsWell) {
+    const double shortest = 0.025;
+    const Sites sites = random_sites({}, 300, 6);
+    const auto length = [](const std::vector<Curve>& curves) {
+        for (const Curve& curve : curves) {
+            if (curve.left == 16 && curve.right == 99) {
+                return (curve.points[1] - curve.points[0]).norm();
+            }
+        }
+        return 0.0;
+    };
+    EXPECT_GE(length(voronoi_curves({}, sites)), shortest);
+    EXPECT_EQ(length(voronoi_curves({}, sites, {.shortest = shortest})), 0);
+}
+
 // Four sites nearly on a circle: two vertices become one, halfway between them; the edge between
 // the two cells that have lost touch is gone.
 TEST(VoronoiShortEdges, FourCellsMeetInTheMiddleOfTheEdge) {
