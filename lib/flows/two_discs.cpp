@@ -2,8 +2,10 @@
 #include "flows/two_discs.h"
 
 #include "dsc/base/require.h"
+#include "flows/arcs.h"
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 namespace dsc::scenes {
@@ -11,27 +13,6 @@ namespace dsc::scenes {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int chords_of_arc = 1 << 13;
-
-/// Counter-clockwise where `end` is larger than `begin`.
-struct Arc {
-    Point<double> centre;
-    double radius;
-    double begin; ///< radians
-    double end;
-};
-
-Point<double> point_on(const Arc& arc, double angle) {
-    return arc.centre + arc.radius * Point<double>(std::cos(angle), std::sin(angle));
-}
-
-/// What the arc contributes to the area: half the integral of x dy - y dx.
-double area_of(const Arc& arc) {
-    return arc.radius / 2 *
-           (arc.radius * (arc.end - arc.begin) +
-            arc.centre.x() * (std::sin(arc.end) - std::sin(arc.begin)) -
-            arc.centre.y() * (std::cos(arc.end) - std::cos(arc.begin)));
-}
 
 /// The two discs in a frame in which their centres are at -d and d on the x axis.
 struct Frame {
@@ -42,30 +23,14 @@ struct Frame {
                 "a positive finite length");
         axis /= 2 * half;
     }
-    [[nodiscard]] Point<double> out_of(const Point<double>& p) const {
-        return middle + p.x() * axis + p.y() * Point<double>(-axis.y(), axis.x());
-    }
 
     Point<double> middle;
     Point<double> axis;
     double half;
 };
 
-/// A closed curve of arcs, each of which begins where the one before it ends.
-void append(const Frame& frame, const std::vector<Arc>& arcs, ExactShape& shape) {
-    Outline outline;
-    for (const Arc& arc : arcs) {
-        for (int i = 0; i < chords_of_arc && arc.radius > 0; ++i) {
-            const double share = static_cast<double>(i) / chords_of_arc;
-            outline.push_back(
-                frame.out_of(point_on(arc, arc.begin + share * (arc.end - arc.begin))));
-        }
-        shape.area += area_of(arc);
-        // Segments between chords and arc, with the height of each at its middle.
-        const double step = std::abs(arc.end - arc.begin) / chords_of_arc;
-        shape.own_error += chords_of_arc * std::pow(arc.radius, 2) * std::pow(step, 3) / 12;
-    }
-    shape.outlines.push_back(std::move(outline));
+void append(const Frame& frame, std::initializer_list<Arc> arcs, ExactShape& shape) {
+    append_arcs({frame.middle, frame.axis}, arcs, shape);
 }
 
 double radius_after(const TwoDiscs& discs, double growth) {

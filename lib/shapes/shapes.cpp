@@ -16,6 +16,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// Nobody wants more vertices than this: they come from a wrong unit.
 constexpr double most_vertices = 1e8;
+/// A side that is shorter is a point but for rounding. Relative to the size of the shape.
+constexpr double same_point = 1e-13;
 
 void check_positive(double value, const std::string& what, const std::string& where) {
     if (!(value > 0.0) || !std::isfinite(value)) {
@@ -179,11 +181,7 @@ Outline crescent(const Crescent& crescent, double edge_length) {
     return outline;
 }
 
-namespace {
-
-/// From the centre of a disc of the dumbbell to that of an arc beside it: along the axis, and away
-/// from it.
-Point<double> to_rounding(const Dumbbell& d) {
+Point<double> rounding_offset(const Dumbbell& d) {
     check_positive(d.radius, "radius", "dumbbell");
     check_positive(d.rounding, "radius of the rounding", "dumbbell");
     check_positive(d.neck, "width of the neck", "dumbbell");
@@ -205,11 +203,10 @@ Point<double> to_rounding(const Dumbbell& d) {
     return {along, across};
 }
 
-} // namespace
-
 Outline dumbbell(const Dumbbell& d, double edge_length) {
-    const Point<double> to = to_rounding(d);
+    const Point<double> to = rounding_offset(d);
     const double angle = std::atan2(to.y(), to.x());
+    const double straight = 0.5 * d.distance - to.x(); // half the length of the neck
     Outline outline;
     // One half after the other, each seen with its disc on the right.
     for (const double side : {1.0, -1.0}) {
@@ -229,15 +226,17 @@ Outline dumbbell(const Dumbbell& d, double edge_length) {
         arc(below, d.rounding, 0.5 * pi, angle - 0.5 * pi);
         arc(disc, d.radius, angle - pi, 2.0 * (pi - angle));
         arc(above, d.rounding, -angle, angle - 0.5 * pi);
-        append_side(above + at(d.rounding, -0.5 * pi),
-                    d.centre - side * Point<double>(0.5 * d.distance - to.x(), -0.5 * d.neck),
-                    edge_length, outline);
+        if (straight > same_point * d.distance) {
+            append_side(above + at(d.rounding, -0.5 * pi),
+                        d.centre - side * Point<double>(straight, -0.5 * d.neck), edge_length,
+                        outline);
+        }
     }
     return outline;
 }
 
 double dumbbell_area(const Dumbbell& d) {
-    const Point<double> to = to_rounding(d);
+    const Point<double> to = rounding_offset(d);
     const double angle = std::atan2(to.y(), to.x());
     const double discs = 2.0 * (pi - angle) * d.radius * d.radius;
     // Between the centres of disc and arc and the axis, without the arc's sector.

@@ -59,6 +59,9 @@ struct Dumbbell {
     double rounding = 0.05; ///< radius of the arcs between the neck and the discs
 };
 
+/// From the centre of a disc to that of an arc beside it: along the axis, towards the other disc,
+/// and away from the axis.
+[[nodiscard]] Point<double> rounding_offset(const Dumbbell& dumbbell);
 [[nodiscard]] Outline dumbbell(const Dumbbell& dumbbell, double edge_length);
 /// In closed form.
 [[nodiscard]] double dumbbell_area(const Dumbbell& dumbbell);

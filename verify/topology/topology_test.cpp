@@ -18,6 +18,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -25,6 +27,7 @@ namespace dsc {
 namespace {
 
 constexpr double h = 0.02;
+constexpr double pi = std::numbers::pi;
 
 // Two discs of radius 0.1, 0.05 apart, the second of phase `second`.
 Complex<double> two_discs(Phase second = 1) {
@@ -166,6 +169,58 @@ INSTANTIATE_TEST_SUITE_P(Topology, EveryWay,
                              return std::string(
                                  divisions().at(static_cast<std::size_t>(one.param)).name);
                          });
+
+// Two squares, joined by a neck with five waists, of which the sheets come closer all along.
+Complex<double> squares_with_a_neck() {
+    std::vector<Point<double>> upper;
+    for (double x = 0.62; x > 0.379; x -= h) {
+        upper.emplace_back(x, 0.5 + 0.0095 - 0.002 * std::cos((x - 0.5) * 2 * pi / 0.06));
+    }
+    std::vector<Point<double>> outline{{0.62, 0.42}, {0.78, 0.42}, {0.78, 0.58}, {0.62, 0.58}};
+    outline.insert(outline.end(), upper.begin(), upper.end());
+    outline.insert(outline.end(), {{0.38, 0.58}, {0.22, 0.58}, {0.22, 0.42}, {0.38, 0.42}});
+    for (auto p = upper.rbegin(); p != upper.rend(); ++p) {
+        outline.emplace_back(p->x(), 1 - p->y());
+    }
+    return initial_complex<double>({}, std::vector<Shape>{{outline, 1}}, {.edge_length = h});
+}
+
+Velocity<double> squeeze() {
+    return
+        [](std::span<const Point<double>> positions, double, std::span<Point<double>> velocities) {
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+                const Point<double> p = positions[i] - Point<double>(0.5, 0.5);
+                const double share = std::clamp((0.13 - std::abs(p.x())) / 0.02, 0.0, 1.0);
+                velocities[i] = {0, p.y() > 0 ? -share : share};
+            }
+        };
+}
+
+// The neck opens at its waists, in one and the same sub-step: one event, not five. What is between
+// two of them is thin all along, and the seam goes on over it.
+TEST_P(EveryWay, ANeckThatClosesInManyPlacesSplitsOnce) {
+    for (const std::uint32_t threads : {1U, 3U}) {
+        auto complex = squares_with_a_neck();
+        Simulation<double> simulation(
+            complex, options(),
+            Parallel{.threads = threads, .division = GetParam(), .always_all_threads = true});
+        std::vector<Event> events;
+        for (int step = 0; step < 8; ++step) {
+            const StepReport report = simulation.step(squeeze(), 0.001 * step, 0.001);
+            events.insert(events.end(), report.events.begin(), report.events.end());
+            EXPECT_EQ(validate(complex).problem, "");
+        }
+        ASSERT_EQ(count(events, EventKind::split), 1U);
+        EXPECT_EQ(events.front().kind, EventKind::split);
+        std::ptrdiff_t at_once = 0;
+        for (const Event& event : events) {
+            at_once = std::max(at_once, std::ranges::count(events, event.time, &Event::time));
+        }
+        EXPECT_GE(at_once, 3) << "the neck is to open in several places";
+        EXPECT_EQ(count(events, EventKind::merge), 0U);
+        EXPECT_EQ(outlines(complex, 1).size(), 2U);
+    }
+}
 
 TEST(Topology, IsKeptUnlessAskedFor) {
     auto complex = two_discs();

@@ -38,6 +38,21 @@ bool is_apart(const Complex<Real>& complex, Corner one, Corner other) {
     return true;
 }
 
+// Where a bridge has opened, the two ends of its seam face each other as well, and the triangles
+// between them are as thin as the film was. They are no film, unless they hold up each other.
+template <class Real>
+bool are_ends_of_seam(const Complex<Real>& complex, Corner one, Corner other) {
+    for (const Corner sheet : {one, other}) {
+        for (const Corner end : {next(sheet), prev(sheet)}) {
+            const std::uint32_t flags = complex.vertices[complex.vertex(end)].flags;
+            if ((flags & vertex_seam) == 0 || (flags & vertex_contact) != 0) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 template <class Real>
 Real quadrilateral(const std::array<Point<Real>, 4>& p) {
     const Point<Real> a = p[2] - p[0];
@@ -136,7 +151,7 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect<Real>> 
         const Corner opposite = side == next(sheet) ? prev(across) : next(across);
         std::array<Corner, 3> others{};
         if (sheets_of(complex, u, others) != 1 || others[0] != opposite || !is_thin(work, u) ||
-            !faces(complex, sheet, opposite)) {
+            !faces(complex, sheet, opposite) || are_ends_of_seam(complex, sheet, opposite)) {
             continue;
         }
         if (work.options.opening == Opening::squeezed &&

@@ -14,6 +14,9 @@ namespace {
 /// Cosine of the largest angle between two sheets that meet at the end of a seam. Three successive
 /// vertices of one curve have a larger one.
 constexpr double seam_angle = 0.5;
+/// A piece whose mean thickness is less than this many contact distances is the rest of a film that
+/// has opened at its ends. Triangles that lean are thinner than their film, by half at most.
+constexpr double rest_of_film = 2.5;
 
 template <class Real>
 class Films {
@@ -26,14 +29,15 @@ public:
             complex_.vertices[suspects[i].vertex].slot = static_cast<std::uint32_t>(i);
         }
         const auto opens = [&](Triangle t) { return find_bridge(work_, suspects, t, bridge); };
-        for (const Triangle t : thin_triangles(suspects, opens)) {
-            if (is_thin(work_, t) && opens(t)) { // those before it may have closed it
+        for (const auto& [t, film] : thin_triangles(suspects, opens)) {
+            // Those before it may have closed it: then it is no film of the phase beyond.
+            if (complex_.phase(t) == film && is_thin(work_, t) && opens(t)) {
                 open(bridge);
             }
         }
         // Seams of earlier events, whose sheets have come closer since.
         const auto goes_on = [&](Triangle t) { return is_end_of_seam(t); };
-        for (const Triangle t : thin_triangles(suspects, goes_on)) {
+        for (const auto& [t, film] : thin_triangles(suspects, goes_on)) {
             if (is_thin(work_, t) && is_end_of_seam(t)) {
                 follow_seam(t);
             }
@@ -43,8 +47,13 @@ public:
 private:
     // --- candidates ---------------------------------------------------------------------------
     // In the order of their places, which is the same for every way to divide the mesh.
+    struct Candidate {
+        Triangle triangle;
+        Phase film;
+    };
     template <class Test>
-    std::vector<Triangle> thin_triangles(std::span<const Suspect<Real>> suspects, Test test) const {
+    std::vector<Candidate> thin_triangles(std::span<const Suspect<Real>> suspects,
+                                          Test test) const {
         std::vector<std::tuple<Real, Real, std::uint32_t>> found;
         for (const auto& suspect : suspects) {
             if (!suspect.is_thin || !complex_.is_alive(Vertex{suspect.vertex})) {
@@ -60,9 +69,10 @@ private:
         }
         std::ranges::sort(found);
         found.erase(std::unique(found.begin(), found.end()), found.end());
-        std::vector<Triangle> list;
+        std::vector<Candidate> list;
         for (const auto& one : found) {
-            list.push_back(Triangle{std::get<2>(one)});
+            const Triangle t{std::get<2>(one)};
+            list.push_back({t, complex_.phase(t)});
         }
         return list;
     }
@@ -71,6 +81,8 @@ private:
     // Both sheets on one outline of the film: it falls into two pieces. On two: they become one.
     // If one of the two pieces is too small to last, the bridge is a part of what made the piece:
     // of a seam, ahead of its end, or of the end of a filament. Then `pocket_` is at that piece.
+    // A piece that is larger, but thin all along, is the rest of a film that has opened at its
+    // other end: it is left to the seam.
     EventKind kind_of(const Bridge<Real>& bridge, Phase one, Phase other) {
         pocket_.clear();
         const auto [first, second] = bridge.sheets;
@@ -101,6 +113,10 @@ private:
                            : (complex_.phase_at(first) == exterior_phase ? EventKind::fill
                                                                          : EventKind::remove);
             }
+            const Real contact = std::max(contact_at(work_, first), contact_at(work_, second));
+            if (is_rest_of_film(ahead, contact) || is_rest_of_film(behind, contact)) {
+                return EventKind::widen;
+            }
         }
         if (one != other) {
             return EventKind::meet;
@@ -110,6 +126,7 @@ private:
 
     struct Area {
         Real doubled = 0;
+        Real perimeter = 0;
         std::vector<Triangle> at; ///< the first few
         bool on_seam = false;
     };
@@ -119,10 +136,17 @@ private:
         const Point<Real> from = complex_.position(Vertex{v}) - origin;
         const Point<Real> way = direction(complex_, c);
         area.doubled += from.x() * way.y() - from.y() * way.x();
+        area.perimeter += way.norm();
         if (area.at.size() < most_of_piece) {
             area.at.push_back(Triangle{triangle_of(c)});
         }
         area.on_seam = area.on_seam || is_seam(v);
+    }
+
+    // The mean thickness of a long piece is its area over half its outline.
+    static bool is_rest_of_film(const Area& piece, Real contact) {
+        return piece.on_seam && piece.doubled > 0 &&
+               piece.doubled < static_cast<Real>(rest_of_film) * contact * piece.perimeter;
     }
 
     bool is_seam(std::uint32_t v) const { return (complex_.vertices[v].flags & vertex_seam) != 0; }

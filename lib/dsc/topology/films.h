@@ -5,6 +5,10 @@
 // triangle, to where the film is thicker: as at the notch between two drops that merge. A neck that
 // closes is the same, seen from the phase that is thin.
 //
+// A film whose sheets are parallel opens in several places at once. That is one event: what lies
+// between two of these places is thin all along, and the film's seam goes on over it, in this
+// sub-step or in one of the next.
+//
 // A film opens only while it loses area, or where it holds up the interface. In a flow that keeps
 // areas two sheets never meet: what becomes thin there is a filament that is being drawn out, and
 // it is not cut, however thin it gets.

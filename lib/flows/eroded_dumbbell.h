@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// A dumbbell that shrinks or grows along its normals: the exact shapes by the principle of Huygens,
+// in arcs of circles and straight sides.
+#pragma once
+
+#include "shapes/exact_shape.h"
+#include "shapes/shapes.h"
+
+namespace dsc::scenes {
+
+/// The points that are farther than `depth` from the complement. Discs lose that much of their
+/// radius and roundings, whose centres lie outside, gain it. At half the width of the neck its
+/// whole straight length closes at once: from then on there are two lobes, each bounded by an arc
+/// of its disc and two of roundings, which meet on the axis in a tip. Empty once `depth` reaches
+/// the radius of the discs. Throws InputError for a depth that is negative or not finite, or an
+/// invalid dumbbell.
+[[nodiscard]] ExactShape eroded_dumbbell(const Dumbbell& dumbbell, double depth);
+
+/// The points no farther than `distance` from the dumbbell. Its roundings lose that much of their
+/// radius, and when nothing is left of them there are notches between the discs and the neck, which
+/// the discs cover in the end. Throws InputError for a distance that is negative or not finite, or
+/// an invalid dumbbell.
+[[nodiscard]] ExactShape grown_dumbbell(const Dumbbell& dumbbell, double distance);
+
+} // namespace dsc::scenes
