@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Exact solutions for interfaces that move by their curvature and meet in junctions. Tension and
+// mobility of all interfaces are 1, so that an interface moves at the speed of its curvature; where
+// their product is m, replace the time t by m t.
+#pragma once
+
+#include "dsc/initial/initial_complex.h"
+#include "shapes/exact_shape.h"
+
+#include <array>
+#include <cstdint>
+
+namespace dsc::scenes {
+
+/// A grain of given area on the straight interface between two others, in equilibrium: two arcs of
+/// one radius that meet at both tips under 120 degrees, each at 60 degrees to the
+/// interface, which goes on from there.
+struct Lens {
+    Point<double> centre{0.5, 0.5};
+    Point<double> axis{1, 0}; ///< direction of the interface, of any length
+    double area = 0.1;
+};
+
+/// Of the arcs: the square root of area / (2 pi / 3 - sqrt(3) / 2). Throws InputError for an area
+/// that is not positive and finite.
+[[nodiscard]] double lens_radius(double area);
+
+/// The tips: first the one against the axis. Throws InputError for such an area or an axis without
+/// a direction; so does the next.
+[[nodiscard]] std::array<Point<double>, 2> lens_tips(const Lens& lens);
+[[nodiscard]] ExactShape lens_shape(const Lens& lens);
+
+/// Four phases that meet in one point at time 0, along straight interfaces at the angles theta,
+/// pi - theta, pi + theta and -theta to the x axis. If the point comes apart so that the upper and
+/// the lower phase touch no more, an edge of length c sqrt(t) opens along the x axis, between two
+/// junctions of 120 degrees, and all stays similar to itself: the curve that leaves the right
+/// junction upwards is y = sqrt(t) u(x / sqrt(t)) with
+///
+///     2 u'' = (1 + u'^2) (u - xi u'),  u(c / 2) = 0,  u'(c / 2) = tan 60 degrees,
+///
+/// and its slope becomes tan theta far away. This is the change of neighbours (T1) of grains.
+struct FourSectors {
+    Point<double> centre{0.5, 0.5};
+    double theta = 0.7853981633974483; ///< radians, above 0 and below pi / 3
+};
+
+/// The factor c: 0 at 60 degrees, where nothing drives the edge. By shooting, to about 1e-11;
+/// O(1e5) steps. Throws InputError for theta out of range, like the next.
+[[nodiscard]] double opening_factor(double theta);
+
+/// What the right one of the four phases holds of a box, to about 1e-10; the curves are polygons
+/// whose error `own_error` states. Its area, as long as the box is so large that the curves are
+/// straight where they leave it, falls at the rate 2 (pi / 3 - theta). The box is parallel to the
+/// axes, and the curves leave it on its right side, or above and below. Throws InputError for a
+/// time that is negative or not finite, or a box without the right junction in its interior.
+[[nodiscard]] ExactShape right_sector(const FourSectors& sectors, double time,
+                                      const Rectangle& box);
+
+/// The area at a time of a grain with so many sides, which meets others at 120 degrees and does not
+/// touch the border of the domain: it changes at the rate (sides - 6) pi / 3 (see
+/// measures/grains.h), until a side is lost. 0 once it is gone. Throws InputError for an area or
+/// time that is negative or not finite.
+[[nodiscard]] double grain_area(double first_area, std::uint32_t sides, double time);
+
+} // namespace dsc::scenes

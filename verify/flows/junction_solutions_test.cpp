@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+// Exact solutions with junctions, each against a computation that knows nothing of its formulas.
+#include "flows/junction_solutions.h"
+
+#include "dsc/base/error.h"
+#include "measures/symmetric_difference.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+using namespace dsc;
+using namespace dsc::scenes;
+using std::numbers::pi;
+
+double degrees(double angle) { return angle * pi / 180; }
+
+// --- the lens -----------------------------------------------------------------------------------
+
+// The length of a lens of two arcs, whose tangents at the tips make this angle with the interface,
+// less that of the interface which it replaces.
+double length_of_lens(double area, double angle) {
+    const double radius = std::sqrt(area / (2 * angle - std::sin(2 * angle)));
+    return 4 * radius * angle - 2 * radius * std::sin(angle);
+}
+
+TEST(Lens, IsTheShortestOneOfItsArea) {
+    constexpr double area = 0.05;
+    const Lens lens{.centre = {0.3, -2}, .axis = {3, 4}, .area = area};
+    const ExactShape shape = lens_shape(lens);
+    const auto tips = lens_tips(lens);
+    const double length = perimeter(shape.outlines) - (tips[1] - tips[0]).norm();
+    EXPECT_NEAR(length, length_of_lens(area, pi / 3), 1e-8);
+    for (const double away : {-0.01, 0.01}) {
+        EXPECT_LT(length, length_of_lens(area, pi / 3 + away) - 1e-6);
+    }
+    EXPECT_DOUBLE_EQ(shape.area, area);
+    EXPECT_NEAR(signed_area(shape.outlines), area, shape.own_error + 1e-15);
+    EXPECT_LT(shape.own_error, 1e-8);
+    EXPECT_TRUE(is_simple(shape.outlines));
+}
+
+TEST(Lens, MeetsTheInterfaceAt120Degrees) {
+    const Lens lens{.centre = {0.3, -2}, .axis = {3, 4}, .area = 0.05};
+    const Outline outline = lens_shape(lens).outlines.front();
+    const Point<double> along = lens.axis.normalized();
+    for (const Point<double>& tip : lens_tips(lens)) {
+        EXPECT_NEAR((tip - lens.centre).dot(Point<double>(-along.y(), along.x())), 0, 1e-15);
+        const auto at = std::ranges::min_element(
+            outline, {}, [&](const Point<double>& p) { return (p - tip).norm(); });
+        EXPECT_NEAR((*at - tip).norm(), 0, 1e-15);
+        const auto i = static_cast<std::size_t>(at - outline.begin());
+        const std::size_t n = outline.size();
+        const Point<double> a = (outline[(i + 1) % n] - tip).normalized();
+        const Point<double> b = (outline[(i + n - 1) % n] - tip).normalized();
+        EXPECT_NEAR(a.dot(b), std::cos(degrees(120)), 1e-3);
+        EXPECT_NEAR(a.dot((tip - lens.centre).normalized()), std::cos(degrees(120)), 1e-3);
+    }
+    EXPECT_NEAR((lens_tips(lens)[0] - lens.centre).dot(along),
+                -lens_radius(0.05) * std::sin(pi / 3), 1e-15);
+}
+
+TEST(Lens, RefusesWhatIsNone) {
+    EXPECT_THROW((void)lens_shape({.area = 0}), InputError);
+    EXPECT_THROW((void)lens_tips({.area = NAN}), InputError);
+    EXPECT_THROW((void)lens_shape({.axis = {0, 0}}), InputError);
+}
+
+// --- four sectors -------------------------------------------------------------------------------
+
+// Along the curve by its length, in long double: it moves at the speed of its curvature and stays
+// similar to itself, so that its curvature is half of (place . normal). Its last direction.
+double last_direction(long double factor) {
+    using State = std::array<long double, 3>; // x, y, direction
+    const auto rate = [](const State& s) -> State {
+        const long double c = std::cos(s[2]);
+        const long double d = std::sin(s[2]);
+        return {c, d, (-s[0] * d + s[1] * c) / 2};
+    };
+    State s{factor / 2, 0, std::numbers::pi_v<long double> / 3};
+    constexpr int count = 40000;
+    constexpr long double length = 20.0L / count;
+    for (int i = 0; i < count; ++i) {
+        // Heun's third-order method.
+        const State a = rate(s);
+        State at = s;
+        for (std::size_t k = 0; k < 3; ++k) {
+            at[k] = s[k] + length / 3 * a[k];
+        }
+        const State b = rate(at);
+        for (std::size_t k = 0; k < 3; ++k) {
+            at[k] = s[k] + 2 * length / 3 * b[k];
+        }
+        const State c = rate(at);
+        for (std::size_t k = 0; k < 3; ++k) {
+            s[k] += length / 4 * (a[k] + 3 * c[k]);
+        }
+    }
+    return static_cast<double>(s[2]);
+}
+
+TEST(FourSectors, OpenAtTheKnownRates) {
+    EXPECT_NEAR(opening_factor(degrees(45)), 0.77081, 5e-6);
+    EXPECT_NEAR(opening_factor(degrees(40)), 1.08572, 5e-6);
+    EXPECT_NEAR(opening_factor(degrees(30)), 1.87560, 5e-6);
+    double before = INFINITY;
+    for (const double theta : {1.0, 10.0, 20.0, 30.0, 50.0, 59.0, 59.999}) {
+        const double factor = opening_factor(degrees(theta));
+        EXPECT_LT(factor, before);
+        before = factor;
+        EXPECT_NEAR(last_direction(factor), degrees(theta), 1e-10) << theta;
+    }
+    EXPECT_LT(before, 1e-4) << "nothing drives it at 60 degrees";
+}
+
+const Rectangle box{{0.2, 0.1}, {1.1, 0.8}};
+
+// The normal of its convex curves turns by pi / 3 - theta each: the area swept in a time.
+TEST(FourSectors, TheRightOneLosesAreaAtTheRateOfItsTurn) {
+    for (const double theta : {20.0, 45.0, 55.0}) {
+        const FourSectors sectors{.theta = degrees(theta)};
+        const ExactShape first = right_sector(sectors, 0, box);
+        EXPECT_NEAR(signed_area(first.outlines), first.area, 1e-15);
+        for (const double time : {1e-6, 1e-4, 3e-4}) {
+            const ExactShape shape = right_sector(sectors, time, box);
+            EXPECT_NEAR(first.area - shape.area, 2 * (pi / 3 - degrees(theta)) * time, 1e-12)
+                << theta << ", " << time;
+            EXPECT_NEAR(signed_area(shape.outlines), shape.area, shape.own_error);
+            EXPECT_LT(shape.own_error, 1e-9);
+            EXPECT_TRUE(is_simple(shape.outlines));
+            EXPECT_NEAR(shape.outlines.front().front().x(),
+                        0.5 + opening_factor(degrees(theta)) / 2 * std::sqrt(time), 1e-15);
+        }
+    }
+}
+
+// Each vertex against its neighbours: where the curve is at the time t + dt, it has moved by its
+// curvature, that of the circle through three vertices.
+TEST(FourSectors, MoveByTheirCurvature) {
+    const FourSectors sectors{.theta = degrees(35)};
+    constexpr double time = 0.01; // the curves are bent where they leave the box
+    constexpr double dt = 1e-7;
+    const Outline now = right_sector(sectors, time, box).outlines.front();
+    const Outline then = right_sector(sectors, time + dt, box).outlines.front();
+    const auto height = [&](const Outline& outline, double x) { // of the lower curve
+        const auto after = std::ranges::lower_bound(outline.begin(), outline.begin() + 4000, x, {},
+                                                    [](const auto& p) { return p.x(); });
+        // Through four vertices: of chords, the error would be as large as the motion.
+        double sum = 0;
+        for (auto i = after - 2; i < after + 2; ++i) {
+            double share = i->y();
+            for (auto k = after - 2; k < after + 2; ++k) {
+                share *= k == i ? 1 : (x - k->x()) / (i->x() - k->x());
+            }
+            sum += share;
+        }
+        return sum;
+    };
+    for (std::size_t i = 300; i < 3000; i += 300) {
+        const Point<double> a = now[i] - now[i - 50];
+        const Point<double> b = now[i + 50] - now[i];
+        const Point<double> c = now[i + 50] - now[i - 50];
+        const double curvature =
+            2 * (a.x() * b.y() - a.y() * b.x()) / (a.norm() * b.norm() * c.norm());
+        const double moved = (height(then, now[i].x()) - now[i].y()) * c.x() / c.norm();
+        EXPECT_NEAR(moved / dt / curvature, 1, 2e-3) << i;
+    }
+}
+
+TEST(FourSectors, StaySimilarToThemselves) {
+    const FourSectors sectors{.centre = {0, 0}, .theta = degrees(40)};
+    const ExactShape small = right_sector(sectors, 0.01, {{-0.1, -0.3}, {0.4, 0.2}});
+    const ExactShape large = right_sector(sectors, 0.04, {{-0.2, -0.6}, {0.8, 0.4}});
+    EXPECT_NEAR(large.area, 4 * small.area, 1e-10);
+    Outline scaled = small.outlines.front();
+    for (Point<double>& p : scaled) {
+        p *= 2;
+    }
+    EXPECT_LT(symmetric_difference(scaled, large.outlines.front()), 1e-10);
+}
+
+// Whether the curves leave the box at its side, or above and below, or beyond where they are
+// followed step by step.
+TEST(FourSectors, AreCutByAnyBox) {
+    const FourSectors sectors{.centre = {0, 0}, .theta = degrees(40)};
+    constexpr double time = 0.01;
+    const Rectangle large{{-1, -3}, {3, 3}};
+    const ExactShape all = right_sector(sectors, time, large);
+    for (const Rectangle& part :
+         {Rectangle{{-1, -0.05}, {0.3, 0.1}}, Rectangle{{-1, -0.3}, {0.2, 0.1}},
+          Rectangle{{-1, -2}, {1.5, 0.01}}}) {
+        const ExactShape shape = right_sector(sectors, time, part);
+        // What of the large one lies in the box, by columns.
+        constexpr int columns = 20000;
+        const Outline& outline = all.outlines.front();
+        const auto lower_end =
+            std::ranges::max_element(outline, {}, [](const auto& p) { return p.x(); });
+        double sum = 0;
+        const double begin = outline.front().x();
+        for (int i = 0; i < columns; ++i) {
+            const double x = begin + (part.high.x() - begin) * (i + 0.5) / columns;
+            const auto after = std::ranges::lower_bound(outline.begin(), lower_end, x, {},
+                                                        [](const auto& p) { return p.x(); });
+            const auto before = after - 1;
+            const double y = -(before->y() + (x - before->x()) / (after->x() - before->x()) *
+                                                 (after->y() - before->y()));
+            sum += (std::min(y, part.high.y()) + std::min(y, -part.low.y())) *
+                   (part.high.x() - begin) / columns;
+        }
+        EXPECT_NEAR(shape.area, sum, 1e-6);
+        EXPECT_LT(shape.own_error, 1e-8);
+        EXPECT_NEAR(signed_area(shape.outlines), shape.area, shape.own_error);
+        EXPECT_TRUE(is_simple(shape.outlines));
+    }
+}
+
+TEST(FourSectors, RefuseWhatIsNone) {
+    for (const double theta : {0.0, pi / 3, -0.1, double{NAN}}) {
+        EXPECT_THROW((void)opening_factor(theta), InputError);
+    }
+    EXPECT_THROW((void)right_sector({}, -1, box), InputError);
+    EXPECT_THROW((void)right_sector({}, INFINITY, box), InputError);
+    EXPECT_THROW((void)right_sector({}, 9, box), InputError) << "the junction has left the box";
+    EXPECT_THROW((void)right_sector({.centre = {0.5, 0.9}}, 0, box), InputError);
+}
+
+// --- grains -------------------------------------------------------------------------------------
+
+// A grain with n sides: equal arcs that meet at 120 degrees, n below 6. Each moves inwards by its
+// curvature, and the spokes on which they meet go on straight. Its area by Simpson's rule, in one
+// of 2 n equal parts, from the spoke to the middle of a side.
+double area_of_arcs(int n, double radius_of_arc, double inwards) {
+    const double half = pi / n;
+    const double turn = pi / n - pi / 6; // of half an arc
+    // The corner lies on the spoke: the arc's centre is on the middle's ray, on the other side of
+    // the centre of the grain or short of it.
+    const double to_corner = radius_of_arc * std::sin(turn) / std::sin(half);
+    const double centre = to_corner * std::cos(half) - radius_of_arc * std::cos(turn);
+    const double radius = radius_of_arc - inwards;
+    constexpr int parts = 400;
+    double sum = 0;
+    for (int i = 0; i <= parts; ++i) {
+        const double angle = half * i / parts; // from the middle's ray
+        const double across = centre * std::sin(angle);
+        const double along =
+            centre * std::cos(angle) + std::sqrt(radius * radius - across * across);
+        sum += (i == 0 || i == parts ? 1 : (i % 2 == 1 ? 4 : 2)) * along * along / 2;
+    }
+    return 2 * n * sum * half / (3 * parts);
+}
+
+TEST(GrainArea, ChangesByTheNumberOfSides) {
+    for (const int n : {2, 3, 4, 5}) {
+        constexpr double radius = 0.3;
+        constexpr double time = 1e-7;
+        const double first = area_of_arcs(n, radius, 0);
+        const double by_motion = (area_of_arcs(n, radius, time / radius) - first) / time;
+        const double by_law =
+            (grain_area(first, static_cast<std::uint32_t>(n), time) - first) / time;
+        EXPECT_NEAR(by_motion / by_law, 1, 1e-5) << n;
+    }
+    EXPECT_DOUBLE_EQ(grain_area(0.1, 6, 3), 0.1);
+    EXPECT_NEAR(grain_area(0.1, 8, 0.3), 0.1 + 0.2 * pi, 1e-15);
+    EXPECT_EQ(grain_area(0.1, 3, 1), 0);
+    EXPECT_THROW((void)grain_area(-1, 3, 1), InputError);
+    EXPECT_THROW((void)grain_area(1, 3, NAN), InputError);
+}
+
+} // namespace
