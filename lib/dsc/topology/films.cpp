@@ -29,15 +29,14 @@ public:
             complex_.vertices[suspects[i].vertex].slot = static_cast<std::uint32_t>(i);
         }
         const auto opens = [&](Triangle t) { return find_bridge(work_, suspects, t, bridge); };
-        for (const auto& [t, film] : thin_triangles(suspects, opens)) {
-            // Those before it may have closed it: then it is no film of the phase beyond.
-            if (complex_.phase(t) == film && is_thin(work_, t) && opens(t)) {
+        for (const Triangle t : thin_triangles(suspects, opens)) {
+            if (is_thin(work_, t) && opens(t)) { // those before it may have closed it
                 open(bridge);
             }
         }
         // Seams of earlier events, whose sheets have come closer since.
         const auto goes_on = [&](Triangle t) { return is_end_of_seam(t); };
-        for (const auto& [t, film] : thin_triangles(suspects, goes_on)) {
+        for (const Triangle t : thin_triangles(suspects, goes_on)) {
             if (is_thin(work_, t) && is_end_of_seam(t)) {
                 follow_seam(t);
             }
@@ -47,13 +46,8 @@ public:
 private:
     // --- candidates ---------------------------------------------------------------------------
     // In the order of their places, which is the same for every way to divide the mesh.
-    struct Candidate {
-        Triangle triangle;
-        Phase film;
-    };
     template <class Test>
-    std::vector<Candidate> thin_triangles(std::span<const Suspect<Real>> suspects,
-                                          Test test) const {
+    std::vector<Triangle> thin_triangles(std::span<const Suspect<Real>> suspects, Test test) const {
         std::vector<std::tuple<Real, Real, std::uint32_t>> found;
         for (const auto& suspect : suspects) {
             if (!suspect.is_thin || !complex_.is_alive(Vertex{suspect.vertex})) {
@@ -69,10 +63,9 @@ private:
         }
         std::ranges::sort(found);
         found.erase(std::unique(found.begin(), found.end()), found.end());
-        std::vector<Candidate> list;
+        std::vector<Triangle> list;
         for (const auto& one : found) {
-            const Triangle t{std::get<2>(one)};
-            list.push_back({t, complex_.phase(t)});
+            list.push_back(Triangle{std::get<2>(one)});
         }
         return list;
     }
