@@ -114,11 +114,14 @@ void Simulation<Real>::change_topology(Real time, StepReport& report) {
     const std::size_t before = report.events.size();
     dsc::change_topology<Real>(complex_, options_.topology, options_.edge_length, suspects_,
                                static_cast<double>(time), report.events);
-    if (report.events.size() == before) {
+    if (absorbed_ == complex_.journal.records.size()) {
         return;
     }
     tell_what_was_done(); // what the sub-step did comes first
     absorb(By::topology);
+    if (report.events.size() == before) {
+        return;
+    }
     for (const EventListener& listener : event_listeners_) {
         listener(std::span<const Event>(report.events).subspan(before));
     }

@@ -75,7 +75,8 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
     }
     if (fan.interface_edges > 0 &&
         ((fan.interface_edges != 2 && junctions == JunctionRule::kept) ||
-         !is_interface_pair(complex.phase_at(corner), complex.phase_at(other)))) {
+         (!is_interface_pair(complex.phase_at(corner), complex.phase_at(other)) &&
+          !(junctions == JunctionRule::may_merge && is_border(other))))) {
         return Verdict::on_interface;
     }
     if (complex.is_locked(Vertex{v})) {

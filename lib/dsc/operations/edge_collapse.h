@@ -9,7 +9,8 @@
 
 namespace dsc {
 
-/// Whether a junction may be merged into another one along the interface edge between them.
+/// Whether a junction may be merged into another one along the interface edge between them, or the
+/// end of a curve into another vertex along the domain boundary.
 enum class JunctionRule : std::uint8_t { kept, may_merge };
 
 /// Whether the vanishing end v of the edge opposite to `corner` may be merged into the other end.

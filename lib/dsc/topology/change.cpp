@@ -11,10 +11,15 @@ template <class Real>
 void change_topology(Complex<Real>& complex, const TopologyOptions<Real>& options, Real edge_length,
                      std::span<const Suspect<Real>> suspects, double time,
                      std::vector<Event>& events) {
-    TopologyWork<Real> work{complex, options, edge_length, time, events};
+    TopologyWork<Real> work{.complex = complex,
+                            .options = options,
+                            .edge_length = edge_length,
+                            .time = time,
+                            .events = events};
     open_films(work, suspects);
     change_junctions(work, suspects);
     remove_remnants(work, suspects);
+    take_touched_apart(work);
 }
 
 template void change_topology(Complex<double>&, const TopologyOptions<double>&, double,

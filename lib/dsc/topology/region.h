@@ -23,6 +23,8 @@ struct TopologyWork {
     Real edge_length;
     double time; ///< of the events
     std::vector<Event>& events;
+    /// Vertices of the triangles that have changed hands: some may have too many sectors now.
+    std::vector<Vertex> touched = {};
 };
 
 /// The half-edge has another phase, or the outside of the domain, on its right. O(1).
@@ -117,6 +119,7 @@ void give(TopologyWork<Real>& work, Triangle t, Phase phase) {
     rewire::relabel(complex, complex.journal, t, phase);
     for (const Vertex v : complex.vertices_of(t)) {
         complex.vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_corner);
+        work.touched.push_back(v);
     }
 }
 

@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: MIT
+// Junctions at the sides of the domain: ends of curves that meet on the wall, junctions that reach
+// it, corners; and a network of grains that coarsens to a tenth without a vertex that is stuck.
+#include "dsc/topology/change.h"
+
+#include "support/random_scene.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/complex/circulate.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/initial/initial_complex.h"
+#include "dsc/motion/curvature_flow.h"
+#include "dsc/parallel/parallel.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using P = Point<double>;
+using PhaseAt = std::function<Phase(const P&)>;
+
+P middle_of(const Complex<double>& complex, Triangle t) {
+    const auto [a, b, c] = complex.vertices_of(t);
+    return (complex.position(a) + complex.position(b) + complex.position(c)) / 3;
+}
+
+// Cells between rows of places, each cut along both diagonals; cells without a phase are left out.
+constexpr Phase nothing = 99;
+Complex<double> cells_of(const std::vector<std::vector<P>>& rows, const PhaseAt& phase_at) {
+    std::vector<P> points;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<Phase> phases;
+    const auto width = static_cast<std::uint32_t>(rows[0].size());
+    for (const auto& row : rows) {
+        points.insert(points.end(), row.begin(), row.end());
+    }
+    for (std::uint32_t y = 0; y + 1 < rows.size(); ++y) {
+        for (std::uint32_t x = 0; x + 1 < width; ++x) {
+            const std::uint32_t low = y * width + x;
+            const std::array<std::uint32_t, 4> around{low, low + 1, low + width + 1, low + width};
+            P centre(0, 0);
+            for (const std::uint32_t k : around) {
+                centre += points[k] / 4;
+            }
+            if (phase_at(centre) == nothing) {
+                continue;
+            }
+            const auto middle = static_cast<std::uint32_t>(points.size());
+            points.push_back(centre);
+            for (std::size_t k = 0; k < 4; ++k) {
+                const std::uint32_t next = around[(k + 1) % 4];
+                triangles.push_back({around[k], next, middle});
+                phases.push_back(phase_at((points[around[k]] + points[next] + centre) / 3));
+            }
+        }
+    }
+    return make_complex<double>(points, triangles, phases);
+}
+
+// Columns at these x, and rows at these y.
+Complex<double> grid(const std::vector<double>& xs, const std::vector<double>& ys,
+                     const PhaseAt& phase_at) {
+    std::vector<std::vector<P>> rows;
+    for (const double y : ys) {
+        auto& row = rows.emplace_back();
+        for (const double x : xs) {
+            row.emplace_back(x, y);
+        }
+    }
+    return cells_of(rows, phase_at);
+}
+
+// Phase 2 stands on the wall, 0.1 wide, between 1 and 3; its sides move apart by `slope` upwards.
+Complex<double> narrow_foot(double slope) {
+    std::vector<std::vector<P>> rows;
+    for (int y = 0; y <= 4; ++y) {
+        auto& row = rows.emplace_back();
+        for (const int x : {-3, -2, -1, 1, 2, 3}) {
+            const double half = 0.05 + slope * y;
+            row.emplace_back(x > 0 ? half + x - 1 : -half + x + 1, y);
+        }
+    }
+    return cells_of(rows, [&](const P& p) {
+        const double half = 0.05 + slope * p.y();
+        return p.x() < -half ? 1U : (p.x() > half ? 3U : 2U);
+    });
+}
+
+// Phase 2 is a wedge with its point at (0, height) and sides that rise by `slope`.
+Complex<double> wedge(double height, double slope) {
+    std::vector<double> ys{0};
+    for (int y = height > 0 ? 0 : 1; y <= 3; ++y) {
+        ys.push_back(height + slope * y);
+    }
+    return grid({-4, -3, -2, -1, 0, 1, 2, 3, 4}, ys, [&](const P& p) {
+        return p.y() - height > slope * std::abs(p.x()) ? 2U : (p.x() < 0 ? 1U : 3U);
+    });
+}
+
+TopologyOptions<double> changing() {
+    TopologyOptions<double> options;
+    options.rule = Topology::change;
+    return options;
+}
+
+// With everything suspected, and nothing moving.
+std::vector<Event> change(Complex<double>& complex,
+                          const TopologyOptions<double>& options = changing()) {
+    std::vector<Suspect<double>> suspects;
+    for (const Vertex v : vertices(complex)) {
+        const P p = complex.position(v);
+        suspects.push_back({v.id, p.x(), p.y(), true, true});
+    }
+    std::vector<Event> events;
+    change_topology<double>(complex, options, 1.0, suspects, 0.0, events);
+    EXPECT_EQ(validate(complex).problem, "");
+    return events;
+}
+
+struct Meeting {
+    std::vector<Phase> phases; ///< counter-clockwise; on the wall from side to side
+    bool is_on_wall = false;
+};
+
+Meeting meeting_at(const Complex<double>& complex, Vertex v) {
+    Meeting meeting;
+    for_each_corner(complex, v, [&](Corner c) {
+        meeting.is_on_wall = meeting.is_on_wall || is_border(complex.twin(prev(c)));
+        if (meeting.phases.empty() || meeting.phases.back() != complex.phase_at(c)) {
+            meeting.phases.push_back(complex.phase_at(c));
+        }
+    });
+    if (!meeting.is_on_wall && meeting.phases.size() > 1 &&
+        meeting.phases.front() == meeting.phases.back()) {
+        meeting.phases.pop_back();
+    }
+    return meeting;
+}
+
+// The places where a curve ends on the wall, and those where three meet inside; no vertex may have
+// more.
+struct Ends {
+    std::vector<P> on_wall;
+    std::vector<P> inside;
+    std::size_t crowded = 0;
+};
+
+Ends ends_of(const Complex<double>& complex) {
+    Ends ends;
+    for (const Vertex v : vertices(complex)) {
+        const Meeting meeting = meeting_at(complex, v);
+        const std::size_t stable = meeting.is_on_wall ? 2 : 3;
+        ends.crowded += meeting.phases.size() > stable ? 1U : 0U;
+        if (meeting.phases.size() == stable) {
+            (meeting.is_on_wall ? ends.on_wall : ends.inside).push_back(complex.position(v));
+        }
+    }
+    return ends;
+}
+
+std::vector<P> on_floor(const std::vector<P>& places) {
+    std::vector<P> found;
+    for (const P& p : places) {
+        if (p.y() == 0) {
+            found.push_back(p);
+        }
+    }
+    return found;
+}
+
+Phase phase_at_corner(const Complex<double>& complex, const P& place) {
+    for (const Vertex v : vertices(complex)) {
+        if (complex.position(v) == place) {
+            const Meeting meeting = meeting_at(complex, v);
+            return meeting.phases.size() == 1 ? meeting.phases[0] : nothing;
+        }
+    }
+    return nothing;
+}
+
+// --- ends that meet on the wall -----------------------------------------------------------------
+
+TEST(WallJunctions, APhaseLeavesTheWallWhereItsFootIsShort) {
+    auto complex = narrow_foot(0.3);
+    ASSERT_EQ(on_floor(ends_of(complex).on_wall).size(), 2U);
+    const auto events = change(complex);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].kind, EventKind::exchange);
+    EXPECT_EQ(events[0].lost, 2U);
+    EXPECT_EQ((std::set<Phase>{events[0].taken[0], events[0].taken[1]}), (std::set<Phase>{1, 3}));
+    EXPECT_GT(events[0].area, 0);
+    const Ends ends = ends_of(complex);
+    EXPECT_EQ(on_floor(ends.on_wall).size(), 1U);
+    ASSERT_EQ(ends.inside.size(), 1U);
+    EXPECT_GT(ends.inside[0].y(), 0.05);
+    EXPECT_EQ(ends.crowded, 0U);
+}
+
+TEST(WallJunctions, APhaseStaysAtTheWallWhereThatCostsLess) {
+    auto complex = narrow_foot(1.0); // its sides pull its foot open
+    EXPECT_TRUE(change(complex).empty());
+    auto dear = narrow_foot(0.3);
+    TopologyOptions<double> options = changing();
+    options.energy = [](Phase one, Phase other) { return one + other == 4 ? 5.0 : 1.0; };
+    EXPECT_TRUE(change(dear, options).empty());
+    EXPECT_EQ(on_floor(ends_of(dear).on_wall).size(), 2U);
+}
+
+TEST(WallJunctions, NothingChangesWhereThePairHasToStay) {
+    auto foot = narrow_foot(0.3);
+    TopologyOptions<double> options = changing();
+    options.pairs = {{.one = 2, .other = 3, .rule = Topology::keep}};
+    EXPECT_TRUE(change(foot, options).empty());
+    auto point = wedge(0.1, 1);
+    EXPECT_TRUE(change(point, options).empty());
+}
+
+// --- junctions that reach the wall --------------------------------------------------------------
+
+TEST(WallJunctions, TheCurveToTheWallVanishesWhereItIsShort) {
+    auto complex = wedge(0.1, 1);
+    ASSERT_EQ(on_floor(ends_of(complex).on_wall).size(), 1U);
+    const auto events = change(complex);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].kind, EventKind::exchange);
+    EXPECT_EQ(events[0].taken, (std::array<Phase, 2>{2, 2}));
+    EXPECT_GT(events[0].area, 0);
+    const Ends ends = ends_of(complex);
+    EXPECT_EQ(on_floor(ends.on_wall).size(), 2U);
+    EXPECT_TRUE(ends.inside.empty());
+    EXPECT_EQ(ends.crowded, 0U);
+}
+
+TEST(WallJunctions, TheCurveToTheWallStaysWhereTheJunctionPullsAway) {
+    auto complex = wedge(0.1, 5);
+    EXPECT_TRUE(change(complex).empty());
+    EXPECT_EQ(ends_of(complex).inside.size(), 1U);
+}
+
+// --- several curves that end at one place -------------------------------------------------------
+
+TEST(WallJunctions, TwoCurvesAtOnePlaceComeApartAsTheEnergyWants) {
+    auto narrow = wedge(0, 5);
+    ASSERT_EQ(ends_of(narrow).crowded, 1U);
+    auto events = change(narrow);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].lost, 2U);
+    EXPECT_EQ(on_floor(ends_of(narrow).on_wall).size(), 1U);
+    EXPECT_EQ(ends_of(narrow).inside.size(), 1U);
+
+    auto wide = wedge(0, 0.5);
+    events = change(wide);
+    ASSERT_EQ(events.size(), 1U);
+    // Either side would gain the same: the smaller phase gives way.
+    EXPECT_EQ(events[0].lost, 1U);
+    EXPECT_EQ(events[0].taken, (std::array<Phase, 2>{2, 2}));
+    EXPECT_EQ(on_floor(ends_of(wide).on_wall).size(), 2U);
+    EXPECT_TRUE(ends_of(wide).inside.empty());
+}
+
+TEST(WallJunctions, FourSectorsAtOnePlaceComeApart) {
+    auto complex = grid({-3, -2, -1, 0, 1, 2, 3}, {0, 1, 2, 3}, [](const P& p) {
+        return p.y() < std::abs(p.x()) ? (p.x() > 0 ? 1U : 4U) : (p.x() > 0 ? 2U : 3U);
+    });
+    ASSERT_EQ(ends_of(complex).crowded, 1U);
+    const auto events = change(complex);
+    EXPECT_GE(events.size(), 2U);
+    EXPECT_EQ(ends_of(complex).crowded, 0U);
+}
+
+// --- corners of the domain ----------------------------------------------------------------------
+
+TEST(WallJunctions, AnEndThatReachesACornerGoesOnAlongTheOtherWall) {
+    std::vector<double> ys;
+    for (int y = 0; y <= 14; ++y) {
+        ys.push_back(y);
+    }
+    auto complex = grid({0, 0.1, 1.1, 2.1}, ys, [](const P& p) { return p.x() < 0.1 ? 1U : 2U; });
+    const auto events = change(complex);
+    ASSERT_EQ(events.size(), 2U); // at both ends
+    for (const Event& event : events) {
+        EXPECT_EQ(event.kind, EventKind::exchange);
+        EXPECT_EQ(event.lost, 1U);
+        EXPECT_EQ(event.taken, (std::array<Phase, 2>{2, 2}));
+    }
+    EXPECT_EQ(phase_at_corner(complex, P(0, 0)), 2U);
+    EXPECT_EQ(phase_at_corner(complex, P(0, 14)), 2U);
+    const Ends ends = ends_of(complex);
+    ASSERT_EQ(ends.on_wall.size(), 2U);
+    for (const P& end : ends.on_wall) {
+        EXPECT_EQ(end.x(), 0);
+        EXPECT_LT(std::min(end.y(), 14 - end.y()), 0.3);
+        EXPECT_GT(std::min(end.y(), 14 - end.y()), 0.1);
+    }
+}
+
+// A curve from the corner (0, 0) that rises by `slope`.
+Complex<double> from_corner(double slope) {
+    return grid({0, 1, 2, 3, 4}, {0, slope, 2 * slope, 3 * slope, 4 * slope, 5 * slope},
+                [&](const P& p) { return p.y() > slope * p.x() ? 1U : 2U; });
+}
+
+TEST(WallJunctions, ACurveInACornerStaysUntilItLiesAlongAWall) {
+    for (const double slope : {1.0, 2.0, 0.4}) {
+        auto complex = from_corner(slope);
+        EXPECT_TRUE(change(complex).empty()) << slope;
+    }
+    auto steep = from_corner(5);
+    auto events = change(steep);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].lost, 1U);
+    EXPECT_EQ(phase_at_corner(steep, P(0, 0)), 2U);
+    auto flat = from_corner(0.2);
+    events = change(flat);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].lost, 2U);
+    EXPECT_EQ(phase_at_corner(flat, P(0, 0)), 1U);
+}
+
+TEST(WallJunctions, AnEndThatReachesAReentrantCornerStaysThere) {
+    auto complex =
+        grid({-3, -2, -1, -0.1, 0, 1, 2, 3, 4}, {-3, -2, -1, 0, 1, 2, 3}, [](const P& p) {
+            return p.x() < 0 && p.y() < 0 ? nothing : (p.x() < -0.1 ? 1U : 2U);
+        });
+    // The curve stands upright on the wall that ends in the corner.
+    EXPECT_TRUE(change(complex).empty());
+    EXPECT_EQ(phase_at_corner(complex, P(0, 0)), nothing);
+}
+
+// --- grains -------------------------------------------------------------------------------------
+
+Complex<double> grains(int count, double h, std::uint64_t seed) {
+    test::Dice dice(seed);
+    std::vector<P> sites;
+    for (int i = 0; i < count; ++i) {
+        const double x = dice.in(0.0, 1.0);
+        sites.emplace_back(x, dice.in(0.0, 1.0));
+    }
+    auto complex = initial_complex<double>({}, {}, {.edge_length = h});
+    for (const Triangle t : triangles(complex)) {
+        const P p = middle_of(complex, t);
+        Phase nearest = 0;
+        for (Phase i = 1; i < sites.size(); ++i) {
+            nearest = (p - sites[i]).norm() < (p - sites[nearest]).norm() ? i : nearest;
+        }
+        complex.set_phase(t, nearest + 1);
+    }
+    return complex;
+}
+
+std::size_t count_phases(const Complex<double>& complex) {
+    std::set<Phase> phases;
+    for (const Triangle t : triangles(complex)) {
+        phases.insert(complex.phase(t));
+    }
+    return phases.size();
+}
+
+// The number of steps after which `least` phases are left, or `most`.
+int coarsen(Complex<double>& complex, double h, std::uint32_t threads, std::size_t least,
+            int most) {
+    Options<double> options;
+    options.edge_length = h;
+    options.topology.rule = Topology::change;
+    options.interface.corner_degrees = 180; // curvature flow knows no corners
+    Simulation<double> simulation(complex, options,
+                                  Parallel{.threads = threads, .always_all_threads = true});
+    const InterfaceMotion<double> motion = curvature_flow<double>();
+    const double dt = 0.4 * h * h;
+    int step = 0;
+    for (; count_phases(complex) > least && step < most; ++step) {
+        const StepReport report = simulation.step(motion, step * dt, dt);
+        EXPECT_EQ(report.unreached, 0U) << step;
+        EXPECT_EQ(ends_of(complex).crowded, 0U) << step;
+        EXPECT_EQ(validate(complex).problem, "") << step;
+    }
+    return step;
+}
+
+TEST(WallJunctions, GrainsCoarsenToATenthAndNothingIsStuck) {
+    constexpr double h = 0.018;
+    auto complex = grains(30, h, 3);
+    EXPECT_LT(coarsen(complex, h, 1, 3, 5000), 5000);
+}
+
+TEST(WallJunctions, GrainsCoarsenInTheSameWayForAnyNumberOfThreads) {
+    constexpr double h = 0.018;
+    std::uint64_t hash = 0;
+    for (const std::uint32_t threads : {1U, 2U, 3U}) {
+        auto complex = grains(30, h, 3);
+        EXPECT_EQ(coarsen(complex, h, threads, 3, 200), 200);
+        EXPECT_LT(count_phases(complex), 28U);
+        hash = hash == 0 ? mesh_hash(complex) : hash;
+        EXPECT_EQ(mesh_hash(complex), hash) << threads;
+    }
+}
+
+} // namespace
+} // namespace dsc
