@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Junctions at the sides of the domain: ends of curves that meet on the wall, junctions that reach
-// it, corners; and a network of grains that coarsens to a tenth without a vertex that is stuck.
+// it, and corners.
 #include "dsc/topology/change.h"
 
-#include "support/random_scene.h"
+#include "support/meetings.h"
 
-#include "dsc/algorithm/simulation.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/initial/initial_complex.h"
-#include "dsc/motion/curvature_flow.h"
-#include "dsc/parallel/parallel.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
@@ -24,13 +19,12 @@
 namespace dsc {
 namespace {
 
+using test::Ends;
+using test::ends_of;
+using test::Meeting;
+using test::meeting_at;
 using P = Point<double>;
 using PhaseAt = std::function<Phase(const P&)>;
-
-P middle_of(const Complex<double>& complex, Triangle t) {
-    const auto [a, b, c] = complex.vertices_of(t);
-    return (complex.position(a) + complex.position(b) + complex.position(c)) / 3;
-}
 
 // Cells between rows of places, each cut along both diagonals; cells without a phase are left out.
 constexpr Phase nothing = 99;
@@ -123,47 +117,6 @@ std::vector<Event> change(Complex<double>& complex,
     change_topology<double>(complex, options, 1.0, suspects, 0.0, events);
     EXPECT_EQ(validate(complex).problem, "");
     return events;
-}
-
-struct Meeting {
-    std::vector<Phase> phases; ///< counter-clockwise; on the wall from side to side
-    bool is_on_wall = false;
-};
-
-Meeting meeting_at(const Complex<double>& complex, Vertex v) {
-    Meeting meeting;
-    for_each_corner(complex, v, [&](Corner c) {
-        meeting.is_on_wall = meeting.is_on_wall || is_border(complex.twin(prev(c)));
-        if (meeting.phases.empty() || meeting.phases.back() != complex.phase_at(c)) {
-            meeting.phases.push_back(complex.phase_at(c));
-        }
-    });
-    if (!meeting.is_on_wall && meeting.phases.size() > 1 &&
-        meeting.phases.front() == meeting.phases.back()) {
-        meeting.phases.pop_back();
-    }
-    return meeting;
-}
-
-// The places where a curve ends on the wall, and those where three meet inside; no vertex may have
-// more.
-struct Ends {
-    std::vector<P> on_wall;
-    std::vector<P> inside;
-    std::size_t crowded = 0;
-};
-
-Ends ends_of(const Complex<double>& complex) {
-    Ends ends;
-    for (const Vertex v : vertices(complex)) {
-        const Meeting meeting = meeting_at(complex, v);
-        const std::size_t stable = meeting.is_on_wall ? 2 : 3;
-        ends.crowded += meeting.phases.size() > stable ? 1U : 0U;
-        if (meeting.phases.size() == stable) {
-            (meeting.is_on_wall ? ends.on_wall : ends.inside).push_back(complex.position(v));
-        }
-    }
-    return ends;
 }
 
 std::vector<P> on_floor(const std::vector<P>& places) {
@@ -333,74 +286,6 @@ TEST(WallJunctions, AnEndThatReachesAReentrantCornerStaysThere) {
     // The curve stands upright on the wall that ends in the corner.
     EXPECT_TRUE(change(complex).empty());
     EXPECT_EQ(phase_at_corner(complex, P(0, 0)), nothing);
-}
-
-// --- grains -------------------------------------------------------------------------------------
-
-Complex<double> grains(int count, double h, std::uint64_t seed) {
-    test::Dice dice(seed);
-    std::vector<P> sites;
-    for (int i = 0; i < count; ++i) {
-        const double x = dice.in(0.0, 1.0);
-        sites.emplace_back(x, dice.in(0.0, 1.0));
-    }
-    auto complex = initial_complex<double>({}, {}, {.edge_length = h});
-    for (const Triangle t : triangles(complex)) {
-        const P p = middle_of(complex, t);
-        Phase nearest = 0;
-        for (Phase i = 1; i < sites.size(); ++i) {
-            nearest = (p - sites[i]).norm() < (p - sites[nearest]).norm() ? i : nearest;
-        }
-        complex.set_phase(t, nearest + 1);
-    }
-    return complex;
-}
-
-std::size_t count_phases(const Complex<double>& complex) {
-    std::set<Phase> phases;
-    for (const Triangle t : triangles(complex)) {
-        phases.insert(complex.phase(t));
-    }
-    return phases.size();
-}
-
-// The number of steps after which `least` phases are left, or `most`.
-int coarsen(Complex<double>& complex, double h, std::uint32_t threads, std::size_t least,
-            int most) {
-    Options<double> options;
-    options.edge_length = h;
-    options.topology.rule = Topology::change;
-    options.interface.corner_degrees = 180; // curvature flow knows no corners
-    Simulation<double> simulation(complex, options,
-                                  Parallel{.threads = threads, .always_all_threads = true});
-    const InterfaceMotion<double> motion = curvature_flow<double>();
-    const double dt = 0.4 * h * h;
-    int step = 0;
-    for (; count_phases(complex) > least && step < most; ++step) {
-        const StepReport report = simulation.step(motion, step * dt, dt);
-        EXPECT_EQ(report.unreached, 0U) << step;
-        EXPECT_EQ(ends_of(complex).crowded, 0U) << step;
-        EXPECT_EQ(validate(complex).problem, "") << step;
-    }
-    return step;
-}
-
-TEST(WallJunctions, GrainsCoarsenToATenthAndNothingIsStuck) {
-    constexpr double h = 0.018;
-    auto complex = grains(30, h, 3);
-    EXPECT_LT(coarsen(complex, h, 1, 3, 5000), 5000);
-}
-
-TEST(WallJunctions, GrainsCoarsenInTheSameWayForAnyNumberOfThreads) {
-    constexpr double h = 0.018;
-    std::uint64_t hash = 0;
-    for (const std::uint32_t threads : {1U, 2U, 3U}) {
-        auto complex = grains(30, h, 3);
-        EXPECT_EQ(coarsen(complex, h, threads, 3, 200), 200);
-        EXPECT_LT(count_phases(complex), 28U);
-        hash = hash == 0 ? mesh_hash(complex) : hash;
-        EXPECT_EQ(mesh_hash(complex), hash) << threads;
-    }
 }
 
 } // namespace

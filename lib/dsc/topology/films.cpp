@@ -55,7 +55,7 @@ private:
             }
             for_each_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
                 const Triangle t{triangle_of(c)};
-                if (is_thin(work_, t) && test(t)) {
+                if (test(t) && is_thin(work_, t)) { // most fail the test at once
                     const Point<Real> place = centroid(complex_, t);
                     found.emplace_back(place.x(), place.y(), t.id);
                 }

@@ -45,7 +45,8 @@ public:
     void run(std::span<const Suspect<Real>> suspects) {
         std::vector<Vertex> list;
         for (const auto& suspect : suspects) {
-            if (suspect.is_sharp && complex_.is_alive(Vertex{suspect.vertex})) {
+            if (suspect.is_sharp && complex_.is_alive(Vertex{suspect.vertex}) &&
+                may_come_apart(complex_, Vertex{suspect.vertex}, shortest_)) {
                 list.push_back(Vertex{suspect.vertex});
             }
         }

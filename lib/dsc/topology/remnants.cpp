@@ -37,7 +37,7 @@ private:
             }
             for_each_corner(complex_, Vertex{v}, [&](Corner at) {
                 const Corner c = prev(at); // the half-edge that starts at v
-                if (is_sheet(complex_, c)) {
+                if (is_sheet(complex_, c) && may_be_small(at)) {
                     const Point<Real> place = centroid(complex_, Triangle{triangle_of(c)});
                     found.emplace_back(place.x(), place.y(), c);
                 }
@@ -49,6 +49,26 @@ private:
             list.push_back(std::get<2>(one));
         }
         return list;
+    }
+
+    // Whether the triangles of the phase that are seen from here, from the first one at the vertex
+    // on, have less than the least area. Most pieces are ruled out by the first few triangles.
+    bool may_be_small(Corner first) const {
+        const Phase phase = complex_.phase_at(first);
+        Real doubled = 0;
+        std::uint32_t last = no_id; // the same triangle may lie across two edges of the link
+        Corner c = first;
+        do {
+            doubled += doubled_area(complex_, Triangle{triangle_of(c)});
+            const Corner across = complex_.twin(c);
+            if (complex_.phase_at(across) == phase && triangle_of(across) != last) {
+                last = triangle_of(across);
+                doubled += doubled_area(complex_, Triangle{last});
+            }
+            c = corner_ccw(complex_, c);
+        } while (doubled / 2 < least_area_ && !is_border(c) && c != first &&
+                 complex_.phase_at(c) == phase);
+        return doubled / 2 < least_area_;
     }
 
     void visit(Corner start) {

@@ -9,6 +9,23 @@
 
 namespace dsc {
 
+namespace {
+
+// Whether the wall does, at a vertex on it.
+template <class Real>
+bool turns(const Complex<Real>& complex, Vertex v) {
+    std::uint32_t from = no_id;
+    std::uint32_t to = no_id;
+    for_each_corner(complex, v, [&](Corner c) {
+        from = is_border(complex.twin(prev(c))) ? complex.vertex(next(c)) : from;
+        to = complex.vertex(prev(c));
+    });
+    return orientation<Real>(complex.position(Vertex{from}), complex.position(v),
+                             complex.position(Vertex{to})) != 0;
+}
+
+} // namespace
+
 template <class Real>
 void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors) {
     auto& list = sectors.list;
@@ -61,6 +78,35 @@ void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors
 }
 
 template <class Real>
+bool may_come_apart(const Complex<Real>& complex, Vertex v, Real shortest) {
+    const Point<Real> here = complex.position(v);
+    const auto is_short = [&](std::uint32_t to) {
+        return (complex.position(Vertex{to}) - here).squaredNorm() < shortest * shortest;
+    };
+    std::size_t curves = 0;
+    bool is_on_wall = false;
+    bool has_short_curve = false;
+    bool has_short_wall = false;
+    for_each_corner(complex, v, [&](Corner c) {
+        const Corner before = complex.twin(prev(c));
+        if (is_border(before)) {
+            is_on_wall = true;
+            has_short_wall = has_short_wall || is_short(complex.vertex(next(c)));
+        } else if (complex.phase_at(before) != complex.phase_at(c)) {
+            ++curves;
+            has_short_curve = has_short_curve || is_short(complex.vertex(next(c)));
+        }
+        if (is_border(complex.twin(next(c)))) {
+            has_short_wall = has_short_wall || is_short(complex.vertex(prev(c)));
+        }
+    });
+    if (is_on_wall) {
+        return curves > 1 || (curves == 1 && (has_short_wall || turns(complex, v)));
+    }
+    return curves > 3 || (curves == 3 && has_short_curve);
+}
+
+template <class Real>
 double angle_between(const Point<Real>& from, const Point<Real>& to) {
     const double turn = std::atan2(static_cast<double>(from.x() * to.y() - from.y() * to.x()),
                                    static_cast<double>(from.dot(to)));
@@ -100,6 +146,7 @@ double energy_along_wall(const TopologyWork<Real>& work, Phase sector, Phase nei
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void find_sectors(const Complex<Real>&, Vertex, Sectors<Real>&);                      \
+    template bool may_come_apart(const Complex<Real>&, Vertex, Real);                              \
     template double angle_between(const Point<Real>&, const Point<Real>&);                         \
     template bool may_change(const TopologyWork<Real>&, Phase, Phase);                             \
     template double energy_between(const TopologyWork<Real>&, Phase, Phase);                       \

@@ -23,11 +23,17 @@ struct Suspect {
 template <class Real>
 [[nodiscard]] bool has_thin_triangle(const Ring<Real>& ring, Real contact_squared) {
     Real least = std::numeric_limits<Real>::max();
-    for (std::uint32_t i = 0; i < ring.padded(); ++i) {
-        const Real ax = ring.x[i] - ring.x0;
-        const Real ay = ring.y[i] - ring.y0;
-        const Real bx = ring.x_next[i] - ring.x0;
-        const Real by = ring.y_next[i] - ring.y0;
+    const std::uint32_t n = ring.padded();
+    const Real* x = ring.x.data();
+    const Real* y = ring.y.data();
+    const Real* x_next = ring.x_next.data();
+    const Real* y_next = ring.y_next.data();
+#pragma omp simd reduction(min : least)
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Real ax = x[i] - ring.x0;
+        const Real ay = y[i] - ring.y0;
+        const Real bx = x_next[i] - ring.x0;
+        const Real by = y_next[i] - ring.y0;
         const Real doubled = ax * by - ay * bx;
         const Real cx = bx - ax;
         const Real cy = by - ay;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// A network of grains coarsens to a tenth by curvature flow: no vertex is stuck, and none keeps
+// more sectors than are stable.
+#include "support/meetings.h"
+#include "support/random_scene.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/motion/curvature_flow.h"
+#include "dsc/parallel/parallel.h"
+#include "dsc/quality/measures.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using P = Point<double>;
+
+Complex<double> grains(int count, double h, std::uint64_t seed) {
+    test::Dice dice(seed);
+    std::vector<P> sites;
+    for (int i = 0; i < count; ++i) {
+        const double x = dice.in(0.0, 1.0);
+        sites.emplace_back(x, dice.in(0.0, 1.0));
+    }
+    auto complex = initial_complex<double>({}, {}, {.edge_length = h});
+    for (const Triangle t : triangles(complex)) {
+        const auto [a, b, c] = complex.vertices_of(t);
+        const P p = (complex.position(a) + complex.position(b) + complex.position(c)) / 3;
+        Phase nearest = 0;
+        for (Phase i = 1; i < sites.size(); ++i) {
+            nearest = (p - sites[i]).norm() < (p - sites[nearest]).norm() ? i : nearest;
+        }
+        complex.set_phase(t, nearest + 1);
+    }
+    return complex;
+}
+
+std::size_t count_phases(const Complex<double>& complex) {
+    std::set<Phase> phases;
+    for (const Triangle t : triangles(complex)) {
+        phases.insert(complex.phase(t));
+    }
+    return phases.size();
+}
+
+double worst_quality(const Complex<double>& complex) {
+    double worst = 1;
+    for (const Triangle t : triangles(complex)) {
+        worst = std::min(worst, quality(complex, t));
+    }
+    return worst;
+}
+
+// The number of steps after which `least` phases are left, or `most`.
+int coarsen(Complex<double>& complex, double h, std::uint32_t threads, std::size_t least,
+            int most) {
+    Options<double> options;
+    options.edge_length = h;
+    options.topology.rule = Topology::change;
+    options.interface.corner_degrees = 180; // curvature flow knows no corners
+    Simulation<double> simulation(complex, options,
+                                  Parallel{.threads = threads, .always_all_threads = true});
+    const InterfaceMotion<double> motion = curvature_flow<double>();
+    const double dt = 0.4 * h * h;
+    int step = 0;
+    for (; count_phases(complex) > least && step < most; ++step) {
+        const StepReport report = simulation.step(motion, step * dt, dt);
+        EXPECT_EQ(report.unreached, 0U) << step;
+        EXPECT_EQ(test::ends_of(complex).crowded, 0U) << step;
+        EXPECT_EQ(validate(complex).problem, "") << step;
+        EXPECT_GT(worst_quality(complex), 0.01) << step;
+    }
+    return step;
+}
+
+TEST(Grains, CoarsenToATenthAndNothingIsStuck) {
+    constexpr double h = 0.018;
+    auto complex = grains(30, h, 2);
+    EXPECT_LT(coarsen(complex, h, 1, 3, 5000), 5000);
+}
+
+TEST(Grains, CoarsenInTheSameWayForAnyNumberOfThreads) {
+    constexpr double h = 0.018;
+    std::uint64_t hash = 0;
+    for (const std::uint32_t threads : {1U, 2U, 3U}) {
+        auto complex = grains(30, h, 3);
+        EXPECT_EQ(coarsen(complex, h, threads, 3, 200), 200);
+        EXPECT_LT(count_phases(complex), 28U);
+        hash = hash == 0 ? mesh_hash(complex) : hash;
+        EXPECT_EQ(mesh_hash(complex), hash) << threads;
+    }
+}
+
+} // namespace
+} // namespace dsc
