@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A network of grains coarsens to a tenth by curvature flow: no vertex is stuck, and none keeps
 // more sectors than are stable.
-#include "support/meetings.h"
 #include "support/random_scene.h"
+#include "support/topology_testing.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/motion/curvature_flow.h"
@@ -84,6 +84,13 @@ TEST(Grains, CoarsenToATenthAndNothingIsStuck) {
     constexpr double h = 0.018;
     auto complex = grains(30, h, 2);
     EXPECT_LT(coarsen(complex, h, 1, 3, 5000), 5000);
+}
+
+// Grains of four edges: films open between grains that are still jagged, at their junctions.
+TEST(Grains, OfACoarseStartLeaveNoCrowdedVertex) {
+    constexpr double h = 0.03;
+    auto complex = grains(60, h, 17);
+    EXPECT_EQ(coarsen(complex, h, 1, 3, 12), 12);
 }
 
 TEST(Grains, CoarsenInTheSameWayForAnyNumberOfThreads) {

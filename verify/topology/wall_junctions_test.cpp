@@ -3,74 +3,28 @@
 // it, and corners.
 #include "dsc/topology/change.h"
 
-#include "support/meetings.h"
-
-#include "dsc/complex/circulate.h"
-#include "dsc/complex/ranges.h"
-#include "dsc/queries/validate.h"
+#include "support/topology_testing.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <set>
 #include <vector>
 
 namespace dsc {
 namespace {
 
+using test::cells_of;
+using test::change;
+using test::changing;
 using test::Ends;
 using test::ends_of;
+using test::film;
+using test::grid;
 using test::Meeting;
 using test::meeting_at;
+using test::nothing;
 using P = Point<double>;
-using PhaseAt = std::function<Phase(const P&)>;
-
-// Cells between rows of places, each cut along both diagonals; cells without a phase are left out.
-constexpr Phase nothing = 99;
-Complex<double> cells_of(const std::vector<std::vector<P>>& rows, const PhaseAt& phase_at) {
-    std::vector<P> points;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<Phase> phases;
-    const auto width = static_cast<std::uint32_t>(rows[0].size());
-    for (const auto& row : rows) {
-        points.insert(points.end(), row.begin(), row.end());
-    }
-    for (std::uint32_t y = 0; y + 1 < rows.size(); ++y) {
-        for (std::uint32_t x = 0; x + 1 < width; ++x) {
-            const std::uint32_t low = y * width + x;
-            const std::array<std::uint32_t, 4> around{low, low + 1, low + width + 1, low + width};
-            P centre(0, 0);
-            for (const std::uint32_t k : around) {
-                centre += points[k] / 4;
-            }
-            if (phase_at(centre) == nothing) {
-                continue;
-            }
-            const auto middle = static_cast<std::uint32_t>(points.size());
-            points.push_back(centre);
-            for (std::size_t k = 0; k < 4; ++k) {
-                const std::uint32_t next = around[(k + 1) % 4];
-                triangles.push_back({around[k], next, middle});
-                phases.push_back(phase_at((points[around[k]] + points[next] + centre) / 3));
-            }
-        }
-    }
-    return make_complex<double>(points, triangles, phases);
-}
-
-// Columns at these x, and rows at these y.
-Complex<double> grid(const std::vector<double>& xs, const std::vector<double>& ys,
-                     const PhaseAt& phase_at) {
-    std::vector<std::vector<P>> rows;
-    for (const double y : ys) {
-        auto& row = rows.emplace_back();
-        for (const double x : xs) {
-            row.emplace_back(x, y);
-        }
-    }
-    return cells_of(rows, phase_at);
-}
 
 // Phase 2 stands on the wall, 0.1 wide, between 1 and 3; its sides move apart by `slope` upwards.
 Complex<double> narrow_foot(double slope) {
@@ -97,26 +51,6 @@ Complex<double> wedge(double height, double slope) {
     return grid({-4, -3, -2, -1, 0, 1, 2, 3, 4}, ys, [&](const P& p) {
         return p.y() - height > slope * std::abs(p.x()) ? 2U : (p.x() < 0 ? 1U : 3U);
     });
-}
-
-TopologyOptions<double> changing() {
-    TopologyOptions<double> options;
-    options.rule = Topology::change;
-    return options;
-}
-
-// With everything suspected, and nothing moving.
-std::vector<Event> change(Complex<double>& complex,
-                          const TopologyOptions<double>& options = changing()) {
-    std::vector<Suspect<double>> suspects;
-    for (const Vertex v : vertices(complex)) {
-        const P p = complex.position(v);
-        suspects.push_back({v.id, p.x(), p.y(), true, true});
-    }
-    std::vector<Event> events;
-    change_topology<double>(complex, options, 1.0, suspects, 0.0, events);
-    EXPECT_EQ(validate(complex).problem, "");
-    return events;
 }
 
 std::vector<P> on_floor(const std::vector<P>& places) {
@@ -286,6 +220,40 @@ TEST(WallJunctions, AnEndThatReachesAReentrantCornerStaysThere) {
     // The curve stands upright on the wall that ends in the corner.
     EXPECT_TRUE(change(complex).empty());
     EXPECT_EQ(phase_at_corner(complex, P(0, 0)), nothing);
+}
+
+// --- what other changes leave behind ------------------------------------------------------------
+
+TEST(WallJunctions, WhereAFilmOpensAtAJunctionTheVertexComesApartAtOnce) {
+    std::vector<double> xs;
+    for (int x = -8; x <= 8; ++x) {
+        xs.push_back(x);
+    }
+    auto complex = grid(xs, {-2, -1, 0, 0.2, 1.2, 2.2}, [](const P& p) {
+        return p.y() < 0 ? 1U : (p.y() < 0.2 ? film : (p.x() < 0 ? 2U : 3U));
+    });
+    TopologyOptions<double> options = changing();
+    options.opening = Opening::thin;
+    EXPECT_FALSE(change(complex, options).empty());
+    EXPECT_EQ(ends_of(complex).crowded, 0U);
+}
+
+TEST(WallJunctions, APieceVanishesBelowTheLeastArea) {
+    for (const double size : {0.49, 0.51}) { // of a cell; the piece has four
+        std::vector<double> places;
+        for (int i = -4; i <= 4; ++i) {
+            places.push_back(i * size);
+        }
+        auto complex = grid(places, places, [&](const P& p) {
+            return std::abs(p.x()) < size && std::abs(p.y()) < size ? 2U : 1U;
+        });
+        const auto events = change(complex);
+        ASSERT_EQ(events.size(), size < 0.5 ? 1U : 0U);
+        if (!events.empty()) {
+            EXPECT_EQ(events[0].kind, EventKind::remove);
+            EXPECT_NEAR(events[0].area, 4 * size * size, 1e-12);
+        }
+    }
 }
 
 } // namespace

@@ -16,7 +16,7 @@ enum class EventKind : std::uint8_t {
     split,    ///< a neck closed: the phase fell into two pieces there
     meet,     ///< a film opened between two different phases, which border on each other now
     widen,    ///< the film of an earlier event opened farther: along its seam, or elsewhere
-    exchange, ///< a vertex of four or more sectors came apart: some phases met, others parted
+    exchange, ///< a vertex of too many sectors came apart: some phases met, others parted
     fill,     ///< a small piece of the exterior vanished
     remove,   ///< a small piece of another phase vanished
 };
