@@ -196,6 +196,50 @@ TEST(CurvatureFlow, TensionsSetTheAngles) {
     }
 }
 
+// --- contact angles -----------------------------------------------------------------------------
+
+// A half-disc on the floor, whose area is kept, becomes the cap of the angle that is asked for.
+TEST(CurvatureFlow, WallsSetTheContactAngle) {
+    constexpr double h = 0.02;
+    constexpr double radius = 0.2;
+    for (const double degrees : {60.0, 90.0, 120.0}) {
+        SCOPED_TRACE(degrees);
+        const double angle = degrees * pi / 180;
+        Curve arc{{}, 1, 0};
+        arc.points.emplace_back(0.5 + radius, 0);
+        for (int i = 1; i < 40; ++i) {
+            arc.points.emplace_back(0.5 + radius * std::cos(pi * i / 40),
+                                    radius * std::sin(pi * i / 40));
+        }
+        arc.points.emplace_back(0.5 - radius, 0);
+        const std::vector<Curve> curves{arc};
+        auto complex = initial_complex<double>({}, curves, {.edge_length = h});
+        const auto options = smooth_options(h);
+        Simulation<double> simulation(complex, options);
+        const double area = phase_area(complex, 1);
+        // Both have a share, of which only the difference counts.
+        const auto motion = curvature_flow<double>(
+            {.walls = {{1, 0.25 - std::cos(angle)}, {0, 0.25}}, .kept_areas = {{1, area}}});
+        for (double time = 0; time < 0.15; time += 0.05 * h) {
+            EXPECT_EQ(simulation.step(motion, 0, 0.05 * h).unreached, 0U);
+        }
+        expect_sound(complex, simulation);
+        const double cap = std::sqrt(area / (angle - std::sin(angle) * std::cos(angle)));
+        double height = 0;
+        double left = 1;
+        double right = 0;
+        for (const std::uint32_t v : simulation.interface()) {
+            const Point<double>& p = complex.position(Vertex{v});
+            height = std::max(height, p.y());
+            left = std::min(left, p.y() == 0 ? p.x() : 1);
+            right = std::max(right, p.y() == 0 ? p.x() : 0);
+        }
+        EXPECT_NEAR(height, cap * (1 - std::cos(angle)), 0.01 * cap);
+        EXPECT_NEAR(right - left, 2 * cap * std::sin(angle), 0.02 * cap);
+        EXPECT_NEAR(phase_area(complex, 1) / area, 1, 1e-9);
+    }
+}
+
 // --- what stays, and what is refused ------------------------------------------------------------
 
 TEST(CurvatureFlow, LockedVerticesStay) {
@@ -237,6 +281,9 @@ TEST(CurvatureFlow, RefusesBadOptions) {
     is_refused({.pairs = {{.one = 1, .other = border_phase}}});
     is_refused({.pairs = {{.one = 1, .other = 2, .tension = -0.5}}});
     is_refused({.pairs = {{.one = 1, .other = 2}, {.one = 2, .other = 1}}});
+    is_refused({.walls = {{1, nan}}});
+    is_refused({.walls = {{border_phase, 1}}});
+    is_refused({.walls = {{1, 1}, {1, 2}}});
     is_refused({.kept_areas = {{0, 0.1}}});
     is_refused({.kept_areas = {{1, -0.1}}});
     is_refused({.kept_areas = {{1, 0.1}, {1, 0.2}}});

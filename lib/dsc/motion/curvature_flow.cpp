@@ -53,6 +53,18 @@ CurvatureFlowOptions checked(CurvatureFlowOptions options) {
     if (twice != options.pairs.end()) {
         refuse("a pair of phases is given twice", name_of(*twice), "each pair once");
     }
+    std::ranges::sort(options.walls, {}, &WallEnergy::phase);
+    for (const WallEnergy& wall : options.walls) {
+        if (wall.phase == border_phase || !std::isfinite(wall.energy)) {
+            refuse("not an energy of the wall under phase " + std::to_string(wall.phase),
+                   std::to_string(wall.energy), "a finite energy under a phase of the domain");
+        }
+    }
+    const auto wall_twice = std::ranges::adjacent_find(options.walls, {}, &WallEnergy::phase);
+    if (wall_twice != options.walls.end()) {
+        refuse("a phase has two energies of the wall", std::to_string(wall_twice->phase),
+               "each phase once");
+    }
     std::ranges::sort(options.kept_areas, {}, &KeptArea::phase);
     for (const KeptArea& kept : options.kept_areas) {
         if (kept.phase == exterior_phase || kept.phase == border_phase) {
@@ -76,6 +88,11 @@ EdgeForces forces_between(const CurvatureFlowOptions& options, Phase left, Phase
     return found != options.pairs.end() && key_of(*found) == key
                ? EdgeForces{.tension = found->tension, .drag = 1 / found->mobility}
                : EdgeForces{.tension = options.tension, .drag = 1 / options.mobility};
+}
+
+double wall_energy(const CurvatureFlowOptions& options, Phase phase) {
+    const auto found = std::ranges::lower_bound(options.walls, phase, {}, &WallEnergy::phase);
+    return found != options.walls.end() && found->phase == phase ? found->energy : 0.0;
 }
 
 /// One step and two of half the length; their errors of first order cancel in twice the one minus
@@ -114,7 +131,8 @@ InterfaceMotion<Real> curvature_flow(const CurvatureFlowOptions& options) {
     return [options = checked(options)](const InterfaceView<Real>& view, Real, Real dt,
                                         std::span<Point<Real>> displacements) {
         const CurveNetwork network = curve_network(
-            view, [&](Phase left, Phase right) { return forces_between(options, left, right); });
+            view, [&](Phase left, Phase right) { return forces_between(options, left, right); },
+            [&](Phase phase) { return wall_energy(options, phase); });
         const std::vector<Point<double>> ways =
             extrapolated(network, options.kept_areas, static_cast<double>(dt));
         for (std::size_t i = 0; i < ways.size(); ++i) {

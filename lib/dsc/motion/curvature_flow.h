@@ -17,6 +17,12 @@ struct PairCurvature {
     double mobility = 1; ///< as in `CurvatureFlowOptions`
 };
 
+/// What the domain boundary under a phase costs; of the phases that are not named it costs nothing.
+struct WallEnergy {
+    Phase phase = 0;
+    double energy = 0; ///< per length; only differences matter, so that it may be negative
+};
+
 /// A phase whose area is kept.
 struct KeptArea {
     Phase phase = 1; ///< not the exterior, 0: its area is kept where all others are
@@ -30,6 +36,10 @@ struct CurvatureFlowOptions {
     double tension = 1;  ///< energy per length, 0 or more; of all pairs that are not in `pairs`
     double mobility = 1; ///< velocity per tension and curvature, above 0; of the same pairs
     std::vector<PairCurvature> pairs = {}; ///< in any order, each pair once
+    /// An interface meets the domain boundary at the contact angle of T. Young, "An essay on the
+    /// cohesion of fluids" (1805): through phase a against phase b its cosine is the energy under b
+    /// less that under a, over the tension. Without these it is 90 degrees.
+    std::vector<WallEnergy> walls = {};
     /// The curves of each of these phases also move at one speed along their normals, which is
     /// found such that the phase ends every sub-step with this area. An area that differs from the
     /// present one is reached in the next sub-step.
@@ -46,8 +56,9 @@ struct CurvatureFlowOptions {
 /// variational approximation of combined second and fourth order geometric evolution equations"
 /// (2007), so that the tensions balance there (Young's law). One step and two of half the length
 /// are extrapolated to second order in time. Curves that end at the domain boundary slide along it
-/// and meet it at 90 degrees. Locked vertices stay. A jagged start becomes smooth at once: with
-/// `interface.corner_degrees` 180 its corners are not kept, which would stand in a junction's way.
+/// and meet it at 90 degrees, or at the angle that `walls` asks for. Locked vertices stay. A jagged
+/// start becomes smooth at once: with `interface.corner_degrees` 180 its corners are not kept,
+/// which would stand in a junction's way.
 ///
 /// O(interface) for each sub-step if junctions are few, in double precision whatever `Real` is; it
 /// allocates. The function has no memory: simulations in several threads may share it. Throws

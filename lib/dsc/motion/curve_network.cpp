@@ -124,6 +124,9 @@ void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) 
                                   -stiffness * (h.xy * l.xx + h.yy * l.xy));
         }
     }
+    for (const EndForce& end : network_.ends) {
+        force[end.vertex] += end.force;
+    }
     for (std::size_t i = 0; i < n; ++i) {
         const Freedom& free = network_.freedom[i];
         const Freedom block = within(free, diagonal[i]) + rest_of(free);

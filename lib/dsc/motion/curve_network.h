@@ -37,20 +37,28 @@ struct Freedom {
     }
 };
 
+/// A constant force on a vertex at which a curve ends on the domain boundary.
+struct EndForce {
+    std::uint32_t vertex = no_id;
+    Point<double> force{0, 0}; ///< energy per length
+};
+
 /// Indices are those of the view that it was made from.
 struct CurveNetwork {
     std::vector<Point<double>> positions;
     std::vector<CurveEdge> edges; ///< each edge once
     std::vector<Freedom> freedom;
     std::vector<std::uint8_t> is_junction;
+    std::vector<EndForce> ends; ///< those that are not zero
 };
 
 /// `forces_of(left, right)` is asked for each edge between two phases; edges of the domain boundary
 /// get a tension that is negligible, and no drag: their vertices spread evenly between the curves
-/// that arrive there. O(interface).
-template <class Real, class ForcesOf>
-[[nodiscard]] CurveNetwork curve_network(const InterfaceView<Real>& view,
-                                         const ForcesOf& forces_of);
+/// that arrive there. `wall_energy(phase)` is the energy per length of the boundary under a phase,
+/// which pulls at the ends of curves. O(interface).
+template <class Real, class ForcesOf, class WallEnergy>
+[[nodiscard]] CurveNetwork curve_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
+                                         const WallEnergy& wall_energy);
 
 /// In which directions the vertex can move: none if it is locked or a corner of the domain, and
 /// along the boundary if it lies there. O(star) on the boundary, else O(1).
@@ -84,8 +92,9 @@ private:
     bool is_analysed_ = false;
 };
 
-template <class Real, class ForcesOf>
-CurveNetwork curve_network(const InterfaceView<Real>& view, const ForcesOf& forces_of) {
+template <class Real, class ForcesOf, class WallEnergy>
+CurveNetwork curve_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
+                           const WallEnergy& wall_energy) {
     CurveNetwork network;
     const std::size_t n = view.size();
     network.positions.reserve(n);
@@ -108,12 +117,26 @@ CurveNetwork curve_network(const InterfaceView<Real>& view, const ForcesOf& forc
     for (std::size_t k = 0; k < view.junctions.size(); ++k) {
         const std::uint32_t i = view.junctions[k];
         network.is_junction[i] = 1;
+        Point<double> pull(0, 0);
+        Point<double> along_wall(0, 0);
         for (std::uint32_t a = view.arm_begin[k]; a < view.arm_begin[k + 1]; ++a) {
             const InterfaceArm& arm = view.arms[a];
+            if (arm.left == border_phase || arm.right == border_phase) {
+                const Phase phase = arm.left == border_phase ? arm.right : arm.left;
+                const Point<double> way =
+                    (network.positions[arm.neighbour] - network.positions[i]).normalized();
+                pull += wall_energy(phase) * way;
+                along_wall += way;
+            }
             // The other end of an edge between two junctions has it as well.
             if (!view.is_junction(arm.neighbour) || arm.neighbour > i) {
                 add(i, arm.neighbour, arm.left, arm.right);
             }
+        }
+        // The boundary beside the exterior phase has no arm: it lies opposite to the one there is.
+        pull -= wall_energy(exterior_phase) * along_wall;
+        if (pull != Point<double>(0, 0)) {
+            network.ends.push_back({i, pull});
         }
     }
     return network;
