@@ -158,7 +158,7 @@ void draw_region(Dice& dice, Form form, const Complex<double>& complex, DrawnReg
     case Form::places: {
         std::vector<Point<double>> sites;
         for (int i = 0; i < 6; ++i) {
-            sites.emplace_back(dice.in(0.0, 1.0), dice.in(0.0, 1.0));
+            sites.push_back(dice.point(0, 1));
         }
         sites[0] = {0.5, 0.4};
         drawn.places = voronoi_colour(sites);

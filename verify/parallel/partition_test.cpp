@@ -33,7 +33,7 @@ constexpr double infinity = Region::infinity;
 std::vector<Point<double>> sample_points(Dice& dice, const Divided& divided) {
     std::vector<Point<double>> points;
     for (int i = 0; i < 300; ++i) {
-        points.emplace_back(dice.in(-0.5, 1.5), dice.in(-0.5, 1.5));
+        points.push_back(dice.point(-0.5, 1.5));
     }
     for (std::size_t i = 0; i < divided.interface.size(); i += 3) {
         points.push_back(divided.position(i));

@@ -39,7 +39,8 @@ std::vector<Point<double>> random_sites(Dice& dice, double scale, const Point<do
     const int count = dice.in(1, dice.chance(0.2) ? 8 : 90);
     const double flatness = dice.chance(0.3) ? 0 : dice.in(0.0, 1.0);
     for (int i = 0; i < count; ++i) {
-        Point<double> p(dice.in(0.0, 1.0), dice.in(0.0, 1.0) * flatness);
+        Point<double> p = dice.point(0, 1);
+        p.y() *= flatness;
         if (kind == 1) {
             p = {std::floor(6 * p.x()), std::floor(6 * p.y())};
         } else if (kind == 2) {
@@ -70,8 +71,7 @@ TEST(SiteGrid, FindsWhatASearchThroughAllFinds) {
         for (int i = 0; i < 200; ++i) {
             // Among the sites, beside them, and far away.
             const double reach = i % 4 == 0 ? 30 : i % 4 == 1 ? 1e9 : 1.5;
-            const Point<double> p =
-                offset + scale * reach * Point<double>(dice.in(-1.0, 1.0), dice.in(-1.0, 1.0));
+            const Point<double> p = offset + scale * reach * dice.point(-1, 1);
             expect_same(p.x(), p.y());
             // In the middle between two sites, and at one of several in the same place.
             const auto any = [&] {

@@ -172,7 +172,8 @@ TEST(Locate, AgreesWithAllTrianglesOfMeshesThatAreNotDelaunay) {
             seed, {.points = 40, .grid = 12, .holes = seed % 2 == 0 ? 0.0 : 0.15, .scramble = 200});
         test::Random random(seed);
         for (int i = 0; i < 60; ++i) {
-            const Point<double> p(0.5 * random.below(24), 0.5 * random.below(24));
+            const double y = 0.5 * random.below(24);
+            const Point<double> p(0.5 * random.below(24), y);
             const Triangle hint{random.below(complex.triangle_bound())};
             const Location location = locate(complex, p, hint);
             expect_right(complex, p, location);

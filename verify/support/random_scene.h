@@ -28,6 +28,12 @@ public:
     int in(int low, int high) {
         return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
     }
+    /// Two draws as arguments of one call would be made in the order that the compiler likes.
+    Point<double> point(double low, double high) {
+        const double y = in(low, high);
+        const double x = in(low, high);
+        return {x, y};
+    }
     bool chance(double probability) { return in(0.0, 1.0) < probability; }
     /// One of the values of an enum.
     template <class Enum, std::size_t n>
@@ -98,7 +104,7 @@ Complex<Real> random_patches(Dice& dice, double h, int patches) {
     std::vector<Point<double>> seeds;
     std::vector<Phase> phases;
     for (int i = 0; i < patches; ++i) {
-        seeds.emplace_back(dice.in(0.0, 1.0), dice.in(0.0, 1.0));
+        seeds.push_back(dice.point(0, 1));
         phases.push_back(static_cast<Phase>(dice.in(0, 3)));
     }
     for (const Triangle t : triangles(complex)) {
@@ -139,10 +145,9 @@ inline constexpr std::array wildness_names{
 class RandomFlow {
 public:
     RandomFlow(Dice& dice, double speed, Wildness wildness)
-        : speed_(speed), wildness_(wildness), centre_(dice.in(0.1, 0.9), dice.in(0.1, 0.9)) {
+        : speed_(speed), wildness_(wildness), centre_(dice.point(0.1, 0.9)) {
         for (int i = 0; i < 5; ++i) {
-            waves_.push_back({Point<double>(dice.in(-9.0, 9.0), dice.in(-9.0, 9.0)),
-                              dice.in(0.0, 6.0), dice.in(-6.0, 6.0),
+            waves_.push_back({dice.point(-9, 9), dice.in(0.0, 6.0), dice.in(-6.0, 6.0),
                               dice.chance(0.7) ? 0.0 : dice.in(-0.5, 0.5)});
         }
     }
