@@ -131,6 +131,16 @@ run_scenes() {
         run_scene rotation-crescent rotation-crescent "${keep_frames[@]}"
         run_scene translation translation "${keep_frames[@]}"
     fi
+
+    # Phases that meet, merge and part.
+    run_scene drop-and-pool drop-and-pool "${keep_frames[@]}"
+    run_scene grains grains --set h=0.01 "${keep_frames[@]}"
+    if ! $quick; then
+        run_scene grow-shrink grow-shrink "${keep_frames[@]}"
+        run_scene erode-dumbbell erode-dumbbell "${keep_frames[@]}"
+        run_scene t1 t1 "${keep_frames[@]}"
+        run_scene foam foam --set h=0.01 "${keep_frames[@]}"
+    fi
 }
 
 # Error against time of all methods in all flows.

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Meshes drawn from frame files: first, middle and last frame of each run, triangles coloured by
 phase, the interface (edges between two phases) drawn bold; a close-up below each large mesh."""
+import os
+
 import numpy
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Rectangle
@@ -10,6 +12,9 @@ import style
 
 CLOSE_UP = 6_000  # from this many triangles on, a second row shows about CLOSE_COUNT of them
 CLOSE_COUNT = 500
+MANY = 8  # more phases than this are not told apart by name
+EVENT_MARKS = {"merge": "o", "meet": "P", "split": "X", "exchange": "D", "fill": "v", "remove": "s",
+               "widen": "."}
 RASTER = 20_000  # from this many triangles on, vector formats hold the mesh as an image
 
 
@@ -40,15 +45,25 @@ def areas(frame):
 
 
 def window(frame, count=CLOSE_COUNT, centre=None):
-    """Corners (low, high) of a square with about `count` triangles, at the top of the interface
-    where no centre is given."""
+    """Corners (low, high) of a square with about `count` triangles, inside the domain if it is
+    large enough; at the top of the interface where no centre is given."""
     low, high = frame.points.min(axis=0), frame.points.max(axis=0)
     ends = frame.points[interface(frame)].reshape(-1, 2)
     if centre is None:
         centre = ends[ends[:, 1].argmax()] if len(ends) else (low + high) / 2
     near = frame.points[frame.triangles].mean(axis=1)
     reach = numpy.sort(numpy.abs(near - centre).max(axis=1))[min(count, len(near)) - 1]
+    # At a side of the domain half of that square would be empty.
+    centre = numpy.where(high - low > 2 * reach, numpy.clip(centre, low + reach, high - reach),
+                         (low + high) / 2)
+    reach = numpy.sort(numpy.abs(near - centre).max(axis=1))[min(count, len(near)) - 1]
     return centre - reach, centre + reach
+
+
+def centre_of(events):
+    """Where the topology changed most; None without events."""
+    first = [e for e in events if e.kind in ("merge", "split", "meet")] or events
+    return numpy.array([first[0].x, first[0].y]) if first else None
 
 
 def mesh(axes, frame, inches, low, high, fills=None):
@@ -80,7 +95,13 @@ def _change(first, last):
     return "unchanged to 0.001 %" if float(percent) == 0 else f"{percent} %"
 
 
-def sentence(scene, strategy, shown):
+def _counted(events):
+    """'2 merge, 1 split'"""
+    kinds = [event.kind for event in events]
+    return ", ".join(f"{kinds.count(kind)} {kind}" for kind in sorted(set(kinds)))
+
+
+def sentence(scene, strategy, shown, events=()):
     """shown: [(number, time, Frame)]"""
     counts = style.listing(style.whole(len(f.triangles)) for _, _, f in shown)
     numbers = style.listing(number for number, _, _ in shown)
@@ -88,33 +109,70 @@ def sentence(scene, strategy, shown):
             f"{'frame' if len(shown) == 1 else 'frames'} {numbers}")
     first, last = areas(shown[0][2]), areas(shown[-1][2])
     phases = [p for p in sorted(first) if p != 0]
-    if phases and len(shown) > 1:
+    if len(phases) > MANY:
+        text += f"; {len(phases)} phases, of which {sum(p in last for p in phases)} are left"
+    elif phases and len(shown) > 1:
         text += "; " + style.listing(
             f"the area of phase {p} goes from {style.digits(first[p], 5)} to "
             f"{style.digits(last.get(p, 0.0), 5)} ({_change(first[p], last.get(p, 0.0))})"
             for p in phases)
+    if events:
+        text += f"; changes of topology: {_counted(events)}"
     return text + "."
 
 
 def read(folder):
-    """[(scene, strategy, [(number, time, Frame)])] of the runs in the folder."""
+    """[(scene, strategy, [(number, time, Frame)], [Event])] of the runs in the folder."""
     runs = []
     for (scene, strategy), files in sorted(load_frames.frame_files(folder).items(), key=lambda pair: (
             pair[0][0], style.order(pair[0][1]))):
         shown = [(number, time, load_frames.read_frame(path)) for number, time, path in picked(files)]
         shown = [item for item in shown if len(item[2].triangles)]
         if shown:
-            runs.append((scene, strategy, shown))
+            events = load_frames.read_events(
+                os.path.join(folder, f"{scene}_{strategy}{load_frames.EVENTS}"))
+            runs.append((scene, strategy, shown, events))
     return runs
 
 
 def draw(runs, context=None):
     """A Picture for each run."""
-    for scene, strategy, shown in runs:
-        yield _one(scene, strategy, shown, context)
+    for scene, strategy, shown, events in runs:
+        yield _one(scene, strategy, shown, events, context)
 
 
-def _one(scene, strategy, shown, context):
+def mark_events(axes, events, low, high):
+    """A ring where each event took place."""
+    for kind, marker in EVENT_MARKS.items():
+        places = [(e.x, e.y) for e in events if e.kind == kind
+                  and low[0] <= e.x <= high[0] and low[1] <= e.y <= high[1]]
+        if places:
+            axes.scatter(*zip(*places), marker=marker, s=14, facecolors="none",
+                         edgecolors=style.INK, linewidths=0.8, zorder=5)
+
+
+def _phase_handles(shown):
+    phases = sorted({int(p) for _, _, f in shown for p in numpy.unique(f.phases)})
+    if len(phases) > MANY:
+        return []
+    handles = [style.key(f"phase {p}", style.PHASE_FILLS[p % len(style.PHASE_FILLS)], "s", "none")
+               for p in phases]
+    for handle in handles:
+        handle.set(markersize=9, markeredgecolor=style.EDGE)
+    return handles
+
+
+def _event_handles(events):
+    handles = []
+    for kind, marker in EVENT_MARKS.items():
+        if any(event.kind == kind for event in events):
+            handle = style.key(f"{kind}, since the frame before", style.INK, marker, "none")
+            handle.set(markersize=5, markerfacecolor="none", markeredgecolor=style.INK)
+            handles.append(handle)
+    return handles
+
+
+def _one(scene, strategy, shown, events, context):
     span = numpy.ptp(shown[0][2].points, axis=0)
     side = 3.1
     tall = side * float(numpy.clip(span[1] / span[0] if span[0] > 0 else 1, 0.3, 1.6))
@@ -122,15 +180,21 @@ def _one(scene, strategy, shown, context):
     fig, grid = style.figure(
         max(5.0, 0.3 + (side + 0.15) * len(shown)), tall + 1.35 + (side + 0.3) * near, 1 + near,
         len(shown), gridspec_kw={"height_ratios": [tall, side] if near else [1]})
+    before = -numpy.inf
     for column, (number, time, frame) in enumerate(shown):
         low, high = frame.points.min(axis=0), frame.points.max(axis=0)
         slack = 0.004 * (high - low).max()
         mesh(grid[0][column], frame, side, low - slack, high + slack)
+        recent = []
+        if time is not None:
+            recent = [event for event in events if before < event.time <= time * (1 + 1e-9)]
+            mark_events(grid[0][column], recent, low, high)
+            before = time
         when = f"frame {number}" + (f", t = {time:.4g}" if time is not None else "")
         grid[0][column].set_title(f"{when}, {style.whole(len(frame.triangles))} triangles",
                                   fontsize=9)
         if near:
-            low, high = window(frame)
+            low, high = window(frame, centre=centre_of(recent))
             axes = grid[1][column]
             mesh(axes, frame, side, low, high)
             axes.set_title(f"close-up, {style.digits(high[0] - low[0], 2)} wide", fontsize=9)
@@ -138,12 +202,9 @@ def _one(scene, strategy, shown, context):
                 spine.set(visible=True, color=style.FAINT)
             grid[0][column].add_patch(Rectangle(low, *(high - low), fill=False, linewidth=0.8,
                                                 edgecolor=style.INK, zorder=4))
-    phases = sorted({int(p) for _, _, f in shown for p in numpy.unique(f.phases)})
-    handles = [style.key(f"phase {p}", style.PHASE_FILLS[p % len(style.PHASE_FILLS)], "s", "none")
-               for p in phases]
-    for handle in handles:
-        handle.set(markersize=9, markeredgecolor=style.EDGE)
+    handles = _phase_handles(shown)
     handles.append(style.key("interface", style.INTERFACE, width=1.8))
+    handles += _event_handles(events)
     style.finish(fig, f"{scene} ({strategy})", style.caption_text(context), handles)
     return style.Picture(f"frames_{scene}_{strategy}", f"{scene} ({strategy})",
-                         sentence(scene, strategy, shown), fig)
+                         sentence(scene, strategy, shown, events), fig)

@@ -86,6 +86,42 @@ def read_frame(path):
 
 
 @dataclass
+class Event:
+    """A change of the topology."""
+
+    kind: str
+    time: float
+    x: float
+    y: float
+
+
+EVENTS = ".events.jsonl"
+
+
+def read_events(path):
+    """The events of a run, in order; none if there is no such file."""
+    if not os.path.exists(path):
+        return []
+    events = []
+    try:
+        with open(path, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+    except OSError as fault:
+        raise InputFault(f"{path} cannot be read: {fault.strerror}.") from fault
+    for number, line in enumerate(lines, 1):
+        try:
+            data = json.loads(line)
+        except ValueError as fault:
+            raise InputFault(f"{path} has no JSON in line {number}, so it may be "
+                             "truncated.") from fault
+        where = f"line {number}"
+        events.append(Event(need(data, "kind", path, str, where),
+                            *(float(need(data, key, path, float, where))
+                              for key in ("time", "x", "y"))))
+    return events
+
+
+@dataclass
 class Region:
     """Where a submesh owns the vertices: low <= u < high and side_low <= w < side_high, with
     u = nx x + ny y and w = nx y - ny x; low > high: u >= low or u < high."""

@@ -10,6 +10,9 @@ import unittest
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 
+import numpy  # noqa: E402
+from matplotlib.collections import PathCollection  # noqa: E402
+
 import frames  # noqa: E402
 import histograms  # noqa: E402
 import load  # noqa: E402
@@ -229,6 +232,40 @@ class Plots(Case):
                                                        (7, None, load_frames.read_frame(later))])
         self.assertIn("4 and 4 triangles in frames 0 and 7", text)
         self.assertIn("from 1.0000 to 0.50000 (-50.000 %)", text)
+
+    def test_events_are_drawn_with_the_frame_after_them(self):
+        self.write("frames/swirl_sequential_00000.vtu", VTU.format(x=1))
+        self.write("frames/swirl_sequential_00007.vtu", VTU.format(x=1.5))
+        self.write("frames/swirl_sequential.pvd", """<VTKFile><Collection>
+            <DataSet timestep="0" file="swirl_sequential_00000.vtu"/>
+            <DataSet timestep="0.5" file="swirl_sequential_00007.vtu"/></Collection></VTKFile>""")
+        line = '{"kind": "%s", "time": %s, "x": 1, "y": 0.5}\n'
+        path = self.write("frames/swirl_sequential.events.jsonl",
+                          line % ("merge", 0.25) + line % ("split", 0.5) + line % ("fill", 0.75))
+        runs = frames.read(os.path.dirname(path))
+        picture = next(frames.draw(runs))
+        self.assertIn("changes of topology: 1 fill, 1 merge, 1 split", picture.sentence)
+        first, second = picture.figure.axes[:2]
+        marks = [[c for c in axes.collections if isinstance(c, PathCollection)]
+                 for axes in (first, second)]
+        self.assertEqual([len(found) for found in marks], [0, 2])  # one is still to come
+        self.write("frames/swirl_sequential.events.jsonl", line % ("merge", 0.25) + '{"kind": ')
+        self.assert_refused(["--frames", os.path.dirname(path)], "line 2", "truncated")
+        self.write("frames/swirl_sequential.events.jsonl", '{"kind": "merge"}\n')
+        self.assert_refused(["--frames", os.path.dirname(path)], "line 1", "time")
+
+    def test_many_phases_are_counted_and_not_listed(self):
+        path = self.write("frames/grains_sequential_00000.vtu", VTU.format(x=1))
+        frame = load_frames.read_frame(path)
+        count = len(frame.phases)
+        frame.phases = numpy.arange(1, count + 1)
+        few = frames.MANY
+        frames.MANY = count - 1
+        try:
+            text = frames.sentence("grains", "sequential", [(0, 0.0, frame), (1, 1.0, frame)])
+        finally:
+            frames.MANY = few
+        self.assertIn(f"{count} phases, of which {count} are left", text)
 
     def test_frame_names(self):
         for number in (3, 0, 12, 7):

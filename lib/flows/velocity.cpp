@@ -85,6 +85,19 @@ void Swirl::operator()(Positions positions, double time, Velocities velocities) 
     }
 }
 
+void Falling::operator()(Positions positions, double /*time*/, Velocities velocities) const {
+    assert(positions.size() == velocities.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        velocities[i] = {0, -speed * std::tanh((positions[i].y() - surface) / depth)};
+    }
+}
+
+Point<double> Falling::carried(const Point<double>& point, double time) const {
+    const double height =
+        std::sinh((point.y() - surface) / depth) * std::exp(-time * speed / depth);
+    return {point.x(), surface + depth * std::asinh(height)};
+}
+
 Velocity reversed(Velocity velocity) {
     return
         [velocity = std::move(velocity)](Positions positions, double time, Velocities velocities) {

@@ -60,6 +60,19 @@ struct Swirl {
                     std::span<Point<double>> velocities) const;
 };
 
+/// Straight down towards a surface at which everything comes to rest:
+///     v = (0, -speed tanh((y - surface) / depth)).
+struct Falling {
+    double surface = 0.0;
+    double depth = 1.0; ///< below this height above the surface the fall slows down
+    double speed = 1.0; ///< far above
+    void operator()(std::span<const Point<double>> positions, double time,
+                    std::span<Point<double>> velocities) const;
+    /// Where the flow has carried the point after so much time: sinh((y - surface) / depth) decays
+    /// as exp(-time speed / depth).
+    [[nodiscard]] Point<double> carried(const Point<double>& point, double time) const;
+};
+
 /// The opposite flow.
 [[nodiscard]] Velocity reversed(Velocity velocity);
 

@@ -22,12 +22,14 @@ bool is_smooth_at(const Complex<Real>& complex, Vertex before, Vertex at, Vertex
 } // namespace
 
 template <class Real>
-std::vector<Outline> interface_outlines(const Complex<Real>& complex, Reading reading,
-                                        int samples) {
-    const int pieces = reading == Reading::chords ? 1 : samples;
+std::vector<Outline> interface_outlines(const Complex<Real>& complex,
+                                        const OutlineOptions& options) {
+    const int pieces = options.reading == Reading::chords ? 1 : options.samples;
     std::vector<Outline> outlines;
     Ring<Real> ring;
-    const auto is_inside = [](Phase phase) { return phase != exterior_phase; };
+    const auto is_inside = [&](Phase phase) {
+        return options.phase ? phase == *options.phase : phase != exterior_phase;
+    };
     for (const VertexLoop& loop : outlines_where(complex, is_inside)) {
         const std::size_t n = loop.size();
         std::vector<std::uint8_t> smooth(n, 0);
@@ -55,14 +57,7 @@ std::vector<Outline> interface_outlines(const Complex<Real>& complex, Reading re
     return outlines;
 }
 
-template <class Real>
-std::vector<Outline> interface_outlines(const Complex<Real>& complex) {
-    return interface_outlines(complex, Reading::chords);
-}
-
-template std::vector<Outline> interface_outlines(const Complex<double>&);
-template std::vector<Outline> interface_outlines(const Complex<float>&);
-template std::vector<Outline> interface_outlines(const Complex<double>&, Reading, int);
-template std::vector<Outline> interface_outlines(const Complex<float>&, Reading, int);
+template std::vector<Outline> interface_outlines(const Complex<double>&, const OutlineOptions&);
+template std::vector<Outline> interface_outlines(const Complex<float>&, const OutlineOptions&);
 
 } // namespace dsc::scenes

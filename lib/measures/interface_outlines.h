@@ -6,18 +6,22 @@
 #include "dsc/motion/interpolation.h"
 #include "shapes/outline.h"
 
+#include <optional>
+
 namespace dsc::scenes {
 
-/// The closed curves between the exterior phase and all others, counter-clockwise around these;
-/// domain edges of other phases belong to them. O(n).
-template <class Real>
-[[nodiscard]] std::vector<Outline> interface_outlines(const Complex<Real>& complex);
+struct OutlineOptions {
+    /// How the curve runs between two vertices: with `Reading::cubic` each edge becomes `samples`
+    /// chords of its cubic, whose distance from it is 1 / samples^2 of that of the edge itself.
+    Reading reading = Reading::chords;
+    int samples = 32;
+    std::optional<Phase> phase = {}; ///< around this phase; none: around all but the exterior
+};
 
-/// The same curves as interpolated between their vertices: with `Reading::cubic` each edge becomes
-/// `samples` chords of its cubic; their distance from it is 1 / samples^2 of that of the edge
-/// itself. O(n).
+/// The closed curves around a phase, or between the exterior and all others, counter-clockwise
+/// around what they enclose; its domain edges belong to them. O(n).
 template <class Real>
-[[nodiscard]] std::vector<Outline> interface_outlines(const Complex<Real>& complex, Reading reading,
-                                                      int samples = 32);
+[[nodiscard]] std::vector<Outline> interface_outlines(const Complex<Real>& complex,
+                                                      const OutlineOptions& options = {});
 
 } // namespace dsc::scenes

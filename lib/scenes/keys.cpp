@@ -77,6 +77,11 @@ std::vector<Key> make_keys() {
         for_some_scenes(number(
             "period", 1e-6, 1e6, "a time from 1e-6 to 1e6",
             [](auto& p) -> auto& { return p.period; })),
+        for_some_scenes(number(
+            "angle", 5.0, 45.0, "5 to 45 degrees", [](auto& p) -> auto& { return p.angle; })),
+        for_some_scenes(number(
+            "grains", 4, 1'000'000, "a whole number from 4 to 1000000",
+            [](auto& p) -> auto& { return p.grains; })),
         choice(
             "integrator", integrator_names, [](auto& p) -> auto& { return p.integrator; }),
         number(

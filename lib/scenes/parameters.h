@@ -24,6 +24,8 @@ struct Parameters {
     double dt = 0.01;  ///< time step
     int steps = 0;     ///< time steps; of the swirl: each way
     double period = 0; ///< time from start to return of a reversing flow; 0: none
+    double angle = 0;  ///< of the rays of four sectors against the x axis, in degrees
+    int grains = 0;    ///< grains or bubbles at the start; 0: as many as fit
     Integrator integrator = Integrator::rk4;
     double tolerance = Options<double>{}.tolerance; ///< of `adaptive`, in edge lengths
     Insertion insertion = Insertion::cubic;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
-#include "dsc/motion/interface_flow.h"
+#include "dsc/motion/curvature_flow.h"
 #include "flows/velocity.h"
 #include "scenes/keys.h"
 #include "shapes/exact_shape.h"
@@ -16,10 +16,10 @@
 
 namespace dsc::scenes {
 
-/// A motion of the whole interface, in either precision.
-struct Motion {
-    InterfaceMotion<double> in_double;
-    InterfaceMotion<float> in_float;
+/// Motion by curvature.
+struct CurvatureMotion {
+    std::vector<PairCurvature> pairs{}; ///< those of another tension or mobility than 1
+    std::vector<Phase> keeps{};         ///< phases whose areas at the start are kept
 };
 
 /// Growth along the normal, at a speed that changes its sign once.
@@ -31,16 +31,22 @@ struct Growth {
 /// A scene with its parameters filled in.
 struct Setup {
     Rectangle domain{};
-    std::vector<Outline> outlines{}; ///< each of phase 1
+    std::vector<Outline> outlines{};  ///< each of phase 1
+    std::vector<dsc::Curve> curves{}; ///< in place of outlines: where several phases meet
+    bool clamped = false;             ///< where curves end on the domain's sides, they stay
+    std::optional<Phase> measured{};  ///< the one whose shape is measured; none: all but 0
     Flow flow{};
-    std::optional<Motion> motion{}; ///< replaces `flow`; not for the reference
-    std::optional<Growth> growth{}; ///< the same
+    std::optional<CurvatureMotion> curvature{}; ///< replaces `flow`; not for the reference
+    std::optional<Growth> growth{};             ///< the same
     double dt = 0;
     int steps = 0;                  ///< in total
     std::optional<int> half_step{}; ///< the step at which a reversing flow is farthest out
     /// What errors are measured against: the first outlines moved rigidly, or the smooth shape of
-    /// the scene.
+    /// the scene. Empty where nobody knows it.
     std::function<ExactShape(double time)> exact{};
+
+    /// The interface moves by its own geometry.
+    [[nodiscard]] bool sees_interface() const { return curvature || growth; }
 };
 
 struct Scene {

@@ -64,6 +64,26 @@ std::vector<Point<double>> velocities(const Velocity& velocity, const Outline& a
     return result;
 }
 
+// The closed form against the velocity that it integrates, and against a fall without a surface.
+TEST(Velocity, FallingComesToRestAtTheSurface) {
+    const Falling fall{.surface = 0.3, .depth = 0.1, .speed = 2};
+    const double d = 1e-6;
+    for (const double height : {0.3, 0.301, 0.35, 0.5, 1.5}) {
+        const Point<double> first(0.7, height);
+        for (const double time : {0.0, 0.05, 0.3}) {
+            const Point<double> there = fall.carried(first, time);
+            const Outline at{there};
+            const Point<double> velocity = velocities(fall, at, time).front();
+            const Point<double> change =
+                (fall.carried(first, time + d) - fall.carried(first, time - d)) / (2 * d);
+            EXPECT_NEAR((velocity - change).norm(), 0, 1e-8) << height << ", " << time;
+            EXPECT_GE(there.y(), 0.3 - 1e-15);
+        }
+        EXPECT_NEAR((fall.carried(first, 0) - first).norm(), 0, 1e-14);
+    }
+    EXPECT_NEAR(fall.carried({0, 1.5}, 0.3).y(), 0.9, 1e-5);
+}
+
 TEST(Velocity, SwirlIsTheDerivativeOfItsStreamFunction) {
     Random random(9);
     Outline at;

@@ -46,9 +46,8 @@ def distance(a, b):
 
 
 def figures(base, other):
-    return {
+    found = {
         "parallel_area": abs(other["area_ratio"] - base["area_ratio"]) / base["area_ratio"],
-        "parallel_symmetric_difference": abs(other["sd_rel_last"] - base["sd_rel_last"]),
         "parallel_area_histogram": distance(base["histograms"]["area"],
                                             other["histograms"]["area"]),
         "parallel_quality_histogram": distance(base["histograms"]["quality"],
@@ -56,6 +55,9 @@ def figures(base, other):
         "parallel_min_quality": other["min_quality_last"],
         "parallel_min_angle": other["min_angle_deg_last"],
     }
+    if base["sd_rel_last"] is not None:  # there is an exact shape
+        found["parallel_symmetric_difference"] = abs(other["sd_rel_last"] - base["sd_rel_last"])
+    return found
 
 
 def rounded(value, up):

@@ -39,8 +39,8 @@ double farthest_from_circle(const std::vector<Outline>& outlines, double radius)
 // 1 / 64^2 is what the chords of the cubic leave of the error of those of the complex.
 TEST(InterfaceOutlines, OfADiscAreNearerToTheCircleByTheCubic) {
     const auto complex = complex_of(circle({0.5, 0.5}, 0.3, 0.04), 0.04);
-    const auto chords = interface_outlines(complex, Reading::chords);
-    const auto cubic = interface_outlines(complex, Reading::cubic, 64);
+    const auto chords = interface_outlines(complex);
+    const auto cubic = interface_outlines(complex, {.reading = Reading::cubic, .samples = 64});
     ASSERT_EQ(chords.size(), 1U);
     ASSERT_EQ(cubic.size(), 1U);
     EXPECT_EQ(cubic.front().size(), 64 * chords.front().size());
@@ -55,7 +55,7 @@ TEST(InterfaceOutlines, OfADiscAreNearerToTheCircleByTheCubic) {
 // Each of the sides is straight, whatever is beyond its corners.
 TEST(InterfaceOutlines, ByTheCubicHaveTheCornersOfASquare) {
     const auto complex = complex_of({{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}}, 0.05);
-    const auto cubic = interface_outlines(complex, Reading::cubic);
+    const auto cubic = interface_outlines(complex, {.reading = Reading::cubic});
     ASSERT_EQ(cubic.size(), 1U);
     for (const Point<double>& p : cubic.front()) {
         EXPECT_NEAR((p - Point<double>(0.5, 0.5)).cwiseAbs().maxCoeff(), 0.2, 1e-15);
@@ -77,7 +77,7 @@ TEST(InterfaceOutlines, ByTheCubicEndAtTheDomainBoundary) {
                 (middle - Point<double>(0.5, height - 0.3)).norm() < 0.3 ? 1 : exterior_phase;
         }
         const auto chords = interface_outlines(complex);
-        const auto cubic = interface_outlines(complex, Reading::cubic, 8);
+        const auto cubic = interface_outlines(complex, {.reading = Reading::cubic, .samples = 8});
         ASSERT_EQ(chords.size(), cubic.size());
         std::size_t on_side = 0;
         for (std::size_t j = 0; j < chords.size(); ++j) {

@@ -69,7 +69,7 @@ bool runs(const Scene& scene, Strategy strategy, RealType real) {
     // scenes.
     const Setup setup = scene.prepare(scene.defaults);
     return strategy != Strategy::reference ||
-           (real == RealType::double_precision && !is_long() && !setup.motion && !setup.growth);
+           (real == RealType::double_precision && !is_long() && !setup.sees_interface());
 }
 
 nlohmann::json read_table() {

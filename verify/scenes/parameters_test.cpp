@@ -139,6 +139,7 @@ TEST(Parameters, ArePrintedAsTheyAreRead) {
     const std::map<std::string, std::string> texts{
         {"h", "0.125"},          {"dt", "0.5"},
         {"steps", "260"},        {"period", "8"},
+        {"angle", "30"},         {"grains", "25"},
         {"integrator", "euler"}, {"tolerance", "0.25"},
         {"insertion", "arc"},    {"coarsening", "area"},
         {"reading", "cubic"},    {"longest", "1.25"},
@@ -224,16 +225,19 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
                 << key;
         }
         const auto setup = scene.prepare(scene.defaults);
-        EXPECT_FALSE(setup.outlines.empty());
-        EXPECT_EQ(setup.flow.empty(), setup.motion.has_value() || setup.growth.has_value());
+        EXPECT_NE(setup.outlines.empty(), setup.curves.empty());
+        EXPECT_EQ(setup.flow.empty(), setup.sees_interface());
         EXPECT_GT(setup.steps, 0);
         EXPECT_TRUE(std::isfinite(setup.dt) && setup.dt > 0);
-        EXPECT_GT(setup.exact(0).area, 0);
+        if (setup.exact) {
+            EXPECT_GT(setup.exact(0).area, 0);
+        }
     }
     for (const char* name :
          {"translation", "scaling", "rotation-rectangle", "rotation-crescent", "vortex-square",
           "zalesak", "swirl", "swirl-zalesak", "single-vortex", "speedup-scaling",
-          "speedup-four-circles", "curvature-circle", "curvature-dumbbell"}) {
+          "speedup-four-circles", "curvature-circle", "curvature-dumbbell", "grow-shrink",
+          "three-phases", "t1", "grains", "foam", "drop-and-pool"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
 }

@@ -40,6 +40,9 @@ double coarse_edge(const std::string& scene) {
     if (scene == "single-vortex") {
         return 0.025; // the filament gets as thin as this
     }
+    if (scene == "t1") {
+        return 0.02; // later the edge is as long as the domain allows
+    }
     if (scene == "curvature-dumbbell") {
         return 0.02; // a third of the neck
     }
@@ -81,6 +84,7 @@ TEST_P(EveryScene, IsValidAfterEveryStep) {
     RunOptions options;
     options.strategy = GetParam().strategy;
     options.submeshing.submeshes = 4;
+    const scenes::Setup setup = scene.prepare(parameters);
     int looked_at = 0;
     std::uint64_t hash = 0;
     std::uint64_t triangles = 0;
@@ -91,11 +95,11 @@ TEST_P(EveryScene, IsValidAfterEveryStep) {
         ASSERT_EQ(validate(complex).problem, "") << "after step " << step;
         hash = mesh_hash(complex);
         triangles = complex.triangle_count();
-        area = signed_area(interface_outlines(complex));
+        area = signed_area(interface_outlines(complex, {.phase = setup.measured}));
     };
     const RunResult result = run_scene(scene, parameters, options);
     EXPECT_EQ(looked_at, result.steps + 1);
-    EXPECT_EQ(result.steps, scene.prepare(parameters).steps);
+    EXPECT_EQ(result.steps, setup.steps);
     EXPECT_EQ(result.mesh_hash, hash);
     EXPECT_EQ(result.triangles_last, triangles);
     EXPECT_EQ(number(result.last, "area"), area);
@@ -110,6 +114,9 @@ TEST_P(EveryScene, IsValidAfterEveryStep) {
     EXPECT_EQ(result.area_histogram.total(), triangles);
     EXPECT_EQ(result.quality_histogram.total(), triangles);
     EXPECT_EQ(result.area_ratio, number(result.last, "area") / result.area_first);
+    if (!setup.exact) {
+        return;
+    }
     // Coarse, but the shape that it should be.
     EXPECT_LT(number(result.last, "sd_rel"), 0.1);
     const double exact = number(result.last, "area_exact");

@@ -221,7 +221,13 @@ private:
         const Corner shared = next(sheets[0]) == sheets[1] ? prev(sheets[0]) : next(sheets[0]);
         const Point<Real> a = direction(complex_, sheets[0]);
         const Point<Real> b = direction(complex_, sheets[1]);
-        return is_seam(complex_.vertex(shared)) &&
+        // A tip between two vertices of the seam that hold up each other.
+        const auto is_held_up = [&](Corner c) {
+            const std::uint32_t v = complex_.vertex(next(c) == shared ? prev(c) : next(c));
+            return is_seam(v) && (complex_.vertices[v].flags & vertex_contact) != 0;
+        };
+        const bool is_tip = is_held_up(sheets[0]) && is_held_up(sheets[1]);
+        return (is_tip || is_seam(complex_.vertex(shared))) &&
                -a.dot(b) > static_cast<Real>(seam_angle) * a.norm() * b.norm();
     }
 

@@ -19,6 +19,8 @@ const std::vector<Scene>& catalogue() {
                  speedup_scenes,
                  curvature_scenes,
                  growth_scenes,
+                 network_scenes,
+                 pool_scenes,
              }) {
             for (Scene& scene : family()) {
                 all.push_back(std::move(scene));

@@ -2,7 +2,6 @@
 // Curvature flow. Any closed curve loses area at the rate 2 pi, becomes convex, and vanishes as a
 // round point without ever splitting: M. A. Grayson, "The heat equation shrinks embedded plane
 // curves to round points" (1987).
-#include "dsc/motion/curvature_flow.h"
 #include "flows/exact.h"
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"
@@ -19,8 +18,6 @@ constexpr double pi = std::numbers::pi;
 /// The farthest that a vertex goes in a step where the curvature is that of the radius below.
 constexpr double step = 0.25;
 
-Motion by_curvature() { return {curvature_flow<double>(), curvature_flow<float>()}; }
-
 Setup circle_to_half(const Parameters& p) {
     static constexpr double first_radius = 0.3;
     static const Point<double> middle(0.5, 0.5);
@@ -28,7 +25,7 @@ Setup circle_to_half(const Parameters& p) {
     const Schedule s = schedule(p, first_radius * first_radius / 4, step * p.h * last_radius);
     Setup setup;
     setup.outlines = {circle(middle, first_radius, p.h)};
-    setup.motion = by_curvature();
+    setup.curvature = CurvatureMotion{};
     setup.dt = s.dt;
     setup.steps = s.steps;
     setup.exact = [](double time) {
@@ -44,7 +41,7 @@ Setup dumbbell_to_a_hundredth(const Parameters& p) {
     const Schedule s = schedule(p, 0.99 * first_area / (2 * pi), step * p.h * first.rounding);
     Setup setup;
     setup.outlines = {dumbbell(first, p.h)};
-    setup.motion = by_curvature();
+    setup.curvature = CurvatureMotion{};
     setup.dt = s.dt;
     setup.steps = s.steps;
     setup.exact = [](double time) {

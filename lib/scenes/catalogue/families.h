@@ -16,6 +16,8 @@ namespace dsc::scenes {
 [[nodiscard]] std::vector<Scene> speedup_scenes();
 [[nodiscard]] std::vector<Scene> curvature_scenes();
 [[nodiscard]] std::vector<Scene> growth_scenes();
+[[nodiscard]] std::vector<Scene> network_scenes();
+[[nodiscard]] std::vector<Scene> pool_scenes();
 
 /// What a list of scenes and its help say about a scene.
 struct About {

@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/command_line/command_line.h"
+#include "scenes/output/event_lines.h"
 #include "scenes/output/write_file.h"
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"

@@ -2,6 +2,8 @@
 #include "scenes/output/frames.h"
 
 #include "dsc/base/error.h"
+#include "scenes/output/event_lines.h"
+#include "scenes/output/write_file.h"
 
 #include <unistd.h>
 
@@ -54,9 +56,17 @@ std::string Frames::write(int step, double time, const Complex<Real>& complex) {
     return path;
 }
 
-void Frames::finish() const {
-    if (!folder_.empty()) {
-        write_pvd(entries_, (std::filesystem::path(folder_) / (name_ + ".pvd")).string());
+void Frames::finish(std::span<const Event> events) const {
+    if (folder_.empty()) {
+        return;
+    }
+    const std::filesystem::path path = std::filesystem::path(folder_) / name_;
+    write_pvd(entries_, path.string() + ".pvd");
+    const std::string list = path.string() + ".events.jsonl";
+    if (events.empty()) {
+        std::filesystem::remove(list); // of an earlier run
+    } else {
+        write_file(list, events_to_json_lines(events));
     }
 }
 

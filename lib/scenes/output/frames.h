@@ -4,8 +4,10 @@
 
 #include "dsc/complex/complex.h"
 #include "dsc/io/vtu.h"
+#include "dsc/topology/events.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,8 @@ public:
     /// Throws FileError.
     template <class Real>
     std::string write(int step, double time, const Complex<Real>& complex);
-    /// Writes the collection.
-    void finish() const;
+    /// Writes the collection, and the events beside it if there are any.
+    void finish(std::span<const Event> events) const;
 
 private:
     [[nodiscard]] bool is_due(int step) const;

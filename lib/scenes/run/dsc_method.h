@@ -2,6 +2,7 @@
 // The mesh during a run, in either precision.
 #pragma once
 
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/algorithm/simulation.h"
 #include "dsc/motion/growth.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
@@ -58,6 +59,9 @@ public:
         Submeshing submeshing = run.submeshing;
         submeshing.profile = !run.frames.empty(); // the submeshes are drawn by their work
         std::optional<Algorithm<Real>> algorithm;
+        if (setup.curvature) {
+            by_curvature_ = curvature_flow<Real>(curvature_of(*setup.curvature));
+        }
         if (setup.growth) {
             algorithm = growth_algorithm(complex_, growth_of(*setup.growth, both_ways));
         }
@@ -76,13 +80,9 @@ public:
                                static_cast<Real>(dt)),
              time, result);
     }
-    void step(const Motion& motion, double time, double dt, RunResult& result) {
-        const auto begin = static_cast<Real>(time);
-        if constexpr (std::is_same_v<Real, double>) {
-            take(simulation_->step(motion.in_double, begin, dt), time, result);
-        } else {
-            take(simulation_->step(motion.in_float, begin, static_cast<Real>(dt)), time, result);
-        }
+    void step(const CurvatureMotion&, double time, double dt, RunResult& result) {
+        take(simulation_->step(by_curvature_, static_cast<Real>(time), static_cast<Real>(dt)), time,
+             result);
     }
     void step(const Growth& growth, double time, double dt, RunResult& result) {
         const double way = both_ways(growth, time);
@@ -116,6 +116,15 @@ private:
         return options;
     }
 
+    [[nodiscard]] CurvatureFlowOptions curvature_of(const CurvatureMotion& motion) const {
+        CurvatureFlowOptions options;
+        options.pairs = motion.pairs;
+        for (const Phase phase : motion.keeps) {
+            options.kept_areas.push_back({phase, phase_area(complex_, phase)});
+        }
+        return options;
+    }
+
     void take(const StepReport& report, double time, RunResult& result) {
         result.unreached += report.unreached;
         result.held += report.held;
@@ -136,6 +145,7 @@ private:
     std::unique_ptr<Simulation<Real>> simulation_;
     const SubmeshExecutor<Real>* submeshes_ = nullptr;
     const Velocity* leg_ = nullptr; ///< the velocity of the previous step
+    InterfaceMotion<Real> by_curvature_;
     std::uint64_t vertex_steps_ = 0;
 };
 

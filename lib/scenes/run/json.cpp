@@ -104,21 +104,6 @@ Json events_json(const std::vector<Event>& events) {
 
 } // namespace
 
-std::string events_to_json_lines(std::span<const Event> events) {
-    std::string lines;
-    for (const Event& event : events) {
-        const Json json{{"kind", to_string(event.kind)},
-                        {"time", event.time},
-                        {"x", event.x},
-                        {"y", event.y},
-                        {"lost", event.lost},
-                        {"taken", event.taken},
-                        {"area", event.area}};
-        lines += json.dump() + "\n";
-    }
-    return lines;
-}
-
 std::string to_json(const RunResult& r) {
     char hash[17];
     std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(r.mesh_hash));

@@ -2,9 +2,6 @@
 // A run's result as the file that is read by plots, tables and other programs.
 #pragma once
 
-#include "dsc/topology/events.h"
-
-#include <span>
 #include <string>
 
 namespace dsc::scenes {
@@ -16,8 +13,5 @@ struct RunResult;
 /// (`phases`, `pairs`: of phases that meet) and of junctions is that of the last moment; angles are
 /// null where there is no junction.
 [[nodiscard]] std::string to_json(const RunResult& result);
-
-/// The changes of topology, one JSON object a line: kind, time, place, phases, area.
-[[nodiscard]] std::string events_to_json_lines(std::span<const Event> events);
 
 } // namespace dsc::scenes

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace dsc::scenes {
@@ -58,7 +59,7 @@ public:
                 break;
             }
         }
-        frames.finish();
+        frames.finish(result_.events);
         last(step_us);
     }
 
@@ -71,8 +72,8 @@ private:
                 method_.step(*setup_.growth, begin, setup_.dt, result_);
                 return;
             }
-            if (setup_.motion) {
-                method_.step(*setup_.motion, begin, setup_.dt, result_);
+            if (setup_.curvature) {
+                method_.step(*setup_.curvature, begin, setup_.dt, result_);
                 return;
             }
         }
@@ -95,14 +96,15 @@ private:
 
     // The interface as interpolated by the scene.
     std::vector<Outline> outlines() {
-        return interface_outlines(complex(), result_.parameters.interface.reading);
+        return interface_outlines(
+            complex(), {.reading = result_.parameters.interface.reading, .phase = setup_.measured});
     }
 
     Figures figures() {
         const auto read = outlines();
-        const auto polygons = interface_outlines(complex());
+        const auto polygons = interface_outlines(complex(), {.phase = setup_.measured});
         std::optional<ExactShape> exact;
-        if (options_.measure_shape) {
+        if (options_.measure_shape && setup_.exact) {
             exact = setup_.exact(time_);
         }
         return measure(options_.measures, {.mesh = &complex(),
@@ -117,7 +119,8 @@ private:
         result_.triangles_first = complex().triangle_count();
         result_.interface_vertices_first = method_.interface_vertices();
         result_.area_first = signed_area(outlines());
-        result_.area_exact_first = setup_.exact(0.0).area;
+        result_.area_exact_first =
+            setup_.exact ? setup_.exact(0.0).area : std::numeric_limits<double>::quiet_NaN();
         result_.min_quality_ever = 1;
         look_at_the_worst();
         result_.quality_sampled_every = result_.triangles_first <= few_triangles ? 1 : seldom;
@@ -207,7 +210,7 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
                               .value = "'float'",
                               .allowed = "double"});
         }
-        if (setup.motion || setup.growth) {
+        if (setup.sees_interface()) {
             throw InputError({.what = "the reference moves vertices by velocities alone",
                               .where = "--strategy",
                               .value = "'reference'",

@@ -2,17 +2,49 @@
 #include "scenes/run/start.h"
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc/complex/circulate.h"
+#include "dsc/complex/ranges.h"
 
 namespace dsc::scenes {
 
+namespace {
+
+// Locks the vertices at which an interface edge ends on the domain boundary.
+template <class Real>
+void clamp_ends(Complex<Real>& complex) {
+    for (const Vertex v : vertices(complex)) {
+        bool is_on_boundary = false;
+        bool is_end = false;
+        for_each_corner(complex, v, [&](Corner c) {
+            const Corner across = complex.twin(prev(c));
+            is_on_boundary = is_on_boundary || is_border(across);
+            is_end =
+                is_end || (!is_border(across) && complex.phase_at(across) != complex.phase_at(c));
+        });
+        if (is_on_boundary && is_end) {
+            complex.set_locked(v, true);
+        }
+    }
+}
+
+} // namespace
+
 template <class Real>
 Complex<Real> first_complex(const Setup& setup, const Parameters& parameters) {
+    InitialOptions options;
+    options.edge_length = parameters.h;
+    if (!setup.curves.empty()) {
+        auto complex = initial_complex<Real>(
+            setup.domain, std::span<const dsc::Curve>(setup.curves), options);
+        if (setup.clamped) {
+            clamp_ends(complex);
+        }
+        return complex;
+    }
     std::vector<Shape> shapes;
     for (const Outline& outline : setup.outlines) {
         shapes.push_back({outline, 1});
     }
-    InitialOptions options;
-    options.edge_length = parameters.h;
     return initial_complex<Real>(setup.domain, shapes, options);
 }
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A drop falls into a pool and is absorbed: the thesis's own example of phases that merge (section
+// 13). The pool's surface is at rest, and the fall slows down towards it, so that the drop is
+// flattened; without merging, a film of air would stay under it for ever.
+#include "flows/velocity.h"
+#include "scenes/catalogue/families.h"
+#include "shapes/shapes.h"
+
+#include <cmath>
+
+namespace dsc::scenes {
+
+namespace {
+
+constexpr Falling fall{.surface = 0.3, .depth = 0.1, .speed = 1};
+const Point<double> first_centre(0.5, 0.55);
+constexpr double radius = 0.12;
+/// Vertices of the polygon that stands for the drop's exact shape.
+constexpr double fine = 1e-4;
+
+ExactShape drop_and_pool_at(double time) {
+    ExactShape shape;
+    Outline drop = circle(first_centre, radius, fine);
+    for (auto& point : drop) {
+        point = fall.carried(point, time);
+    }
+    shape.outlines = {drop, {{0, 0}, {1, 0}, {1, fall.surface}, {0, fall.surface}}};
+    shape.area = signed_area(shape.outlines);
+    shape.description = "the image of the drop, and the pool";
+    shape.own_error = 2 * radius * fine * fine;
+    return shape;
+}
+
+Setup drop_and_pool(const Parameters& p) {
+    const Schedule half = schedule(p, 0.35, 0.3 * p.h / fall.speed);
+    Outline drop = circle(first_centre, radius, p.h);
+    drop.push_back(drop.front());
+    Setup setup;
+    setup.curves = {{drop, 1, exterior_phase},
+                    {{{0, fall.surface}, {1, fall.surface}}, exterior_phase, 1}};
+    setup.measured = 1;
+    setup.flow = steady(fall);
+    setup.dt = half.dt;
+    setup.steps = 2 * half.steps;
+    setup.half_step = half.steps;
+    setup.exact = drop_and_pool_at;
+    return setup;
+}
+
+} // namespace
+
+std::vector<Scene> pool_scenes() {
+    return {
+        {.name = "drop-and-pool",
+         .description = "a drop falls into a pool and is absorbed",
+         .section = "13",
+         .defaults = {.h = 0.01, .dt = 0, .topology = Topology::change},
+         .prepare = drop_and_pool},
+    };
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Networks of curves that move by their curvature, against what is known of them: angles at
+// junctions, the self-similar edge between four sectors, the growth of grains, areas that are kept;
+// and a drop that a pool absorbs.
+#include "measures/grains.h"
+#include "measures/junctions.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/run/run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace dsc::scenes {
+namespace {
+
+std::uint64_t count(const RunResult& result, EventKind kind) {
+    return static_cast<std::uint64_t>(std::ranges::count(result.events, kind, &Event::kind));
+}
+
+void expect_sound(const RunResult& result) {
+    EXPECT_EQ(result.inverted, 0U);
+    EXPECT_EQ(result.unreached, 0U);
+    EXPECT_EQ(result.gave_up, "");
+}
+
+TEST(ThreePhases, BecomeALensOf120DegreesToSecondOrder) {
+    std::vector<double> errors;
+    for (const double h : {0.04, 0.02, 0.01}) {
+        SCOPED_TRACE(h);
+        const Scene& scene = find_scene("three-phases");
+        Parameters parameters = scene.defaults;
+        parameters.h = h;
+        const RunResult result = run_scene(scene, parameters, {});
+        expect_sound(result);
+        EXPECT_EQ(result.junctions.count, 2U);
+        EXPECT_LT(result.junctions.worst_deviation_deg, 0.3 * h / 0.02);
+        EXPECT_NEAR(number(result.last, "area") / result.area_first, 1, 1e-9);
+        errors.push_back(number(result.last, "sd_rel"));
+    }
+    EXPECT_LT(errors[1], 2e-3);
+    EXPECT_GT(std::log2(errors[0] / errors[2]) / 2, 1.8) << errors[0] << ", " << errors[2];
+}
+
+// c of the new edge's length c sqrt(t), for two angles of the rays.
+TEST(T1, OpensAnEdgeAsTheSelfSimilarSolution) {
+    for (const auto& [degrees, c] : {std::pair{40.0, 1.08572}, std::pair{30.0, 1.87560}}) {
+        SCOPED_TRACE(degrees);
+        const Scene& scene = find_scene("t1");
+        Parameters parameters = scene.defaults;
+        parameters.angle = degrees;
+        std::vector<Point<double>> ends;
+        RunOptions options;
+        options.observer = [&](int, const Complex<double>& complex) {
+            ends.clear();
+            for (const Junction& junction : measure_junctions(complex)) {
+                ends.push_back(complex.position(junction.vertex));
+            }
+        };
+        const RunResult result = run_scene(scene, parameters, options);
+        expect_sound(result);
+        EXPECT_EQ(count(result, EventKind::exchange), 1U);
+        ASSERT_EQ(ends.size(), 2U);
+        const double length = (ends[0] - ends[1]).norm();
+        EXPECT_GT(length, 10 * parameters.h);
+        const double time = result.steps * result.parameters.dt;
+        EXPECT_NEAR(length / std::sqrt(time), c, 0.02 * c);
+        EXPECT_LT(result.junctions.worst_deviation_deg, 1);
+    }
+}
+
+// The law of von Neumann and Mullins for all grains of three to nine sides that keep their sides
+// for a while and are not yet small.
+TEST(Grains, GrowAsTheirSidesSay) {
+    const Scene& scene = find_scene("grains");
+    Parameters parameters = scene.defaults;
+    parameters.h = 0.008;
+    parameters.grains = 40; // of twenty edges across
+    parameters.steps = 200;
+    parameters.dt = 0.2 * parameters.h * parameters.h;
+    constexpr int every = 10;
+    constexpr int smooth = 50; // steps after which the angles of the start are forgotten
+    std::vector<GrainGrowth> growth;
+    std::vector<Grain> before;
+    RunOptions options;
+    options.observer = [&](int step, const Complex<double>& complex) {
+        if (step % every != 0 || step < smooth) {
+            return;
+        }
+        std::vector<Grain> grains = measure_grains(complex);
+        for (const GrainGrowth& one :
+             measure_growth(before, grains, {.duration = every * parameters.dt})) {
+            if (one.grain.sides <= 9 && one.grain.area > std::pow(5 * parameters.h, 2)) {
+                growth.push_back(one);
+            }
+        }
+        before = std::move(grains);
+    };
+    const RunResult result = run_scene(scene, parameters, options);
+    expect_sound(result);
+    const GrowthFigures figures = summarise(growth);
+    EXPECT_GT(figures.count, 200U);
+    EXPECT_LT(figures.median_error_rel, 0.01);
+    EXPECT_LT(figures.nine_tenths_error_rel, 0.03);
+}
+
+TEST(Foam, KeepsTheAreasOfItsBubblesAndComesTo120Degrees) {
+    const Scene& scene = find_scene("foam");
+    Parameters parameters = scene.defaults;
+    parameters.h = 0.016;
+    std::map<Phase, double> first;
+    std::map<Phase, double> last;
+    RunOptions options;
+    options.observer = [&](int step, const Complex<double>& complex) {
+        last.clear();
+        for (const Grain& bubble : measure_grains(complex)) {
+            last[bubble.phase] += bubble.area;
+        }
+        first = step == 0 ? last : first;
+    };
+    const RunResult result = run_scene(scene, parameters, options);
+    expect_sound(result);
+    ASSERT_EQ(first.size(), last.size());
+    EXPECT_GT(first.size(), 20U);
+    for (const auto& [phase, area] : first) {
+        EXPECT_NEAR(last[phase] / area, 1, 1e-8) << phase;
+    }
+    EXPECT_EQ(result.junctions.crossings, 0U);
+    EXPECT_LT(result.junctions.worst_deviation_deg, 1);
+}
+
+TEST(DropAndPool, TheDropIsAbsorbedInEveryStrategy) {
+    for (const Strategy strategy : all_strategies()) {
+        if (strategy == Strategy::reference) {
+            continue;
+        }
+        SCOPED_TRACE(to_string(strategy));
+        const Scene& scene = find_scene("drop-and-pool");
+        RunOptions options;
+        options.strategy = strategy;
+        const RunResult result = run_scene(scene, scene.defaults, options);
+        expect_sound(result);
+        EXPECT_EQ(count(result, EventKind::merge), 1U);
+        EXPECT_EQ(count(result, EventKind::split), 0U);
+        ASSERT_EQ(result.phases.phases.size(), 2U);
+        for (const PhaseFigures& phase : result.phases.phases) {
+            EXPECT_EQ(phase.components, 1U);
+            EXPECT_EQ(phase.holes, 0U);
+        }
+        EXPECT_LT(number(*result.half, "sd_rel"), 1e-4);
+        EXPECT_LT(number(result.last, "sd_rel"), 5e-4);
+    }
+}
+
+} // namespace
+} // namespace dsc::scenes
