@@ -17,7 +17,12 @@ inline std::string text(double value) {
 }
 
 inline std::string text(const Point<double>& point) {
-    return "(" + text(point.x()) + ", " + text(point.y()) + ")";
+    std::string words(1, '('); // GCC 12 warns of "(" + a temporary string (its bug 105651)
+    words += text(point.x());
+    words += ", ";
+    words += text(point.y());
+    words += ')';
+    return words;
 }
 
 } // namespace dsc::initial
