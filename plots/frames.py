@@ -61,7 +61,7 @@ def window(frame, count=CLOSE_COUNT, centre=None):
 
 
 def centre_of(events):
-    """Where the topology changed most; None without events."""
+    """Where phases first met or parted, or the first event; None without events."""
     first = [e for e in events if e.kind in ("merge", "split", "meet")] or events
     return numpy.array([first[0].x, first[0].y]) if first else None
 

@@ -23,8 +23,7 @@ InterfaceThresholds without_corners() {
     return thresholds;
 }
 
-// --- a lens
-// ---------------------------------------------------------------------------------------
+// --- a lens -------------------------------------------------------------------------------------
 
 // The upper half of a circle from right to left, or the lower one from left to right; both ends are
 // at the height of the centre, exactly.
@@ -66,8 +65,7 @@ Setup disc_between_half_planes(const Parameters& p) {
     return setup;
 }
 
-// --- four sectors
-// ---------------------------------------------------------------------------------
+// --- four sectors -------------------------------------------------------------------------------
 
 Setup four_sectors(const Parameters& p) {
     enum : Phase { right = 1, above = 2, left = 3, below = 4 };
@@ -96,8 +94,7 @@ Setup four_sectors(const Parameters& p) {
     return setup;
 }
 
-// --- grains and bubbles
-// ---------------------------------------------------------------------------
+// --- grains and bubbles -------------------------------------------------------------------------
 
 /// Edges of the first network that are shorter than this, in edge lengths, are contracted.
 constexpr double shortest = 0.3;
@@ -120,7 +117,7 @@ Setup voronoi_grains(const Parameters& p) {
     Setup setup;
     setup.curves = network(p, count, 2);
     setup.curvature = CurvatureMotion{};
-    // The mean area grows by about this much per time, so that a third of the grains is left.
+    // The mean area grows by about this much per time, so that about half of the grains are left.
     static constexpr double growth = 1;
     const Schedule s = schedule(p, 2.0 / count / growth, 0.2 * p.h * p.h);
     setup.dt = s.dt;
