@@ -121,6 +121,8 @@ std::vector<Key> make_keys() {
             "contact", 0.0, 1.0, "0 (0.4 edge lengths), or a length up to 0.75 edge lengths",
             [](auto& p) -> auto& { return p.contact; }),
         choice(
+            "give_back", no_or_yes, [](auto& p) -> auto& { return p.gives_back; }),
+        choice(
             "real", real_type_names, [](auto& p) -> auto& { return p.real; }),
         number(
             "seed", std::uint64_t{0}, UINT64_MAX, "a whole number from 0 to 2^64 - 1",

@@ -19,6 +19,8 @@ inline constexpr std::array real_type_names{
     return name_in(real_type_names, real);
 }
 
+inline constexpr std::array no_or_yes{Named{false, "no"}, Named{true, "yes"}};
+
 struct Parameters {
     double h = 0.02;   ///< target edge length, in units of the domain
     double dt = 0.01;  ///< time step
@@ -32,6 +34,7 @@ struct Parameters {
     InterfaceThresholds interface {};
     Topology topology = Topology::keep; ///< of all pairs of phases
     double contact = 0; ///< thickness at which a film opens, a length; 0: the library's default
+    bool gives_back = false; ///< area that changes of topology take
     RealType real = RealType::double_precision;
     std::uint64_t seed = 0; ///< shuffles the order in which the interface is worked through; 0: not
 };

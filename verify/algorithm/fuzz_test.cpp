@@ -130,6 +130,7 @@ void draw_topology(std::uint64_t seed, double h, TopologyOptions<Real>& topology
                                   .rule = Topology::change,
                                   .contact = static_cast<Real>(dice.in(0.05, 0.75) * h)});
     }
+    topology.gives_back_area = dice.chance(0.5);
     words << ", topology " << to_string(topology.rule) << " contact " << topology.contact
           << " least area " << topology.least_area << " pairs " << topology.pairs.size();
 }

@@ -147,7 +147,8 @@ TEST(Parameters, ArePrintedAsTheyAreRead) {
         {"turn", "15"},          {"gap", "2"},
         {"grading", "2.5"},      {"finest", "0.0625"},
         {"topology", "change"},  {"contact", "0.0078125"},
-        {"real", "float"},       {"seed", "18446744073709551615"}};
+        {"give_back", "yes"},    {"real", "float"},
+        {"seed", "18446744073709551615"}};
     for (const Key& key : parameter_keys()) {
         ASSERT_TRUE(texts.contains(key.name)) << key.name;
         const std::string text = texts.at(key.name);

@@ -123,6 +123,28 @@ Complex<Real> random_patches(Dice& dice, double h, int patches) {
     return complex;
 }
 
+/// Each triangle belongs to the nearest of random sites; phases from 1 on.
+inline Complex<double> random_grains(int count, double h, std::uint64_t seed) {
+    Dice dice(seed);
+    std::vector<Point<double>> sites;
+    for (int i = 0; i < count; ++i) {
+        const double x = dice.in(0.0, 1.0);
+        sites.emplace_back(x, dice.in(0.0, 1.0));
+    }
+    auto complex = initial_complex<double>({}, {}, {.edge_length = h});
+    for (const Triangle t : triangles(complex)) {
+        const auto [a, b, c] = complex.vertices_of(t);
+        const Point<double> p =
+            (complex.position(a) + complex.position(b) + complex.position(c)) / 3;
+        Phase nearest = 0;
+        for (Phase i = 1; i < sites.size(); ++i) {
+            nearest = (p - sites[i]).norm() < (p - sites[nearest]).norm() ? i : nearest;
+        }
+        complex.set_phase(t, nearest + 1);
+    }
+    return complex;
+}
+
 /// What makes a flow wild: none of it has to be followed accurately, all of it has to be survived.
 enum class Wildness : std::uint8_t {
     none,

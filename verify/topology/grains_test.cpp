@@ -20,28 +20,6 @@
 namespace dsc {
 namespace {
 
-using P = Point<double>;
-
-Complex<double> grains(int count, double h, std::uint64_t seed) {
-    test::Dice dice(seed);
-    std::vector<P> sites;
-    for (int i = 0; i < count; ++i) {
-        const double x = dice.in(0.0, 1.0);
-        sites.emplace_back(x, dice.in(0.0, 1.0));
-    }
-    auto complex = initial_complex<double>({}, {}, {.edge_length = h});
-    for (const Triangle t : triangles(complex)) {
-        const auto [a, b, c] = complex.vertices_of(t);
-        const P p = (complex.position(a) + complex.position(b) + complex.position(c)) / 3;
-        Phase nearest = 0;
-        for (Phase i = 1; i < sites.size(); ++i) {
-            nearest = (p - sites[i]).norm() < (p - sites[nearest]).norm() ? i : nearest;
-        }
-        complex.set_phase(t, nearest + 1);
-    }
-    return complex;
-}
-
 std::size_t count_phases(const Complex<double>& complex) {
     std::set<Phase> phases;
     for (const Triangle t : triangles(complex)) {
@@ -82,14 +60,14 @@ int coarsen(Complex<double>& complex, double h, std::uint32_t threads, std::size
 
 TEST(Grains, CoarsenToATenthAndNothingIsStuck) {
     constexpr double h = 0.018;
-    auto complex = grains(30, h, 2);
+    auto complex = test::random_grains(30, h, 2);
     EXPECT_LT(coarsen(complex, h, 1, 3, 5000), 5000);
 }
 
 // Grains of four edges: films open between grains that are still jagged, at their junctions.
 TEST(Grains, OfACoarseStartLeaveNoCrowdedVertex) {
     constexpr double h = 0.03;
-    auto complex = grains(60, h, 17);
+    auto complex = test::random_grains(60, h, 17);
     EXPECT_EQ(coarsen(complex, h, 1, 3, 12), 12);
 }
 
@@ -97,7 +75,7 @@ TEST(Grains, CoarsenInTheSameWayForAnyNumberOfThreads) {
     constexpr double h = 0.018;
     std::uint64_t hash = 0;
     for (const std::uint32_t threads : {1U, 2U, 3U}) {
-        auto complex = grains(30, h, 3);
+        auto complex = test::random_grains(30, h, 3);
         EXPECT_EQ(coarsen(complex, h, threads, 3, 200), 200);
         EXPECT_LT(count_phases(complex), 28U);
         hash = hash == 0 ? mesh_hash(complex) : hash;

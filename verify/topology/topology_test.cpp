@@ -358,6 +358,35 @@ TEST(Topology, SmallPiecesVanish) {
     EXPECT_EQ(validate(complex).problem, "");
 }
 
+// All vertices of a small disc are sent to their mirror images, which they cannot reach. As the
+// disc vanishes in the same sub-step, none of them is left behind.
+TEST(Topology, WhatVanishesIsNotLeftBehind) {
+    for (const Topology rule : {Topology::keep, Topology::change}) {
+        const Point<double> centre(0.5, 0.5);
+        const std::vector<Shape> shapes{{test::circle_points(centre, 0.58 * h, 6), 1}};
+        auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
+        Options<double> in_one = options(rule);
+        in_one.sub_step = 2;
+        in_one.integrator = Integrator::euler;
+        Simulation<double> simulation(complex, in_one);
+        constexpr double dt = 0.1;
+        const Velocity<double> mirrored = [&](std::span<const Point<double>> positions, double,
+                                              std::span<Point<double>> velocities) {
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+                velocities[i] = {2 * (centre.x() - positions[i].x()) / dt, 0.0};
+            }
+        };
+        const StepReport report = simulation.step(mirrored, 0, dt);
+        EXPECT_EQ(validate(complex).problem, "");
+        if (rule == Topology::keep) {
+            EXPECT_GT(report.unreached, 0U);
+        } else {
+            EXPECT_EQ(count(report.events, EventKind::remove), 1U);
+            EXPECT_EQ(report.unreached, 0U);
+        }
+    }
+}
+
 TEST(TopologyOptions, BadOnesAreRefused) {
     const auto refused = [](auto change) {
         auto complex = two_discs();

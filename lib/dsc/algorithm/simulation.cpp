@@ -103,6 +103,15 @@ void Simulation<Real>::absorb(By by) {
     }
 }
 
+// Those that have not arrived at their last target. O(interface vertices).
+template <class Real>
+std::vector<std::uint32_t> Simulation<Real>::missed_vertices() const {
+    std::vector<std::uint32_t> list = interface();
+    std::erase_if(
+        list, [&](std::uint32_t v) { return (complex_.vertices[v].flags & vertex_contact) == 0; });
+    return list;
+}
+
 // After each sub-step, serially, at the places that the upkeep of the sub-step has noted.
 template <class Real>
 void Simulation<Real>::change_topology(Real time, StepReport& report) {
@@ -112,8 +121,8 @@ void Simulation<Real>::change_topology(Real time, StepReport& report) {
         return;
     }
     const std::size_t before = report.events.size();
-    dsc::change_topology<Real>(complex_, options_.topology, options_.edge_length, suspects_,
-                               static_cast<double>(time), report.events);
+    report.area += dsc::change_topology<Real>(complex_, options_.topology, options_.edge_length,
+                                              suspects_, static_cast<double>(time), report.events);
     if (absorbed_ == complex_.journal.records.size()) {
         return;
     }
@@ -229,7 +238,10 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
     time += dt;
     remaining = dt < remaining ? remaining - dt : Real(0);
     if (options_.topology.changes()) {
+        const std::vector<std::uint32_t> missed =
+            moved.unreached > moved.held ? missed_vertices() : std::vector<std::uint32_t>{};
         change_topology(time, report);
+        report.unreached -= missed.size() - on_interface<Real>(complex_, missed).size();
     }
     return true;
 }

@@ -27,7 +27,8 @@ struct StepReport {
     OperationCounts operations;
     std::uint32_t sub_steps = 0;
     std::uint32_t passes = 0;
-    /// Vertices that did not arrive, summed over sub-steps; includes `held`.
+    /// Vertices that did not arrive, summed over sub-steps; includes `held`. Those whose piece of a
+    /// phase vanished in the same sub-step are left out: nothing of the interface stays behind.
     std::uint64_t unreached = 0;
     std::uint64_t held = 0; ///< of these: held because of a velocity that was not finite
     double error = 0;       ///< the largest estimate of `adaptive` that was accepted, a length
@@ -37,6 +38,7 @@ struct StepReport {
     std::uint32_t interface_vertices = 0; ///< at the end of the step
     double reached = 0;        ///< the time at the end: earlier than asked for if it gave up
     std::vector<Event> events; ///< changes of topology, in the order in which they happened
+    AreaAccount area;          ///< of these events: see `TopologyOptions::gives_back_area`
 };
 
 /// The number of threads, and how the mesh is divided among them; see parallel/parallel.h.
@@ -117,6 +119,7 @@ private:
     enum class By : std::uint8_t { application, topology };
     void absorb(By by);
     void change_topology(Real time, StepReport& report);
+    [[nodiscard]] std::vector<std::uint32_t> missed_vertices() const;
     void forget_vertex(Vertex v);
     void tell(std::span<const Edit> edits);
     void tell_what_was_done();

@@ -59,6 +59,7 @@ enum class MoveReason : std::uint8_t {
     flow,        ///< towards the target that the velocity gave it
     smoothing,   ///< for the quality of its star
     coarsening,  ///< it remains when neighbours vanish: for an area, or in a triangle collapse
+    giving_back, ///< of area that a change of topology took from a phase
 };
 
 /// One edit. Fields that a kind of edit does not use are invalid (no_id).

@@ -64,7 +64,7 @@ bool parse(std::string_view line, Edit& edit) {
     fields.read(edit.x);
     fields.read(edit.y);
     if (!is_kind || !fields.good || !fields.at_end() || on_interface > 1 ||
-        reason > static_cast<std::uint32_t>(MoveReason::coarsening) || !std::isfinite(edit.x) ||
+        reason > static_cast<std::uint32_t>(MoveReason::giving_back) || !std::isfinite(edit.x) ||
         !std::isfinite(edit.y)) {
         return false;
     }

@@ -74,7 +74,7 @@ inline constexpr double least_fraction = 1e-3;
 /// Moves the ring's vertex towards (x, y). The ring's own centre is updated. O(degree).
 template <class Real>
 MoveOutcome move_vertex(Complex<Real>& complex, const Submesh& submesh, Ring<Real>& ring, Real x,
-                        Real y) {
+                        Real y, MoveReason reason = MoveReason::flow) {
     Real fraction = move_limit(ring, x, y);
     for (int attempt = 0; attempt < 4; ++attempt, fraction *= Real(0.5)) {
         if (!(fraction >= static_cast<Real>(least_fraction))) {
@@ -84,7 +84,7 @@ MoveOutcome move_vertex(Complex<Real>& complex, const Submesh& submesh, Ring<Rea
         const Real px = whole ? x : ring.x0 + fraction * (x - ring.x0);
         const Real py = whole ? y : ring.y0 + fraction * (y - ring.y0);
         if (all_positive(ring, px, py)) {
-            rewire::move(complex, *submesh.log, ring.vertex, px, py, MoveReason::flow);
+            rewire::move(complex, *submesh.log, ring.vertex, px, py, reason);
             ring.x0 = px;
             ring.y0 = py;
             return whole ? MoveOutcome::reached : MoveOutcome::partly;

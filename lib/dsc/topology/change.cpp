@@ -2,15 +2,16 @@
 #include "dsc/topology/change.h"
 
 #include "dsc/topology/films.h"
+#include "dsc/topology/give_back.h"
 #include "dsc/topology/junctions.h"
 #include "dsc/topology/remnants.h"
 
 namespace dsc {
 
 template <class Real>
-void change_topology(Complex<Real>& complex, const TopologyOptions<Real>& options, Real edge_length,
-                     std::span<const Suspect<Real>> suspects, double time,
-                     std::vector<Event>& events) {
+AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>& options,
+                            Real edge_length, std::span<const Suspect<Real>> suspects, double time,
+                            std::vector<Event>& events) {
     TopologyWork<Real> work{.complex = complex,
                             .options = options,
                             .edge_length = edge_length,
@@ -20,11 +21,12 @@ void change_topology(Complex<Real>& complex, const TopologyOptions<Real>& option
     change_junctions(work, suspects);
     remove_remnants(work, suspects);
     take_touched_apart(work);
+    return give_back(work);
 }
 
-template void change_topology(Complex<double>&, const TopologyOptions<double>&, double,
-                              std::span<const Suspect<double>>, double, std::vector<Event>&);
-template void change_topology(Complex<float>&, const TopologyOptions<float>&, float,
-                              std::span<const Suspect<float>>, double, std::vector<Event>&);
+template AreaAccount change_topology(Complex<double>&, const TopologyOptions<double>&, double,
+                                     std::span<const Suspect<double>>, double, std::vector<Event>&);
+template AreaAccount change_topology(Complex<float>&, const TopologyOptions<float>&, float,
+                                     std::span<const Suspect<float>>, double, std::vector<Event>&);
 
 } // namespace dsc

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace dsc {
 
@@ -163,6 +164,7 @@ private:
             const Corner second = corner_ccw(complex_, first);
             event.area = hand_over(first, event.taken[0]) + hand_over(second, event.taken[1]);
         }
+        event.area += std::exchange(work_.swept, 0);
         work_.events.push_back(event);
         return true;
     }

@@ -43,6 +43,18 @@ struct Event {
     double area = 0; ///< that changed hands
 };
 
+/// What became of the area that changed hands, where it is to be given back.
+struct AreaAccount {
+    double given_back = 0;
+    double owed = 0; ///< still: the two phases have no common interface nearby any more
+
+    AreaAccount& operator+=(const AreaAccount& other) {
+        given_back += other.given_back;
+        owed += other.owed;
+        return *this;
+    }
+};
+
 /// Receives events in the order in which they happened, which does not depend on threads. Called by
 /// the thread that calls `Simulation::step`, between sub-steps.
 using EventListener = std::function<void(std::span<const Event> events)>;

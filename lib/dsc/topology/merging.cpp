@@ -5,6 +5,8 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/quality/ring_quality.h"
 
+#include <cmath>
+
 namespace dsc {
 
 namespace {
@@ -18,7 +20,8 @@ template <class Real>
 class Merging {
 public:
     Merging(TopologyWork<Real>& work, Vertex v, Vertex w)
-        : complex_(work.complex), submesh_(whole_submesh(work.complex)), v_(v), w_(w) {}
+        : work_(work), complex_(work.complex), submesh_(whole_submesh(work.complex)), v_(v), w_(w) {
+    }
 
     Vertex run(bool either) {
         for (int removed = 0; removed <= most_removed; ++removed) {
@@ -31,6 +34,7 @@ public:
                     return {};
                 }
                 const Vertex gone = into_w >= into_v ? v_ : w_;
+                note_sweep(gone, gone == v_ ? w_ : v_);
                 const Corner edge = edge_between();
                 rewire::collapse(complex_, *submesh_.log, edge, end_of(edge, gone), *submesh_.pool);
                 return gone == v_ ? w_ : v_;
@@ -128,6 +132,32 @@ private:
         return true;
     }
 
+    // The curves that end at the junction sweep area as it moves: each the triangle between its
+    // first edge before and after.
+    void note_sweep(Vertex gone, Vertex kept) {
+        const Point<Real> from = complex_.position(gone);
+        const Point<Real> way = complex_.position(kept) - from;
+        for_each_corner(complex_, gone, [&](Corner c) {
+            const Corner edge = prev(c); // leaves the vertex, with the triangle on its left
+            const Vertex end{complex_.vertex(next(c))};
+            if (end == kept || !is_sheet(complex_, edge)) {
+                return;
+            }
+            const Point<Real> along = complex_.position(end) - from;
+            const auto area = static_cast<double>(along.x() * way.y() - along.y() * way.x()) / 2;
+            work_.swept += std::abs(area);
+            if (work_.options.gives_back_area && area != 0) {
+                const Phase left = complex_.phase_at(c);
+                const Phase right = complex_.phase_at(complex_.twin(edge));
+                const Point<Real> place = from + (way + along) / Real(3);
+                work_.transfers.push_back({area > 0 ? left : right, area > 0 ? right : left,
+                                           std::abs(area), place.template cast<double>(),
+                                           Triangle{triangle_of(c)}});
+            }
+        });
+    }
+
+    TopologyWork<Real>& work_;
     Complex<Real>& complex_;
     Submesh submesh_;
     Vertex v_;

@@ -64,6 +64,10 @@ struct TopologyOptions {
     Opening opening = Opening::squeezed;
     /// Pieces of a phase that are smaller than this area vanish. 0: one edge length squared.
     Real least_area = 0;
+    /// Area that an event takes from a phase is given back to it at once: the nearest interface
+    /// with the phase that took it moves, by a tenth of an edge length at most. See
+    /// topology/give_back.h.
+    bool gives_back_area = false;
     std::vector<PairTopology<Real>> pairs = {};
     /// Asked before a film opens: false keeps it. Called by the thread that calls
     /// `Simulation::step`, between sub-steps; what it throws comes out of there, and the complex is

@@ -15,6 +15,15 @@
 
 namespace dsc {
 
+/// Area that one phase has lost to another.
+struct Transfer {
+    Phase from;
+    Phase to;
+    double area;
+    Point<double> place;
+    Triangle near;
+};
+
 /// What a change of topology works on.
 template <class Real>
 struct TopologyWork {
@@ -25,6 +34,8 @@ struct TopologyWork {
     std::vector<Event>& events;
     /// Vertices of the triangles that have changed hands: some may have too many sectors now.
     std::vector<Vertex> touched = {};
+    std::vector<Transfer> transfers = {}; ///< kept where area is to be given back
+    double swept = 0; ///< by junctions that became one, until the next event tells of it
 };
 
 /// The half-edge has another phase, or the outside of the domain, on its right. O(1).
@@ -116,6 +127,11 @@ std::size_t gather_piece(const Complex<Real>& complex, Triangle start,
 template <class Real>
 void give(TopologyWork<Real>& work, Triangle t, Phase phase) {
     Complex<Real>& complex = work.complex;
+    if (work.options.gives_back_area) {
+        work.transfers.push_back({complex.phase(t), phase,
+                                  static_cast<double>(doubled_area(complex, t)) / 2,
+                                  centroid(complex, t).template cast<double>(), t});
+    }
     rewire::relabel(complex, complex.journal, t, phase);
     for (const Vertex v : complex.vertices_of(t)) {
         complex.vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_corner);

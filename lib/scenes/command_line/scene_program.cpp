@@ -11,6 +11,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cmath>
@@ -49,16 +50,30 @@ void list_scenes(const std::vector<Scene>& scenes) {
     }
 }
 
+// How many of each kind, if any.
+void print_events(const std::vector<Event>& events) {
+    std::string_view before = "\n  events: ";
+    for (const auto& [kind, name] : event_names) {
+        if (const auto count = std::ranges::count(events, kind, &Event::kind); count > 0) {
+            std::cout << before << count << ' ' << name;
+            before = ", ";
+        }
+    }
+}
+
 void print_summary(const RunResult& r) {
     std::cout << r.scene << " (" << to_string(r.strategy) << ", " << r.threads << " thread"
               << (r.threads == 1 ? "" : "s") << "): " << r.steps << " steps, " << r.triangles_last
               << " triangles, " << r.interface_vertices_last << " interface vertices\n"
-              << std::setprecision(8) << "  area ratio " << r.area_ratio
-              << ", symmetric difference " << std::setprecision(3) << number(r.last, "sd_rel")
-              << " of the area";
+              << std::setprecision(8) << "  area ratio " << r.area_ratio << std::setprecision(3);
+    // Of a network nobody knows the exact shape.
+    if (const double difference = number(r.last, "sd_rel"); std::isfinite(difference)) {
+        std::cout << ", symmetric difference " << difference << " of the area";
+    }
     if (r.half) {
         std::cout << " (half-way " << number(*r.half, "sd_rel") << ")";
     }
+    print_events(r.events);
     std::cout << "\n  worst quality " << number(r.last, "min_quality") << " (ever "
               << r.min_quality_ever << "), smallest angle " << number(r.last, "min_angle_deg")
               << " degrees\n  inverted " << r.inverted << ", unreached " << r.unreached << "\n  "

@@ -137,6 +137,7 @@ private:
         }
         vertex_steps_ += report.interface_vertices;
         add_operations(result, report.operations);
+        result.area += report.area;
         result.events.insert(result.events.end(), report.events.begin(), report.events.end());
     }
 

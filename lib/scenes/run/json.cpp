@@ -139,6 +139,8 @@ std::string to_json(const RunResult& r) {
         {"sub_steps", r.sub_steps},
         {"operations", r.operations},
         {"events", events_json(r.events)},
+        {"area_given_back", r.area.given_back},
+        {"area_owed", r.area.owed},
         {"cpu_s", r.cpu_s},
         {"wall_s", r.wall_s},
         {"step_us_median", r.step_us_median},

@@ -63,6 +63,7 @@ struct RunResult {
     std::uint64_t sub_steps = 0;
     std::map<std::string, std::uint64_t> operations;
     std::vector<Event> events; ///< changes of topology
+    AreaAccount area;          ///< of these, if it was to be given back
     double cpu_s = 0;          ///< of all steps, without measuring
     double wall_s = 0;
     double step_us_median = 0;     ///< wall time

@@ -58,6 +58,7 @@ Options<Real> scene_options(const Parameters& parameters) {
     options.interface = parameters.interface;
     options.topology.rule = parameters.topology;
     options.topology.contact = static_cast<Real>(parameters.contact);
+    options.topology.gives_back_area = parameters.gives_back;
     options.shuffle_seed = parameters.seed;
     return options;
 }

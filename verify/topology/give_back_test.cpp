@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// Area that a change of topology takes is given back, to the rounding of the positions.
+#include "dsc/topology/give_back.h"
+
+#include "support/random_scene.h"
+#include "support/topology_testing.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/initial/initial_complex.h"
+#include "dsc/motion/curvature_flow.h"
+#include "dsc/parallel/parallel.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/locate.h"
+#include "dsc/queries/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+template <class Real>
+std::map<Phase, double> areas_of(const Complex<Real>& complex) {
+    std::map<Phase, double> areas;
+    for (const Triangle t : triangles(complex)) {
+        const auto v = complex.vertices_of(t);
+        areas[complex.phase(t)] += area<double>(complex.position(v[0]).template cast<double>(),
+                                                complex.position(v[1]).template cast<double>(),
+                                                complex.position(v[2]).template cast<double>());
+    }
+    return areas;
+}
+
+template <class Real>
+struct Work {
+    Complex<Real>& complex;
+    TopologyOptions<Real> options{.rule = Topology::change, .gives_back_area = true};
+    std::vector<Event> events = {};
+    TopologyWork<Real> work{.complex = complex,
+                            .options = options,
+                            .edge_length = Real(0.02),
+                            .time = 0,
+                            .events = events};
+};
+
+// The triangle that contains the point changes hands.
+template <class Real>
+double take(TopologyWork<Real>& work, const Point<Real>& place, Phase phase) {
+    const Triangle t = locate(work.complex, place).triangle;
+    const double area = static_cast<double>(doubled_area(work.complex, t)) / 2;
+    give(work, t, phase);
+    return area;
+}
+
+template <class Real>
+class GiveBackTyped : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(GiveBackTyped, Reals);
+
+TYPED_TEST(GiveBackTyped, LeavesBothPhasesTheirAreas) {
+    using Real = TypeParam;
+    auto complex = test::disc_complex<Real>(0.02);
+    const auto before = areas_of(complex);
+    Work<Real> of{complex};
+    double taken = take<Real>(of.work, {Real(0.745), Real(0.5)}, exterior_phase);
+    taken += take<Real>(of.work, {Real(0.5), Real(0.745)}, exterior_phase);
+    taken -= take<Real>(of.work, {Real(0.3), Real(0.29)}, 1);
+    ASSERT_GT(std::abs(taken), 1e-6);
+    const AreaAccount account = give_back(of.work);
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_TRUE(of.work.transfers.empty());
+    EXPECT_GT(account.given_back, 1e-4);
+    const double rounding = std::is_same_v<Real, double> ? 1e-16 : 1e-8;
+    EXPECT_LT(account.owed, rounding);
+    EXPECT_NEAR(areas_of(complex).at(1), before.at(1), 4 * rounding);
+    EXPECT_NEAR(areas_of(complex).at(0), before.at(0), 4 * rounding);
+}
+
+TEST(GiveBack, MovesNothingByMoreThanATenthOfAnEdge) {
+    auto complex = test::disc_complex<double>(0.02);
+    const auto before = complex;
+    Work<double> of{complex};
+    take<double>(of.work, {0.745, 0.5}, exterior_phase);
+    (void)give_back(of.work);
+    double farthest = 0;
+    for (const Vertex v : vertices(complex)) {
+        const double way = (complex.position(v) - before.position(v)).norm();
+        farthest = std::max(farthest, way);
+        if ((before.position(v) - Point<double>(0.745, 0.5)).norm() > 0.2) {
+            EXPECT_EQ(way, 0);
+        }
+    }
+    EXPECT_GT(farthest, 1e-4);
+    EXPECT_LT(farthest, 0.1 * 0.02 * (1 + 1e-12));
+}
+
+TEST(GiveBack, TellsWhatIsOwedToAPhaseThatHasVanished) {
+    auto complex = test::disc_complex<double>(0.02);
+    const Triangle t = locate<double>(complex, {0.5, 0.5}).triangle;
+    complex.set_phase(t, 7);
+    Work<double> of{complex};
+    const double taken = take<double>(of.work, centroid(complex, t), 1);
+    const AreaAccount account = give_back(of.work);
+    EXPECT_EQ(account.given_back, 0);
+    EXPECT_DOUBLE_EQ(account.owed, taken);
+}
+
+TEST(GiveBack, LeavesLockedVerticesAndCornersWhereTheyAre) {
+    auto complex = test::disc_complex<double>(0.02);
+    std::vector<Vertex> fixed;
+    for (const Vertex v : vertices(complex)) {
+        if (is_interface(complex, v) && complex.position(v).x() > 0.7) {
+            complex.vertices[v.id].flags |= fixed.size() % 2 == 0 ? vertex_locked : vertex_corner;
+            fixed.push_back(v);
+        }
+    }
+    const auto before = complex;
+    Work<double> of{complex};
+    of.work.transfers.push_back({1, exterior_phase, 1e-5, {0.74, 0.5}, {}});
+    const AreaAccount account = give_back(of.work);
+    EXPECT_NEAR(account.given_back, 1e-5, 1e-15);
+    ASSERT_GT(fixed.size(), 10U);
+    for (const Vertex v : fixed) {
+        EXPECT_EQ(complex.position(v), before.position(v));
+    }
+}
+
+TEST(GiveBack, DoesNothingUnlessItIsAskedFor) {
+    auto complex = test::disc_complex<double>(0.02);
+    Work<double> of{complex, {.rule = Topology::change}};
+    take<double>(of.work, {0.745, 0.5}, exterior_phase);
+    EXPECT_TRUE(of.work.transfers.empty());
+}
+
+struct Course {
+    AreaAccount account;
+    double worst = 0; ///< difference of a phase's area before and after a change of topology
+    std::size_t events = 0;
+};
+
+// Grains move by their curvature; the topology changes between the steps, so that the areas before
+// and after can be compared.
+Course change_grains(bool gives_back) {
+    constexpr double h = 0.03;
+    auto complex = test::random_grains(40, h, 5);
+    Options<double> options;
+    options.edge_length = h;
+    options.interface.corner_degrees = 180;
+    Simulation<double> simulation(complex, options);
+    Course course;
+    for (int i = 0; i < 60; ++i) {
+        simulation.step(curvature_flow<double>(), 0, 0.2 * h * h);
+        std::vector<Suspect<double>> suspects;
+        for (const Vertex v : vertices(complex)) {
+            const Point<double> p = complex.position(v);
+            suspects.push_back({v.id, p.x(), p.y(), true, true});
+        }
+        const auto before = areas_of(complex);
+        std::vector<Event> events;
+        const TopologyOptions<double> topology{.rule = Topology::change,
+                                               .gives_back_area = gives_back};
+        const AreaAccount account =
+            change_topology<double>(complex, topology, h, suspects, 0, events);
+        EXPECT_EQ(validate(complex).problem, "");
+        auto after = areas_of(complex);
+        double all = 0;
+        for (const auto& [phase, area] : before) {
+            all += std::abs(after[phase] - area) / 2;
+        }
+        EXPECT_NEAR(all, account.owed, gives_back ? 1e-14 : 1);
+        course.worst = std::max(course.worst, all);
+        course.account += account;
+        course.events += events.size();
+    }
+    return course;
+}
+
+TEST(GiveBack, KeepsTheAreasOfGrainsThatExchangeTheirNeighbours) {
+    const Course lost = change_grains(false);
+    const Course kept = change_grains(true);
+    ASSERT_GT(kept.events, 10U);
+    EXPECT_GT(lost.worst, 1e-4);
+    EXPECT_EQ(lost.account.given_back + lost.account.owed, 0);
+    EXPECT_GT(kept.account.given_back, 1e-4);
+}
+
+// Two discs grow into each other; the seam's area is the exterior's again.
+TEST(GiveBack, IsTheSameForAnyNumberOfThreads) {
+    std::vector<AreaAccount> accounts;
+    std::vector<std::uint64_t> hashes;
+    for (const std::uint32_t threads : {1U, 3U}) {
+        constexpr double h = 0.02;
+        const std::vector<Shape> shapes{{test::circle_points({0.375, 0.5}, 0.1, 45), 1},
+                                        {test::circle_points({0.625, 0.5}, 0.1, 45), 1}};
+        auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
+        Options<double> options;
+        options.edge_length = h;
+        options.topology = {.rule = Topology::change, .gives_back_area = true};
+        Simulation<double> simulation(
+            complex, options,
+            Parallel{.threads = threads, .division = Division::cells, .always_all_threads = true});
+        const Velocity<double> towards_each_other = [](std::span<const Point<double>> positions,
+                                                       double,
+                                                       std::span<Point<double>> velocities) {
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+                velocities[i] = {positions[i].x() < 0.5 ? 1.0 : -1.0, 0.0};
+            }
+        };
+        auto& account = accounts.emplace_back();
+        for (int i = 0; i < 9; ++i) {
+            const StepReport report = simulation.step(towards_each_other, 0, 0.3 * h);
+            account += report.area;
+            EXPECT_EQ(validate(complex).problem, "");
+        }
+        hashes.push_back(mesh_hash(complex));
+    }
+    EXPECT_GT(accounts[0].given_back, 1e-5);
+    EXPECT_LT(accounts[0].owed, 1e-15);
+    EXPECT_EQ(accounts[0].given_back, accounts[1].given_back);
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+} // namespace
+} // namespace dsc
