@@ -4,6 +4,7 @@
 #include "dsc/topology/films.h"
 #include "dsc/topology/junctions.h"
 #include "dsc/topology/remnants.h"
+#include "dsc/topology/wide_films.h"
 
 namespace dsc {
 
@@ -16,6 +17,9 @@ void change_topology(Complex<Real>& complex, const TopologyOptions<Real>& option
                             .edge_length = edge_length,
                             .time = time,
                             .events = events};
+    if (is_wide(largest_contact(options, edge_length), edge_length)) {
+        open_wide_films(work, suspects);
+    }
     open_films(work, suspects);
     change_junctions(work, suspects);
     remove_remnants(work, suspects);
