@@ -105,6 +105,9 @@ std::vector<std::array<Corner, 2>> all_chords(const TopologyWork<Real>& work,
 template <class Real>
 Real wide_contact_at(const TopologyWork<Real>& work, Corner sheet) {
     const Complex<Real>& complex = work.complex;
+    if (is_border(complex.twin(sheet))) {
+        return 0; // the wall is no sheet
+    }
     const auto rule = rule_of(work.options, work.edge_length, complex.phase_at(sheet),
                               complex.phase_at(complex.twin(sheet)));
     return rule.rule == Topology::change && is_wide(rule.contact, work.edge_length) ? rule.contact
