@@ -306,7 +306,7 @@ TEST(WideContactOf, MoreThanAPhaseIsRefused) {
         EXPECT_EQ(error.value(), "0.3");
         EXPECT_NE(error.allowed().find("0.28"), std::string::npos) << error.what();
     }
-    Options<double> kept = wide_options(0, h);
+    Options<double> kept = wide_options(0.1, h);
     kept.topology.pairs = {{.one = 0, .other = 1, .rule = Topology::keep, .contact = 0.3}};
     EXPECT_NO_THROW(Simulation<double>(complex, kept)) << "nothing opens at this distance";
     Simulation<double> simulation(complex, wide_options(0.1, h));

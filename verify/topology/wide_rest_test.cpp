@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is no film stays as it is at a contact distance of several edge lengths: round ends, tips,
-// shapes wider than that, sheets that move apart. And rays across a film.
-#include "support/topology_testing.h"
+// shapes wider than that, sheets that move apart.
 #include "support/wide_contact.h"
-
-#include "dsc/topology/film_ray.h"
 
 namespace dsc {
 namespace {
@@ -99,6 +96,19 @@ TEST(WideContactOfNone, SheetsThatMoveApart) {
     EXPECT_EQ(pieces(another, 1), 1);
 }
 
+// The neck that a film leaves is as thin as the film was, and does not close again.
+TEST(WideContactOfNone, ANeckThatAFilmHasLeft) {
+    constexpr double gap = 3.7 * h;
+    auto complex = two_discs_apart(gap, h);
+    Options<double> thin = wide_options(4 * h, h);
+    thin.topology.opening = Opening::thin;
+    Simulation<double> simulation(complex, thin);
+    const Events events = run_on(complex, simulation, grow_apart(gap, 0.02), dt, 12);
+    EXPECT_EQ(count(events, EventKind::merge), 1U);
+    EXPECT_EQ(count(events, EventKind::split), 0U);
+    EXPECT_EQ(pieces(complex, 1), 1);
+}
+
 // In a flow that keeps areas what becomes thin is a filament, and is not cut.
 TEST(WideContactOfNone, AFilamentThatIsDrawnOut) {
     const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.12, 50), 1}};
@@ -107,58 +117,6 @@ TEST(WideContactOfNone, AFilamentThatIsDrawnOut) {
         velocity_of([](const Point<double>& p) { return Point<double>(p.x() - 0.5, 0.5 - p.y()); });
     Simulation<double> simulation(complex, wide_options(0.15, 0.06));
     EXPECT_TRUE(run_on(complex, simulation, strain, 0.025, 100).empty());
-}
-
-// --- rays ---------------------------------------------------------------------------------------
-
-// A band of phase 0 from y = 1 to y = 4 between phase 1 and phase 2.
-Complex<double> band() {
-    return test::grid({0, 1, 2, 3}, {0, 1, 1.75, 2.5, 4, 5}, [](const Point<double>& p) {
-        return p.y() < 1 ? Phase{1} : (p.y() > 4 ? Phase{2} : exterior_phase);
-    });
-}
-
-// The half-edge of the film at y = 1 and the middle of the band.
-Corner lower_sheet(const Complex<double>& complex) {
-    for (const Triangle t : triangles(complex)) {
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t.id, i);
-            if (complex.phase(t) == exterior_phase && is_sheet(complex, c) &&
-                complex.phase_at(complex.twin(c)) == 1 &&
-                complex.position(Vertex{complex.vertex(next(c))}).x() == 1) {
-                return c;
-            }
-        }
-    }
-    return no_id;
-}
-
-TEST(FilmRay, CrossesTheFilm) {
-    const auto complex = band();
-    const Corner sheet = lower_sheet(complex);
-    ASSERT_NE(sheet, no_id);
-    double reached = 0;
-    const FilmRay<double> ray =
-        cross_film(complex, sheet, 3.5, [&](Triangle t, double from, double to) {
-            EXPECT_EQ(complex.phase(t), exterior_phase);
-            EXPECT_EQ(from, reached);
-            EXPECT_GE(to, from);
-            reached = to;
-        });
-    ASSERT_NE(ray.opposite, no_id);
-    EXPECT_EQ(complex.phase_at(complex.twin(ray.opposite)), 2U);
-    EXPECT_DOUBLE_EQ(ray.thickness, 3);
-    EXPECT_EQ(reached, ray.thickness);
-    EXPECT_DOUBLE_EQ(ray.middle.x(), 1.5);
-    EXPECT_DOUBLE_EQ(ray.middle.y(), 2.5);
-}
-
-TEST(FilmRay, EndsAtItsLengthAndAtTheWall) {
-    const auto complex = band();
-    const auto nothing = [](Triangle, double, double) {};
-    const Corner sheet = lower_sheet(complex);
-    EXPECT_EQ(cross_film(complex, sheet, 2.9, nothing).opposite, no_id);
-    EXPECT_EQ(cross_film(complex, complex.twin(sheet), 9.0, nothing).opposite, no_id);
 }
 
 } // namespace

@@ -31,7 +31,6 @@ public:
               static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
           contact_(largest_contact(work.options.topology, work.options.edge_length)),
-          looks_across_(is_wide(contact_, work.options.edge_length)),
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
           // A wall edge ahead that is shorter than a sub-step blocks the motion. A poor triangle
           // for a while is better than one that cannot move.
@@ -92,12 +91,12 @@ private:
     // A film, or the end of a seam; or a small piece, whose outline turns sharply or ends soon.
     void suspect(const Ring<Real>& ring, const Spokes& spokes) {
         constexpr Real sharp = Real(0.7);
-        // Across a wide film the rays look from all of the interface.
-        const bool is_thin = looks_across_ || has_thin_triangle(ring, contact_ * contact_);
-        const bool is_sharp = spokes.count > 2 ||
-                              (spokes.count == 2 &&
-                               !turns_less<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
-                                                 link_point(ring, spokes.second), sharp));
+        const bool is_thin = has_thin_triangle(ring, contact_ * contact_);
+        const bool is_sharp =
+            spokes.count > 2 ||
+            (spokes.count == 2 && !turns_less<Real>(link_point(ring, spokes.first),
+                                                    {ring.x0, ring.y0},
+                                                    link_point(ring, spokes.second), sharp));
         if (is_thin || is_sharp) {
             work_.topology_suspects.push_back({ring.vertex, ring.x0, ring.y0, is_thin, is_sharp});
         }
@@ -376,7 +375,6 @@ private:
     Real turn_squared_;
     Real gap_squared_;
     Real contact_; // where the topology may change; 0: nowhere
-    bool looks_across_;
     bool follows_shape_;
     WallLimits<Real> wall_;
     std::uint32_t newest_ = no_id;
