@@ -14,7 +14,7 @@ namespace {
 
 // A band of phase 0 from y = 1 to y = 4 between phase 1 and phase 2.
 Complex<double> band() {
-    return test::grid({0, 1, 2, 3}, {0, 1, 1.75, 2.5, 4, 5}, [](const Point<double>& p) {
+    return test::grid({-4, 1, 2, 7}, {0, 1, 1.75, 2.5, 4, 5}, [](const Point<double>& p) {
         return p.y() < 1 ? Phase{1} : (p.y() > 4 ? Phase{2} : exterior_phase);
     });
 }
