@@ -9,8 +9,10 @@
 // A long tip becomes thinner all the way to its point, a film does not.
 //
 // Later the seam goes on over what has become thin beside it. Where it ends the interface crosses
-// the film, straight but for the mesh: the area of an event is within an edge length times the
-// contact distance of that of the thin place.
+// the film, straight but for the mesh: the error of the area is of the order of an edge length
+// times the contact distance.
+//
+// Sheets that meet at more than 70 degrees do not face each other: a wide notch stays as it is.
 //
 // The rays miss nothing that is longer than an edge. Two sheets that bend away from each other more
 // sharply than the film is thick, as two small drops do, count as squeezed a little later.
