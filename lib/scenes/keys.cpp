@@ -118,7 +118,7 @@ std::vector<Key> make_keys() {
         choice(
             "topology", topology_names, [](auto& p) -> auto& { return p.topology; }),
         number(
-            "contact", 0.0, 1.0, "0 (0.4 edge lengths), or a length up to 0.75 edge lengths",
+            "contact", 0.0, 1.0, "0 (0.4 edge lengths), or a length, no wider than a phase",
             [](auto& p) -> auto& { return p.contact; }),
         choice(
             "give_back", no_or_yes, [](auto& p) -> auto& { return p.gives_back; }),

@@ -395,7 +395,7 @@ TEST(TopologyOptions, BadOnesAreRefused) {
         EXPECT_THROW(Simulation<double>(complex, bad), InputError);
     };
     refused([](auto& t) { t.contact = -1; });
-    refused([](auto& t) { t.contact = h; });
+    refused([](auto& t) { t.contact = 0.3; }); // wider than the discs
     refused([](auto& t) { t.contact = std::numeric_limits<double>::quiet_NaN(); });
     refused([](auto& t) { t.least_area = -1; });
     refused([](auto& t) { t.pairs = {{.one = 1, .other = 1}}; });

@@ -5,6 +5,7 @@
 #include "dsc/passes/interface_list.h"
 #include "dsc/passes/readers.h"
 #include "dsc/topology/change.h"
+#include "dsc/topology/contact_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
                              std::unique_ptr<Executor<Real>> executor)
     : complex_(complex), options_(options), executor_(std::move(executor)) {
     check_options(options);
+    check_contact<Real>(complex, options.topology, options.edge_length);
     if (executor_) {
         executor_->set_options(options);
     } else {
@@ -42,6 +44,10 @@ Simulation<Real>::~Simulation() {
 template <class Real>
 void Simulation<Real>::set_options(const Options<Real>& options) {
     check_options(options);
+    // Only where they change: a phase that has shrunk since is no mistake.
+    if (differ_in_contact(options.topology, options_.topology)) {
+        check_contact<Real>(complex_, options.topology, options.edge_length);
+    }
     const bool is_another = options.integrator != options_.integrator;
     options_ = options;
     executor_->set_options(options);

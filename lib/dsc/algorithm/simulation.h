@@ -51,7 +51,8 @@ struct Parallel;
 template <class Real>
 class Simulation {
 public:
-    /// Sequential, with the default algorithm. Throws InputError if an option is out of range.
+    /// Sequential, with the default algorithm. Throws InputError if an option is out of range, or a
+    /// contact distance wider than a phase (topology/contact_check.h).
     Simulation(Complex<Real>& complex, const Options<Real>& options);
     /// In parallel: `Simulation simulation(complex, options, Parallel{.threads = 2})`. The result
     /// does not depend on the number of threads.
@@ -67,8 +68,8 @@ public:
 
     [[nodiscard]] const Options<Real>& options() const { return options_; }
     /// Checks the options and replaces all of them for the next step; integrators with a memory
-    /// start afresh if the integrator changes. Throws InputError if one is out of range, and then
-    /// keeps the old ones.
+    /// start afresh if the integrator changes. Throws InputError if one is out of range, or a new
+    /// contact distance wider than a phase, and then keeps the old ones.
     void set_options(const Options<Real>& options);
 
     /// Reports all edits to the listener from now on: those of the application between steps at the

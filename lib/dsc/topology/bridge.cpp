@@ -18,13 +18,6 @@ constexpr double facing = -0.3;
 constexpr double least_approach = 0.01;
 
 template <class Real>
-bool faces(const Complex<Real>& complex, Corner one, Corner other) {
-    const Point<Real> a = direction(complex, one);
-    const Point<Real> b = direction(complex, other);
-    return a.dot(b) < static_cast<Real>(facing) * a.norm() * b.norm();
-}
-
-template <class Real>
 bool is_apart(const Complex<Real>& complex, Corner one, Corner other) {
     Corner from_one = one;
     Corner from_other = other;
@@ -38,8 +31,22 @@ bool is_apart(const Complex<Real>& complex, Corner one, Corner other) {
     return true;
 }
 
-// Where a bridge has opened, the two ends of its seam face each other as well, and the triangles
-// between them are as thin as the film was. They are no film, unless they hold up each other.
+template <class Real>
+Real quadrilateral(const std::array<Point<Real>, 4>& p) {
+    const Point<Real> a = p[2] - p[0];
+    const Point<Real> b = p[3] - p[1];
+    return (a.x() * b.y() - a.y() * b.x()) / 2;
+}
+
+} // namespace
+
+template <class Real>
+bool faces(const Complex<Real>& complex, Corner one, Corner other) {
+    const Point<Real> a = direction(complex, one);
+    const Point<Real> b = direction(complex, other);
+    return a.dot(b) < static_cast<Real>(facing) * a.norm() * b.norm();
+}
+
 template <class Real>
 bool are_ends_of_seam(const Complex<Real>& complex, Corner one, Corner other) {
     for (const Corner sheet : {one, other}) {
@@ -51,13 +58,6 @@ bool are_ends_of_seam(const Complex<Real>& complex, Corner one, Corner other) {
         }
     }
     return true;
-}
-
-template <class Real>
-Real quadrilateral(const std::array<Point<Real>, 4>& p) {
-    const Point<Real> a = p[2] - p[0];
-    const Point<Real> b = p[3] - p[1];
-    return (a.x() * b.y() - a.y() * b.x()) / 2;
 }
 
 // In one sub-step the area between the two sheets falls by `closing` because they come closer, as
@@ -93,14 +93,17 @@ bool is_squeezed(const Complex<Real>& complex, std::span<const Suspect<Real>> su
            2 * losing > closing;
 }
 
-} // namespace
-
 template <class Real>
 Real contact_at(const TopologyWork<Real>& work, Corner sheet) {
     const Complex<Real>& complex = work.complex;
     const auto rule = rule_of(work.options, work.edge_length, complex.phase_at(sheet),
                               complex.phase_at(complex.twin(sheet)));
-    return rule.rule == Topology::change ? rule.contact : Real(0);
+    if (rule.rule != Topology::change) {
+        return 0;
+    }
+    return is_wide(rule.contact, work.edge_length)
+               ? static_cast<Real>(default_contact) * work.edge_length
+               : rule.contact;
 }
 
 template <class Real>
@@ -169,6 +172,10 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect<Real>> 
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Real contact_at(const TopologyWork<Real>&, Corner);                                   \
+    template bool faces(const Complex<Real>&, Corner, Corner);                                     \
+    template bool are_ends_of_seam(const Complex<Real>&, Corner, Corner);                          \
+    template bool is_squeezed(const Complex<Real>&, std::span<const Suspect<Real>>,                \
+                              const std::array<Corner, 2>&);                                       \
     template bool is_thin(const TopologyWork<Real>&, Triangle);                                    \
     template int sheets_of(const Complex<Real>&, Triangle, std::array<Corner, 3>&);                \
     template bool find_bridge(const TopologyWork<Real>&, std::span<const Suspect<Real>>, Triangle, \

@@ -16,9 +16,27 @@ struct Bridge {
     Real thickness;
 };
 
-/// The contact distance at a half-edge on the interface; 0 if it has to stay.
+/// The contact distance at a half-edge on the interface; 0 if it has to stay. Where it is more than
+/// single triangles span, which is the matter of wide_films.h, the default.
 template <class Real>
 [[nodiscard]] Real contact_at(const TopologyWork<Real>& work, Corner sheet);
+
+/// The two half-edges face each other, with a film of the phase on their left between them. O(1).
+template <class Real>
+[[nodiscard]] bool faces(const Complex<Real>& complex, Corner one, Corner other);
+
+/// Both half-edges lie on a seam. Where a bridge has opened, the two ends of its seam face each
+/// other as well, and what is between them is as thin as the film was. It is no film, unless they
+/// hold up each other. O(1).
+template <class Real>
+[[nodiscard]] bool are_ends_of_seam(const Complex<Real>& complex, Corner one, Corner other);
+
+/// The flow takes area from the film between the two half-edges, or they hold up each other.
+/// `suspects` as in `find_bridge`. O(1).
+template <class Real>
+[[nodiscard]] bool is_squeezed(const Complex<Real>& complex,
+                               std::span<const Suspect<Real>> suspects,
+                               const std::array<Corner, 2>& sheets);
 
 /// Thin enough for one of the phases across its edges, and not at the domain boundary.
 template <class Real>

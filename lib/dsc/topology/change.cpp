@@ -5,6 +5,7 @@
 #include "dsc/topology/give_back.h"
 #include "dsc/topology/junctions.h"
 #include "dsc/topology/remnants.h"
+#include "dsc/topology/wide_films.h"
 
 namespace dsc {
 
@@ -17,6 +18,9 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
                             .edge_length = edge_length,
                             .time = time,
                             .events = events};
+    if (is_wide(largest_contact(options, edge_length), edge_length)) {
+        open_wide_films(work, suspects);
+    }
     open_films(work, suspects);
     change_junctions(work, suspects);
     remove_remnants(work, suspects);

@@ -74,12 +74,28 @@ private:
     }
 
     bool merge(Vertex v, Vertex w, bool either) {
-        const Vertex left = merge_ends(work_, v, w, either);
+        const Vertex left = merge_ends_of_here(v, w, either);
         if (!left.is_valid()) {
             return false;
         }
         take_apart(work_, left);
         return true;
+    }
+
+    // What stays two has perhaps lost triangles in vain: then the sectors at v are found again, in
+    // the same order.
+    Vertex merge_ends_of_here(Vertex v, Vertex w, bool either) {
+        const std::uint32_t size = complex_.triangle_count();
+        const Vertex left = merge_ends(work_, v, w, either);
+        if (!left.is_valid() && complex_.triangle_count() != size) {
+            const Point<Real> ray = here_[0].ray;
+            find_sectors(complex_, v, here_);
+            if (!here_.is_on_wall) {
+                const auto start = std::ranges::find(here_.list, ray, &Sector<Real>::ray);
+                std::rotate(here_.list.begin(), start, here_.list.end());
+            }
+        }
+        return left;
     }
 
     [[nodiscard]] bool may(Phase one, Phase other) const { return may_change(work_, one, other); }
@@ -175,7 +191,7 @@ private:
             }
             if (there_.is_at_corner) {
                 const Phase between = here_[is_first ? 0 : 1].phase;
-                if (const Vertex corner = merge_ends(work_, v, w, false); corner.is_valid()) {
+                if (const Vertex corner = merge_ends_of_here(v, w, false); corner.is_valid()) {
                     pass_corner(work_, corner, between);
                     return;
                 }

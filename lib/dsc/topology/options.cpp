@@ -42,13 +42,10 @@ Real largest_contact(const TopologyOptions<Real>& options, Real edge_length) {
 }
 
 template <class Real>
-void check_topology(const TopologyOptions<Real>& options, Real edge_length) {
+void check_topology(const TopologyOptions<Real>& options) {
     const auto check_contact = [&](Real contact, const char* name) {
-        require(std::isfinite(contact) && contact >= 0 &&
-                    contact <= static_cast<Real>(most_contact) * edge_length,
-                name, static_cast<double>(contact),
-                "a length of 0 or more, up to 0.75 edge lengths: a film is seen where single "
-                "triangles span it");
+        require(std::isfinite(contact) && contact >= 0, name, static_cast<double>(contact),
+                "a length of 0 or more");
     };
     check_contact(options.contact, "topology.contact");
     require(std::isfinite(options.least_area) && options.least_area >= 0, "topology.least_area",
@@ -78,7 +75,7 @@ void check_topology(const TopologyOptions<Real>& options, Real edge_length) {
 #define DSC_INSTANTIATE(Real)                                                                      \
     template TopologyRule<Real> rule_of(const TopologyOptions<Real>&, Real, Phase, Phase);         \
     template Real largest_contact(const TopologyOptions<Real>&, Real);                             \
-    template void check_topology(const TopologyOptions<Real>&, Real);
+    template void check_topology(const TopologyOptions<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

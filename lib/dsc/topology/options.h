@@ -58,8 +58,10 @@ struct Contact {
 template <class Real>
 struct TopologyOptions {
     Topology rule = Topology::keep; ///< of all pairs without a rule of their own
-    /// The thickness, a length, at which a film opens or a neck closes. 0: 0.4 edge lengths. Films
-    /// are seen where single triangles span them, so that more than 0.75 edge lengths is refused.
+    /// The thickness, a length, at which a film opens or a neck closes. 0: 0.4 edge lengths. It may
+    /// be several edge lengths: the time of an event then converges, as the edges become shorter,
+    /// to that of this distance, and each sub-step looks across the films from all of the
+    /// interface. Wider than a phase is refused where a simulation begins (contact_check.h).
     Real contact = 0;
     Opening opening = Opening::squeezed;
     /// Pieces of a phase that are smaller than this area vanish. 0: one edge length squared.
@@ -92,8 +94,14 @@ struct TopologyOptions {
 /// The default of `TopologyOptions::contact`, in edge lengths: below 0.15 a seam leaves holes; at
 /// 0.4 it leaves none, and the error of a union is of second order.
 inline constexpr double default_contact = 0.4;
-/// The farthest that `contact` may be, in edge lengths: the height of a triangle.
-inline constexpr double most_contact = 0.75;
+/// Up to this contact distance, in edge lengths, films are seen where single triangles span them:
+/// it is the height of a triangle. Wider films are seen by rays across them (wide_films.h).
+inline constexpr double most_contact_of_triangles = 0.75;
+
+template <class Real>
+[[nodiscard]] bool is_wide(Real contact, Real edge_length) {
+    return contact > static_cast<Real>(most_contact_of_triangles) * edge_length;
+}
 
 /// The rule of a pair, and its contact distance.
 template <class Real>
@@ -108,9 +116,9 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real largest_contact(const TopologyOptions<Real>& options, Real edge_length);
 
-/// Throws InputError if a distance or an area is negative or not finite, a distance too large, or a
-/// pair is named twice or has twice the same phase.
+/// Throws InputError if a distance or an area is negative or not finite, or a pair is named twice
+/// or has twice the same phase.
 template <class Real>
-void check_topology(const TopologyOptions<Real>& options, Real edge_length);
+void check_topology(const TopologyOptions<Real>& options);
 
 } // namespace dsc

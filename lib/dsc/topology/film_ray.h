@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// A ray across a film: from the middle of an interface edge, straight into the phase on its left,
+// from triangle to triangle, to where that phase ends.
+#pragma once
+
+#include "dsc/topology/region.h"
+
+namespace dsc {
+
+/// Where a ray has met the interface again.
+template <class Real>
+struct FilmRay {
+    Corner opposite = no_id; ///< the half-edge it met, with the film on its left; no_id: none
+    Real thickness = 0;      ///< from the start to there
+    Point<Real> middle;      ///< halfway
+};
+
+/// Follows the ray of the half-edge `sheet` and calls `visit(triangle, from, to)` for each triangle
+/// on its way, with the distances at which it enters and leaves. Finds nothing within `longest`, or
+/// if the ray meets the domain boundary. O(longest / length of the edges).
+template <class Real, class Visit>
+[[nodiscard]] FilmRay<Real> cross_film(const Complex<Real>& complex, Corner sheet, Real longest,
+                                       Visit visit) {
+    constexpr int most_triangles = 1024; // rounding must not send it in circles
+    const Point<Real> along = direction(complex, sheet);
+    const Point<Real> start =
+        complex.position(Vertex{complex.vertex(next(sheet))}) + along / Real(2);
+    const Point<Real> way = Point<Real>(-along.y(), along.x()) / along.norm();
+    const auto cross = [](const Point<Real>& a, const Point<Real>& b) {
+        return a.x() * b.y() - a.y() * b.x();
+    };
+    Corner entered = sheet;
+    Real from = 0;
+    for (int i = 0; i < most_triangles; ++i) {
+        const Point<Real> apex = complex.position(Vertex{complex.vertex(entered)}) - start;
+        // The edge that it leaves through lies opposite to one end of the edge that it came
+        // through.
+        const Corner out = cross(way, apex) > 0 ? next(entered) : prev(entered);
+        const Point<Real> first = complex.position(Vertex{complex.vertex(next(out))}) - start;
+        const Point<Real> edge = direction(complex, out);
+        const Real to = cross(first, edge) / cross(way, edge);
+        if (!(to < longest)) { // or no number
+            return {};
+        }
+        visit(Triangle{triangle_of(out)}, from, to);
+        const Corner across = complex.twin(out);
+        if (is_border(across)) {
+            return {};
+        }
+        if (complex.phase_at(across) != complex.phase_at(out)) {
+            return {out, to, start + way * (to / Real(2))};
+        }
+        entered = across;
+        from = to;
+    }
+    return {};
+}
+
+} // namespace dsc

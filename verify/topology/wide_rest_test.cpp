@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// What is no film stays as it is at a contact distance of several edge lengths: round ends, tips,
+// shapes wider than that, sheets that move apart.
+#include "support/wide_contact.h"
+
+namespace dsc {
+namespace {
+
+using test::count;
+using test::Events;
+using test::grow_apart;
+using test::pieces;
+using test::run_on;
+using test::two_discs_apart;
+using test::velocity_of;
+using test::wide_options;
+
+constexpr double h = 0.02;
+constexpr double dt = 0.3 * h;
+
+// Everything comes closer to the middle, or goes away from it.
+Velocity<double> scale(double rate) {
+    return velocity_of([rate](const Point<double>& p) {
+        return Point<double>(rate * (p - Point<double>(0.5, 0.5)));
+    });
+}
+
+void expect_nothing(const std::vector<Shape>& shapes, double contact,
+                    const Velocity<double>& velocity, double step, int steps,
+                    Opening opening = Opening::squeezed) {
+    auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
+    Options<double> options = wide_options(contact, h);
+    options.topology.opening = opening;
+    Simulation<double> simulation(complex, options);
+    const Events events = run_on(complex, simulation, velocity, step, steps);
+    for (const Event& event : events) {
+        ADD_FAILURE() << to_string(event.kind) << " of phase " << event.lost << " at " << event.x
+                      << ", " << event.y << ", time " << event.time;
+    }
+}
+
+// Also one that has become smaller than the contact distance.
+TEST(WideContactOfNone, ADisc) {
+    const std::vector<Shape> disc{{test::circle_points({0.5, 0.5}, 0.12, 40), 1}};
+    expect_nothing(disc, 4 * h, scale(-1), 0.05, 20);
+    expect_nothing(disc, 4 * h, scale(1), 0.05, 20);
+    expect_nothing(disc, 4 * h, scale(-1), 0.05, 20, Opening::thin);
+}
+
+std::vector<Point<double>> star(int tips, double inner, double outer) {
+    std::vector<Point<double>> points;
+    for (int i = 0; i < 2 * tips; ++i) {
+        const double angle = std::numbers::pi * i / tips;
+        points.emplace_back(0.5 + (i % 2 == 0 ? outer : inner) * std::cos(angle),
+                            0.5 + (i % 2 == 0 ? outer : inner) * std::sin(angle));
+    }
+    return points;
+}
+
+TEST(WideContactOfNone, AStarWithSharpTips) {
+    for (const int tips : {3, 5, 8}) {
+        const std::vector<Shape> shapes{{star(tips, 0.14, 0.4), 1}};
+        expect_nothing(shapes, 2 * h, scale(-1), 0.05, 10);
+        expect_nothing(shapes, 4 * h, scale(-1), 0.05, 10);
+        expect_nothing(shapes, 4 * h, scale(0.5), 0.05, 4);
+    }
+}
+
+// Tips so long that their sheets are far from each other along the outline.
+TEST(WideContactOfNone, ALongThinTip) {
+    const std::vector<Shape> shapes{{{{0.05, 0.4}, {0.95, 0.5}, {0.05, 0.6}}, 1}};
+    expect_nothing(shapes, 1.5 * h, scale(-1), 0.05, 10);
+    const std::vector<Shape> rhombus{{{{0.02, 0.5}, {0.5, 0.4}, {0.98, 0.5}, {0.5, 0.6}}, 1}};
+    expect_nothing(rhombus, 1.5 * h, scale(-1), 0.05, 10);
+}
+
+TEST(WideContactOfNone, ARing) {
+    const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.4, 120), 1},
+                                    {test::circle_points({0.5, 0.5}, 0.25, 80), exterior_phase}};
+    expect_nothing(shapes, 4 * h, scale(-1), 0.05, 10);
+}
+
+TEST(WideContactOfNone, SheetsThatMoveApart) {
+    auto complex = two_discs_apart(2 * h, h);
+    Simulation<double> simulation(complex, wide_options(4 * h, h));
+    EXPECT_TRUE(run_on(complex, simulation, grow_apart(2 * h, -1), dt, 8).empty());
+    EXPECT_EQ(pieces(complex, 1), 2);
+    // If thinness is enough, they merge at once and once.
+    auto another = two_discs_apart(2 * h, h);
+    Options<double> thin = wide_options(4 * h, h);
+    thin.topology.opening = Opening::thin;
+    Simulation<double> thinning(another, thin);
+    const Events events = run_on(another, thinning, grow_apart(2 * h, -0.1), dt, 8);
+    EXPECT_EQ(count(events, EventKind::merge), 1U);
+    EXPECT_EQ(count(events, EventKind::split), 0U);
+    EXPECT_EQ(pieces(another, 1), 1);
+}
+
+// The neck that a film leaves is as thin as the film was, and does not close again.
+TEST(WideContactOfNone, ANeckThatAFilmHasLeft) {
+    constexpr double gap = 3.7 * h;
+    auto complex = two_discs_apart(gap, h);
+    Options<double> thin = wide_options(4 * h, h);
+    thin.topology.opening = Opening::thin;
+    Simulation<double> simulation(complex, thin);
+    const Events events = run_on(complex, simulation, grow_apart(gap, 0.02), dt, 12);
+    EXPECT_EQ(count(events, EventKind::merge), 1U);
+    EXPECT_EQ(count(events, EventKind::split), 0U);
+    EXPECT_EQ(pieces(complex, 1), 1);
+}
+
+// In a flow that keeps areas what becomes thin is a filament, and is not cut.
+TEST(WideContactOfNone, AFilamentThatIsDrawnOut) {
+    const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.12, 50), 1}};
+    auto complex = initial_complex<double>({{-6, 0}, {7, 1}}, shapes, {.edge_length = 0.06});
+    const Velocity<double> strain =
+        velocity_of([](const Point<double>& p) { return Point<double>(p.x() - 0.5, 0.5 - p.y()); });
+    Simulation<double> simulation(complex, wide_options(0.15, 0.06));
+    EXPECT_TRUE(run_on(complex, simulation, strain, 0.025, 100).empty());
+}
+
+} // namespace
+} // namespace dsc
