@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random shapes in random flows, now and then wild ones: whatever is asked, every step ends, and
 // ends with a valid complex. The seeds are fixed; DSC_FUZZ_SEEDS=N runs N scenes of each kind, and
-// DSC_FUZZ_FIRST says where to begin. The scene that took the most CPU time is printed at the end.
+// DSC_FUZZ_FIRST says where to begin; with DSC_FUZZ_TOPOLOGY the topology changes in every scene and
+// not only in some. The scene that took the most CPU time is printed at the end.
 #include "support/random_scene.h"
 #include "support/random_submeshes.h"
 
@@ -117,10 +118,14 @@ template <class Real>
 void draw_topology(std::uint64_t seed, double h, TopologyOptions<Real>& topology,
                    std::ostream& words) {
     Dice dice(seed + 0x70b0UL);
-    if (!dice.chance(0.5)) {
+    const bool always = std::getenv("DSC_FUZZ_TOPOLOGY") != nullptr;
+    if (!dice.chance(0.5) && !always) {
         return;
     }
     topology.rule = dice.one_of(topology_names);
+    if (always) {
+        topology.rule = Topology::change;
+    }
     topology.opening = dice.one_of(opening_names);
     topology.contact = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.05, 0.75) * h);
     topology.least_area = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.1, 4.0) * h * h);
