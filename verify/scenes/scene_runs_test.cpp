@@ -27,7 +27,7 @@
 namespace dsc::scenes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The coarsest edge length at which the scene is still itself.
 double coarse_edge(const std::string& scene) {
@@ -53,10 +53,12 @@ Parameters coarse_parameters(const Scene& scene) {
     Parameters parameters = scene.defaults;
     parameters.h = coarse_edge(scene.name);
     // Longer ones make filaments for whose exact shape a test has no time.
-    if (scene.name == "swirl-zalesak") {
-        parameters.steps = 100;
+    if (scene.name == "swirl") {
+        parameters.steps = 130;
+    } else if (scene.name == "swirl-zalesak") {
+        parameters.steps = 60;
     } else if (scene.name == "single-vortex") {
-        parameters.period = 2;
+        parameters.period = 1.4;
     }
     return parameters;
 }
