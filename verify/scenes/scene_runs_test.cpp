@@ -142,7 +142,7 @@ Parameters short_run(const Scene& scene) {
 }
 
 TEST(RunScene, GivesTheSameBitsAgain) {
-    const Scene& scene = find_scene("swirl");
+    const Scene& scene = find_scene("scaling");
     const RunResult a = run_scene(scene, short_run(scene), {});
     const RunResult b = run_scene(scene, short_run(scene), {});
     EXPECT_EQ(a.mesh_hash, b.mesh_hash);
@@ -154,7 +154,7 @@ TEST(RunScene, GivesTheSameBitsAgain) {
 }
 
 TEST(RunScene, RunsInFloat) {
-    const Scene& scene = find_scene("swirl");
+    const Scene& scene = find_scene("scaling");
     Parameters parameters = short_run(scene);
     const RunResult wide = run_scene(scene, parameters, {});
     parameters.real = RealType::single_precision;
@@ -165,7 +165,7 @@ TEST(RunScene, RunsInFloat) {
 }
 
 TEST(RunScene, EndsWhenInterrupted) {
-    const Scene& scene = find_scene("swirl");
+    const Scene& scene = find_scene("scaling");
     std::atomic<bool> interrupted{false};
     RunOptions options;
     options.interrupted = &interrupted;
