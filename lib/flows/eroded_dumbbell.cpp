@@ -15,7 +15,7 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The right half of a dumbbell about the origin, before it moves.
 struct Half {

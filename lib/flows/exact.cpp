@@ -16,7 +16,7 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// New markers are inserted in rounds: each looks at the intervals that the previous one made.
 constexpr int most_rounds = 40;

@@ -15,9 +15,9 @@ namespace dsc::scenes {
 namespace {
 
 /// Points that go through all the steps together, so that they stay in the first-level cache.
-constexpr std::size_t block = 256;
+constexpr std::size_t block_size = 256;
 
-using Block = std::array<Point<double>, block>;
+using Block = std::array<Point<double>, block_size>;
 
 /// The part of the time that falls in one leg.
 struct Stretch {
@@ -133,8 +133,8 @@ FlowMap runge_kutta_map(Flow flow, double begin, double end, int steps) {
         }
     }
     return [stretches = std::move(stretches)](std::span<Point<double>> points) {
-        for (std::size_t i = 0; i < points.size(); i += block) {
-            const auto part = points.subspan(i, std::min(block, points.size() - i));
+        for (std::size_t i = 0; i < points.size(); i += block_size) {
+            const auto part = points.subspan(i, std::min(block_size, points.size() - i));
             for (const Stretch& stretch : stretches) {
                 advance(stretch, part);
             }

@@ -15,7 +15,7 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double first_slope = std::numbers::sqrt3;
 /// Steps to where the curve is its asymptote, by RK4: the error is below 1e-12.
 constexpr int steps = 1 << 14;

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <numbers>
 
 // One binary serves every x86-64: the loader picks the widest version that the machine can run. No
 // version contracts a product and a sum (-ffp-contract=off), hence all give the same bits.
@@ -21,7 +22,7 @@ namespace {
 
 /// 1.5 2^52: adding it leaves the nearest integer in the low bits of the sum.
 constexpr double rounding_magic = 6755399441055744.0;
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Near-minimax (Chebyshev) fits in z = r^2 for |r| <= 1/4, computed with 60 digits:
 /// sin(pi r) = pi r + r z S(z) to 1e-17 and cos(pi r) = 1 + z C(z) to 2e-19.

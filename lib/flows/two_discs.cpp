@@ -12,7 +12,7 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The two discs in a frame in which their centres are at -d and d on the x axis.
 struct Frame {

@@ -13,7 +13,7 @@ namespace {
 template <class Real>
 bool is_smooth_at(const Complex<Real>& complex, Vertex before, Vertex at, Vertex after,
                   Ring<Real>& ring) {
-    return gather(complex, Region{}, at.id, ring) && ring.closed &&
+    return gather(complex, dsc::Region{}, at.id, ring) && ring.closed &&
            interface_spokes(ring).count == 2 &&
            is_smooth<Real>(complex, at.id, complex.position(before), complex.position(at),
                            complex.position(after));

@@ -12,7 +12,7 @@
 namespace dsc::scenes {
 
 namespace {
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 }
 
 ParametricCurve circle_curve(const Point<double>& centre, double radius) {

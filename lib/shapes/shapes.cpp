@@ -13,7 +13,7 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// Nobody wants more vertices than this: they come from a wrong unit.
 constexpr double most_vertices = 1e8;
 /// A side that is shorter is a point but for rounding. Relative to the size of the shape.

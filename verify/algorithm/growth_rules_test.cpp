@@ -21,7 +21,7 @@ using test::offset_polygon;
 using test::options_for;
 using test::Outline;
 
-const Outline square{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
+const Outline small_square{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
 
 TEST(GrowthRules, SpeedsBelongToPairsOfPhases) {
     const GrowthOptions<double> options{
@@ -53,17 +53,17 @@ TEST(GrowthRules, TheTangentAtTheEndIsThatOfACircle) {
 
 TEST(GrowthRules, AFactorByTimeOnlyChangesTheClock) {
     constexpr double h = 0.01;
-    auto complex = complex_of(square, h);
+    auto complex = complex_of(small_square, h);
     // Its integral to 0.1 is 0.1, to 0.2 zero.
     GrowingShape<double> growing(
         complex, h, {.speeds = {{1, 0, 1.0}}, .factor = [](const Point<double>&, double time) {
                          return std::numbers::pi / 2 * std::sin(10 * std::numbers::pi * time);
                      }});
     EXPECT_EQ(growing.run(0, 0.1, 0.25), 0U);
-    EXPECT_LT(difference(complex, {offset_polygon(square, 0.1)}), 5e-4);
+    EXPECT_LT(difference(complex, {offset_polygon(small_square, 0.1)}), 5e-4);
     EXPECT_EQ(growing.run(0.1, 0.1, 0.25), 0U);
     test::expect_sound(complex, growing.simulation());
-    EXPECT_LT(difference(complex, {square}), 5e-3);
+    EXPECT_LT(difference(complex, {small_square}), 5e-3);
 }
 
 // A grid over the unit square, sheared by `slant` to the right, whose lines are interfaces where
@@ -107,14 +107,14 @@ TEST(GrowthRules, AFanWhereTheSpeedDependsOnThePlaceLooksAfterItself) {
     // The speed is x / 2: fronts about a point (a, b) are circles about (a cosh(t / 2), b) with the
     // radius a sinh(t / 2), and the square's sides lie inside.
     constexpr double h = 0.01;
-    auto complex = complex_of(square, h);
+    auto complex = complex_of(small_square, h);
     GrowingShape<double> growing(
         complex, h, {.speeds = {{1, 0, 0.5}}, .factor = [](const Point<double>& place, double) {
                          return place.x();
                      }});
     EXPECT_EQ(growing.run(0, 0.4, 0.8), 0U);
     test::expect_sound(complex, growing.simulation());
-    for (const Point<double>& corner : square) {
+    for (const Point<double>& corner : small_square) {
         const Point<double> centre(corner.x() * std::cosh(0.2), corner.y());
         const double radius = corner.x() * std::sinh(0.2);
         // The envelope touches the circle on the side away from the square.
@@ -155,16 +155,16 @@ TEST(GrowthRules, AJunctionMovesWithTheSheetsThatMeetThere) {
 }
 
 TEST(GrowthRules, PhasesWithoutASpeedStay) {
-    auto complex = complex_of(square, 0.02);
+    auto complex = complex_of(small_square, 0.02);
     GrowingShape<double> growing(complex, 0.02, {});
     EXPECT_EQ(growing.run(0, 0.1), 0U);
-    EXPECT_EQ(difference(complex, {square}), 0);
+    EXPECT_EQ(difference(complex, {small_square}), 0);
 }
 
 // --- what is refused ----------------------------------------------------------------------------
 
 std::string refusal(const GrowthOptions<double>& options) {
-    auto complex = complex_of(square, 0.05);
+    auto complex = complex_of(small_square, 0.05);
     try {
         (void)growth_algorithm(complex, options);
     } catch (const InputError& error) {
@@ -205,7 +205,7 @@ TEST(GrowthRules, RefuseAnglesThatMakeNoSense) {
 TEST(GrowthRules, WhatTheFactorThrowsArrives) {
     constexpr double h = 0.02;
     for (const std::uint32_t threads : {1U, 2U}) {
-        auto complex = complex_of(square, h);
+        auto complex = complex_of(small_square, h);
         const Parallel parallel{.threads = threads};
         GrowingShape<double> growing(complex, h,
                                      {.speeds = {{1, 0, 1.0}},
@@ -222,7 +222,7 @@ TEST(GrowthRules, WhatTheFactorThrowsArrives) {
 
 TEST(GrowthRules, AVertexWithoutAFiniteSpeedIsHeld) {
     constexpr double h = 0.02;
-    auto complex = complex_of(square, h);
+    auto complex = complex_of(small_square, h);
     GrowingShape<double> growing(
         complex, h,
         {.speeds = {{1, 0, 1.0}}, .factor = [](const Point<double>& place, double) -> double {

@@ -22,7 +22,7 @@ namespace {
 using namespace dsc;
 using namespace dsc::scenes;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Random = std::mt19937_64;
 
 double uniform(Random& random, double low, double high) {

@@ -15,7 +15,7 @@ namespace dsc::gate {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string number(double value) {
     char text[32];
@@ -30,8 +30,8 @@ std::string limit_text(const Row& row) {
 }
 
 // JSON has no NaN.
-Json finite(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+OrderedJson finite(const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? OrderedJson(*value) : OrderedJson(nullptr);
 }
 
 // For XML: no control characters, which are not legal even when escaped.
@@ -63,23 +63,23 @@ void print_row(std::ostream& out, const Row& row) {
 }
 
 std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Runs& runs) {
-    Json checks = Json::array();
+    OrderedJson checks = OrderedJson::array();
     for (const Row& row : rows) {
-        Json entry{{"check", row.check->name},
-                   {"scene", row.scene},
-                   {"measured", finite(row.measured)},
-                   {"limit", row.limit},
-                   {"unit", row.check->unit},
-                   {"sense", row.check->at_least ? ">=" : "<="},
-                   {"verdict", row.pass ? "pass" : "fail"},
-                   {"note", limits.find(row.check->name, row.scene).note}};
+        OrderedJson entry{{"check", row.check->name},
+                          {"scene", row.scene},
+                          {"measured", finite(row.measured)},
+                          {"limit", row.limit},
+                          {"unit", row.check->unit},
+                          {"sense", row.check->at_least ? ">=" : "<="},
+                          {"verdict", row.pass ? "pass" : "fail"},
+                          {"note", limits.find(row.check->name, row.scene).note}};
         if (!row.failure.empty()) {
             entry["failure"] = row.failure;
         }
         checks.push_back(std::move(entry));
     }
     // Two runs of one scene are comparable only over the same bins, so each size is a scene.
-    Json histograms = Json::array();
+    OrderedJson histograms = OrderedJson::array();
     for (const auto& [configuration, run] : runs.all()) {
         const bool is_coarse = configuration.size == Size::coarse;
         if (configuration.threads > (is_coarse ? 1U : 2U)) {
@@ -95,11 +95,11 @@ std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Ru
                                   {"counts", histogram->counts}});
         }
     }
-    const Json json{{"machine", scenes::machine()},
-                    {"commit", scenes::commit()},
-                    {"limits", limits.path()},
-                    {"checks", checks},
-                    {"histograms", histograms}};
+    const OrderedJson json{{"machine", scenes::machine()},
+                           {"commit", scenes::commit()},
+                           {"limits", limits.path()},
+                           {"checks", checks},
+                           {"histograms", histograms}};
     return json.dump(1) + "\n";
 }
 

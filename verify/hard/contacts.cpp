@@ -23,8 +23,6 @@ namespace {
 
 using scenes::Outline;
 
-const char* const shape_words = "symmetric difference to the exact shape, relative";
-
 constexpr double disc_h = 0.05;
 
 // Two discs of phases 1 and 2, side by side with a gap of 1.2 edges between them.
@@ -210,7 +208,7 @@ HardResult wall_case(const std::string& asked, double width, const WallMotion& m
                                      motion.shift + motion.shear * (p.y() - 0.5),
                                  p.y());
         }));
-    result.error_is = shape_words;
+    result.error_is = shape_error_words;
     const double area_error = std::abs(domain_area(scene.complex) - 2.0) / 2;
     const WallEdges wall = wall_edges(scene);
     result.values = {{"domain area, relative error", area_error},
@@ -291,7 +289,7 @@ HardResult junction_case(const scenes::Velocity& velocity, const std::string& mo
         worst = std::max(worst, error);
     }
     result.error = worst;
-    result.error_is = std::string(shape_words) + ", of the worse phase";
+    result.error_is = std::string(shape_error_words) + ", of the worse phase";
     result.happened = "the junctions move with the flow, and each phase keeps its shape";
     expect(result, going, "the run ended early");
     expect(result, worst < 1e-6, "error " + text(worst) + ", allowed 1e-6");

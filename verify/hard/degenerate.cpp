@@ -23,8 +23,6 @@ namespace {
 
 using scenes::Outline;
 
-const char* const shape_words = "symmetric difference to the exact shape, relative";
-
 // One revolution about the middle.
 HardResult turned(const Outline& outline, double h, const std::string& asked, double allowed) {
     HardResult result;
@@ -37,7 +35,7 @@ HardResult turned(const Outline& outline, double h, const std::string& asked, do
     const bool going =
         watch.run(scenes::Rotation{{0.5, 0.5}, 2 * std::numbers::pi}, 0, 1.0 / steps, steps);
     result.error = shape_error<double>(scene.complex, outlines);
-    result.error_is = shape_words;
+    result.error_is = shape_error_words;
     const scenes::MeshQuality quality = scenes::measure_quality(scene.complex);
     result.values = {{"smallest angle at the end, degrees", quality.min_angle_deg},
                      {"triangles", static_cast<double>(scene.complex.triangle_count())}};
@@ -149,7 +147,7 @@ HardResult grid_case(const Perturbation& by, const std::string& how) {
         }
     }
     result.error = shape_error<double>(scene.complex, first);
-    result.error_is = shape_words;
+    result.error_is = shape_error_words;
     result.values = {{"flips, all steps", static_cast<double>(flips)}};
     result.happened =
         text(static_cast<double>(flips)) + " flips in 24 steps: ties do not flip back and forth";

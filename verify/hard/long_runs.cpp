@@ -20,8 +20,6 @@ namespace {
 
 using scenes::Outline;
 
-const char* const shape_words = "symmetric difference to the exact shape, relative";
-
 HardResult zalesak_case(int revolutions) {
     HardResult result;
     result.asked =
@@ -42,7 +40,7 @@ HardResult zalesak_case(int revolutions) {
                 {"error after " + std::to_string(turn) + " revolutions", *result.error});
         }
     }
-    result.error_is = shape_words;
+    result.error_is = shape_error_words;
     // RK4's own: the angle lags by (2 pi / 628)^4 / 120 of what was turned.
     const double lag =
         std::pow(2 * std::numbers::pi / steps, 4) / 120 * 2 * std::numbers::pi * revolutions;
@@ -72,7 +70,7 @@ HardResult slow_case(std::uint64_t steps) {
         watch.run(scenes::Translation{{1, 0}}, 0, way / static_cast<double>(steps), steps);
     const auto exact = scenes::translated_shape(outlines, {way, 0}).outlines;
     result.error = shape_error<double>(scene.complex, exact);
-    result.error_is = shape_words;
+    result.error_is = shape_error_words;
     // Each step rounds a coordinate below 1 by half a step of doubles at most, perhaps always the
     // same way.
     const double drift = static_cast<double>(steps) * 0.5 * std::numeric_limits<double>::epsilon();

@@ -24,8 +24,6 @@ using scenes::Outline;
 constexpr int exact_steps = 512;
 constexpr scenes::MarkerOptions exact_markers{.spacing = 3e-3, .deviation = 1e-6};
 
-const char* const shape_words = "symmetric difference to the exact shape, relative";
-
 void note_steps(HardResult& result, double allowed) {
     expect(result, *result.error <= allowed,
            "error " + text(*result.error) + ", allowed " + text(allowed));
@@ -49,7 +47,7 @@ HardResult translation_case(double edges) {
               static_cast<std::uint64_t>(std::lround(way / dt)));
     result.error =
         shape_error<double>(scene.complex, scenes::translated_shape(outlines, {way, 0}).outlines);
-    result.error_is = shape_words;
+    result.error_is = shape_error_words;
     // Rigid: only rounding is left, of 3000 steps at most.
     note_steps(result, 1e-11);
     return result;
@@ -71,7 +69,7 @@ HardResult rotation_case(double edges) {
     result.error = shape_error<double>(
         scene.complex,
         scenes::rotated_shape(outlines, {0.5, 0.5}, static_cast<double>(steps) * dt).outlines);
-    result.error_is = shape_words;
+    result.error_is = shape_error_words;
     // RK4 by 0.06 radians at a time: 0.06^5 / 120 each, 500 times, in units of the outermost
     // radius.
     note_steps(result, 5e-5);
@@ -94,7 +92,7 @@ HardResult swirl_case(double edges) {
         scenes::advected_shape(scenes::circle_curve({0.5, 0.75}, 0.15),
                                scenes::steady(scenes::Swirl{}), end, exact_steps, exact_markers)
             .outlines);
-    result.error_is = shape_words;
+    result.error_is = shape_error_words;
     note_steps(result, 0.02);
     return result;
 }
@@ -121,7 +119,7 @@ HardResult vortex_case() {
     const double width = 2 * curve.area / scenes::perimeter(half);
     going = going && watch.run(swirl, period / 2, dt, steps / 2);
     result.error = shape_error<double>(scene.complex, scenes::unmoved_shape(curve).outlines);
-    result.error_is = shape_words;
+    result.error_is = shape_error_words;
     result.values = {{"error at T/2", at_half},
                      {"mean width of the filament at T/2, in edges", width / h}};
     result.happened = "stretched to " + text(width / h) + " edges and back, in one piece";
@@ -147,7 +145,7 @@ HardResult slotted_disc_case() {
         scenes::advected_shape(scenes::slotted_disc_curve({}), scenes::steady(scenes::Swirl{}),
                                steps * dt, exact_steps, exact_markers);
     result.error = shape_error<double>(scene.complex, exact.outlines);
-    result.error_is = shape_words;
+    result.error_is = shape_error_words;
     const double width = 2 * exact.area / scenes::perimeter(exact.outlines);
     result.values = {{"mean width of the filament, in edges", width / h}};
     result.happened = "drawn out to " + text(width / h) + " edges, in one piece";

@@ -24,9 +24,9 @@ using scenes::Outline;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double denormal = std::numeric_limits<double>::denorm_min();
-constexpr double h = 0.05;
+constexpr double circle_h = 0.05;
 constexpr double dt = 0.01;
-constexpr int steps = 20;
+constexpr int step_count = 20;
 
 using Field = std::function<Point<double>(const Point<double>&, double time)>;
 
@@ -45,7 +45,7 @@ Velocity<double> to_the_right() {
     return pointwise([](const Point<double>&, double) { return right; });
 }
 
-std::vector<Outline> disc() { return {scenes::circle({0.4, 0.5}, 0.2, h)}; }
+std::vector<Outline> disc() { return {scenes::circle({0.4, 0.5}, 0.2, circle_h)}; }
 
 struct Strange {
     std::string asked;
@@ -61,11 +61,11 @@ struct Strange {
 HardResult strange_case(const Strange& strange) {
     HardResult result;
     result.asked = strange.asked;
-    auto scene = scene_of<double>(unit_square, disc(), h);
+    auto scene = scene_of<double>(unit_square, disc(), circle_h);
     Watch<double> watch(scene.complex, scene.options, {.domain = unit_square}, result);
     std::uint64_t moves = 0;
     bool going = true;
-    for (int i = 0; i < steps && going; ++i) {
+    for (int i = 0; i < step_count && going; ++i) {
         const bool is_asked = strange.only_step < 0 || strange.only_step == i;
         going = watch.step(is_asked ? pointwise(strange.field) : to_the_right(), i * dt, dt);
         moves += watch.last().operations.moves;
@@ -79,7 +79,7 @@ HardResult strange_case(const Strange& strange) {
     // Who is held may be in the way of those who go on.
     expect(result, strange.held_block || result.unreached == result.held,
            "vertices did not arrive for another reason than their velocity");
-    const double way = strange.all_stay ? 0 : steps * dt;
+    const double way = strange.all_stay ? 0 : step_count * dt;
     if (strange.all_stay || strange.all_go) {
         result.error =
             shape_error<double>(scene.complex, scenes::translated_shape(disc(), {way, 0}).outlines);
@@ -110,24 +110,24 @@ Field bad_when(double bad, double from, double to) {
 
 HardResult some_nan() {
     return strange_case(
-        {"a velocity that is NaN in a part of the plane, in all steps", bad_where(nan, 0.55), steps,
-         false, false, "vertices there are held and counted; the others go on until they meet one",
-         true});
+        {"a velocity that is NaN in a part of the plane, in all steps", bad_where(nan, 0.55),
+         step_count, false, false,
+         "vertices there are held and counted; the others go on until they meet one", true});
 }
 HardResult some_infinite() {
     return strange_case(
         {"a velocity that is infinite in a part of the plane, in all steps",
-         bad_where(-infinity, 0.55), steps, false, false,
+         bad_where(-infinity, 0.55), step_count, false, false,
          "vertices there are held and counted; the others go on until they meet one", true});
 }
 HardResult all_nan() {
     return strange_case({"a velocity that is NaN everywhere", bad_where(nan, -1),
-                         steps * disc().front().size(), true, false,
+                         step_count * disc().front().size(), true, false,
                          "all vertices are held and counted in every step"});
 }
 HardResult all_infinite() {
     return strange_case({"a velocity that is infinite everywhere", bad_where(infinity, -1),
-                         steps * disc().front().size(), true, false,
+                         step_count * disc().front().size(), true, false,
                          "all vertices are held and counted in every step"});
 }
 
@@ -173,20 +173,20 @@ HardResult denormal_coordinates() {
     result.asked = "an outline with denormal coordinates in a domain about the origin; a domain of "
                    "denormal size";
     const Rectangle domain{{-0.5, -0.5}, {0.5, 0.5}};
-    Outline outline = scenes::circle({0, 0}, 0.2, h);
+    Outline outline = scenes::circle({0, 0}, 0.2, circle_h);
     for (auto& p : outline) {
         for (int axis = 0; axis < 2; ++axis) {
             p[axis] = std::abs(p[axis]) < 1e-12 ? denormal : p[axis];
         }
     }
     const std::vector<Outline> outlines{outline};
-    auto scene = scene_of<double>(domain, outlines, h);
+    auto scene = scene_of<double>(domain, outlines, circle_h);
     Watch<double> watch(scene.complex, scene.options, {.domain = domain}, result);
     const bool going = watch.run(
         pointwise([](const Point<double>& p, double) { return Point<double>(-p.y(), p.x()); }), 0,
-        dt, steps);
+        dt, step_count);
     result.error = shape_error<double>(
-        scene.complex, scenes::rotated_shape(outlines, {0, 0}, steps * dt).outlines);
+        scene.complex, scenes::rotated_shape(outlines, {0, 0}, step_count * dt).outlines);
     result.error_is = "symmetric difference to the exact shape, relative";
     expect(result, going, "the run ended early");
     expect(result, *result.error <= 1e-10, "error " + text(*result.error));
@@ -214,7 +214,7 @@ HardResult too_fast(double speed) {
     result.asked = "a speed of " + text(speed) +
                    " in a part of the plane: a million sub-steps and "
                    "more";
-    auto scene = scene_of<double>(unit_square, disc(), h);
+    auto scene = scene_of<double>(unit_square, disc(), circle_h);
     Watch<double> watch(scene.complex, scene.options, {.domain = unit_square}, result);
     const auto field = pointwise([speed](const Point<double>& p, double) {
         return Point<double>(p.x() > 0.55 ? speed * p.x() : 1.0, 0);

@@ -4,9 +4,9 @@
 
 #include "result.h"
 
-#include "dsc/passes/options.h"
 #include "dsc/geometry/unit_map.h"
 #include "dsc/initial/initial_complex.h"
+#include "dsc/passes/options.h"
 #include "shapes/outline.h"
 
 #include <functional>
@@ -49,6 +49,9 @@ template <class Real>
 double shape_error(const Complex<Real>& complex, std::span<const scenes::Outline> exact);
 /// Of one phase.
 double shape_error(const Complex<double>& complex, Phase phase, const scenes::Outline& exact);
+/// What results call it.
+inline constexpr const char* shape_error_words =
+    "symmetric difference to the exact shape, relative";
 
 /// Each point of the outlines through a function.
 std::vector<scenes::Outline> mapped(std::span<const scenes::Outline> outlines,

@@ -16,7 +16,7 @@ using dsc::Phase;
 using dsc::Point;
 using dsc::testing::CurveScenery;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Case {
     std::string name;

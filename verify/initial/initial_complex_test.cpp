@@ -26,7 +26,7 @@ using dsc::Vertex;
 using dsc::testing::Scenery;
 using dsc::testing::Sizes;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 Shape circle(double x, double y, double radius, double edge_length, dsc::Phase phase = 1) {
     return {dsc::scenes::circle({x, y}, radius, edge_length), phase};

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 #include <random>
 
 namespace {
@@ -28,7 +29,7 @@ using dsc::initial::SweepPolygon;
 
 using Polygon = std::vector<Point<double>>;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 TEST(Lattice, IsAValidComplexOfEverySize) {
     for (std::uint32_t columns = 1; columns < 6; ++columns) {

@@ -15,7 +15,7 @@ using dsc::testing::CurveScenery;
 using Sites = std::vector<Point<double>>;
 using Place = std::pair<double, double>;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The smallest angle in degrees between curves that meet, or between a curve and a side.
 double smallest_angle_between(const CurveScenery& scenery) {

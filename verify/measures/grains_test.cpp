@@ -17,7 +17,7 @@ namespace {
 
 using namespace dsc::scenes;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A grain of phase 1, a regular polygon of this area, with n neighbours of phases 2 to n + 1, or of
 // two phases in turn. Around it, a wall.

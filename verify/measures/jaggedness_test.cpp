@@ -23,7 +23,7 @@ namespace {
 using namespace dsc;
 using namespace dsc::scenes;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double degrees(double radians) { return radians * 180.0 / pi; }
 

@@ -21,7 +21,7 @@ namespace {
 using namespace dsc;
 using namespace dsc::scenes;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A circle that is too large, in a mesh that does not matter.
 struct TooLarge {

@@ -25,7 +25,6 @@ using test::Divided;
 using test::random_divided;
 using test::shares_of;
 
-
 // --- blocks -------------------------------------------------------------------------------------
 
 TEST(Blocks, AreSquaresShiftedByThirds) {

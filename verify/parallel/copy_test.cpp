@@ -22,6 +22,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <tuple>
 
@@ -58,7 +59,7 @@ struct Outcome {
     CopyCosts costs;
 };
 
-constexpr int steps = 12;
+const int steps = test::steps_or_fewer(12);
 
 template <class Real>
 Outcome simulate(std::uint64_t seed, const CopyOptions* copy,
@@ -162,7 +163,8 @@ TEST(CopyExecutor, TakesTheMemoryOfVerticesAlong) {
 }
 
 TEST(CopyExecutor, ReachesWhatTheSequentialMethodReaches) {
-    for (const std::uint64_t seed : {1U, 2U, 3U, 5U, 6U, 7U}) {
+    constexpr std::array<std::uint64_t, 6> seeds{1, 2, 3, 5, 6, 7};
+    for (const std::uint64_t seed : std::span(seeds).first(test::seeds_or_fewer(seeds.size()))) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const Outcome sequential = simulate<double>(seed, nullptr);
         for (const std::uint32_t n : {2U, 6U, 24U}) {

@@ -2,6 +2,7 @@
 // Growth along the normal in submeshes: the same bits for any number of threads, and as accurate
 // as in one piece. Fans and notches lie across cuts in some of these.
 #include "support/growth_testing.h"
+#include "support/random_scene.h"
 
 #include "dsc/queries/hash.h"
 
@@ -30,15 +31,16 @@ template <class Real>
 Course course_of(const Parallel& parallel, double h) {
     Course course;
     auto complex = complex_of<Real>(star, h);
+    const int steps = test::steps_or_fewer(13);
     for (const double speed : {1.0, -1.0}) {
         GrowingShape<Real> growing(complex, h, {.speeds = {{1, 0, speed}}}, &parallel);
-        for (int i = 0; i < 13; ++i) {
+        for (int i = 0; i < steps; ++i) {
             course.unreached += growing.run(0, 0.4 * h);
             course.hashes.push_back(mesh_hash(complex));
         }
         test::expect_sound(complex, growing.simulation());
         if (speed > 0) {
-            course.error = difference(complex, {offset_polygon(star, 5.2 * h)});
+            course.error = difference(complex, {offset_polygon(star, 0.4 * steps * h)});
         }
     }
     return course;

@@ -18,6 +18,7 @@ namespace dsc {
 namespace {
 
 constexpr double h = 0.02;
+const int course = test::steps_or_fewer(12); // in steps
 
 // Grows, is smoothed, and turns: the motion of a vertex depends on its neighbours. The smoothing is
 // weak enough for these steps to be stable.
@@ -95,15 +96,15 @@ TEST(InterfaceFlowParallel, TheSameBitsForAnyNumberOfThreads) {
         Options<double> options;
         options.edge_length = h;
         options.integrator = integrator;
-        const Outcome alone = run(sequential, mixed, options, 1, 12);
+        const Outcome alone = run(sequential, mixed, options, 1, course);
         EXPECT_EQ(alone.unreached, 0U);
         for (const Strategy& strategy : strategies()) {
             SCOPED_TRACE(strategy.name + ", " + std::string(to_string(integrator)));
-            const Outcome one = run(strategy.make, mixed, options, 1, 12);
+            const Outcome one = run(strategy.make, mixed, options, 1, course);
             EXPECT_EQ(one.unreached, 0U);
             EXPECT_NEAR(one.area, alone.area, 2e-4 * alone.area);
-            EXPECT_EQ(run(strategy.make, mixed, options, 2, 12).hashes, one.hashes);
-            EXPECT_EQ(run(strategy.make, mixed, options, 3, 12).hashes, one.hashes);
+            EXPECT_EQ(run(strategy.make, mixed, options, 2, course).hashes, one.hashes);
+            EXPECT_EQ(run(strategy.make, mixed, options, 3, course).hashes, one.hashes);
         }
     }
 }
@@ -129,8 +130,8 @@ TEST(InterfaceFlowParallel, AFlowOfPositionsMovesTheSameBitsEitherWay) {
         options.integrator = integrator;
         for (const Strategy& strategy : strategies()) {
             SCOPED_TRACE(strategy.name + ", " + std::string(to_string(integrator)));
-            EXPECT_EQ(run(strategy.make, the_same, options, 2, 12).hashes,
-                      run(strategy.make, turn, options, 2, 12).hashes);
+            EXPECT_EQ(run(strategy.make, the_same, options, 2, course).hashes,
+                      run(strategy.make, turn, options, 2, course).hashes);
         }
     }
 }

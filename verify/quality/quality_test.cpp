@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 namespace dsc {
@@ -21,7 +22,7 @@ namespace {
 
 using test::grid;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 template <class Real>
 class Measures : public testing::Test {

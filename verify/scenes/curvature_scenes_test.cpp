@@ -17,7 +17,7 @@
 namespace dsc::scenes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The relative error of the radius, by area, at half of the first area.
 double error_of_circle(double h, Strategy strategy = Strategy::sequential) {

@@ -16,7 +16,7 @@ namespace {
 using namespace dsc;
 using namespace dsc::scenes;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Outline square(double x, double y, double side) {
     return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};

@@ -71,20 +71,26 @@ std::size_t interface_edge_count(const Complex<Real>& complex) {
 /// used for flips, this one is relative to the lengths, so that rectangles pass it.
 template <class Real>
 bool is_locally_delaunay(const Complex<Real>& complex, Corner corner) {
-    const auto at = [&](Corner c) -> Point<double> {
-        return complex.position(Vertex{complex.vertex(c)}).template cast<double>();
+    // Plain numbers, here and below: without optimisation, under the sanitizers, vectors of Eigen
+    // take longer than all that is tested.
+    struct Place {
+        double x, y;
     };
-    const Point<double> b = at(next(corner));
-    const Point<double> w = at(prev(corner));
-    const auto sine_cosine = [&](const Point<double>& apex) -> Point<double> {
-        const Point<double> p = b - apex;
-        const Point<double> q = w - apex;
-        const double lengths = p.norm() * q.norm();
-        return Point<double>(std::abs(p.x() * q.y() - p.y() * q.x()), p.dot(q)) / lengths;
+    const auto at = [&](Corner c) -> Place {
+        const auto& record = complex.vertices[complex.vertex(c)];
+        return {static_cast<double>(record.x), static_cast<double>(record.y)};
     };
-    const Point<double> one = sine_cosine(at(corner));
-    const Point<double> other = sine_cosine(at(complex.twin(corner)));
-    return one.x() * other.y() + one.y() * other.x() >= -static_cast<double>(delaunay_slack<Real>);
+    const Place b = at(next(corner));
+    const Place w = at(prev(corner));
+    const auto sine_cosine = [&](const Place& apex) -> Place {
+        const Place p{b.x - apex.x, b.y - apex.y};
+        const Place q{w.x - apex.x, w.y - apex.y};
+        const double lengths = std::sqrt(p.x * p.x + p.y * p.y) * std::sqrt(q.x * q.x + q.y * q.y);
+        return {std::abs(p.x * q.y - p.y * q.x) / lengths, (p.x * q.x + p.y * q.y) / lengths};
+    };
+    const Place one = sine_cosine(at(corner));
+    const Place other = sine_cosine(at(complex.twin(corner)));
+    return one.x * other.y + one.y * other.x >= -static_cast<double>(delaunay_slack<Real>);
 }
 
 struct Sizes {
@@ -125,30 +131,33 @@ Sizes sizes_of(const Complex<Real>& complex) {
 
 /// Even-odd rule, in plain doubles: for points that are not near the outline.
 inline bool is_inside(const std::vector<Point<double>>& outline, const Point<double>& p) {
+    const double x = p.x();
+    const double y = p.y();
     bool inside = false;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point<double>& a = outline[i];
-        const Point<double>& b = outline[i + 1 < outline.size() ? i + 1 : 0];
-        if ((a.y() > p.y()) != (b.y() > p.y()) &&
-            p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+    const double* a = outline.back().data();
+    for (const Point<double>& point : outline) {
+        const double* b = point.data();
+        if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) {
             inside = !inside;
         }
+        a = b;
     }
     return inside;
 }
 
 /// The phase of the smallest shape around a point.
 inline Phase innermost_phase(const std::vector<Shape>& shapes, const Point<double>& p) {
-    Phase phase = exterior_phase;
-    double least = 1e300;
+    const auto size_of = [](const Shape& shape) {
+        return std::abs(scenes::signed_area(shape.outline));
+    };
+    const Shape* innermost = nullptr;
     for (const Shape& shape : shapes) {
-        const double size = std::abs(scenes::signed_area(shape.outline));
-        if (size < least && is_inside(shape.outline, p)) {
-            least = size;
-            phase = shape.phase;
+        if (is_inside(shape.outline, p) &&
+            (innermost == nullptr || size_of(shape) < size_of(*innermost))) {
+            innermost = &shape;
         }
     }
-    return phase;
+    return innermost != nullptr ? innermost->phase : exterior_phase;
 }
 
 } // namespace dsc::testing

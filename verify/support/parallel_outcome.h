@@ -152,7 +152,7 @@ inline void expect_same(const Outcome& one, const Outcome& other) {
 struct Scene {
     std::uint64_t seed;
     double h = 0.025;
-    int steps = 10;
+    int steps = steps_or_fewer(10);
     Wildness wildness = Wildness::none;
     bool patches = false;
     bool data = false;

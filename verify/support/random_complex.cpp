@@ -251,7 +251,7 @@ std::vector<std::uint32_t> random_labels(std::uint64_t seed, const Complex<Real>
     Random random(seed + 0x5bf03635U);
     std::vector<std::uint32_t> labels(complex.vertex_bound(), 0);
     const std::uint32_t kind = random.below(3);
-    const auto middle = complex.position(Vertex{random.below(complex.vertex_bound())});
+    const auto centre = complex.position(Vertex{random.below(complex.vertex_bound())});
     const double a = 2 * random.unit() - 1;
     const double b = 2 * random.unit() - 1;
     Point<double> low(1e300, 1e300);
@@ -263,7 +263,7 @@ std::vector<std::uint32_t> random_labels(std::uint64_t seed, const Complex<Real>
     }
     const double radius = (0.3 + 0.4 * random.unit()) * (high - low).norm();
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        const Point<double> d = (complex.position(Vertex{v}) - middle).template cast<double>();
+        const Point<double> d = (complex.position(Vertex{v}) - centre).template cast<double>();
         const bool owned = kind == 0   ? a * d.x() + b * d.y() >= 0
                            : kind == 1 ? d.norm() < radius
                                        : random.chance(0.9);

@@ -101,24 +101,32 @@ Complex<Real> random_shapes(Dice& dice, double h) {
 template <class Real>
 Complex<Real> random_patches(Dice& dice, double h, int patches) {
     auto complex = initial_complex<Real>({}, {}, {.edge_length = h});
-    std::vector<Point<double>> seeds;
-    std::vector<Phase> phases;
+    struct Patch {
+        double x, y;
+        Phase phase;
+    };
+    std::vector<Patch> list;
     for (int i = 0; i < patches; ++i) {
-        seeds.push_back(dice.point(0, 1));
-        phases.push_back(static_cast<Phase>(dice.in(0, 3)));
+        const Point<double> at = dice.point(0, 1);
+        list.push_back({at.x(), at.y(), static_cast<Phase>(dice.in(0, 3))});
     }
     for (const Triangle t : triangles(complex)) {
         Point<double> middle = Point<double>::Zero();
         for (const Vertex v : complex.vertices_of(t)) {
             middle += complex.position(v).template cast<double>() / 3;
         }
-        std::size_t nearest = 0;
-        for (std::size_t i = 1; i < seeds.size(); ++i) {
-            if ((seeds[i] - middle).squaredNorm() < (seeds[nearest] - middle).squaredNorm()) {
-                nearest = i;
+        const auto squared_distance = [x = middle.x(), y = middle.y()](const Patch& patch) {
+            return (patch.x - x) * (patch.x - x) + (patch.y - y) * (patch.y - y);
+        };
+        const Patch* nearest = &list.front();
+        double least = squared_distance(*nearest);
+        for (const Patch& patch : list) {
+            if (const double squared = squared_distance(patch); squared < least) {
+                nearest = &patch;
+                least = squared;
             }
         }
-        complex.set_phase(t, phases[nearest]);
+        complex.set_phase(t, nearest->phase);
     }
     return complex;
 }
@@ -169,8 +177,10 @@ public:
     RandomFlow(Dice& dice, double speed, Wildness wildness)
         : speed_(speed), wildness_(wildness), centre_(dice.point(0.1, 0.9)) {
         for (int i = 0; i < 5; ++i) {
-            waves_.push_back({dice.point(-9, 9), dice.in(0.0, 6.0), dice.in(-6.0, 6.0),
-                              dice.chance(0.7) ? 0.0 : dice.in(-0.5, 0.5)});
+            const Point<double> number = dice.point(-9, 9);
+            const Point<double> along = number / (1 + number.norm());
+            waves_.push_back({number.x(), number.y(), along.x(), along.y(), dice.in(0.0, 6.0),
+                              dice.in(-6.0, 6.0), dice.chance(0.7) ? 0.0 : dice.in(-0.5, 0.5)});
         }
     }
 
@@ -188,29 +198,37 @@ public:
 
 private:
     struct Wave {
-        Point<double> number;
+        double number_x;
+        double number_y;
+        double along_x;
+        double along_y;
         double phase;
         double frequency;
         double potential; ///< its share of the wave
     };
 
+    // Plain numbers: without optimisation, under the sanitizers, vectors of Eigen take longer here
+    // than all of the library.
     [[nodiscard]] Point<double> at(const Point<double>& p, double time) const {
-        Point<double> sum = Point<double>::Zero();
+        const double p_x = p.x();
+        const double p_y = p.y();
+        double x = 0;
+        double y = 0;
         for (const Wave& wave : waves_) {
-            const Point<double> direction = wave.number / (1 + wave.number.norm());
-            const double value = std::cos(wave.number.dot(p) + wave.phase + wave.frequency * time);
-            sum +=
-                value * (Point<double>(-direction.y(), direction.x()) + wave.potential * direction);
+            const double value = std::cos(wave.number_x * p_x + wave.number_y * p_y + wave.phase +
+                                          wave.frequency * time);
+            x += value * (wave.potential * wave.along_x - wave.along_y);
+            y += value * (wave.potential * wave.along_y + wave.along_x);
         }
-        sum *= speed_;
-        const bool inside = (p - centre_).norm() < 0.2;
+        const Point<double> sum(x * speed_, y * speed_);
+        const auto inside = [&] { return (p - centre_).norm() < 0.2; };
         switch (wildness_) {
         case Wildness::none: break;
         case Wildness::not_a_number:
-            return inside ? constant(std::numeric_limits<double>::quiet_NaN()) : sum;
+            return inside() ? constant(std::numeric_limits<double>::quiet_NaN()) : sum;
         case Wildness::infinite:
-            return inside ? constant(std::numeric_limits<double>::infinity()) : sum;
-        case Wildness::absurd: return inside ? constant(1e300) : sum;
+            return inside() ? constant(std::numeric_limits<double>::infinity()) : sum;
+        case Wildness::absurd: return inside() ? constant(1e300) : sum;
         case Wildness::torn: return p.x() + p.y() < 1 ? sum : Point<double>(-sum);
         case Wildness::sink: return speed_ * (centre_ - p) / ((centre_ - p).norm() + 1e-9);
         case Wildness::noise: {
@@ -263,12 +281,23 @@ std::string interface_fault(const Complex<Real>& complex, const std::vector<std:
     return {};
 }
 
-/// How many scenes a test of threads runs: `seeds`, or fewer where each takes long and the
-/// environment says so (DSC_PARALLEL_SEEDS).
+/// `usual`, or less where the environment says so in the variable.
+inline std::uint64_t or_fewer(std::uint64_t usual, const char* variable) {
+    const char* asked = std::getenv(variable);
+    return asked != nullptr ? std::min<std::uint64_t>(usual, std::strtoull(asked, nullptr, 10))
+                            : usual;
+}
+
+/// How many scenes a test of threads runs: `seeds`, or fewer where each takes long
+/// (DSC_PARALLEL_SEEDS).
 inline std::uint64_t seeds_or_fewer(std::uint64_t seeds) {
-    const char* asked = std::getenv("DSC_PARALLEL_SEEDS");
-    return asked != nullptr ? std::min<std::uint64_t>(seeds, std::strtoull(asked, nullptr, 10))
-                            : seeds;
+    return or_fewer(seeds, "DSC_PARALLEL_SEEDS");
+}
+
+/// How many steps each of them takes. Under the thread sanitizer a race shows in the first ones
+/// that divide, hand over and divide anew (DSC_PARALLEL_STEPS).
+inline int steps_or_fewer(int steps) {
+    return static_cast<int>(or_fewer(static_cast<std::uint64_t>(steps), "DSC_PARALLEL_STEPS"));
 }
 
 } // namespace dsc::test

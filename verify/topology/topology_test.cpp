@@ -27,7 +27,7 @@ namespace dsc {
 namespace {
 
 constexpr double h = 0.02;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Two discs of radius 0.1, 0.05 apart, the second of phase `second`.
 Complex<double> two_discs(Phase second = 1) {

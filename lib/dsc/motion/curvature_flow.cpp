@@ -18,8 +18,8 @@ std::pair<Phase, Phase> key_of(const PairCurvature& pair) {
     return std::minmax(pair.one, pair.other);
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& value,
-                         const std::string& allowed) {
+[[noreturn]] void refuse_forces(const std::string& what, const std::string& value,
+                                const std::string& allowed) {
     throw InputError({.what = what, .where = "curvature_flow", .value = value, .allowed = allowed});
 }
 
@@ -29,12 +29,12 @@ std::string name_of(const PairCurvature& pair) {
 
 void check_forces(double tension, double mobility, const std::string& whose) {
     if (!std::isfinite(tension) || tension < 0) {
-        refuse("tension of " + whose + " is not an energy", std::to_string(tension),
-               "finite and 0 or more");
+        refuse_forces("tension of " + whose + " is not an energy", std::to_string(tension),
+                      "finite and 0 or more");
     }
     if (!std::isfinite(mobility) || !(mobility > 0)) {
-        refuse("mobility of " + whose + " is out of range", std::to_string(mobility),
-               "finite and above 0");
+        refuse_forces("mobility of " + whose + " is out of range", std::to_string(mobility),
+                      "finite and above 0");
     }
 }
 
@@ -44,40 +44,42 @@ CurvatureFlowOptions checked(CurvatureFlowOptions options) {
     for (const PairCurvature& pair : options.pairs) {
         check_forces(pair.tension, pair.mobility, "phases " + name_of(pair));
         if (pair.one == pair.other || pair.one == border_phase || pair.other == border_phase) {
-            refuse("there is no interface between these phases", name_of(pair),
-                   "two different phases of the domain");
+            refuse_forces("there is no interface between these phases", name_of(pair),
+                          "two different phases of the domain");
         }
     }
     std::ranges::sort(options.pairs, {}, key_of);
     const auto twice = std::ranges::adjacent_find(options.pairs, {}, key_of);
     if (twice != options.pairs.end()) {
-        refuse("a pair of phases is given twice", name_of(*twice), "each pair once");
+        refuse_forces("a pair of phases is given twice", name_of(*twice), "each pair once");
     }
     std::ranges::sort(options.walls, {}, &WallEnergy::phase);
     for (const WallEnergy& wall : options.walls) {
         if (wall.phase == border_phase || !std::isfinite(wall.energy)) {
-            refuse("not an energy of the wall under phase " + std::to_string(wall.phase),
-                   std::to_string(wall.energy), "a finite energy under a phase of the domain");
+            refuse_forces("not an energy of the wall under phase " + std::to_string(wall.phase),
+                          std::to_string(wall.energy),
+                          "a finite energy under a phase of the domain");
         }
     }
     const auto wall_twice = std::ranges::adjacent_find(options.walls, {}, &WallEnergy::phase);
     if (wall_twice != options.walls.end()) {
-        refuse("a phase has two energies of the wall", std::to_string(wall_twice->phase),
-               "each phase once");
+        refuse_forces("a phase has two energies of the wall", std::to_string(wall_twice->phase),
+                      "each phase once");
     }
     std::ranges::sort(options.kept_areas, {}, &KeptArea::phase);
     for (const KeptArea& kept : options.kept_areas) {
         if (kept.phase == exterior_phase || kept.phase == border_phase) {
-            refuse("the area of this phase cannot be kept", std::to_string(kept.phase),
-                   "a phase of the domain other than the exterior");
+            refuse_forces("the area of this phase cannot be kept", std::to_string(kept.phase),
+                          "a phase of the domain other than the exterior");
         }
         if (!std::isfinite(kept.area) || !(kept.area > 0)) {
-            refuse("not an area to be kept", std::to_string(kept.area), "finite and above 0");
+            refuse_forces("not an area to be kept", std::to_string(kept.area),
+                          "finite and above 0");
         }
     }
     const auto same = std::ranges::adjacent_find(options.kept_areas, {}, &KeptArea::phase);
     if (same != options.kept_areas.end()) {
-        refuse("an area is kept twice", std::to_string(same->phase), "each phase once");
+        refuse_forces("an area is kept twice", std::to_string(same->phase), "each phase once");
     }
     return options;
 }

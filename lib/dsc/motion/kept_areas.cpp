@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/motion/kept_areas.h"
 
+#include "dsc/geometry/turn.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -17,10 +19,6 @@ int place_in(std::span<const KeptArea> kept, Phase phase) {
                                                         : static_cast<int>(found - kept.begin());
 }
 
-double cross(const Point<double>& a, const Point<double>& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// The areas of all kept phases.
 Eigen::VectorXd areas(const CurveNetwork& network, std::span<const Point<double>> positions,
                       std::span<const KeptArea> kept) {
@@ -28,7 +26,7 @@ Eigen::VectorXd areas(const CurveNetwork& network, std::span<const Point<double>
     for (const CurveEdge& edge : network.edges) {
         // Relative to a vertex, so that an offset of all costs no digits.
         const double part =
-            cross(positions[edge.from] - positions[0], positions[edge.to] - positions[0]) / 2;
+            cross<double>(positions[edge.from] - positions[0], positions[edge.to] - positions[0]) / 2;
         if (const int left = place_in(kept, edge.left); left >= 0) {
             sum[left] += part;
         }

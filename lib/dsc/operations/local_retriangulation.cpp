@@ -26,7 +26,7 @@ struct PolygonEdge {
 
 // What the guard finds and the operation carries out.
 template <class Real>
-struct Plan {
+struct RetriangulationPlan {
     std::array<std::uint32_t, 3> vertex{}; // of the given triangle
     std::array<bool, 3> vanishes{};        // those inside the domain
     std::vector<std::uint32_t> region;     // the triangles of R, the given one first
@@ -43,14 +43,15 @@ struct Plan {
 
 // One for each thread, so that the common case does not allocate.
 template <class Real>
-Plan<Real>& scratch() {
-    thread_local Plan<Real> plan;
+RetriangulationPlan<Real>& scratch() {
+    thread_local RetriangulationPlan<Real> plan;
     return plan;
 }
 
 // R = star(closure(t)): each triangle once, at the first vertex of t that it contains.
 template <class Real>
-void collect_region(const Complex<Real>& complex, Triangle triangle, Plan<Real>& plan) {
+void collect_region(const Complex<Real>& complex, Triangle triangle,
+                    RetriangulationPlan<Real>& plan) {
     plan.region.assign(1, triangle.id);
     for (std::uint32_t i = 0; i < 3; ++i) {
         turn(complex, plan.vertex[i], [&](Corner c) {
@@ -70,7 +71,7 @@ void collect_region(const Complex<Real>& complex, Triangle triangle, Plan<Real>&
 // each vertex. (An edge with R on both sides is two half-edges, and no such loop contains both; and
 // as the complex is a planar manifold, no vertex of R' is without an edge.)
 template <class Real>
-bool find_polygon(const Complex<Real>& complex, Plan<Real>& plan) {
+bool find_polygon(const Complex<Real>& complex, RetriangulationPlan<Real>& plan) {
     const auto in_t = [&](std::uint32_t v) {
         return v == plan.vertex[0] || v == plan.vertex[1] || v == plan.vertex[2];
     };
@@ -106,7 +107,7 @@ bool find_polygon(const Complex<Real>& complex, Plan<Real>& plan) {
 
 template <class Real>
 Verdict make_plan(const Complex<Real>& complex, const Region& region, Triangle triangle,
-                  Plan<Real>& plan) {
+                  RetriangulationPlan<Real>& plan) {
     if (!complex.is_alive(triangle)) {
         return Verdict::not_a_simplex;
     }
@@ -171,7 +172,7 @@ void move_edge_data(Complex<Real>& complex, std::vector<std::array<Corner, 2>>& 
 
 // Writes the ears over the first triangles of the region.
 template <class Real>
-void write_triangles(Complex<Real>& complex, Plan<Real>& plan) {
+void write_triangles(Complex<Real>& complex, RetriangulationPlan<Real>& plan) {
     const std::uint32_t given = plan.region.front();
     const Phase phase = complex.triangles[given].phase;
     const std::size_t n = plan.polygon.size();
@@ -216,7 +217,7 @@ void write_triangles(Complex<Real>& complex, Plan<Real>& plan) {
 // The data of all old triangles are merged into the first, from which the new ones are then cut off
 // one by one.
 template <class Real>
-void carry_triangle_data(Complex<Real>& complex, const Plan<Real>& plan) {
+void carry_triangle_data(Complex<Real>& complex, const RetriangulationPlan<Real>& plan) {
     auto& attributes = complex.attributes;
     if (attributes.empty(SimplexKind::triangle)) {
         return;
@@ -244,7 +245,7 @@ void carry_triangle_data(Complex<Real>& complex, const Plan<Real>& plan) {
 }
 
 template <class Real>
-void carry_edge_data(Complex<Real>& complex, Plan<Real>& plan) {
+void carry_edge_data(Complex<Real>& complex, RetriangulationPlan<Real>& plan) {
     if (complex.attributes.empty(SimplexKind::edge)) {
         return;
     }
@@ -262,7 +263,7 @@ void carry_edge_data(Complex<Real>& complex, Plan<Real>& plan) {
 // Lawson's flips on the edges between the new triangles. The test is strict and exact, so they
 // terminate.
 template <class Real>
-void make_delaunay(Complex<Real>& complex, EditLog& log, Plan<Real>& plan) {
+void make_delaunay(Complex<Real>& complex, EditLog& log, RetriangulationPlan<Real>& plan) {
     auto& ids = plan.region;
     ids.resize(plan.ears.triangles.size());
     std::sort(ids.begin(), ids.end());
@@ -294,7 +295,7 @@ Verdict local_retriangulation_guard(const Complex<Real>& complex, const Region& 
 template <class Real>
 RetriangulationResult local_retriangulation(Complex<Real>& complex, const Submesh& submesh,
                                             Triangle triangle, RetriangulationMethod method) {
-    Plan<Real>& plan = scratch<Real>();
+    RetriangulationPlan<Real>& plan = scratch<Real>();
     RetriangulationResult result;
     result.verdict = make_plan(complex, submesh.region, triangle, plan);
     if (result.verdict != Verdict::legal) {
@@ -315,10 +316,10 @@ RetriangulationResult local_retriangulation(Complex<Real>& complex, const Submes
     }
     for (std::size_t i = 0; i < 3; ++i) {
         if (plan.vanishes[i]) {
-            complex.give_vertex(*submesh.pool, plan.vertex[i]);
-            rewire::note(log, [&] {
-                return Edit{.kind = EditKind::remove_vertex, .vertex = Vertex{plan.vertex[i]}};
-            });
+            const Vertex vanished{plan.vertex[i]};
+            complex.give_vertex(*submesh.pool, vanished.id);
+            rewire::note(log,
+                         [&] { return Edit{.kind = EditKind::remove_vertex, .vertex = vanished}; });
             ++result.vertices_removed;
         }
     }

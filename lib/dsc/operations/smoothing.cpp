@@ -98,7 +98,7 @@ template <class Real>
 inline constexpr Real equal_lengths = Real(1e-4);
 
 // Bisection halves the bracket each time, so this is enough for any curve.
-inline constexpr int most_halvings = 24;
+inline constexpr int most_bisections = 24;
 
 // The knot in (0, knots[2]) whose point is equally far from points[0] and points[2].
 template <class Real>
@@ -106,7 +106,7 @@ Real equalising_knot(std::span<const Point<Real>> points, std::span<const Real> 
     Real low = 0;
     Real high = knots[2];
     Real at = Real(0.5) * (knots[0] + knots[2]); // exact on a straight line
-    for (int i = 0; i < most_halvings; ++i) {
+    for (int i = 0; i < most_bisections; ++i) {
         const Point<Real> p = on_curve(points, knots, at);
         const Real to_near = (p - points[0]).norm();
         const Real to_far = (p - points[2]).norm();

@@ -19,7 +19,7 @@ using Three = std::array<bool, 3>;
 // The outcome of a collapse, before anything is changed. `heir`: the index in the triangle of the
 // vertex that remains.
 template <class Real>
-struct Plan {
+struct CollapsePlan {
     Verdict verdict = Verdict::legal;
     std::uint32_t heir = 0;
     Point<Real> place = {};
@@ -33,7 +33,7 @@ public:
         : complex_(complex), region_(region), options_(options), t_(triangle.id),
           v_(complex.triangles[triangle.id].v) {}
 
-    Plan<Real> plan() {
+    CollapsePlan<Real> plan() {
         // Vertices of other submeshes are refused before their stars are read: another thread may
         // be rewriting these.
         const auto is_owned = [&](std::uint32_t v) { return owns(complex_, region_, v); };
@@ -65,14 +65,14 @@ public:
         if (!pin(locked)) {
             return {Verdict::locked};
         }
-        const Plan<Real> plan = choose(on_interface, corners);
+        const CollapsePlan<Real> plan = choose(on_interface, corners);
         if (!owns_place(region_, plan.place)) {
             return {Verdict::on_submesh_boundary};
         }
         if (changes_topology()) {
             return {Verdict::changes_topology};
         }
-        return stays_positive(plan.place) ? plan : Plan<Real>{Verdict::inverts};
+        return stays_positive(plan.place) ? plan : CollapsePlan<Real>{Verdict::inverts};
     }
 
 private:
@@ -93,13 +93,13 @@ private:
         return true;
     }
 
-    [[nodiscard]] Plan<Real> choose(const Three& on_interface, const Three& corners) const {
+    [[nodiscard]] CollapsePlan<Real> choose(const Three& on_interface, const Three& corners) const {
         const auto smallest = static_cast<std::uint32_t>(std::ranges::min_element(v_) - v_.begin());
         // Summed in the order of the ids: the bits do not depend on where the triangle begins.
         auto sorted = v_;
         std::ranges::sort(sorted);
         const Point<Real> sum = at(sorted[0]) + at(sorted[1]) + at(sorted[2]);
-        Plan<Real> plan{Verdict::legal, smallest, sum / static_cast<Real>(3)};
+        CollapsePlan<Real> plan{Verdict::legal, smallest, sum / static_cast<Real>(3)};
         const auto only = [](const Three& of) { return std::ranges::count(of, true) == 1; };
         const auto index = [](const Three& of) {
             return static_cast<std::uint32_t>(std::ranges::find(of, true) - of.begin());
@@ -181,8 +181,8 @@ private:
 };
 
 template <class Real>
-Plan<Real> plan_collapse(const Complex<Real>& complex, const Region& region, Triangle triangle,
-                         const TriangleCollapseOptions<Real>& options) {
+CollapsePlan<Real> plan_collapse(const Complex<Real>& complex, const Region& region,
+                                 Triangle triangle, const TriangleCollapseOptions<Real>& options) {
     if (options.place && !options.place->allFinite()) {
         throw InputError({.what = "the place of the new vertex is not finite",
                           .where = "triangle_collapse",
@@ -208,7 +208,7 @@ template <class Real>
 TriangleCollapseResult triangle_collapse(Complex<Real>& complex, const Submesh& submesh,
                                          Triangle triangle,
                                          const TriangleCollapseOptions<Real>& options) {
-    const Plan<Real> plan = plan_collapse(complex, submesh.region, triangle, options);
+    const CollapsePlan<Real> plan = plan_collapse(complex, submesh.region, triangle, options);
     if (plan.verdict != Verdict::legal) {
         return {plan.verdict, {}};
     }

@@ -64,15 +64,15 @@ Corner next_on_boundary(const Complex<Real>& complex, Corner c) {
 }
 
 template <class Real>
-struct Boundary {
+struct ComponentBoundary {
     std::vector<Segment<Real>> segments;
     std::vector<Segment<Real>> loops; ///< one segment of each loop
 };
 
 template <class Real>
-Boundary<Real> collect_boundary(const Complex<Real>& complex,
-                                const std::vector<std::uint32_t>& component) {
-    Boundary<Real> boundary;
+ComponentBoundary<Real> collect_boundary(const Complex<Real>& complex,
+                                         const std::vector<std::uint32_t>& component) {
+    ComponentBoundary<Real> boundary;
     std::vector<std::uint8_t> seen(4 * std::size_t{complex.triangle_bound()}, 0);
     for (const Triangle t : triangles(complex)) {
         for (std::uint32_t i = 0; i < 3; ++i) {
@@ -143,7 +143,7 @@ template <class Real>
 Embedding check_embedding(const Complex<Real>& complex) {
     Embedding result;
     const auto component = label_components(complex, result.components);
-    Boundary<Real> boundary = collect_boundary(complex, component);
+    ComponentBoundary<Real> boundary = collect_boundary(complex, component);
     result.boundary_edges = boundary.segments.size();
     result.boundary_loops = boundary.loops.size();
     result.problem = find_meeting(boundary.segments);

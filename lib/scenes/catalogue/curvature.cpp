@@ -14,15 +14,16 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 /// The farthest that a vertex goes in a step where the curvature is that of the radius below.
-constexpr double step = 0.25;
+constexpr double farthest_step = 0.25;
 
 Setup circle_to_half(const Parameters& p) {
     static constexpr double first_radius = 0.3;
     static const Point<double> middle(0.5, 0.5);
     const double last_radius = first_radius / std::sqrt(2.0);
-    const Schedule s = schedule(p, first_radius * first_radius / 4, step * p.h * last_radius);
+    const Schedule s =
+        schedule(p, first_radius * first_radius / 4, farthest_step * p.h * last_radius);
     Setup setup;
     setup.outlines = {circle(middle, first_radius, p.h)};
     setup.curvature = CurvatureMotion{};
@@ -38,7 +39,8 @@ Setup circle_to_half(const Parameters& p) {
 Setup dumbbell_to_a_hundredth(const Parameters& p) {
     static const Dumbbell first;
     static const double first_area = dumbbell_area(first);
-    const Schedule s = schedule(p, 0.99 * first_area / (2 * pi), step * p.h * first.rounding);
+    const Schedule s =
+        schedule(p, 0.99 * first_area / (2 * pi), farthest_step * p.h * first.rounding);
     Setup setup;
     setup.outlines = {dumbbell(first, p.h)};
     setup.curvature = CurvatureMotion{};

@@ -13,14 +13,14 @@ namespace dsc::scenes {
 namespace {
 
 /// The farthest that the interface goes in a step, in edge lengths.
-constexpr double step = 0.3;
+constexpr double step_in_edges = 0.3;
 /// How far the discs grow, and by how much they shrink after that.
 constexpr double distance = 0.1;
 
 Setup two_discs_there_and_back(const Parameters& p) {
     static constexpr double speed = 1;
     const TwoDiscs discs;
-    const Schedule half = schedule(p, distance / speed, step * p.h / speed);
+    const Schedule half = schedule(p, distance / speed, step_in_edges * p.h / speed);
     const double turn = half.steps * half.dt;
     Setup setup;
     for (const auto& centre : {discs.first, discs.second}) {
@@ -45,7 +45,7 @@ Setup dumbbell_to_two_lobes(const Parameters& p) {
     static constexpr double depth = 0.06;
     static constexpr double speed = -1;
     static const Dumbbell first{.neck = 0.08};
-    const Schedule s = schedule(p, depth / -speed, step * p.h / -speed);
+    const Schedule s = schedule(p, depth / -speed, step_in_edges * p.h / -speed);
     Setup setup;
     setup.outlines = {dumbbell(first, p.h)};
     setup.growth = Growth{.speed = speed, .turns_at = std::numeric_limits<double>::infinity()};

@@ -14,7 +14,7 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Curvature flow smooths every corner at once: none is kept.
 InterfaceThresholds without_corners() {

@@ -14,26 +14,26 @@ namespace {
 
 constexpr Falling fall{.surface = 0.3, .depth = 0.1, .speed = 1};
 const Point<double> first_centre(0.5, 0.55);
-constexpr double radius = 0.12;
+constexpr double drop_radius = 0.12;
 /// Vertices of the polygon that stands for the drop's exact shape.
 constexpr double fine = 1e-4;
 
 ExactShape drop_and_pool_at(double time) {
     ExactShape shape;
-    Outline drop = circle(first_centre, radius, fine);
+    Outline drop = circle(first_centre, drop_radius, fine);
     for (auto& point : drop) {
         point = fall.carried(point, time);
     }
     shape.outlines = {drop, {{0, 0}, {1, 0}, {1, fall.surface}, {0, fall.surface}}};
     shape.area = signed_area(shape.outlines);
     shape.description = "the image of the drop, and the pool";
-    shape.own_error = 2 * radius * fine * fine;
+    shape.own_error = 2 * drop_radius * fine * fine;
     return shape;
 }
 
 Setup drop_and_pool(const Parameters& p) {
     const Schedule half = schedule(p, 0.35, 0.3 * p.h / fall.speed);
-    Outline drop = circle(first_centre, radius, p.h);
+    Outline drop = circle(first_centre, drop_radius, p.h);
     drop.push_back(drop.front());
     Setup setup;
     setup.curves = {{drop, 1, exterior_phase},

@@ -11,7 +11,7 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr double radius = 0.15;
+constexpr double disc_radius = 0.15;
 
 Point<double> centre() { return {0.5, 0.75}; }
 
@@ -30,7 +30,7 @@ Setup swirl_one_way(const Parameters& p) {
 Setup reversing_vortex(const Parameters& p) {
     const Schedule s = schedule(p, p.period, 0.01);
     Setup setup;
-    setup.outlines = {circle(centre(), radius, p.h)};
+    setup.outlines = {circle(centre(), disc_radius, p.h)};
     setup.flow = steady(Swirl{1.0, p.period});
     setup.dt = s.dt;
     setup.steps = s.steps;
@@ -38,7 +38,7 @@ Setup reversing_vortex(const Parameters& p) {
         setup.half_step = s.steps / 2;
     }
     setup.exact = [flow = setup.flow, period = p.period](double t) {
-        const ParametricCurve curve = circle_curve(centre(), radius);
+        const ParametricCurve curve = circle_curve(centre(), disc_radius);
         return std::abs(t - period) < 1e-9 * period ? unmoved_shape(curve)
                                                     : advected_shape(curve, flow, t);
     };
@@ -56,8 +56,8 @@ std::vector<std::string> with_period() {
 std::vector<Scene> swirl_scenes() {
     return {
         there_and_back_scene({"swirl", "a circle is swirled for `steps` steps, and back", "9.6"},
-                             0.01, 0.01, 260, Swirl{}, circle_curve(centre(), radius),
-                             [](double h) { return circle(centre(), radius, h); }),
+                             0.01, 0.01, 260, Swirl{}, circle_curve(centre(), disc_radius),
+                             [](double h) { return circle(centre(), disc_radius, h); }),
         // The disc's legs are drawn out until they are thinner than an edge: at the default end,
         // time 4, the mean width of the shape, 2 A / P, is 0.0067.
         {.name = "swirl-zalesak",

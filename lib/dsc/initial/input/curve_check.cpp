@@ -23,7 +23,7 @@ std::string point_name(std::size_t curve, std::size_t point) {
     return curve_name(curve) + ", point " + std::to_string(point);
 }
 
-std::string edge_name(std::size_t curve, std::size_t edge) {
+std::string curve_edge_name(std::size_t curve, std::size_t edge) {
     return curve_name(curve) + ", edge " + std::to_string(edge);
 }
 
@@ -68,7 +68,7 @@ Points check_points(const Points& given, std::size_t k) {
             throw InputError(
                 {.what = zero ? "the edge has no length"
                               : "points collide when rounded to the scalar of the complex",
-                 .where = edge_name(k, i - 1),
+                 .where = curve_edge_name(k, i - 1),
                  .value = text(given[i - 1]) + " to " + text(given[i]),
                  .allowed = "points that differ from the one before"});
         }
@@ -115,7 +115,7 @@ void check_places(const Points& points, std::size_t k, const Lattice& lattice, d
     }
     if (points.size() == 2 && on_one_side(lattice, points.front(), points.back())) {
         throw InputError({.what = "the edge lies in a side of the domain",
-                          .where = edge_name(k, 0),
+                          .where = curve_edge_name(k, 0),
                           .value = text(points.front()) + " to " + text(points.back()),
                           .allowed = "edges that lead into the domain"});
     }
@@ -211,7 +211,7 @@ Points cut(const Points& given, const Points& points, std::size_t k, double h,
             const Point<double> p = cut_point<Real>(points[i], points[i + 1], j, pieces);
             if (!(distance_to_sides(lattice, p) >= least_margin * h)) {
                 throw InputError({.what = "the edge runs along a side of the domain",
-                                  .where = edge_name(k, i),
+                                  .where = curve_edge_name(k, i),
                                   .value = text(given[i]) + " to " + text(given[i + 1]),
                                   .allowed = "a distance of at least " + text(least_margin * h) +
                                              " where it is cut, as at " + text(p)});
@@ -234,7 +234,7 @@ Points cut(const Points& given, const Points& points, std::size_t k, double h,
         const auto after =
             std::upper_bound(network.first_edge.begin(), network.first_edge.end(), edge);
         const auto k = static_cast<std::size_t>(after - network.first_edge.begin()) - 1;
-        return edge_name(k, edge - network.first_edge[k]);
+        return curve_edge_name(k, edge - network.first_edge[k]);
     };
     throw InputError(
         {.what = "curves cross or touch",

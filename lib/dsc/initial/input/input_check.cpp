@@ -20,7 +20,7 @@ std::string vertex_name(std::size_t shape, std::size_t vertex) {
     return shape_name(shape) + ", vertex " + std::to_string(vertex);
 }
 
-std::string edge_name(std::size_t shape, std::size_t edge) {
+std::string shape_edge_name(std::size_t shape, std::size_t edge) {
     return shape_name(shape) + ", edge " + std::to_string(edge);
 }
 
@@ -103,7 +103,7 @@ std::vector<Point<double>> check_shape(const Shape& shape, std::size_t index,
             throw InputError(
                 {.what = zero ? "the edge has no length"
                               : "vertices collide when rounded to the scalar of the complex",
-                 .where = edge_name(index, i),
+                 .where = shape_edge_name(index, i),
                  .value = text(outline[i]) + " to " + text(outline[j]),
                  .allowed = "distinct vertices; the first is not repeated at the end"});
         }
@@ -156,8 +156,8 @@ CutOutline cut(const std::vector<Point<double>>& given, const std::vector<Point<
     const bool same = contact.polygon == contact.other_polygon;
     throw InputError(
         {.what = same ? "the outline crosses or touches itself" : "two outlines cross or touch",
-         .where = edge_name(contact.polygon, edge),
-         .value = "contact with " + edge_name(contact.other_polygon, other_edge),
+         .where = shape_edge_name(contact.polygon, edge),
+         .value = "contact with " + shape_edge_name(contact.other_polygon, other_edge),
          .allowed = "outlines that are simple and apart"});
 }
 

@@ -15,7 +15,7 @@ namespace {
 /// Free ids of a submesh, in addition to two for each of its interface vertices: a sub-step of at
 /// most one edge length creates about one vertex for each. What does not fit is put off, never
 /// lost.
-constexpr std::size_t spare_vertices = 256;
+constexpr std::size_t spare_ids = 256;
 
 template <class Real>
 void forget(Work<Real>& work) {
@@ -159,7 +159,7 @@ void CopyExecutor<Real>::hand_out() {
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         Task& task = *tasks_[i];
         task.given = task.work.interface;
-        lend_ids(*submeshes_.list[i], spare_vertices + 2 * task.given.size());
+        lend_ids(*submeshes_.list[i], spare_ids + 2 * task.given.size());
         // One submesh is the whole mesh: there are no others that could move first.
         task.work.submesh.region = tasks_.size() > 1 ? submeshes_.list[i]->region() : Region{};
     }

@@ -11,14 +11,14 @@ namespace dsc {
 
 namespace {
 
-constexpr std::uint32_t colours = 3;
+constexpr std::uint32_t colour_count = 3;
 
 // Cuts of one direction and colour, of equal widths over [low, high], shifted by thirds.
 std::vector<double> cuts_of(double low, double high, std::uint32_t blocks, std::uint32_t colour) {
     std::vector<double> cuts{-Region::infinity};
     const double width = (high - low) / blocks;
     for (std::uint32_t i = colour == 0 ? 1 : 0; i < blocks; ++i) {
-        cuts.push_back(low + (i + static_cast<double>(colour) / colours) * width);
+        cuts.push_back(low + (i + static_cast<double>(colour) / colour_count) * width);
     }
     cuts.push_back(Region::infinity);
     return cuts;
@@ -68,8 +68,8 @@ void BlockPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*r
         partition.colours.front().regions.emplace_back();
         return;
     }
-    partition.colours.assign(colours, {});
-    for (std::uint32_t colour = 0; colour < colours; ++colour) {
+    partition.colours.assign(colour_count, {});
+    for (std::uint32_t colour = 0; colour < colour_count; ++colour) {
         const auto across = cuts_of(low[0], high[0], blocks[0], colour);
         const auto up = cuts_of(low[1], high[1], blocks[1], colour);
         Region region;

@@ -10,7 +10,7 @@ namespace dsc {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinitely_far = std::numeric_limits<double>::infinity();
 
 /// Places in the grid are accurate to a few units of rounding of their own size, and so are squared
 /// distances; a margin of a thousand times that costs nothing.
@@ -24,8 +24,8 @@ bool is_finite(const Point<double>& p) { return std::isfinite(p.x()) && std::isf
 } // namespace
 
 SiteGrid::SiteGrid(std::vector<Point<double>> sites) : sites_(std::move(sites)) {
-    Point<double> low(infinity, infinity);
-    Point<double> high(-infinity, -infinity);
+    Point<double> low(infinitely_far, infinitely_far);
+    Point<double> high(-infinitely_far, -infinitely_far);
     for (const auto& site : sites_) {
         if (is_finite(site)) {
             low = low.cwiseMin(site);
@@ -95,24 +95,24 @@ double SiteGrid::squared_way_out(const Block& seen, double column, double row) c
         return length * length;
     };
     // From outside, the distance to the grid is added in any case.
-    const double beside = square(std::max(-column, column - columns));
-    const double above = square(std::max(-row, row - rows));
-    double least = infinity;
+    const double beside_grid = square(std::max(-column, column - columns));
+    const double above_grid = square(std::max(-row, row - rows));
+    double least = infinitely_far;
     const auto look_at = [&](bool is_open, double cells, double aside) {
         if (is_open) {
             least = std::min(least, square(cells) + aside);
         }
     };
-    look_at(seen.left > 0, column - static_cast<double>(seen.left), above);
-    look_at(seen.right + 1 < columns_, static_cast<double>(seen.right + 1) - column, above);
-    look_at(seen.bottom > 0, row - static_cast<double>(seen.bottom), beside);
-    look_at(seen.top + 1 < rows_, static_cast<double>(seen.top + 1) - row, beside);
+    look_at(seen.left > 0, column - static_cast<double>(seen.left), above_grid);
+    look_at(seen.right + 1 < columns_, static_cast<double>(seen.right + 1) - column, above_grid);
+    look_at(seen.bottom > 0, row - static_cast<double>(seen.bottom), beside_grid);
+    look_at(seen.top + 1 < rows_, static_cast<double>(seen.top + 1) - row, beside_grid);
     return least * (1 - rounding);
 }
 
 std::uint32_t SiteGrid::nearest(double x, double y) const {
     const Point<double> from(x, y);
-    Best best{0, infinity};
+    Best best{0, infinitely_far};
     const double column = (x - low_.x()) / width_;
     const double row = (y - low_.y()) / width_;
     if (sites_.size() <= few || !std::isfinite(column) || !std::isfinite(row)) {

@@ -11,8 +11,6 @@ namespace dsc {
 
 namespace {
 
-constexpr double infinity = Region::infinity;
-
 /// More vertices than this do not improve the counting method: sorting all vertices of a large mesh
 /// took longer than the steps between two divisions.
 constexpr std::size_t most_counted = 32768;
@@ -58,9 +56,9 @@ std::vector<Point<double>> hull_corners(const Complex<Real>& complex) {
 
 // Inner cuts with the outer ones, which are infinite.
 std::vector<double> closed(const std::vector<double>& inner) {
-    std::vector<double> cuts{-infinity};
+    std::vector<double> cuts{-Region::infinity};
     cuts.insert(cuts.end(), inner.begin(), inner.end());
-    cuts.push_back(infinity);
+    cuts.push_back(Region::infinity);
     return cuts;
 }
 
@@ -96,7 +94,7 @@ Cuts shares(const std::vector<std::pair<double, float>>& sorted, double total,
 Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::uint32_t slabs,
                          double least_width) {
     if (positions.empty() || slabs < 2) {
-        return {{-infinity, infinity}, {-infinity, infinity}};
+        return {{-Region::infinity, Region::infinity}, {-Region::infinity, Region::infinity}};
     }
     std::sort(positions.begin(), positions.end());
     double total = 0;
@@ -196,8 +194,8 @@ void SlabPartitioner<Real>::find_extent(const Complex<Real>& complex, const Poin
         return;
     }
     extent_of_ = normal;
-    low_ = infinity;
-    high_ = -infinity;
+    low_ = Region::infinity;
+    high_ = -Region::infinity;
     if (options_.follow_shape) { // along another direction each time
         if (corners_.empty()) {
             corners_ = hull_corners(complex);
