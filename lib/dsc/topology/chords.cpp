@@ -14,9 +14,9 @@ namespace {
 
 /// Two sheets that meet along the outline within this many contact distances are the end of a
 /// filament rather than its two sides.
-constexpr double end_of_filament = 6;
+constexpr double filament_end = 6;
 /// Up to here the end is seen from the film.
-constexpr double beside_end = 1.25 * end_of_filament;
+constexpr double beside_end = 1.25 * filament_end;
 /// The same for the end of a seam, which crosses the film.
 constexpr double end_of_seam = 3;
 
@@ -167,7 +167,7 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
         const auto is_within = [&](double distances) {
             return way.arrives && way.length < static_cast<Real>(distances) * contact;
         };
-        (is_within(end_of_filament) ? connection.is_near : connection.is_far) = true;
+        (is_within(filament_end) ? connection.is_near : connection.is_far) = true;
         connection.is_beside_end = connection.is_beside_end || way.arrives;
         connection.is_seam = connection.is_seam || (is_within(end_of_seam) && way.on_seam);
     }

@@ -26,8 +26,9 @@ constexpr double farthest = 0.1;
 constexpr std::size_t fewest_vertices = 6;
 /// The search for an interface of the two phases ends after so many vertices.
 constexpr std::size_t most_searched = 4096;
-/// Each round leaves a small part of what was left before, until rounding is all that is left.
-constexpr int most_rounds = 30;
+/// The pressure is found anew as often as this: each time a small part of what was left remains,
+/// until that is rounding.
+constexpr int most_pressures = 30;
 
 /// What one phase owes another at one place.
 struct Debt {
@@ -96,7 +97,7 @@ private:
         if (left == 0 || !find_bends(debt, gains, loses, left)) {
             return left;
         }
-        for (int round = 0; round < most_rounds; ++round) {
+        for (int round = 0; round < most_pressures; ++round) {
             const double before = std::abs(left);
             left -= move_by(left);
             if (left == 0 || std::abs(left) > 0.9 * before) {
