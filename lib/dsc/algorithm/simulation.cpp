@@ -247,7 +247,9 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
         const std::vector<std::uint32_t> missed =
             moved.unreached > moved.held ? missed_vertices() : std::vector<std::uint32_t>{};
         change_topology(time, report);
-        report.unreached -= missed.size() - on_interface<Real>(complex_, missed).size();
+        const std::uint64_t vanished = missed.size() - on_interface<Real>(complex_, missed).size();
+        // One that was held in this sub-step may still bear the mark of an earlier one.
+        report.unreached -= std::min(vanished, moved.unreached - moved.held);
     }
     return true;
 }
