@@ -4,6 +4,7 @@
 #include "dsc/topology/bridge.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
@@ -164,12 +165,11 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
         const Corner other = is_ahead ? chord.ray.opposite : chord.sheet;
         const Way<Real> way =
             way_along(work.complex, one, other, static_cast<Real>(beside_end) * contact);
-        const auto is_within = [&](double distances) {
-            return way.arrives && way.length < static_cast<Real>(distances) * contact;
-        };
-        (is_within(filament_end) ? connection.is_near : connection.is_far) = true;
+        const double distances = way.arrives ? static_cast<double>(way.length / contact)
+                                             : std::numeric_limits<double>::infinity();
+        (distances < filament_end ? connection.is_near : connection.is_far) = true;
         connection.is_beside_end = connection.is_beside_end || way.arrives;
-        connection.is_seam = connection.is_seam || (is_within(end_of_seam) && way.on_seam);
+        connection.is_seam = connection.is_seam || (distances < end_of_seam && way.on_seam);
     }
     connection.is_beside_end = connection.is_beside_end && !connection.is_near;
     return connection;

@@ -17,26 +17,38 @@ constexpr double seam_angle = 0.5;
 /// A piece whose mean thickness is less than this many contact distances is the rest of a film that
 /// has opened at its ends. Triangles that lean are thinner than their film, by half at most.
 constexpr double rest_of_film = 2.5;
+/// More than rounding can change in a thickness.
+constexpr double rounding = 1e-3;
 
 template <class Real>
 class Films {
 public:
-    explicit Films(TopologyWork<Real>& work) : work_(work), complex_(work.complex) {}
+    explicit Films(TopologyWork<Real>& work) : work_(work), complex_(work.complex) {
+        const Real contact =
+            std::min(largest_contact(work.options, work.edge_length),
+                     static_cast<Real>(most_contact_of_triangles) * work.edge_length);
+        most_squared_ = static_cast<Real>(1 + rounding) * contact * contact;
+    }
 
     void run(std::span<const Suspect<Real>> suspects) {
         Bridge<Real> bridge{};
         for (std::size_t i = 0; i < suspects.size(); ++i) {
             complex_.vertices[suspects[i].vertex].slot = static_cast<std::uint32_t>(i);
         }
+        const std::size_t before = work_.events.size();
+        find_near(suspects);
         const auto opens = [&](Triangle t) { return find_bridge(work_, suspects, t, bridge); };
-        for (const Triangle t : thin_triangles(suspects, opens)) {
+        for (const Triangle t : thin_triangles(opens)) {
             if (is_thin(work_, t) && opens(t)) { // those before it may have closed it
                 open(bridge);
             }
         }
-        // Seams of earlier events, whose sheets have come closer since.
+        // Seams of earlier events, whose sheets have come closer since, and of those just now.
+        if (work_.events.size() != before) {
+            find_near(suspects);
+        }
         const auto goes_on = [&](Triangle t) { return is_end_of_seam(t); };
-        for (const Triangle t : thin_triangles(suspects, goes_on)) {
+        for (const Triangle t : thin_triangles(goes_on)) {
             if (is_thin(work_, t) && is_end_of_seam(t)) {
                 follow_seam(t);
             }
@@ -45,21 +57,33 @@ public:
 
 private:
     // --- candidates ---------------------------------------------------------------------------
-    // In the order of their places, which is the same for every way to divide the mesh.
-    template <class Test>
-    std::vector<Triangle> thin_triangles(std::span<const Suspect<Real>> suspects, Test test) const {
-        std::vector<std::tuple<Real, Real, std::uint32_t>> found;
+    // Each triangle that bridges a film has a vertex on one of its sheets and the opposite edge on
+    // the other; so has the end of a seam. Of nearly all interface vertices no triangle is of this
+    // kind, which is soon seen.
+    void find_near(std::span<const Suspect<Real>> suspects) {
+        near_.clear();
         for (const auto& suspect : suspects) {
             if (!suspect.is_thin || !complex_.is_alive(Vertex{suspect.vertex})) {
                 continue;
             }
-            for_each_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
-                const Triangle t{triangle_of(c)};
-                if (test(t) && is_thin(work_, t)) { // most fail the test at once
-                    const Point<Real> place = centroid(complex_, t);
-                    found.emplace_back(place.x(), place.y(), t.id);
+            (void)find_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
+                if (is_sheet(complex_, c) && !is_thick(c)) {
+                    near_.push_back(Triangle{triangle_of(c)});
                 }
+                return false; // all of them, in any order
             });
+        }
+    }
+
+    // In the order of their places, which is the same for every way to divide the mesh.
+    template <class Test>
+    std::vector<Triangle> thin_triangles(Test test) const {
+        std::vector<std::tuple<Real, Real, std::uint32_t>> found;
+        for (const Triangle t : near_) {
+            if (complex_.is_alive(t) && test(t) && is_thin(work_, t)) {
+                const Point<Real> place = centroid(complex_, t);
+                found.emplace_back(place.x(), place.y(), t.id);
+            }
         }
         std::ranges::sort(found);
         found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -68,6 +92,17 @@ private:
             list.push_back(Triangle{std::get<2>(one)});
         }
         return list;
+    }
+
+    // Thicker than any contact distance: `is_thin` would say no. The squares of thickness and
+    // contact are compared, both times the longest edge squared.
+    bool is_thick(Corner c) const {
+        const Point<Real> a = direction(complex_, c);
+        const Point<Real> b = direction(complex_, next(c));
+        const Real doubled = a.x() * b.y() - a.y() * b.x();
+        const Real longest =
+            std::max(std::max(a.squaredNorm(), b.squaredNorm()), (a + b).squaredNorm());
+        return doubled * doubled > most_squared_ * longest;
     }
 
     // --- events -------------------------------------------------------------------------------
@@ -296,6 +331,8 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
+    Real most_squared_; ///< of the contact distances
+    std::vector<Triangle> near_;
     double closed_ = 0;
     std::vector<Triangle> piece_;
     std::vector<Triangle> pocket_;

@@ -35,12 +35,13 @@ private:
             if (!suspect.is_sharp || !complex_.is_alive(Vertex{v})) {
                 continue;
             }
-            for_each_corner(complex_, Vertex{v}, [&](Corner at) {
+            (void)find_corner(complex_, Vertex{v}, [&](Corner at) {
                 const Corner c = prev(at); // the half-edge that starts at v
                 if (is_sheet(complex_, c) && may_be_small(at)) {
                     const Point<Real> place = centroid(complex_, Triangle{triangle_of(c)});
                     found.emplace_back(place.x(), place.y(), c);
                 }
+                return false; // all of them, in any order
             });
         }
         std::ranges::sort(found);
