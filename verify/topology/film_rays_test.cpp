@@ -2,9 +2,9 @@
 // Rays across a film, chords, and the region that they make up, on small grids.
 #include "support/topology_testing.h"
 
-#include "dsc/topology/chords.h"
-#include "dsc/topology/film_ray.h"
-#include "dsc/topology/film_region.h"
+#include "dsc/topology/films/chords.h"
+#include "dsc/topology/films/film_ray.h"
+#include "dsc/topology/films/film_region.h"
 
 #include <algorithm>
 #include <optional>

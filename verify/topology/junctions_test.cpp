@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Junctions: four sectors come apart as the energy wants it, short edges exchange their neighbours,
 // and a network of grains coarsens by itself.
-#include "dsc/topology/junctions.h"
+#include "dsc/topology/junctions/junctions.h"
 
 #include "support/random_scene.h"
 

@@ -3,10 +3,10 @@
 // the mesh and for any number of threads, and each event is told once.
 #include "dsc/topology/change.h"
 
-#include "support/random_scene.h"
+#include "support/growing_discs.h"
+#include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/parallel/parallel.h"
@@ -20,87 +20,20 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 namespace dsc {
 namespace {
 
-constexpr double h = 0.02;
+using namespace test::growing_discs;
 using std::numbers::pi;
-
-// Two discs of radius 0.1, 0.05 apart, the second of phase `second`.
-Complex<double> two_discs(Phase second = 1) {
-    const std::vector<Shape> shapes{{test::circle_points({0.375, 0.5}, 0.1, 45), 1},
-                                    {test::circle_points({0.625, 0.5}, 0.1, 45), second}};
-    return initial_complex<double>({}, shapes, {.edge_length = h});
-}
-
-// Each disc grows about its own centre at speed 1.
-Velocity<double> grow() {
-    return
-        [](std::span<const Point<double>> positions, double, std::span<Point<double>> velocities) {
-            for (std::size_t i = 0; i < positions.size(); ++i) {
-                const Point<double> centre(positions[i].x() < 0.5 ? 0.375 : 0.625, 0.5);
-                velocities[i] = (positions[i] - centre).normalized();
-            }
-        };
-}
-
-Options<double> options(Topology rule = Topology::change) {
-    Options<double> result;
-    result.edge_length = h;
-    result.topology.rule = rule;
-    return result;
-}
-
-double area_of(const Complex<double>& complex, Phase phase) {
-    double sum = 0;
-    for (const Triangle t : triangles(complex)) {
-        sum += complex.phase(t) == phase ? area(complex, t) : 0.0;
-    }
-    return sum;
-}
-
-struct Grown {
-    std::vector<Event> events;
-    std::size_t outlines = 0;
-    double area = 0;
-    std::uint64_t hash = 0;
-};
-
-Grown run(Complex<double>& complex, Simulation<double>& simulation, double duration = 0.05) {
-    Grown grown;
-    constexpr double dt = 0.3 * h;
-    for (double time = 0; time < duration; time += dt) {
-        const StepReport report = simulation.step(grow(), time, dt);
-        grown.events.insert(grown.events.end(), report.events.begin(), report.events.end());
-        EXPECT_EQ(validate(complex).problem, "");
-    }
-    grown.outlines = outlines(complex, 1).size();
-    grown.area = area_of(complex, 1);
-    grown.hash = mesh_hash(complex);
-    return grown;
-}
-
-std::size_t count(const std::vector<Event>& events, EventKind kind) {
-    return static_cast<std::size_t>(std::ranges::count(events, kind, &Event::kind));
-}
-
-double area_that_changed_hands(const std::vector<Event>& events) {
-    double sum = 0;
-    for (const Event& event : events) {
-        sum += event.area;
-    }
-    return sum;
-}
 
 class EveryWay : public testing::TestWithParam<Division> {};
 
 TEST_P(EveryWay, TwoDiscsMergeOnce) {
     std::uint64_t hash = 0;
     for (const std::uint32_t threads : {1U, 3U}) {
-        auto complex = two_discs();
+        auto complex = discs_nearby();
         Simulation<double> simulation(
             complex, options(),
             Parallel{.threads = threads, .division = GetParam(), .always_all_threads = true});
@@ -143,7 +76,7 @@ void expect_no_old_suspects(Complex<double>& complex, Executor<double>& executor
 }
 
 Complex<double> discs_that_nearly_touch() {
-    auto complex = two_discs();
+    auto complex = discs_nearby();
     Simulation<double> simulation(complex, options());
     (void)run(complex, simulation, 0.02);
     return complex;
@@ -165,10 +98,7 @@ TEST(Topology, SuspectsDoNotOutliveTheirStep) {
 INSTANTIATE_TEST_SUITE_P(Topology, EveryWay,
                          testing::Values(Division::fixed, Division::counting, Division::active,
                                          Division::blocks, Division::cells, Division::copy),
-                         [](const auto& one) {
-                             return std::string(
-                                 divisions().at(static_cast<std::size_t>(one.param)).name);
-                         });
+                         [](const auto& one) { return test::name_of(one.param); });
 
 // Two squares, joined by a neck with five waists, of which the sheets come closer all along.
 Complex<double> squares_with_a_neck() {
@@ -222,37 +152,8 @@ TEST_P(EveryWay, ANeckThatClosesInManyPlacesSplitsOnce) {
     }
 }
 
-TEST(Topology, IsKeptUnlessAskedFor) {
-    auto complex = two_discs();
-    Simulation<double> simulation(complex, options(Topology::keep));
-    const Grown grown = run(complex, simulation);
-    EXPECT_TRUE(grown.events.empty());
-    EXPECT_EQ(grown.outlines, 2U);
-}
-
-TEST(Topology, EveryAreaThatChangesHandsIsTold) {
-    auto complex = two_discs();
-    Simulation<double> simulation(complex, options());
-    std::vector<Event> heard;
-    simulation.add_event_listener([&](std::span<const Event> events) {
-        heard.insert(heard.end(), events.begin(), events.end());
-    });
-    double relabelled = 0;
-    simulation.add_listener([&](std::span<const Edit> edits) {
-        for (const Edit& edit : edits) {
-            if (edit.kind == EditKind::relabel) {
-                relabelled += area(complex, Triangle{triangle_of(edit.corner)});
-            }
-        }
-    });
-    const Grown grown = run(complex, simulation);
-    ASSERT_EQ(heard.size(), grown.events.size());
-    EXPECT_NEAR(area_that_changed_hands(heard), relabelled, 1e-15);
-    EXPECT_GT(relabelled, 1e-5);
-}
-
 TEST(Topology, TwoPhasesMeetWithoutMixing) {
-    auto complex = two_discs(2);
+    auto complex = discs_nearby(2);
     Simulation<double> simulation(complex, options());
     const Grown grown = run(complex, simulation);
     EXPECT_EQ(count(grown.events, EventKind::meet), 1U);
@@ -260,53 +161,6 @@ TEST(Topology, TwoPhasesMeetWithoutMixing) {
     EXPECT_EQ(outlines(complex, 2).size(), 1U);
     EXPECT_EQ(grown.outlines, 1U);
     EXPECT_NEAR(area_of(complex, 1), area_of(complex, 2), 0.02 * area_of(complex, 1));
-}
-
-TEST(Topology, EachPairOfPhasesHasItsOwnRule) {
-    Options<double> own = options(Topology::keep);
-    own.topology.pairs = {{.one = 0, .other = 1, .rule = Topology::change}};
-    auto complex = two_discs();
-    Simulation<double> simulation(complex, own);
-    EXPECT_EQ(count(run(complex, simulation).events, EventKind::merge), 1U);
-
-    own = options(Topology::change);
-    own.topology.pairs = {{.one = 1, .other = 0, .rule = Topology::keep}};
-    auto kept = two_discs();
-    Simulation<double> keeping(kept, own);
-    EXPECT_TRUE(run(kept, keeping).events.empty());
-}
-
-TEST(Topology, TheApplicationMaySayNo) {
-    Options<double> asked = options();
-    int times = 0;
-    Contact seen;
-    asked.topology.may_change = [&](const Contact& contact) {
-        ++times;
-        seen = contact;
-        return false;
-    };
-    auto complex = two_discs();
-    Simulation<double> simulation(complex, asked);
-    const Grown grown = run(complex, simulation);
-    EXPECT_TRUE(grown.events.empty());
-    EXPECT_EQ(grown.outlines, 2U);
-    EXPECT_GT(times, 0);
-    EXPECT_EQ(seen.film, exterior_phase);
-    EXPECT_EQ(seen.sides, (std::array<Phase, 2>{1, 1}));
-    EXPECT_LE(seen.thickness, default_contact * h);
-    EXPECT_NEAR(seen.x, 0.5, h);
-}
-
-TEST(Topology, WhatTheApplicationThrowsComesOut) {
-    Options<double> asked = options();
-    asked.topology.may_change = [](const Contact&) -> bool { throw std::runtime_error("no"); };
-    auto complex = two_discs();
-    Simulation<double> simulation(complex, asked);
-    EXPECT_THROW((void)run(complex, simulation), std::runtime_error);
-    EXPECT_EQ(validate(complex).problem, "");
-    asked.topology.may_change = {};
-    simulation.set_options(asked);
-    EXPECT_EQ(count(run(complex, simulation).events, EventKind::merge), 1U) << "it goes on";
 }
 
 // In a flow that keeps areas what becomes thin is a filament, and is not cut.
@@ -385,22 +239,6 @@ TEST(Topology, WhatVanishesIsNotLeftBehind) {
             EXPECT_EQ(report.unreached, 0U);
         }
     }
-}
-
-TEST(TopologyOptions, BadOnesAreRefused) {
-    const auto refused = [](auto change) {
-        auto complex = two_discs();
-        Options<double> bad = options();
-        change(bad.topology);
-        EXPECT_THROW(Simulation<double>(complex, bad), InputError);
-    };
-    refused([](auto& t) { t.contact = -1; });
-    refused([](auto& t) { t.contact = 0.3; }); // wider than the discs
-    refused([](auto& t) { t.contact = std::numeric_limits<double>::quiet_NaN(); });
-    refused([](auto& t) { t.least_area = -1; });
-    refused([](auto& t) { t.pairs = {{.one = 1, .other = 1}}; });
-    refused([](auto& t) { t.pairs = {{.one = 1, .other = 0}, {.one = 0, .other = 1}}; });
-    refused([](auto& t) { t.pairs = {{.one = 1, .other = 0, .contact = -1}}; });
 }
 
 } // namespace

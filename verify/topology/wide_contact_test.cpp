@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Films that open at a contact distance of several edge lengths: each as one event, at the time
 // when it is that thin, without holes, in every division of the mesh and for any number of threads.
+#include "support/ways.h"
 #include "support/wide_contact.h"
 
 #include "dsc/base/error.h"
@@ -98,10 +99,7 @@ TEST_P(WideContact, ANeckClosesOnce) {
 INSTANTIATE_TEST_SUITE_P(Topology, WideContact,
                          testing::Values(Division::fixed, Division::counting, Division::active,
                                          Division::blocks, Division::cells, Division::copy),
-                         [](const auto& one) {
-                             return std::string(
-                                 divisions().at(static_cast<std::size_t>(one.param)).name);
-                         });
+                         [](const auto& one) { return test::name_of(one.param); });
 
 // From the sub-step in which the film opens on, there is one piece and no hole.
 TEST(WideContactOf, DiscsLeaveNoHole) {

@@ -28,7 +28,7 @@ enum VertexFlag : std::uint32_t {
     vertex_contact = 12U,
     vertex_corner = 16U, ///< of the interface: it is kept, and the curve has no tangent there
     vertex_on_way = 32U, ///< it was moved or postponed, and has not arrived yet
-    vertex_seam = 64U,   ///< two sheets of the interface met here: see topology/films.h
+    vertex_seam = 64U,   ///< two sheets of the interface met here: see topology/films/films.h
 };
 
 struct TriangleRecord {

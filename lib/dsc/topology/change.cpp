@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/topology/change.h"
 
-#include "dsc/topology/films.h"
+#include "dsc/topology/films/films.h"
+#include "dsc/topology/films/remnants.h"
+#include "dsc/topology/films/wide_films.h"
 #include "dsc/topology/give_back.h"
-#include "dsc/topology/junctions.h"
-#include "dsc/topology/remnants.h"
-#include "dsc/topology/wide_films.h"
+#include "dsc/topology/junctions/junctions.h"
 
 namespace dsc {
 

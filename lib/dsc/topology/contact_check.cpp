@@ -33,23 +33,35 @@ void check_contact(const Complex<Real>& complex, const TopologyOptions<Real>& op
     for (const Triangle t : triangles(complex)) {
         areas[complex.phase(t)] += static_cast<double>(doubled_area(complex, t)) / 2;
     }
-    for (const auto& [one, its_area] : areas) {
-        for (const auto& [other, other_area] : areas) {
-            const auto rule = rule_of(options, edge_length, one, other);
-            if (one == other || rule.rule != Topology::change ||
-                !is_wide(rule.contact, edge_length)) {
-                continue;
+    const auto check = [&](Phase phase, Real contact, const std::string& where) {
+        const double widest = std::sqrt(4 * areas.at(phase) / std::numbers::pi);
+        if (is_wide(contact, edge_length) && static_cast<double>(contact) > widest) {
+            throw InputError(
+                {.what = "a contact distance wider than phase " + std::to_string(phase),
+                 .where = where,
+                 .value = in_words(static_cast<double>(contact)),
+                 .allowed = "up to " + in_words(widest) +
+                            ", the diameter of a disc of that phase's area"});
+        }
+    };
+    // How many of the other phases have a rule of their own with each.
+    std::map<Phase, std::size_t> own_rules;
+    for (const PairTopology<Real>& pair : options.pairs) {
+        if (!areas.contains(pair.one) || !areas.contains(pair.other)) {
+            continue;
+        }
+        for (const Phase phase : {pair.one, pair.other}) {
+            ++own_rules[phase];
+            if (pair.rule == Topology::change) {
+                check(phase, pair.contact,
+                      "topology.contact of phases " + std::to_string(pair.one) + " and " +
+                          std::to_string(pair.other));
             }
-            const double widest = std::sqrt(4 * its_area / std::numbers::pi);
-            if (static_cast<double>(rule.contact) > widest) {
-                throw InputError(
-                    {.what = "a contact distance wider than phase " + std::to_string(one),
-                     .where = "topology.contact of phases " + std::to_string(one) + " and " +
-                              std::to_string(other),
-                     .value = in_words(static_cast<double>(rule.contact)),
-                     .allowed = "up to " + in_words(widest) +
-                                ", the diameter of a disc of that phase's area"});
-            }
+        }
+    }
+    for (const auto& [phase, area] : areas) {
+        if (options.rule == Topology::change && own_rules[phase] + 1 < areas.size()) {
+            check(phase, options.contact, "topology.contact");
         }
     }
 }

@@ -9,7 +9,7 @@ namespace dsc {
 
 /// Throws InputError if a contact distance of several edge lengths (`is_wide`) is wider than one of
 /// its two phases: than the disc that has the area of that phase. Phases without a triangle do not
-/// count. O(triangles) if there is such a distance, else O(pairs).
+/// count. O(triangles + pairs) if there is such a distance, else O(pairs).
 template <class Real>
 void check_contact(const Complex<Real>& complex, const TopologyOptions<Real>& options,
                    Real edge_length);

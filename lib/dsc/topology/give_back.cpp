@@ -178,18 +178,12 @@ private:
 
     // Nearest first, and weights that fall to nothing beyond the farthest: the curve stays smooth.
     void weigh(const Point<double>& place) {
-        std::vector<std::tuple<double, double, double, Bend>> list;
-        for (const Bend& bend : bends_) {
-            const Point<double> at = position(bend.vertex);
-            list.emplace_back((at - place).squaredNorm(), at.x(), at.y(), bend);
-        }
-        std::ranges::sort(list, [](const auto& a, const auto& b) {
-            return std::tie(std::get<0>(a), std::get<1>(a), std::get<2>(a)) <
-                   std::tie(std::get<0>(b), std::get<1>(b), std::get<2>(b));
+        const auto squared = [&](const Bend& bend) { return (bend.first - place).squaredNorm(); };
+        std::ranges::sort(bends_, {}, [&](const Bend& bend) {
+            return std::tuple(squared(bend), bend.first.x(), bend.first.y());
         });
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            bends_[i] = std::get<3>(list[i]);
-            bends_[i].weight = 1 - std::get<0>(list[i]) / (1.2 * std::get<0>(list.back()));
+        for (Bend& bend : bends_) {
+            bend.weight = 1 - squared(bend) / (1.2 * squared(bends_.back()));
         }
     }
 

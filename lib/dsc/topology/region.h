@@ -6,6 +6,7 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/interface_pair.h"
 #include "dsc/complex/rewire.h"
+#include "dsc/geometry/turn.h"
 #include "dsc/topology/events.h"
 #include "dsc/topology/options.h"
 
@@ -70,9 +71,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real doubled_area(const Complex<Real>& complex, Triangle t) {
     const Corner c = corner_of(t.id, 0);
-    const Point<Real> a = direction(complex, c);
-    const Point<Real> b = direction(complex, next(c));
-    return a.x() * b.y() - a.y() * b.x();
+    return cross<Real>(direction(complex, c), direction(complex, next(c)));
 }
 
 /// The smallest height.

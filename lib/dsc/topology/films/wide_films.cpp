@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/wide_films.h"
+#include "dsc/topology/films/wide_films.h"
 
-#include "dsc/topology/bridge.h"
-#include "dsc/topology/chords.h"
-#include "dsc/topology/film_region.h"
+#include "dsc/topology/films/bridge.h"
+#include "dsc/topology/films/chords.h"
+#include "dsc/topology/films/film_region.h"
 
 #include <algorithm>
 #include <limits>
@@ -168,7 +168,7 @@ private:
             const std::uint32_t v = complex_.vertex(next(c));
             const Point<Real> from = complex_.position(Vertex{v}) - origin;
             const Point<Real> way = direction(complex_, c);
-            side->doubled += from.x() * way.y() - from.y() * way.x();
+            side->doubled += cross<Real>(from, way);
             side->perimeter += way.norm();
             side->on_seam = side->on_seam || is_seam(v);
             side->is_left = side->is_left || !region.contains(Triangle{triangle_of(c)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/merging.h"
+#include "dsc/topology/junctions/merging.h"
 
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_collapse.h"
@@ -144,7 +144,7 @@ private:
                 return;
             }
             const Point<Real> along = complex_.position(end) - from;
-            const auto area = static_cast<double>(along.x() * way.y() - along.y() * way.x()) / 2;
+            const auto area = static_cast<double>(cross<Real>(along, way)) / 2;
             work_.swept += std::abs(area);
             if (work_.options.gives_back_area && area != 0) {
                 const Phase left = complex_.phase_at(c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/bridge.h"
+#include "dsc/topology/films/bridge.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/coming_apart.h"
+#include "dsc/topology/junctions/coming_apart.h"
 
-#include "dsc/topology/opening.h"
+#include "dsc/topology/junctions/opening.h"
 
 #include <algorithm>
 #include <cmath>

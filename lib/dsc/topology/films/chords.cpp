@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/chords.h"
+#include "dsc/topology/films/chords.h"
 
-#include "dsc/topology/bridge.h"
+#include "dsc/topology/films/bridge.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/film_region.h"
+#include "dsc/topology/films/film_region.h"
 
-#include "dsc/topology/film_ray.h"
+#include "dsc/topology/films/film_ray.h"
 
 #include <algorithm>
 #include <limits>
@@ -182,7 +182,7 @@ Real FilmRegion<Real>::worst_share(Vertex v, const Point<Real>& place) const {
         const Point<Real> a = complex.position(Vertex{complex.vertex(next(c))}) - place;
         const Point<Real> b = complex.position(Vertex{complex.vertex(prev(c))}) - place;
         const Real longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-        worst = std::min(worst, (a.x() * b.y() - a.y() * b.x()) / longest);
+        worst = std::min(worst, cross<Real>(a, b) / longest);
     });
     return worst;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/opening.h"
+#include "dsc/topology/junctions/opening.h"
 
+#include "dsc/geometry/turn.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 
@@ -11,11 +12,6 @@
 namespace dsc {
 
 namespace {
-
-template <class Real>
-Real cross_of(const Point<Real>& a, const Point<Real>& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 template <class Real>
 class SectorOpening {
@@ -124,8 +120,8 @@ private:
         for (std::size_t i = 1; i + 1 < link_.size(); ++i) {
             const Point<Real> way = way_to(i);
             const Real cosine = middle.dot(way) / way.norm();
-            if (cosine > nearest && cross_of<Real>(way_to(0), way) > 0 &&
-                cross_of<Real>(way, way_to(link_.size() - 1)) > 0) {
+            if (cosine > nearest && cross<Real>(way_to(0), way) > 0 &&
+                cross<Real>(way, way_to(link_.size() - 1)) > 0) {
                 nearest = cosine;
                 best = i;
             }
@@ -139,9 +135,9 @@ private:
         for (std::size_t i = 0; i + 1 < link_.size(); ++i) {
             const Point<Real> from = way_to(i);
             const Point<Real> edge = way_to(i + 1) - from;
-            const Real rate = cross_of<Real>(way, edge);
+            const Real rate = cross<Real>(way, edge);
             if (rate > 0) {
-                least = std::min(least, cross_of<Real>(from, edge) / rate);
+                least = std::min(least, cross<Real>(from, edge) / rate);
             }
         }
         return least;

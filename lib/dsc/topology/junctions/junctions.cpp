@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/junctions.h"
+#include "dsc/topology/junctions/junctions.h"
 
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_collapse.h"
-#include "dsc/topology/coming_apart.h"
-#include "dsc/topology/merging.h"
+#include "dsc/topology/junctions/coming_apart.h"
+#include "dsc/topology/junctions/merging.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/remnants.h"
+#include "dsc/topology/films/remnants.h"
 
 #include <algorithm>
 #include <tuple>
@@ -84,7 +84,7 @@ private:
             outline_.push_back(c);
             const Point<Real> from = complex_.position(Vertex{complex_.vertex(next(c))}) - origin;
             const Point<Real> way = direction(complex_, c);
-            doubled += from.x() * way.y() - from.y() * way.x();
+            doubled += cross<Real>(from, way);
             c = along_outline(complex_, c);
         } while (c != start);
         // The outline of a hole runs clockwise: what it surrounds is another phase.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/sectors.h"
+#include "dsc/topology/junctions/sectors.h"
 
 #include "dsc/base/require.h"
 #include "dsc/geometry/predicates.h"
@@ -108,8 +108,8 @@ bool may_come_apart(const Complex<Real>& complex, Vertex v, Real shortest) {
 
 template <class Real>
 double angle_between(const Point<Real>& from, const Point<Real>& to) {
-    const double turn = std::atan2(static_cast<double>(from.x() * to.y() - from.y() * to.x()),
-                                   static_cast<double>(from.dot(to)));
+    const double turn =
+        std::atan2(static_cast<double>(cross<Real>(from, to)), static_cast<double>(from.dot(to)));
     return turn > 0 ? turn : turn + 2 * std::numbers::pi;
 }
 

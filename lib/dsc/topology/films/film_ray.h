@@ -3,6 +3,7 @@
 // from triangle to triangle, to where that phase ends.
 #pragma once
 
+#include "dsc/geometry/turn.h"
 #include "dsc/topology/region.h"
 
 namespace dsc {
@@ -26,19 +27,16 @@ template <class Real, class Visit>
     const Point<Real> start =
         complex.position(Vertex{complex.vertex(next(sheet))}) + along / Real(2);
     const Point<Real> way = Point<Real>(-along.y(), along.x()) / along.norm();
-    const auto cross = [](const Point<Real>& a, const Point<Real>& b) {
-        return a.x() * b.y() - a.y() * b.x();
-    };
     Corner entered = sheet;
     Real from = 0;
     for (int i = 0; i < most_triangles; ++i) {
         const Point<Real> apex = complex.position(Vertex{complex.vertex(entered)}) - start;
         // The edge that it leaves through lies opposite to one end of the edge that it came
         // through.
-        const Corner out = cross(way, apex) > 0 ? next(entered) : prev(entered);
+        const Corner out = cross<Real>(way, apex) > 0 ? next(entered) : prev(entered);
         const Point<Real> first = complex.position(Vertex{complex.vertex(next(out))}) - start;
         const Point<Real> edge = direction(complex, out);
-        const Real to = cross(first, edge) / cross(way, edge);
+        const Real to = cross<Real>(first, edge) / cross<Real>(way, edge);
         if (!(to < longest)) { // or no number
             return {};
         }

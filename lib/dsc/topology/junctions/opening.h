@@ -5,7 +5,7 @@
 #pragma once
 
 #include "dsc/complex/submesh.h"
-#include "dsc/topology/sectors.h"
+#include "dsc/topology/junctions/sectors.h"
 
 namespace dsc {
 

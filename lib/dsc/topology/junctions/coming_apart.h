@@ -4,7 +4,7 @@
 // from it along the wall.
 #pragma once
 
-#include "dsc/topology/sectors.h"
+#include "dsc/topology/junctions/sectors.h"
 
 namespace dsc {
 

@@ -3,7 +3,7 @@
 // they make up. For contact distances of several edge lengths; see wide_films.h.
 #pragma once
 
-#include "dsc/topology/film_ray.h"
+#include "dsc/topology/films/film_ray.h"
 #include "dsc/topology/suspicion.h"
 
 #include <span>

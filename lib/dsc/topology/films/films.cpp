@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/topology/films.h"
+#include "dsc/topology/films/films.h"
 
-#include "dsc/topology/bridge.h"
+#include "dsc/topology/films/bridge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +99,7 @@ private:
     bool is_thick(Corner c) const {
         const Point<Real> a = direction(complex_, c);
         const Point<Real> b = direction(complex_, next(c));
-        const Real doubled = a.x() * b.y() - a.y() * b.x();
+        const Real doubled = cross<Real>(a, b);
         const Real longest =
             std::max(std::max(a.squaredNorm(), b.squaredNorm()), (a + b).squaredNorm());
         return doubled * doubled > most_squared_ * longest;
@@ -163,7 +163,7 @@ private:
         const std::uint32_t v = complex_.vertex(next(c));
         const Point<Real> from = complex_.position(Vertex{v}) - origin;
         const Point<Real> way = direction(complex_, c);
-        area.doubled += from.x() * way.y() - from.y() * way.x();
+        area.doubled += cross<Real>(from, way);
         area.perimeter += way.norm();
         if (area.at.size() < most_of_piece) {
             area.at.push_back(Triangle{triangle_of(c)});

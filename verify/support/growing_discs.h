@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Two discs that grow into each other: where the topology changes, they merge or meet.
+#pragma once
+
+#include "support/random_scene.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/initial/initial_complex.h"
+#include "dsc/quality/measures.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/outlines.h"
+#include "dsc/queries/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace dsc::test::growing_discs {
+
+inline constexpr double h = 0.02;
+
+/// Two discs of radius 0.1, 0.05 apart, the second of phase `second`.
+inline Complex<double> discs_nearby(Phase second = 1) {
+    const std::vector<Shape> shapes{{circle_points({0.375, 0.5}, 0.1, 45), 1},
+                                    {circle_points({0.625, 0.5}, 0.1, 45), second}};
+    return initial_complex<double>({}, shapes, {.edge_length = h});
+}
+
+/// Each disc grows about its own centre at speed 1.
+inline Velocity<double> grow() {
+    return
+        [](std::span<const Point<double>> positions, double, std::span<Point<double>> velocities) {
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+                const Point<double> centre(positions[i].x() < 0.5 ? 0.375 : 0.625, 0.5);
+                velocities[i] = (positions[i] - centre).normalized();
+            }
+        };
+}
+
+inline Options<double> options(Topology rule = Topology::change) {
+    Options<double> result;
+    result.edge_length = h;
+    result.topology.rule = rule;
+    return result;
+}
+
+inline double area_of(const Complex<double>& complex, Phase phase) {
+    double sum = 0;
+    for (const Triangle t : triangles(complex)) {
+        sum += complex.phase(t) == phase ? area(complex, t) : 0.0;
+    }
+    return sum;
+}
+
+struct Grown {
+    std::vector<Event> events;
+    std::size_t outlines = 0;
+    double area = 0;
+    std::uint64_t hash = 0;
+};
+
+inline Grown run(Complex<double>& complex, Simulation<double>& simulation, double duration = 0.05) {
+    Grown grown;
+    constexpr double dt = 0.3 * h;
+    for (double time = 0; time < duration; time += dt) {
+        const StepReport report = simulation.step(grow(), time, dt);
+        grown.events.insert(grown.events.end(), report.events.begin(), report.events.end());
+        EXPECT_EQ(validate(complex).problem, "");
+    }
+    grown.outlines = outlines(complex, 1).size();
+    grown.area = area_of(complex, 1);
+    grown.hash = mesh_hash(complex);
+    return grown;
+}
+
+inline std::size_t count(const std::vector<Event>& events, EventKind kind) {
+    return static_cast<std::size_t>(std::ranges::count(events, kind, &Event::kind));
+}
+
+} // namespace dsc::test::growing_discs

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// What the application has asked for: rules for all phases or for a pair, its own word on each
+// event, and what is told of them.
+#include "support/growing_discs.h"
+
+#include "dsc/base/error.h"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace dsc {
+namespace {
+
+using namespace test::growing_discs;
+
+double area_that_changed_hands(const std::vector<Event>& events) {
+    double sum = 0;
+    for (const Event& event : events) {
+        sum += event.area;
+    }
+    return sum;
+}
+
+TEST(Topology, IsKeptUnlessAskedFor) {
+    auto complex = discs_nearby();
+    Simulation<double> simulation(complex, options(Topology::keep));
+    const Grown grown = run(complex, simulation);
+    EXPECT_TRUE(grown.events.empty());
+    EXPECT_EQ(grown.outlines, 2U);
+}
+
+TEST(Topology, EveryAreaThatChangesHandsIsTold) {
+    auto complex = discs_nearby();
+    Simulation<double> simulation(complex, options());
+    std::vector<Event> heard;
+    simulation.add_event_listener([&](std::span<const Event> events) {
+        heard.insert(heard.end(), events.begin(), events.end());
+    });
+    double relabelled = 0;
+    simulation.add_listener([&](std::span<const Edit> edits) {
+        for (const Edit& edit : edits) {
+            if (edit.kind == EditKind::relabel) {
+                relabelled += area(complex, Triangle{triangle_of(edit.corner)});
+            }
+        }
+    });
+    const Grown grown = run(complex, simulation);
+    ASSERT_EQ(heard.size(), grown.events.size());
+    EXPECT_NEAR(area_that_changed_hands(heard), relabelled, 1e-15);
+    EXPECT_GT(relabelled, 1e-5);
+}
+
+TEST(Topology, EachPairOfPhasesHasItsOwnRule) {
+    Options<double> own = options(Topology::keep);
+    own.topology.pairs = {{.one = 0, .other = 1, .rule = Topology::change}};
+    auto complex = discs_nearby();
+    Simulation<double> simulation(complex, own);
+    EXPECT_EQ(count(run(complex, simulation).events, EventKind::merge), 1U);
+
+    own = options(Topology::change);
+    own.topology.pairs = {{.one = 1, .other = 0, .rule = Topology::keep}};
+    auto kept = discs_nearby();
+    Simulation<double> keeping(kept, own);
+    EXPECT_TRUE(run(kept, keeping).events.empty());
+}
+
+TEST(Topology, TheApplicationMaySayNo) {
+    Options<double> asked = options();
+    int times = 0;
+    Contact seen;
+    asked.topology.may_change = [&](const Contact& contact) {
+        ++times;
+        seen = contact;
+        return false;
+    };
+    auto complex = discs_nearby();
+    Simulation<double> simulation(complex, asked);
+    const Grown grown = run(complex, simulation);
+    EXPECT_TRUE(grown.events.empty());
+    EXPECT_EQ(grown.outlines, 2U);
+    EXPECT_GT(times, 0);
+    EXPECT_EQ(seen.film, exterior_phase);
+    EXPECT_EQ(seen.sides, (std::array<Phase, 2>{1, 1}));
+    EXPECT_LE(seen.thickness, default_contact * h);
+    EXPECT_NEAR(seen.x, 0.5, h);
+}
+
+TEST(Topology, WhatTheApplicationThrowsComesOut) {
+    Options<double> asked = options();
+    asked.topology.may_change = [](const Contact&) -> bool { throw std::runtime_error("no"); };
+    auto complex = discs_nearby();
+    Simulation<double> simulation(complex, asked);
+    EXPECT_THROW((void)run(complex, simulation), std::runtime_error);
+    EXPECT_EQ(validate(complex).problem, "");
+    asked.topology.may_change = {};
+    simulation.set_options(asked);
+    EXPECT_EQ(count(run(complex, simulation).events, EventKind::merge), 1U) << "it goes on";
+}
+
+TEST(TopologyOptions, BadOnesAreRefused) {
+    const auto refused = [](auto change) {
+        auto complex = discs_nearby();
+        Options<double> bad = options();
+        change(bad.topology);
+        EXPECT_THROW(Simulation<double>(complex, bad), InputError);
+    };
+    refused([](auto& t) { t.contact = -1; });
+    refused([](auto& t) { t.contact = 0.3; }); // wider than the discs
+    refused([](auto& t) { t.contact = std::numeric_limits<double>::quiet_NaN(); });
+    refused([](auto& t) { t.least_area = -1; });
+    refused([](auto& t) { t.pairs = {{.one = 1, .other = 1}}; });
+    refused([](auto& t) { t.pairs = {{.one = 1, .other = 0}, {.one = 0, .other = 1}}; });
+    refused([](auto& t) { t.pairs = {{.one = 1, .other = 0, .contact = -1}}; });
+}
+
+} // namespace
+} // namespace dsc
