@@ -8,6 +8,7 @@ include(GNUInstallDirs)
 # Eigen allocates with, and fused multiply-adds in its templates would change results.
 target_compile_options(dsc INTERFACE
     $<INSTALL_INTERFACE:-ffp-contract=off>
+    $<INSTALL_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>>
     $<INSTALL_INTERFACE:$<$<BOOL:${DSC_NATIVE}>:-march=native>>)
 
 install(TARGETS dsc EXPORT dscTargets
