@@ -62,9 +62,6 @@ private:
             return;
         }
         const Spokes spokes = interface_spokes(ring);
-        if (contact_ > 0) {
-            suspect(ring, spokes);
-        }
         if (!ring.owned) {
             // The triangles of this star straddle two submeshes, so nobody rewrites them or moves
             // their vertices: whether there is anything to do can be seen from here. What lies
@@ -74,18 +71,16 @@ private:
                 work_.deferred.upkeep(v);
             }
             work_.interface_next.push_back(v);
-            return;
+        } else if (spokes.count != 0 &&
+                   !(should_collapse(ring, spokes) && try_collapse(ring, spokes)) &&
+                   !(wants_wall_upkeep(ring) && keep_wall(v, ring))) {
+            refine(v, ring, spokes);
         }
-        if (spokes.count == 0) {
-            return;
+        // Last, though the ring is that of before the edit: loads of whole vectors wait for the
+        // stores that have filled it, which are done by now.
+        if (contact_ > 0) {
+            suspect(ring, spokes);
         }
-        if (should_collapse(ring, spokes) && try_collapse(ring, spokes)) {
-            return;
-        }
-        if (wants_wall_upkeep(ring) && keep_wall(v, ring)) {
-            return;
-        }
-        refine(v, ring, spokes);
     }
 
     // A film, or the end of a seam; or a small piece, whose outline turns sharply or ends soon.
