@@ -158,7 +158,7 @@ TEST(WideContactOf, TheSeamEndsWhereTheFilmIsThicker) {
 }
 
 // The physical contact distance stays, and the edges become shorter.
-TEST(WideContactOf, AFixedLengthConverges) {
+TEST(WideContactConvergence, OfAFixedLength) {
     constexpr double contact = 0.02;
     constexpr double gap = 0.06;
     constexpr double expected = (gap - contact) / 2;
