@@ -7,7 +7,7 @@ project_root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project_root" || exit 2
 
 build_packages=(cmake g++ ninja-build git libeigen3-dev libmetis-dev libboost-dev nlohmann-json3-dev
-    libcli11-dev googletest libgtest-dev libbenchmark-dev)
+    libtomlplusplus-dev libcli11-dev googletest libgtest-dev libbenchmark-dev)
 plot_packages=(python3 python3-matplotlib)
 # The sanitizer's own runtime is only recommended by clang-14, so it is named.
 tsan_packages=(clang-14 libclang-rt-14-dev libomp-14-dev)

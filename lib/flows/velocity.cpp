@@ -98,15 +98,14 @@ Point<double> Falling::carried(const Point<double>& point, double time) const {
     return {point.x(), surface + depth * std::asinh(height)};
 }
 
-Velocity reversed(Velocity velocity) {
-    return
-        [velocity = std::move(velocity)](Positions positions, double time, Velocities velocities) {
-            velocity(positions, time, velocities);
-            for (Point<double>& value : velocities) {
-                value = -value;
-            }
-        };
+void Reversed::operator()(Positions positions, double time, Velocities velocities) const {
+    velocity(positions, time, velocities);
+    for (Point<double>& value : velocities) {
+        value = -value;
+    }
 }
+
+Velocity reversed(Velocity velocity) { return Reversed{std::move(velocity)}; }
 
 Flow steady(Velocity velocity) {
     return {{std::numeric_limits<double>::infinity(), std::move(velocity)}};

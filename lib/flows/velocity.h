@@ -74,6 +74,11 @@ struct Falling {
 };
 
 /// The opposite flow.
+struct Reversed {
+    Velocity velocity;
+    void operator()(std::span<const Point<double>> positions, double time,
+                    std::span<Point<double>> velocities) const;
+};
 [[nodiscard]] Velocity reversed(Velocity velocity);
 
 /// A velocity that applies until a time.

@@ -107,6 +107,9 @@ std::vector<Key> make_keys() {
             "turn", 0.0, 180.0, "0 (off), 1 to 180 degrees",
             [](auto& p) -> auto& { return p.interface.turn_degrees; }),
         number(
+            "corner", 0.0, 180.0, "0 to 180 degrees: sharper turns at the start are corners",
+            [](auto& p) -> auto& { return p.interface.corner_degrees; }),
+        number(
             "gap", 0.0, 100.0, "0 (off), 0.1 to 100",
             [](auto& p) -> auto& { return p.interface.gap; }),
         number(

@@ -31,7 +31,8 @@ struct Growth {
 /// A scene with its parameters filled in.
 struct Setup {
     Rectangle domain{};
-    std::vector<Outline> outlines{};  ///< each of phase 1
+    std::vector<Outline> outlines{};
+    std::vector<Phase> phases{};      ///< of the outlines, in their order; empty: each of phase 1
     std::vector<dsc::Curve> curves{}; ///< in place of outlines: where several phases meet
     bool clamped = false;             ///< where curves end on the domain's sides, they stay
     std::optional<Phase> measured{};  ///< the one whose shape is measured; none: all but 0
@@ -42,7 +43,7 @@ struct Setup {
     int steps = 0;                  ///< in total
     std::optional<int> half_step{}; ///< the step at which a reversing flow is farthest out
     /// What errors are measured against: the first outlines moved rigidly, or the smooth shape of
-    /// the scene. Empty where nobody knows it.
+    /// the scene. Empty where nobody knows it; a shape whose area is NaN at times when nobody does.
     std::function<ExactShape(double time)> exact{};
 
     /// The interface moves by its own geometry.
@@ -56,6 +57,7 @@ struct Scene {
     Parameters defaults{};
     std::function<Setup(const Parameters&)> prepare;
     std::vector<std::string> keys = common_keys(); ///< the keys that --set accepts
+    bool counts_steps_each_way = false; ///< the key `steps`; otherwise it counts them all
 };
 
 } // namespace dsc::scenes

@@ -14,20 +14,23 @@ Scene there_and_back_scene(About about, double h, double dt, int steps, const Ve
             .description = std::move(about.description),
             .section = std::move(about.section),
             .defaults = {.h = h, .dt = dt, .steps = steps},
-            .prepare = [velocity, curve, outline = std::move(outline)](const Parameters& p) {
-                Setup setup;
-                setup.outlines = {outline(p.h)};
-                setup.dt = p.dt;
-                setup.steps = 2 * p.steps;
-                setup.half_step = p.steps;
-                const double half = p.steps * p.dt;
-                setup.flow = there_and_back(velocity, half);
-                setup.exact = [curve, flow = setup.flow, half](double t) {
-                    return std::abs(t - 2 * half) < 1e-9 * half ? unmoved_shape(curve)
-                                                                : advected_shape(curve, flow, t);
-                };
-                return setup;
-            }};
+            .prepare =
+                [velocity, curve, outline = std::move(outline)](const Parameters& p) {
+                    Setup setup;
+                    setup.outlines = {outline(p.h)};
+                    setup.dt = p.dt;
+                    setup.steps = 2 * p.steps;
+                    setup.half_step = p.steps;
+                    const double half = p.steps * p.dt;
+                    setup.flow = there_and_back(velocity, half);
+                    setup.exact = [curve, flow = setup.flow, half](double t) {
+                        return std::abs(t - 2 * half) < 1e-9 * half
+                                   ? unmoved_shape(curve)
+                                   : advected_shape(curve, flow, t);
+                    };
+                    return setup;
+                },
+            .counts_steps_each_way = true};
 }
 
 std::vector<Scene> vortex_scenes() {

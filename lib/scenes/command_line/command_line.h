@@ -7,19 +7,24 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace dsc::scenes {
 
-/// The result of `main`. `app` has the commands `list` and `run` with their options, and parses
-/// them before one of the two is called. Exit: what `run` returns; 0 after `list` and --help; 2 for
-/// bad usage and InputError, with a sentence on stderr that begins with the program's name; 1 for
-/// any other exception.
-inline int list_or_run(CLI::App& app, const std::string& program, int argc, const char* const* argv,
-                       const std::function<void()>& list, const std::function<int()>& run) {
+/// What the commands do, by their names.
+using Commands = std::vector<std::pair<std::string, std::function<int()>>>;
+
+/// The result of `main`. `app` has these commands with their options, and parses them before one of
+/// them is called. Exit: what it returns; 0 after --help; 2 for bad usage and InputError, with a
+/// sentence on stderr that begins with the program's name; 1 for any other exception.
+inline int call_command(CLI::App& app, const std::string& program, int argc,
+                        const char* const* argv, const Commands& commands) {
     const auto complain = [&](const std::string& sentence, int code) {
         std::cerr << program << ": " << sentence << '\n';
         return code;
@@ -27,8 +32,13 @@ inline int list_or_run(CLI::App& app, const std::string& program, int argc, cons
     const std::string help = " (see " + program + " --help)";
     // CLI11 would only say that a command is missing.
     const std::string command = argc > 1 ? argv[1] : "";
-    if (!command.starts_with('-') && command != "list" && command != "run") {
-        return complain("unknown command: got '" + command + "'; allowed: list, run" + help, 2);
+    const auto is_called = [&](const auto& one) { return one.first == command; };
+    if (!command.starts_with('-') && std::ranges::none_of(commands, is_called)) {
+        std::string names;
+        for (const auto& one : commands) {
+            names += (names.empty() ? "" : ", ") + one.first;
+        }
+        return complain("unknown command: got '" + command + "'; allowed: " + names + help, 2);
     }
     try {
         app.parse(argc, argv);
@@ -37,16 +47,27 @@ inline int list_or_run(CLI::App& app, const std::string& program, int argc, cons
                                           : complain(error.what() + help, 2);
     }
     try {
-        if (app.got_subcommand("list")) {
-            list();
-            return 0;
+        for (const auto& [name, call] : commands) {
+            if (app.got_subcommand(name)) {
+                return call();
+            }
         }
-        return run();
+        return 2; // CLI11 has seen to it that there is one
     } catch (const InputError& error) {
         return complain(error.what(), 2);
     } catch (const std::exception& error) {
         return complain(error.what(), 1);
     }
+}
+
+/// The same for the two commands that every program has; 0 after `list`.
+inline int list_or_run(CLI::App& app, const std::string& program, int argc, const char* const* argv,
+                       const std::function<void()>& list, const std::function<int()>& run) {
+    const auto list_all = [&] {
+        list();
+        return 0;
+    };
+    return call_command(app, program, argc, argv, {{"list", list_all}, {"run", run}});
 }
 
 } // namespace dsc::scenes

@@ -4,6 +4,8 @@
 #include "dsc/base/error.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/command_line/command_line.h"
+#include "scenes/file/describe.h"
+#include "scenes/file/scene_file.h"
 #include "scenes/output/event_lines.h"
 #include "scenes/output/write_file.h"
 #include "scenes/run/json.h"
@@ -70,7 +72,7 @@ void print_summary(const RunResult& r) {
     if (const double difference = number(r.last, "sd_rel"); std::isfinite(difference)) {
         std::cout << ", symmetric difference " << difference << " of the area";
     }
-    if (r.half) {
+    if (r.half && std::isfinite(number(*r.half, "sd_rel"))) {
         std::cout << " (half-way " << number(*r.half, "sd_rel") << ")";
     }
     print_events(r.events);
@@ -123,13 +125,26 @@ std::string names_of_strategies() {
     return names;
 }
 
-int run(const std::string& program, const std::vector<Scene>& scenes, const Arguments& arguments) {
-    const Scene& scene = find_scene(arguments.scene, scenes);
+// One of the list, or from a file.
+SceneFile scene_called(const std::string& name, const std::vector<Scene>& scenes) {
+    return is_scene_file(name) ? read_scene_file(name, scenes)
+                               : SceneFile{.scene = find_scene(name, scenes)};
+}
+
+Parameters with_settings(const Scene& scene, const std::vector<std::string>& settings) {
     Parameters parameters = scene.defaults;
-    for (const std::string& setting : arguments.settings) {
+    for (const std::string& setting : settings) {
         apply_setting(parameters, scene.keys, setting);
     }
+    return parameters;
+}
+
+int run(const std::string& program, const std::vector<Scene>& scenes, const Arguments& arguments) {
+    const SceneFile file = scene_called(arguments.scene, scenes);
+    const Scene& scene = file.scene;
+    const Parameters parameters = with_settings(scene, arguments.settings);
     RunOptions options = arguments.run;
+    options.measure_shape = file.measures_shape;
     options.strategy = parse_strategy(arguments.strategy);
     parse_angle(arguments.angle, options.submeshing);
     options.progress = isatty(STDERR_FILENO) != 0;
@@ -174,7 +189,10 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
     auto* run_command = app.add_subcommand("run", "run one scene");
     run_command->footer(details());
     Arguments arguments;
-    run_command->add_option("scene", arguments.scene, "a name from the list")->required();
+    run_command
+        ->add_option("scene", arguments.scene,
+                     "a name from the list, or a scene file: with a slash or ending in .toml")
+        ->required();
     run_command->add_option("--set", arguments.settings, "key=value; may be repeated")
         ->allow_extra_args(false);
     run_command->add_option("--strategy", arguments.strategy,
@@ -193,9 +211,24 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
     run_command->add_option("--json", arguments.json, "file for the result");
     run_command->add_option("--events", arguments.events,
                             "file for the changes of topology, one JSON object a line");
-    return list_or_run(
-        app, program, argc, argv, [&] { list_scenes(scenes); },
-        [&] { return run(program, scenes, arguments); });
+    auto* describe_command =
+        app.add_subcommand("describe", "print one scene as a file that can be changed and run");
+    describe_command->add_option("scene", arguments.scene, "a name from the list")->required();
+    describe_command->add_option("--set", arguments.settings, "key=value; may be repeated")
+        ->allow_extra_args(false);
+    const auto list_all = [&] {
+        list_scenes(scenes);
+        return 0;
+    };
+    const auto describe_one = [&] {
+        const Scene& scene = find_scene(arguments.scene, scenes);
+        std::cout << describe(scene, with_settings(scene, arguments.settings));
+        return 0;
+    };
+    return call_command(app, program, argc, argv,
+                        {{"list", list_all},
+                         {"run", [&] { return run(program, scenes, arguments); }},
+                         {"describe", describe_one}});
 }
 
 } // namespace dsc::scenes

@@ -106,6 +106,9 @@ private:
         std::optional<ExactShape> exact;
         if (options_.measure_shape && setup_.exact) {
             exact = setup_.exact(time_);
+            if (std::isnan(exact->area)) {
+                exact.reset();
+            }
         }
         return measure(options_.measures, {.mesh = &complex(),
                                            .outlines = read,
@@ -198,8 +201,7 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
     result.scene = scene.name;
     result.parameters = parameters;
     result.parameters.dt = setup.dt;
-    result.parameters.steps =
-        setup.half_step && scene.defaults.steps > 0 ? *setup.half_step : setup.steps;
+    result.parameters.steps = scene.counts_steps_each_way ? setup.steps / 2 : setup.steps;
     result.strategy = options.strategy;
     result.submeshes = submeshes_of(options.strategy, submeshing);
     result.threads = submeshing.threads;

@@ -34,16 +34,16 @@ Complex<Real> first_complex(const Setup& setup, const Parameters& parameters) {
     InitialOptions options;
     options.edge_length = parameters.h;
     if (!setup.curves.empty()) {
-        auto complex = initial_complex<Real>(
-            setup.domain, std::span<const dsc::Curve>(setup.curves), options);
+        auto complex =
+            initial_complex<Real>(setup.domain, std::span<const dsc::Curve>(setup.curves), options);
         if (setup.clamped) {
             clamp_ends(complex);
         }
         return complex;
     }
     std::vector<Shape> shapes;
-    for (const Outline& outline : setup.outlines) {
-        shapes.push_back({outline, 1});
+    for (std::size_t i = 0; i < setup.outlines.size(); ++i) {
+        shapes.push_back({setup.outlines[i], setup.phases.empty() ? Phase{1} : setup.phases[i]});
     }
     return initial_complex<Real>(setup.domain, shapes, options);
 }

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/file/exact_source.h"
+
+#include "dsc/base/error.h"
+#include "flows/exact.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/file/formula/formula_flow.h"
+#include "scenes/file/scene_parts.h"
+
+#include <cmath>
+#include <limits>
+
+namespace dsc::scenes {
+
+namespace {
+
+using ExactFunction = std::function<ExactShape(double time)>;
+
+/// Two times closer than this, relative to the period, are one but for rounding.
+constexpr double same_time = 1e-9;
+
+ExactShape unknown_shape() {
+    ExactShape shape;
+    shape.area = std::numeric_limits<double>::quiet_NaN();
+    return shape;
+}
+
+// Holes run clockwise, and their area is taken away.
+template <class OneShape>
+ExactShape together(const std::vector<FirstShape>& shapes, OneShape one_shape) {
+    ExactShape all;
+    for (const FirstShape& first : shapes) {
+        ExactShape one = one_shape(first.curve);
+        all.area += first.is_hole ? -one.area : one.area;
+        all.own_error += one.own_error;
+        all.description = one.description;
+        for (Outline& outline : one.outlines) {
+            all.outlines.push_back(first.is_hole ? reversed(std::move(outline))
+                                                 : std::move(outline));
+        }
+    }
+    return all;
+}
+
+bool is_at(double time, double moment, double period) {
+    return std::abs(time - moment) <= same_time * period;
+}
+
+ExactFunction back_at(double period, const std::vector<FirstShape>& shapes) {
+    return [period, shapes](double time) {
+        if (!is_at(time, 0, period) && !is_at(time, period, period)) {
+            return unknown_shape();
+        }
+        return together(shapes, [](const ParametricCurve& curve) { return unmoved_shape(curve); });
+    };
+}
+
+ExactFunction carried_by(const Flow& flow, double period, const std::vector<FirstShape>& shapes) {
+    return [flow, period, shapes](double time) {
+        return together(shapes, [&](const ParametricCurve& curve) {
+            const bool is_first = time == 0 || (period > 0 && is_at(time, period, period));
+            return is_first ? unmoved_shape(curve) : advected_shape(curve, flow, time);
+        });
+    };
+}
+
+ExactSource read_back(const TableReader& reader) {
+    return [where = reader.where("back")](const Parameters& parameters, const Setup&,
+                                          const std::vector<FirstShape>& shapes) {
+        if (!(parameters.period > 0)) {
+            throw InputError({.what = "nobody knows when the flow is back",
+                              .where = where,
+                              .value = "no period",
+                              .allowed = "a `period` in [options]"});
+        }
+        return back_at(parameters.period, shapes);
+    };
+}
+
+ExactSource read_carried(const TableReader& reader) {
+    return [where = reader.where("carried")](const Parameters& parameters, const Setup& setup,
+                                             const std::vector<FirstShape>& shapes) {
+        if (setup.flow.empty()) {
+            throw InputError({.what = "there is no flow that carries shapes along",
+                              .where = where,
+                              .value = "true",
+                              .allowed = "with a [flow]"});
+        }
+        return carried_by(setup.flow, parameters.period, shapes);
+    };
+}
+
+ExactSource read_exact_circle(const TableReader& circle) {
+    circle.allow({"centre", "radius"});
+    const Point<double> centre = circle.point("centre");
+    const FormulaFlow radius(
+        {.u = circle.text("radius"), .v = "0", .where_u = circle.where("radius")});
+    return [=](const Parameters&, const Setup&, const std::vector<FirstShape>&) -> ExactFunction {
+        return [=](double time) {
+            const Point<double> here = centre;
+            Point<double> result;
+            radius({&here, 1}, time, {&result, 1});
+            return result.x() > 0 && result.x() <= largest_coordinate
+                       ? exact_circle(centre, result.x())
+                       : unknown_shape();
+        };
+    };
+}
+
+ExactSource read_exact_of_scene(const TableReader& reader, const std::vector<Scene>& scenes) {
+    const std::string name = reader.text("scene");
+    const auto found = std::ranges::find(scenes, name, &Scene::name);
+    if (found == scenes.end() || !found->prepare(found->defaults).exact) {
+        reader.refuse("scene", "no scene with an exact shape",
+                      "a name that `dsc_scene list` shows");
+    }
+    Parameters settings = found->defaults;
+    if (reader.has("set")) {
+        for (const std::string& setting : reader.texts("set")) {
+            try {
+                apply_setting(settings, found->keys, setting);
+            } catch (const InputError& error) {
+                throw InputError({.what = error.problem(),
+                                  .where = reader.where("set"),
+                                  .value = error.value(),
+                                  .allowed = error.allowed()});
+            }
+        }
+    }
+    check_grains(*found, settings, reader.where("set"));
+    return [prepare = found->prepare, settings](const Parameters&, const Setup&,
+                                                const std::vector<FirstShape>&) {
+        return prepare(settings).exact;
+    };
+}
+
+} // namespace
+
+ExactSource read_exact(const TableReader& reader, const std::vector<Scene>& scenes) {
+    const std::vector<std::string> kinds{"back", "carried", "circle", "scene"};
+    reader.allow({"back", "carried", "circle", "scene", "set"});
+    const std::string kind = reader.one_of(kinds);
+    if (kind == "circle") {
+        return read_exact_circle(reader.table("circle"));
+    }
+    if (kind == "scene") {
+        return read_exact_of_scene(reader, scenes);
+    }
+    if (!reader.flag_or(true, kind)) {
+        reader.refuse(kind, "bad value", "true, or no such key");
+    }
+    return kind == "back" ? read_back(reader) : read_carried(reader);
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The flow of a scene file. A [flow], or each [[flow]] where one follows the other, is one of
+//
+//     u, v        = "formula", "formula" in x, y, t, the [flow.parameters] and pi, h, period
+//     translation = { velocity = [u, v] }
+//     radial      = { centre = [x, y], speed }
+//     rotation    = { centre = [x, y], angular_speed }
+//     vortex      = { centre = [x, y], speed }
+//     swirl       = { amplitude, period }
+//     falling     = { surface, depth, speed }
+//
+// with `until`, the time at which the next one takes over, and `reversed = true` for the opposite.
+#pragma once
+
+#include "flows/velocity.h"
+#include "scenes/file/table_reader.h"
+#include "scenes/parameters.h"
+
+#include <functional>
+
+namespace dsc::scenes {
+
+/// The flow, for values of h and the period that may have been set since the file was read.
+using FlowSource = std::function<Flow(const Parameters& parameters)>;
+
+/// Throws InputError, for a formula with the character at which it breaks off.
+[[nodiscard]] FlowSource read_flow(const std::vector<TableReader>& legs);
+
+} // namespace dsc::scenes

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/file/formula/parser.h"
+
+#include "dsc/base/error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <numbers>
+#include <optional>
+
+namespace dsc::scenes {
+
+namespace {
+
+using Op = FormulaOp;
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_of_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+std::optional<Op> variable_called(std::string_view name) {
+    if (name == "x") {
+        return Op::x;
+    }
+    if (name == "y") {
+        return Op::y;
+    }
+    if (name == "t") {
+        return Op::t;
+    }
+    return std::nullopt;
+}
+
+const FormulaFunction* function_called(std::string_view name) {
+    const auto all = formula_functions();
+    const auto found = std::ranges::find(all, name, &FormulaFunction::name);
+    return found == all.end() ? nullptr : &*found;
+}
+
+class FormulaParser {
+public:
+    FormulaParser(std::string_view text, const FormulaParameters& known, const std::string& where,
+                  FormulaGraph& graph)
+        : text_(text), known_(known), where_(where), graph_(graph) {}
+
+    FormulaNodeId parse() {
+        if (text_.size() > longest_formula) {
+            throw InputError({.what = "formula too long",
+                              .where = where_,
+                              .value = std::to_string(text_.size()) + " characters",
+                              .allowed = "at most " + std::to_string(longest_formula)});
+        }
+        const FormulaNodeId whole = formula();
+        if (skip_blanks(); at_ < text_.size()) {
+            refuse("unexpected text", "an operator, or the end");
+        }
+        return whole;
+    }
+
+private:
+    [[noreturn]] void refuse(const std::string& what, const std::string& allowed) const {
+        throw InputError(
+            {.what = what + " at character " + std::to_string(at_ + 1) + " of the formula",
+             .where = where_,
+             .value = at_ < text_.size() ? "'" + std::string(text_.substr(at_, 32)) + "'"
+                                         : "the end of '" + std::string(text_.substr(0, 64)) + "'",
+             .allowed = allowed});
+    }
+
+    void skip_blanks() {
+        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' ||
+                                      text_[at_] == '\n' || text_[at_] == '\r')) {
+            ++at_;
+        }
+    }
+
+    bool take(std::string_view token) {
+        skip_blanks();
+        if (!text_.substr(at_).starts_with(token)) {
+            return false;
+        }
+        at_ += token.size();
+        return true;
+    }
+
+    void expect(std::string_view token) {
+        if (!take(token)) {
+            refuse("something is missing", "'" + std::string(token) + "'");
+        }
+    }
+
+    FormulaNodeId formula() {
+        if (++depth_ > deepest_formula) {
+            refuse("formula too deep",
+                   "at most " + std::to_string(deepest_formula) + " levels of parentheses");
+        }
+        FormulaNodeId value = comparison();
+        if (take("?")) {
+            const FormulaNodeId yes = formula();
+            expect(":");
+            value = graph_.apply(Op::choose, value, yes, formula());
+        }
+        --depth_;
+        return value;
+    }
+
+    FormulaNodeId comparison() {
+        const FormulaNodeId left = sum();
+        if (take("<=")) {
+            return graph_.apply(Op::less_or_equal, left, sum());
+        }
+        if (take("<")) {
+            return graph_.apply(Op::less, left, sum());
+        }
+        if (take(">=")) {
+            return graph_.apply(Op::less_or_equal, sum(), left);
+        }
+        if (take(">")) {
+            return graph_.apply(Op::less, sum(), left);
+        }
+        if (take("==")) {
+            return graph_.apply(Op::equal, left, sum());
+        }
+        if (take("!=")) {
+            const FormulaNodeId same = graph_.apply(Op::equal, left, sum());
+            return graph_.apply(Op::subtract, graph_.constant(1), same);
+        }
+        return left;
+    }
+
+    FormulaNodeId sum() {
+        FormulaNodeId value = product();
+        while (true) {
+            if (take("+")) {
+                value = graph_.apply(Op::add, value, product());
+            } else if (take("-")) {
+                value = graph_.apply(Op::subtract, value, product());
+            } else {
+                return value;
+            }
+        }
+    }
+
+    FormulaNodeId product() {
+        FormulaNodeId value = with_sign();
+        while (true) {
+            if (take("*")) {
+                value = graph_.apply(Op::multiply, value, with_sign());
+            } else if (take("/")) {
+                value = graph_.apply(Op::divide, value, with_sign());
+            } else {
+                return value;
+            }
+        }
+    }
+
+    FormulaNodeId with_sign() {
+        bool is_negative = false;
+        while (true) {
+            if (take("-")) {
+                is_negative = !is_negative;
+            } else if (!take("+")) {
+                break;
+            }
+        }
+        const FormulaNodeId value = power();
+        return is_negative ? graph_.apply(Op::negate, value) : value;
+    }
+
+    FormulaNodeId power() {
+        const FormulaNodeId base = operand();
+        if (!take("^")) {
+            return base;
+        }
+        if (++depth_ > deepest_formula) {
+            refuse("formula too deep", "fewer powers of powers");
+        }
+        const FormulaNodeId exponent = with_sign();
+        --depth_;
+        return graph_.apply(Op::power, base, exponent);
+    }
+
+    FormulaNodeId operand() {
+        if (take("(")) {
+            const FormulaNodeId value = formula();
+            expect(")");
+            return value;
+        }
+        if (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.')) {
+            return number();
+        }
+        if (at_ < text_.size() && is_letter(text_[at_])) {
+            return name();
+        }
+        refuse("something is missing", "a number, a name, or a parenthesis");
+    }
+
+    FormulaNodeId number() {
+        double value = 0;
+        const char* begin = text_.data() + at_;
+        const auto [stop, error] = std::from_chars(begin, text_.data() + text_.size(), value);
+        if (error != std::errc{}) {
+            refuse("bad number", "a number such as 0.25 or 1e-3");
+        }
+        at_ += static_cast<std::size_t>(stop - begin);
+        return graph_.constant(value);
+    }
+
+    FormulaNodeId name() {
+        const std::size_t begin = at_;
+        std::size_t end = begin;
+        while (end < text_.size() && is_of_name(text_[end])) {
+            ++end;
+        }
+        const std::string_view called = text_.substr(begin, end - begin);
+        if (const FormulaFunction* function = function_called(called)) {
+            at_ = end;
+            return call(*function);
+        }
+        FormulaNodeId value = no_formula_node;
+        if (const auto variable = variable_called(called)) {
+            value = graph_.variable(*variable);
+        } else if (const auto found = known_.find(called); found != known_.end()) {
+            value = graph_.constant(found->second);
+        } else if (called == "pi") {
+            value = graph_.constant(std::numbers::pi);
+        } else {
+            refuse("unknown name", all_names());
+        }
+        at_ = end;
+        return value;
+    }
+
+    FormulaNodeId call(const FormulaFunction& function) {
+        expect("(");
+        FormulaNodeId value = formula();
+        FormulaNodeId other = no_formula_node;
+        int count = 1;
+        while (count < function.most_arguments && take(",")) {
+            // min and max of many are taken two by two.
+            if (other != no_formula_node) {
+                value = graph_.apply(function.op, value, other);
+            }
+            other = formula();
+            ++count;
+        }
+        if (count < function.least_arguments) {
+            refuse("argument missing", std::to_string(function.least_arguments) + " arguments of " +
+                                           std::string(function.name));
+        }
+        expect(")");
+        return graph_.apply(function.op, value, other);
+    }
+
+    [[nodiscard]] std::string all_names() const {
+        std::string names = "x, y, t, pi";
+        for (const auto& parameter : known_) {
+            names += ", " + parameter.first;
+        }
+        for (const FormulaFunction& function : formula_functions()) {
+            names += ", " + std::string(function.name) + "()";
+        }
+        return names;
+    }
+
+    std::string_view text_;
+    const FormulaParameters& known_;
+    const std::string& where_;
+    FormulaGraph& graph_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+};
+
+} // namespace
+
+FormulaNodeId parse_formula(std::string_view text, const FormulaParameters& known,
+                            const std::string& where, FormulaGraph& graph) {
+    return FormulaParser(text, known, where, graph).parse();
+}
+
+bool is_parameter_name(std::string_view name) {
+    return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, is_of_name) &&
+           !variable_called(name) && function_called(name) == nullptr;
+}
+
+} // namespace dsc::scenes

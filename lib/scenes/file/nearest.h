@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What somebody may have meant who wrote a name that does not exist.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace dsc::scenes {
+
+/// The name with the fewest letters to change, if they are few; otherwise empty. Letters may be
+/// added, left out, exchanged for others, or swapped with their neighbours.
+[[nodiscard]] std::string nearest_name(std::string_view name, std::span<const std::string> names);
+
+/// All names, after the nearest one if there is one: "did you mean h? one of: h, dt".
+[[nodiscard]] std::string allowed_names(std::string_view name, std::span<const std::string> names);
+
+} // namespace dsc::scenes

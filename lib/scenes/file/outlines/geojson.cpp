@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/base/error.h"
+#include "scenes/file/outlines/pieces.h"
+#include "scenes/file/table_reader.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace dsc::scenes {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Collections within collections.
+constexpr int deepest_collection = 8;
+
+class GeoJsonReader {
+public:
+    explicit GeoJsonReader(const std::string& where) : where_(where) {}
+
+    void read(const Json& object, int depth = 0) {
+        const std::string type = object.is_object() ? object.value("type", Json()).dump() : "";
+        if (depth > deepest_collection) {
+            refuse("collections too deep", type, "at most 8 levels");
+        }
+        if (type == "\"FeatureCollection\"") {
+            for (const Json& feature : list(object, "features")) {
+                read(feature, depth + 1);
+            }
+        } else if (type == "\"Feature\"") {
+            read(member(object, "geometry"), depth + 1);
+        } else if (type == "\"GeometryCollection\"") {
+            for (const Json& geometry : list(object, "geometries")) {
+                read(geometry, depth + 1);
+            }
+        } else if (type == "\"MultiPolygon\"") {
+            for (const Json& polygon : list(object, "coordinates")) {
+                add_lines(polygon, true);
+            }
+        } else if (type == "\"Polygon\"") {
+            add_lines(list(object, "coordinates"), true);
+        } else if (type == "\"MultiLineString\"") {
+            add_lines(list(object, "coordinates"), false);
+        } else if (type == "\"LineString\"") {
+            add_line(list(object, "coordinates"), false);
+        } else {
+            refuse("unknown type of geometry", type.empty() ? "no object" : type.substr(0, 60),
+                   "Polygon, MultiPolygon, LineString, MultiLineString, GeometryCollection, "
+                   "Feature, FeatureCollection");
+        }
+    }
+
+    std::vector<Piece> pieces;
+
+private:
+    [[noreturn]] void refuse(const std::string& what, const std::string& value,
+                             const std::string& allowed) const {
+        throw InputError({.what = what, .where = where_, .value = value, .allowed = allowed});
+    }
+
+    [[nodiscard]] const Json& member(const Json& object, const char* name) const {
+        const auto found = object.find(name);
+        if (found == object.end()) {
+            refuse("member missing", "none", name);
+        }
+        return *found;
+    }
+
+    [[nodiscard]] const Json& list(const Json& object, const char* name) const {
+        const Json& value = member(object, name);
+        if (!value.is_array()) {
+            refuse("not a list", value.dump().substr(0, 60), std::string("a list of ") + name);
+        }
+        return value;
+    }
+
+    void add_lines(const Json& lines, bool is_polygon) {
+        if (!lines.is_array()) {
+            refuse("not a list of lines", lines.dump().substr(0, 60), "a list");
+        }
+        for (const Json& line : lines) {
+            add_line(line, is_polygon);
+        }
+    }
+
+    void add_line(const Json& positions, bool is_closed) {
+        if (!positions.is_array()) {
+            refuse("not a list of positions", positions.dump().substr(0, 60), "a list");
+        }
+        Piece piece;
+        for (const Json& position : positions) {
+            const bool is_pair = position.is_array() && position.size() >= 2 &&
+                                 position[0].is_number() && position[1].is_number();
+            const double x = is_pair ? position[0].get<double>() : NAN;
+            const double y = is_pair ? position[1].get<double>() : NAN;
+            if (!(std::abs(x) <= largest_coordinate) || !(std::abs(y) <= largest_coordinate) ||
+                ++count_ > most_points) {
+                refuse(count_ > most_points ? "too many positions" : "not a position",
+                       position.dump().substr(0, 60),
+                       "[x, y] from -1e6 to 1e6, at most 1000000 of them");
+            }
+            piece.points.emplace_back(x, y);
+        }
+        if (piece.points.size() > 2 && piece.points.front() == piece.points.back()) {
+            piece.points.pop_back();
+            is_closed = true;
+        }
+        piece.is_closed = is_closed;
+        pieces.push_back(std::move(piece));
+    }
+
+    const std::string& where_;
+    std::size_t count_ = 0;
+};
+
+} // namespace
+
+std::vector<Piece> read_geojson(const std::string& text, const std::string& where) {
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::exception& error) {
+        throw InputError(
+            {.what = "no JSON", .where = where, .value = error.what(), .allowed = "GeoJSON"});
+    }
+    GeoJsonReader reader(where);
+    reader.read(json);
+    return std::move(reader.pieces);
+}
+
+} // namespace dsc::scenes

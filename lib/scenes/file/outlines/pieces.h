@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Lines as they come from outside: closed or open, in any number and orientation.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dsc::scenes {
+
+struct Piece {
+    std::vector<Point<double>> points; ///< of a closed one, the first is not repeated
+    bool is_closed = true;
+};
+
+/// Whether a piece lies inside an even number of the others (0) or an odd one (1): with the
+/// even-odd rule, the outer outlines of a region and its holes. For closed pieces that do not
+/// cross. O(pieces * points).
+[[nodiscard]] std::vector<int> nesting(const std::vector<Piece>& pieces);
+
+/// A text file of points: "x y" or "x,y" a line; an empty line ends a piece, and # begins a
+/// comment. A piece that ends where it begins is closed in any case; others are closed if `close`
+/// is true. Throws InputError, with the line, for anything else or too many points.
+[[nodiscard]] std::vector<Piece> read_points(std::string_view text, bool close,
+                                             const std::string& where);
+
+/// The geometry of a GeoJSON file (RFC 7946): Polygon, MultiPolygon, LineString, MultiLineString,
+/// a GeometryCollection, or features of these. Coordinates are taken as they are. Throws InputError
+/// for anything else.
+[[nodiscard]] std::vector<Piece> read_geojson(const std::string& text, const std::string& where);
+
+/// The outline of an SVG path by the text of its attribute `d`, with all its commands: M L H V C S
+/// Q T A Z, absolute and relative. Curves become polygons that are nowhere farther from them than
+/// `tolerance`, with edges of at most `edge_length`; both are in the path's own units. A subpath is
+/// closed if it ends with Z. Throws InputError, with the character, for a path that cannot be
+/// understood or has too many points.
+[[nodiscard]] std::vector<Piece> read_svg_path(std::string_view text, double tolerance,
+                                               double edge_length, const std::string& where);
+
+} // namespace dsc::scenes

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/file/scene_file.h"
+
+#include "dsc/base/error.h"
+#include "scenes/catalogue/families.h"
+#include "scenes/file/flow_source.h"
+#include "scenes/file/nearest.h"
+#include "scenes/file/scene_parts.h"
+#include "scenes/file/text_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc::scenes {
+
+namespace {
+
+/// Edges along a side of the domain: far more than a mesh could have.
+constexpr double most_edges_of_side = 1e5;
+constexpr std::size_t longest_file_name = 64;
+
+/// The tables of the file, read and checked, and what they make of parameters.
+struct SceneParts {
+    std::string where;
+    std::optional<Scene> base{};
+    std::optional<Rectangle> domain{};
+    bool is_clamped = false;
+    std::vector<ShapeSource> shapes{};
+    std::vector<CurveSource> curves{};
+    FlowSource flow{};
+    std::optional<CurvatureMotion> curvature{};
+    std::optional<Growth> growth{};
+    ExactSource exact{};
+    std::optional<Phase> measured{};
+    std::optional<int> half_step{};
+
+    // Of the base, only options have changed.
+    [[nodiscard]] bool is_as_in_catalogue() const {
+        return base && !domain && shapes.empty() && curves.empty() && !flow && !curvature &&
+               !growth;
+    }
+};
+
+// The time step and the number of steps that a file of its own gives.
+void set_schedule(const SceneParts& parts, const Parameters& p, Setup& setup) {
+    if ((p.dt > 0) + (p.steps > 0) + (p.period > 0) < 2) {
+        throw InputError({.what = "nobody knows how many steps of which length",
+                          .where = parts.where,
+                          .value = p.dt > 0       ? "dt alone"
+                                   : p.steps > 0  ? "steps alone"
+                                   : p.period > 0 ? "period alone"
+                                                  : "none of dt, steps and period",
+                          .allowed = "two of dt, steps and period in [options]"});
+    }
+    const Schedule s = schedule(p, p.period, 0);
+    setup.dt = s.dt;
+    setup.steps = s.steps;
+    const bool ends_with_period = std::abs(s.steps * s.dt - p.period) < 1e-9 * p.period;
+    if (s.steps % 2 == 0 && ends_with_period) {
+        setup.half_step = s.steps / 2;
+    }
+}
+
+void check_size(const SceneParts& parts, double h, const Setup& setup) {
+    const double side = (setup.domain.high - setup.domain.low).maxCoeff();
+    if (!(side / h <= most_edges_of_side)) {
+        throw InputError({.what = "edge length too small for the domain",
+                          .where = parts.where,
+                          .value = std::to_string(h),
+                          .allowed = "at most 100000 edges along a side"});
+    }
+}
+
+// What moves the interface: one thing.
+void set_motion(const SceneParts& parts, const Parameters& p, Setup& setup) {
+    if (!parts.flow && !parts.curvature && !parts.growth) {
+        if (!parts.base) {
+            setup.flow = steady(Translation{});
+        }
+        return;
+    }
+    setup.flow = parts.flow ? parts.flow(p) : Flow{};
+    setup.curvature = parts.curvature;
+    setup.growth = parts.growth;
+}
+
+Setup prepare(const SceneParts& parts, const Parameters& p) {
+    Setup setup;
+    if (parts.base) {
+        check_grains(*parts.base, p, parts.where);
+        setup = parts.base->prepare(p);
+    } else {
+        set_schedule(parts, p, setup);
+    }
+    setup.domain = parts.domain.value_or(setup.domain);
+    setup.clamped = parts.domain ? parts.is_clamped : setup.clamped;
+    check_size(parts, p.h, setup);
+    if (!parts.shapes.empty() || !parts.curves.empty()) {
+        setup.outlines.clear();
+        setup.phases.clear();
+        setup.curves.clear();
+        setup.measured.reset();
+        add_shapes(parts.shapes, p.h, setup);
+        add_curves(parts.curves, p.h, setup);
+    }
+    set_motion(parts, p, setup);
+    if (parts.measured) {
+        setup.measured = parts.measured;
+    }
+    if (parts.half_step) {
+        setup.half_step = parts.half_step;
+    }
+    if (parts.exact) {
+        setup.exact = parts.exact(p, setup,
+                                  parts.shapes.empty() ? std::vector<FirstShape>{}
+                                                       : first_shapes(parts.shapes, setup));
+    } else if (!parts.is_as_in_catalogue()) {
+        setup.exact = {};
+    }
+    return setup;
+}
+
+void read_measure(const TableReader& reader, SceneParts& parts, SceneFile& file) {
+    reader.allow({"phase", "half_step", "shape"});
+    if (reader.has("phase")) {
+        parts.measured = static_cast<Phase>(reader.integer("phase", 1, 1'000'000));
+    }
+    if (reader.has("half_step")) {
+        parts.half_step = reader.integer("half_step", 0, 100'000'000);
+    }
+    file.measures_shape = reader.flag_or(true, "shape");
+}
+
+void read_geometry(const TableReader& top, SceneParts& parts) {
+    if (top.has("domain")) {
+        parts.domain = read_domain(top.table("domain"));
+        parts.is_clamped = top.table("domain").flag_or(false, "clamped");
+    }
+    for (const TableReader& shape : top.tables("shape")) {
+        parts.shapes.push_back(read_shape(shape));
+    }
+    for (const TableReader& curve : top.tables("curve")) {
+        parts.curves.push_back(read_curve(curve));
+    }
+    if (!parts.shapes.empty() && !parts.curves.empty()) {
+        top.refuse("curve", "shapes and curves in one scene", "closed curves in place of shapes");
+    }
+}
+
+void read_motion(const TableReader& top, SceneParts& parts) {
+    const std::vector<std::string> kinds{"flow", "curvature", "growth"};
+    if (std::ranges::none_of(kinds, [&](const std::string& kind) { return top.has(kind); })) {
+        return;
+    }
+    const std::string kind = top.one_of(kinds);
+    if (kind == "flow") {
+        const std::vector<TableReader> legs = top.tables("flow");
+        if (legs.empty()) {
+            top.refuse("flow", "bad value", "a table");
+        }
+        parts.flow = read_flow(legs);
+    } else if (kind == "curvature") {
+        parts.curvature = read_curvature(top.table("curvature"));
+    } else {
+        parts.growth = read_growth(top.table("growth"));
+    }
+}
+
+bool is_file_name(const std::string& name) {
+    return !name.empty() && name.size() <= longest_file_name &&
+           std::ranges::all_of(name, [](char c) {
+               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      c == '-' || c == '_';
+           });
+}
+
+// It becomes part of the names of frames, so it must not lead out of their folder.
+std::string read_name(const TableReader& top) {
+    if (!top.has("name")) {
+        const std::string stem = top.file().stem().string();
+        return is_file_name(stem) ? stem : "scene";
+    }
+    std::string name = top.text("name");
+    if (!is_file_name(name)) {
+        top.refuse("name", "bad value", "1 to 64 letters, digits, - and _");
+    }
+    return name;
+}
+
+std::optional<Scene> read_base(const TableReader& top, const std::vector<Scene>& scenes) {
+    if (!top.has("scene")) {
+        return std::nullopt;
+    }
+    const std::string name = top.text("scene");
+    std::vector<std::string> names;
+    for (const Scene& scene : scenes) {
+        if (scene.name == name) {
+            return scene;
+        }
+        names.push_back(scene.name);
+    }
+    top.refuse("scene", "unknown scene", allowed_names(name, names));
+}
+
+} // namespace
+
+SceneFile read_scene_text(const std::string& text, const std::filesystem::path& path,
+                          const std::vector<Scene>& scenes) {
+    const toml::table table = parse_toml(text, path);
+    const TableReader top(table, "", path);
+    top.allow({"name", "description", "scene", "domain", "shape", "curve", "flow", "curvature",
+               "growth", "options", "exact", "measure", "limits"});
+    SceneFile file;
+    SceneParts parts{.where = path.string(), .base = read_base(top, scenes)};
+    file.scene = parts.base.value_or(Scene{});
+    file.scene.name = read_name(top);
+    file.scene.description =
+        top.has("description") ? top.text("description") : "a scene from a file";
+    file.scene.section = path.string();
+    if (!parts.base) {
+        file.scene.keys.emplace_back("period");
+        file.scene.defaults.h = 0;
+        file.scene.defaults.dt = 0;
+    }
+    if (top.has("options")) {
+        read_options(top.table("options"), file.scene.keys, file.scene.defaults);
+    }
+    if (!(file.scene.defaults.h > 0)) {
+        throw InputError({.what = "key missing",
+                          .where = path.string() + ": [options]",
+                          .value = "no h",
+                          .allowed = "the length of edges, such as h = 0.02"});
+    }
+    read_geometry(top, parts);
+    read_motion(top, parts);
+    if (top.has("exact")) {
+        parts.exact = read_exact(top.table("exact"), scenes);
+    }
+    if (top.has("measure")) {
+        read_measure(top.table("measure"), parts, file);
+    }
+    if (top.has("limits")) {
+        file.limits = read_limits(top.table("limits"));
+    }
+    file.scene.prepare = [parts = std::move(parts)](const Parameters& p) {
+        return prepare(parts, p);
+    };
+    // What only shows when the parts come together is said now.
+    (void)file.scene.prepare(file.scene.defaults);
+    return file;
+}
+
+SceneFile read_scene_file(const std::filesystem::path& path, const std::vector<Scene>& scenes) {
+    return read_scene_text(read_text_file(path), path, scenes);
+}
+
+bool is_scene_file(const std::string& name) {
+    return name.find('/') != std::string::npos || name.ends_with(".toml");
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// A scene in one file of TOML (https://toml.io), for scenes that are nobody's but yours. Nothing
+// but [options] is needed; what a table holds is said in the header that is named beside it.
+//
+//     name = "my-scene"           # of result files; else the file's own
+//     description = "..."
+//     scene = "swirl"             # begins as this scene of the catalogue; what follows replaces
+//                                 # its parts, and its exact shape unless only options change
+//     [domain]                    # low = [0, 0], high = [1, 1]; clamped = true: the ends of
+//                                 # curves on the sides stay where they are
+//     [[shape]]                   # phase = 1, hole_phase = 0, and a source (outline_source.h):
+//     what
+//                                 # is in an odd number of its closed lines has the phase
+//     [[curve]]                   # left, right: the phases beside it, and a source; in place of
+//                                 # shapes, where several phases meet
+//     [flow]                      # flow_source.h
+//     [curvature]                 # keeps = [phases], pairs = [{one, other, tension, mobility}]
+//     [growth]                    # speed, turns_at: phase 1 into 0 (scene.h)
+//     [options]                   # all keys of --set; h, and two of dt, steps and period
+//     [exact]                     # exact_source.h
+//     [measure]                   # phase, half_step; shape = false: no errors against the exact
+//     one [limits]                    # figure = most, or figure = { least, most }: names as in
+//     result
+//                                 # files, such as sd_rel_last
+#pragma once
+
+#include "scenes/catalogue/catalogue.h"
+
+#include <filesystem>
+#include <limits>
+
+namespace dsc::scenes {
+
+/// What a figure of a result has to keep to; both bounds are allowed.
+struct FigureLimit {
+    std::string figure; ///< its name in result files
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+};
+
+struct SceneFile {
+    Scene scene;
+    std::vector<FigureLimit> limits{};
+    bool measures_shape = true; ///< see RunOptions
+};
+
+/// Reads a scene and the files that it names, relative to its own folder. Nothing is written, and
+/// what the scene computes later depends on these texts alone. Throws InputError with file, line,
+/// key, value and what is allowed; FileError for a file that cannot be read.
+[[nodiscard]] SceneFile read_scene_file(const std::filesystem::path& path,
+                                        const std::vector<Scene>& scenes = catalogue());
+
+/// The same from a text that is called `path` in errors.
+[[nodiscard]] SceneFile read_scene_text(const std::string& text, const std::filesystem::path& path,
+                                        const std::vector<Scene>& scenes = catalogue());
+
+/// True for what names a file rather than a scene: with a slash, or ending in .toml.
+[[nodiscard]] bool is_scene_file(const std::string& name);
+
+} // namespace dsc::scenes

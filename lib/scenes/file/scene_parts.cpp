@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/file/scene_parts.h"
+
+#include "dsc/base/error.h"
+#include "measures/measures.h"
+
+#include <algorithm>
+
+namespace dsc::scenes {
+
+namespace {
+
+constexpr int largest_phase = 1'000'000;
+constexpr int most_grains = 20'000;
+constexpr double finest_grains = 1e-3;
+constexpr Bounds multiplier{1e-9, 1e9};
+
+Phase read_phase(const TableReader& reader, const std::string& key, Phase otherwise) {
+    return reader.has(key) ? static_cast<Phase>(reader.integer(key, 0, largest_phase)) : otherwise;
+}
+
+std::vector<std::string> with_source_keys(std::vector<std::string> keys) {
+    keys.insert(keys.end(), {"scale", "move"});
+    for (const std::string& key : source_keys()) {
+        keys.push_back(key);
+    }
+    return keys;
+}
+
+// Those of the measures that are single numbers or may be, and counts of the whole run.
+std::vector<std::string> names_of_figures() {
+    std::vector<std::string> names{"inverted", "unreached", "held", "area_ratio",
+                                   "min_quality_ever"};
+    for (const Measure& measure : default_measures()) {
+        names.push_back(measure.name + "_last");
+        names.push_back(measure.name + "_half");
+    }
+    return names;
+}
+
+} // namespace
+
+Rectangle read_domain(const TableReader& reader) {
+    reader.allow({"low", "high", "clamped"});
+    const Rectangle domain{reader.point_or({0, 0}, "low"), reader.point_or({1, 1}, "high")};
+    const Point<double> size = domain.high - domain.low;
+    if (!(size.minCoeff() >= positive_length.low)) {
+        reader.refuse("high", "bad value", "above and to the right of low");
+    }
+    return domain;
+}
+
+ShapeSource read_shape(const TableReader& reader) {
+    reader.allow(with_source_keys({"phase", "hole_phase"}));
+    return {read_outline_source(reader, true), read_phase(reader, "phase", 1),
+            read_phase(reader, "hole_phase", exterior_phase), reader.where()};
+}
+
+CurveSource read_curve(const TableReader& reader) {
+    reader.allow(with_source_keys({"left", "right"}));
+    return {read_outline_source(reader, false), read_phase(reader, "left", 1),
+            read_phase(reader, "right", exterior_phase)};
+}
+
+CurvatureMotion read_curvature(const TableReader& reader) {
+    reader.allow({"pairs", "keeps"});
+    CurvatureMotion motion;
+    for (const TableReader& pair : reader.tables("pairs")) {
+        pair.allow({"one", "other", "tension", "mobility"});
+        motion.pairs.push_back(
+            {.one = static_cast<Phase>(pair.integer("one", 0, largest_phase)),
+             .other = static_cast<Phase>(pair.integer("other", 0, largest_phase)),
+             .tension = pair.number_or(1, "tension", multiplier),
+             .mobility = pair.number_or(1, "mobility", multiplier)});
+    }
+    if (reader.has("keeps")) {
+        for (const int phase : reader.integers("keeps", 1, largest_phase)) {
+            motion.keeps.push_back(static_cast<Phase>(phase));
+        }
+    }
+    return motion;
+}
+
+Growth read_growth(const TableReader& reader) {
+    reader.allow({"speed", "turns_at"});
+    constexpr double never = std::numeric_limits<double>::infinity();
+    return {.speed = reader.number_or(1, "speed"),
+            .turns_at = reader.number_or(never, "turns_at", {0, never})};
+}
+
+std::vector<FigureLimit> read_limits(const TableReader& reader) {
+    reader.allow(names_of_figures());
+    std::vector<FigureLimit> limits;
+    constexpr Bounds any{-1e300, 1e300};
+    for (const std::string& figure : reader.keys()) {
+        FigureLimit limit{.figure = figure};
+        if (const auto bounds = reader.table_if_one(figure)) {
+            bounds->allow({"least", "most"});
+            limit.least = bounds->number_or(limit.least, "least", any);
+            limit.most = bounds->number_or(limit.most, "most", any);
+        } else {
+            limit.most = reader.number(figure, any);
+        }
+        if (!(limit.least <= limit.most)) {
+            reader.refuse(figure, "bad value", "least, which is at most most");
+        }
+        limits.push_back(limit);
+    }
+    return limits;
+}
+
+void read_options(const TableReader& reader, const std::vector<std::string>& keys,
+                  Parameters& parameters) {
+    reader.allow(keys);
+    for (const Key& key : parameter_keys()) {
+        if (reader.has(key.name) && !key.parse(parameters, reader.setting(key.name))) {
+            reader.refuse(key.name, "bad value", key.allowed);
+        }
+    }
+}
+
+void check_grains(const Scene& scene, const Parameters& parameters, const std::string& where) {
+    if (std::ranges::find(scene.keys, "grains") == scene.keys.end()) {
+        return;
+    }
+    // Without a number, there are as many as fit: see catalogue/networks.cpp.
+    if (parameters.grains > most_grains ||
+        (parameters.grains == 0 && parameters.h < finest_grains)) {
+        throw InputError({.what = "too many grains for a scene file",
+                          .where = where,
+                          .value = std::to_string(parameters.grains) +
+                                   " grains, h = " + std::to_string(parameters.h),
+                          .allowed = "at most 20000 grains, or h of at least 0.001"});
+    }
+}
+
+void add_shapes(const std::vector<ShapeSource>& shapes, double edge_length, Setup& setup) {
+    for (const ShapeSource& shape : shapes) {
+        const std::vector<Piece> pieces = shape.source.pieces(edge_length);
+        const std::vector<int> depths = nesting(pieces);
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (!pieces[i].is_closed || pieces[i].points.size() < 3) {
+                throw InputError({.what = "a line that encloses nothing",
+                                  .where = shape.where,
+                                  .value = std::to_string(pieces[i].points.size()) + " points",
+                                  .allowed = "closed lines of 3 points or more"});
+            }
+            setup.outlines.push_back(pieces[i].points);
+            setup.phases.push_back(depths[i] == 0 ? shape.phase : shape.hole_phase);
+        }
+    }
+}
+
+void add_curves(const std::vector<CurveSource>& curves, double edge_length, Setup& setup) {
+    for (const CurveSource& curve : curves) {
+        for (Piece& piece : curve.source.pieces(edge_length)) {
+            if (piece.is_closed && !piece.points.empty()) {
+                const Point<double> first = piece.points.front();
+                piece.points.push_back(first);
+            }
+            setup.curves.push_back({std::move(piece.points), curve.left, curve.right});
+        }
+    }
+}
+
+std::vector<FirstShape> first_shapes(const std::vector<ShapeSource>& shapes, const Setup& setup) {
+    std::vector<FirstShape> first;
+    if (shapes.size() == 1 && shapes.front().source.curve) {
+        first.push_back({*shapes.front().source.curve});
+        return first;
+    }
+    Phase phase = exterior_phase;
+    for (std::size_t i = 0; i < setup.outlines.size(); ++i) {
+        const bool is_hole = setup.phases[i] == exterior_phase;
+        if (!is_hole && phase != exterior_phase && setup.phases[i] != phase) {
+            throw InputError(
+                {.what = "the exact shapes of several phases",
+                 .where = shapes.front().where,
+                 .value = std::to_string(phase) + " and " + std::to_string(setup.phases[i]),
+                 .allowed = "shapes of one phase, and their holes"});
+        }
+        phase = is_hole ? phase : setup.phases[i];
+        const Outline& outline = setup.outlines[i];
+        first.push_back(
+            {polygon_curve(signed_area(outline) < 0 ? reversed(outline) : outline), is_hole});
+    }
+    return first;
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/file/table_reader.h"
+
+#include "dsc/base/error.h"
+#include "scenes/file/nearest.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace dsc::scenes {
+
+namespace {
+
+/// Of a value that is repeated in an error.
+constexpr std::size_t longest_value = 60;
+
+std::string shortest_digits(double value) {
+    char digits[32];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
+    return {digits, end};
+}
+
+std::string as_written(const toml::node& node) {
+    std::ostringstream stream;
+    node.visit([&](const auto& value) { stream << value; });
+    std::string text = stream.str();
+    std::ranges::replace(text, '\n', ' ');
+    if (text.size() > longest_value) {
+        text = text.substr(0, longest_value) + "...";
+    }
+    return text;
+}
+
+std::optional<double> finite_number(const toml::node& node, Bounds bounds) {
+    if (!node.is_number()) {
+        return std::nullopt;
+    }
+    const auto value = node.value<double>();
+    // Written so that NaN is refused too.
+    return value && *value >= bounds.low && *value <= bounds.high ? value : std::nullopt;
+}
+
+std::optional<int> bounded_integer(const toml::node& node, int low, int high) {
+    const auto value = node.value_exact<std::int64_t>();
+    return value && *value >= low && *value <= high ? std::optional(static_cast<int>(*value))
+                                                    : std::nullopt;
+}
+
+std::optional<Point<double>> finite_point(const toml::node& node) {
+    const toml::array* array = node.as_array();
+    if (array == nullptr || array->size() != 2) {
+        return std::nullopt;
+    }
+    const auto x = finite_number((*array)[0], {});
+    const auto y = finite_number((*array)[1], {});
+    return x && y ? std::optional(Point<double>(*x, *y)) : std::nullopt;
+}
+
+std::string range(const std::string& kind, double low, double high) {
+    return kind + " from " + shortest_digits(low) + " to " + shortest_digits(high);
+}
+
+const std::string a_point = "two numbers [x, y] from -1e+06 to 1e+06";
+
+} // namespace
+
+std::string TableReader::where(const std::string& key) const {
+    const toml::node* node = key.empty() ? nullptr : table_->get(key);
+    const auto line = (node != nullptr ? node : table_)->source().begin.line;
+    std::string text = file_->string();
+    if (line > 0) {
+        text += ':' + std::to_string(line);
+    }
+    text += (name_.empty() ? "" : ": [" + name_ + "]");
+    return key.empty() ? text : text + (name_.empty() ? ": " : " ") + key;
+}
+
+void TableReader::refuse(const std::string& key, const std::string& what,
+                         const std::string& allowed) const {
+    const toml::node* node = key.empty() ? nullptr : table_->get(key);
+    throw InputError({.what = what,
+                      .where = where(key),
+                      .value = node != nullptr ? as_written(*node) : "a table",
+                      .allowed = allowed});
+}
+
+const toml::node& TableReader::at(const std::string& key) const {
+    const toml::node* node = table_->get(key);
+    if (node == nullptr) {
+        std::string names;
+        for (const std::string& one : keys()) {
+            names += (names.empty() ? "" : ", ") + one;
+        }
+        throw InputError({.what = "key missing",
+                          .where = where(),
+                          .value = names.empty() ? "nothing" : names,
+                          .allowed = "with the key " + key});
+    }
+    return *node;
+}
+
+std::vector<std::string> TableReader::keys() const {
+    std::vector<std::string> names;
+    for (const auto& entry : *table_) {
+        names.emplace_back(entry.first.str());
+    }
+    return names;
+}
+
+double TableReader::number(const std::string& key, Bounds bounds) const {
+    const auto value = finite_number(at(key), bounds);
+    if (!value) {
+        refuse(key, "bad value", range("a number", bounds.low, bounds.high));
+    }
+    return *value;
+}
+
+double TableReader::number_or(double otherwise, const std::string& key, Bounds bounds) const {
+    return has(key) ? number(key, bounds) : otherwise;
+}
+
+int TableReader::integer(const std::string& key, int low, int high) const {
+    const auto value = bounded_integer(at(key), low, high);
+    if (!value) {
+        refuse(key, "bad value", range("a whole number", low, high));
+    }
+    return *value;
+}
+
+bool TableReader::flag_or(bool otherwise, const std::string& key) const {
+    if (!has(key)) {
+        return otherwise;
+    }
+    const auto value = at(key).value_exact<bool>();
+    if (!value) {
+        refuse(key, "bad value", "true or false");
+    }
+    return *value;
+}
+
+std::string TableReader::text(const std::string& key) const {
+    const auto value = at(key).value_exact<std::string>();
+    if (!value) {
+        refuse(key, "bad value", "a text in quotes");
+    }
+    return *value;
+}
+
+std::vector<std::string> TableReader::texts(const std::string& key) const {
+    std::vector<std::string> list;
+    const toml::array* array = at(key).as_array();
+    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
+        if (const auto value = (*array)[i].value_exact<std::string>()) {
+            list.push_back(*value);
+        }
+    }
+    if (array == nullptr || list.size() != array->size()) {
+        refuse(key, "bad value", "a list of texts in quotes");
+    }
+    return list;
+}
+
+std::vector<int> TableReader::integers(const std::string& key, int low, int high) const {
+    std::vector<int> list;
+    const toml::array* array = at(key).as_array();
+    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
+        if (const auto value = bounded_integer((*array)[i], low, high)) {
+            list.push_back(*value);
+        }
+    }
+    if (array == nullptr || list.size() != array->size()) {
+        refuse(key, "bad value", range("a list of whole numbers", low, high));
+    }
+    return list;
+}
+
+Point<double> TableReader::point(const std::string& key) const {
+    const auto value = finite_point(at(key));
+    if (!value) {
+        refuse(key, "bad value", a_point);
+    }
+    return *value;
+}
+
+Point<double> TableReader::point_or(const Point<double>& otherwise, const std::string& key) const {
+    return has(key) ? point(key) : otherwise;
+}
+
+std::vector<Point<double>> TableReader::points(const std::string& key) const {
+    const toml::array* array = at(key).as_array();
+    if (array == nullptr || array->size() > most_points) {
+        refuse(key, "bad value",
+               "a list of at most " + std::to_string(most_points) + " points [x, y]");
+    }
+    std::vector<Point<double>> list;
+    list.reserve(array->size());
+    for (const toml::node& node : *array) {
+        const auto value = finite_point(node);
+        if (!value) {
+            throw InputError({.what = "bad point " + std::to_string(list.size() + 1),
+                              .where = file_->string() + ':' +
+                                       std::to_string(node.source().begin.line) + ": [" + name_ +
+                                       "] " + key,
+                              .value = as_written(node),
+                              .allowed = a_point});
+        }
+        list.push_back(*value);
+    }
+    return list;
+}
+
+TableReader TableReader::table(const std::string& key) const {
+    const toml::table* table = at(key).as_table();
+    if (table == nullptr) {
+        refuse(key, "bad value", "a table: [" + key + "], or " + key + " = { ... }");
+    }
+    return {*table, name_.empty() ? key : name_ + "." + key, *file_};
+}
+
+std::optional<TableReader> TableReader::table_if_one(const std::string& key) const {
+    return at(key).is_table() ? std::optional(table(key)) : std::nullopt;
+}
+
+std::vector<TableReader> TableReader::tables(const std::string& key) const {
+    std::vector<TableReader> list;
+    if (!has(key)) {
+        return list;
+    }
+    if (at(key).is_table()) {
+        list.push_back(table(key));
+        return list;
+    }
+    const toml::array* array = at(key).as_array();
+    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
+        if (const toml::table* one = (*array)[i].as_table()) {
+            list.emplace_back(*one, name_.empty() ? key : name_ + "." + key, *file_);
+        }
+    }
+    if (array == nullptr || list.size() != array->size()) {
+        refuse(key, "bad value", "tables: [[" + key + "]]");
+    }
+    return list;
+}
+
+std::string TableReader::setting(const std::string& key) const {
+    const toml::node& node = at(key);
+    if (const auto text = node.value_exact<std::string>()) {
+        return *text;
+    }
+    if (const auto flag = node.value_exact<bool>()) {
+        return *flag ? "yes" : "no";
+    }
+    if (const auto integer = node.value_exact<std::int64_t>()) {
+        return std::to_string(*integer);
+    }
+    if (const auto number = node.value_exact<double>()) {
+        return shortest_digits(*number);
+    }
+    refuse(key, "bad value", "a number, or a text in quotes");
+}
+
+void TableReader::allow(std::span<const std::string> keys) const {
+    for (const auto& entry : *table_) {
+        const std::string key(entry.first.str());
+        if (std::ranges::find(keys, key) == keys.end()) {
+            const std::string at_line = file_->string() + ':' +
+                                        std::to_string(entry.first.source().begin.line) +
+                                        (name_.empty() ? "" : ": [" + name_ + "]");
+            throw InputError({.what = "unknown key",
+                              .where = at_line,
+                              .value = "'" + key.substr(0, longest_value) + "'",
+                              .allowed = allowed_names(key, keys)});
+        }
+    }
+}
+
+std::string TableReader::one_of(std::span<const std::string> keys) const {
+    std::string found;
+    std::string all;
+    for (const std::string& key : keys) {
+        all += (all.empty() ? "" : ", ") + key;
+        if (!has(key)) {
+            continue;
+        }
+        if (!found.empty()) {
+            refuse(key, "two keys where there can be one, " + found + " and " + key, "one of them");
+        }
+        found = key;
+    }
+    if (found.empty()) {
+        throw InputError({.what = "key missing",
+                          .where = where(),
+                          .value = "none",
+                          .allowed = "one of: " + all});
+    }
+    return found;
+}
+
+toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
+    try {
+        return toml::parse(text, file.string());
+    } catch (const toml::parse_error& error) {
+        const auto& at = error.source().begin;
+        const std::size_t begin = [&] {
+            std::size_t line_begin = 0;
+            for (toml::source_index line = 1; line < at.line; ++line) {
+                const std::size_t end = text.find('\n', line_begin);
+                if (end == std::string::npos) {
+                    break;
+                }
+                line_begin = end + 1;
+            }
+            return line_begin;
+        }();
+        const std::string line = text.substr(begin, text.find('\n', begin) - begin);
+        throw InputError({.what = std::string(error.description()),
+                          .where = file.string() + ':' + std::to_string(at.line) + ", column " +
+                                   std::to_string(at.column),
+                          .value = "'" + line.substr(0, longest_value) + "'",
+                          .allowed = "TOML: tables in [brackets], key = value, texts in quotes"});
+    }
+}
+
+} // namespace dsc::scenes

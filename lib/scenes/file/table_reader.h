@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// A table of a TOML file, read key by key: each value is checked as it is read, and what is wrong
+// is said with file, line, key, value and what is allowed.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dsc::scenes {
+
+/// No coordinate, length or count of points in a scene file is larger.
+inline constexpr double largest_coordinate = 1e6;
+inline constexpr std::size_t most_points = 1'000'000;
+
+/// A number with both bounds, which are included.
+struct Bounds {
+    double low = -largest_coordinate;
+    double high = largest_coordinate;
+};
+
+/// A length above 0.
+inline constexpr Bounds positive_length{1e-9, largest_coordinate};
+
+/// The table and the file's name must outlive it. Every function throws InputError for a value of
+/// another kind or out of bounds.
+class TableReader {
+public:
+    /// `name` is the table's own in the file, for errors; empty: the whole file.
+    TableReader(const toml::table& table, std::string name, const std::filesystem::path& file)
+        : table_(&table), name_(std::move(name)), file_(&file) {}
+
+    [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }
+    [[nodiscard]] std::vector<std::string> keys() const;
+    [[nodiscard]] const std::filesystem::path& file() const { return *file_; }
+    [[nodiscard]] const std::string& name() const { return name_; }
+
+    [[nodiscard]] double number(const std::string& key, Bounds bounds = {}) const;
+    [[nodiscard]] double number_or(double otherwise, const std::string& key,
+                                   Bounds bounds = {}) const;
+    [[nodiscard]] int integer(const std::string& key, int low, int high) const;
+    [[nodiscard]] bool flag_or(bool otherwise, const std::string& key) const;
+    [[nodiscard]] std::string text(const std::string& key) const;
+    [[nodiscard]] std::vector<std::string> texts(const std::string& key) const;
+    [[nodiscard]] std::vector<int> integers(const std::string& key, int low, int high) const;
+    [[nodiscard]] Point<double> point(const std::string& key) const;
+    [[nodiscard]] Point<double> point_or(const Point<double>& otherwise,
+                                         const std::string& key) const;
+    [[nodiscard]] std::vector<Point<double>> points(const std::string& key) const;
+    [[nodiscard]] TableReader table(const std::string& key) const;
+    /// A list of tables, or a table that stands for a list of one; empty if there is no such key.
+    [[nodiscard]] std::vector<TableReader> tables(const std::string& key) const;
+
+    /// The table of this key; nothing if its value is no table.
+    [[nodiscard]] std::optional<TableReader> table_if_one(const std::string& key) const;
+    /// The value as --set takes it: a number, a text, or yes and no.
+    [[nodiscard]] std::string setting(const std::string& key) const;
+    /// Throws InputError for the first key that is not one of these.
+    void allow(std::span<const std::string> keys) const;
+    void allow(std::initializer_list<std::string> keys) const {
+        allow(std::span(keys.begin(), keys.size()));
+    }
+    /// The one of these keys that the table has. Throws InputError if it has none of them or more
+    /// than one.
+    [[nodiscard]] std::string one_of(std::span<const std::string> keys) const;
+
+    /// "scene.toml:12: [domain] low"; without a key, the table itself.
+    [[nodiscard]] std::string where(const std::string& key = "") const;
+    /// `value` as it is in the file; without a key, that of the whole table is "a table".
+    [[noreturn]] void refuse(const std::string& key, const std::string& what,
+                             const std::string& allowed) const;
+
+private:
+    [[nodiscard]] const toml::node& at(const std::string& key) const;
+
+    const toml::table* table_;
+    std::string name_;
+    const std::filesystem::path* file_;
+};
+
+/// Throws InputError, with the line, for what is no TOML.
+[[nodiscard]] toml::table parse_toml(const std::string& text, const std::filesystem::path& file);
+
+} // namespace dsc::scenes
