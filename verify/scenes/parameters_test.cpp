@@ -62,6 +62,7 @@ TEST(Parameters, TakeGoodValues) {
     EXPECT_EQ(with("shortest", "0.125").interface.shortest, 0.125);
     EXPECT_EQ(with("deviation", "0.001").interface.deviation, 0.001);
     EXPECT_EQ(with("turn", "15").interface.turn_degrees, 15);
+    EXPECT_EQ(with("corner", "180").interface.corner_degrees, 180);
     EXPECT_EQ(with("gap", "2").interface.gap, 2);
     EXPECT_EQ(with("grading", "2.5").interface.grading, 2.5);
     EXPECT_EQ(with("finest", "0.05").interface.finest, 0.05);
@@ -114,8 +115,8 @@ std::vector<Bad> bad_values() {
                               "99999999999999999999", "0x10", "+5", "5 "}) {
         list.push_back({"steps", value});
     }
-    for (const char* key :
-         {"tolerance", "longest", "shortest", "deviation", "turn", "gap", "grading", "finest"}) {
+    for (const char* key : {"tolerance", "longest", "shortest", "deviation", "turn", "corner",
+                            "gap", "grading", "finest"}) {
         for (const char* value : {"", "abc", "-1", "nan", "inf", "1e9", "0.1x"}) {
             list.push_back({key, value});
         }
@@ -137,18 +138,14 @@ INSTANTIATE_TEST_SUITE_P(Parameters, BadValue, testing::ValuesIn(bad_values()),
 // What a result file says of a run can be given back to the command line.
 TEST(Parameters, ArePrintedAsTheyAreRead) {
     const std::map<std::string, std::string> texts{
-        {"h", "0.125"},          {"dt", "0.5"},
-        {"steps", "260"},        {"period", "8"},
-        {"angle", "30"},         {"grains", "25"},
-        {"integrator", "euler"}, {"tolerance", "0.25"},
-        {"insertion", "arc"},    {"coarsening", "area"},
-        {"reading", "cubic"},    {"longest", "1.25"},
-        {"shortest", "0.125"},   {"deviation", "0.5"},
-        {"turn", "15"},          {"gap", "2"},
-        {"grading", "2.5"},      {"finest", "0.0625"},
-        {"topology", "change"},  {"contact", "0.0078125"},
-        {"give_back", "yes"},    {"real", "float"},
-        {"seed", "18446744073709551615"}};
+        {"h", "0.125"},          {"dt", "0.5"},          {"steps", "260"},
+        {"period", "8"},         {"angle", "30"},        {"grains", "25"},
+        {"integrator", "euler"}, {"tolerance", "0.25"},  {"insertion", "arc"},
+        {"coarsening", "area"},  {"reading", "cubic"},   {"longest", "1.25"},
+        {"shortest", "0.125"},   {"deviation", "0.5"},   {"turn", "15"},
+        {"corner", "180"},       {"gap", "2"},           {"grading", "2.5"},
+        {"finest", "0.0625"},    {"topology", "change"}, {"contact", "0.0078125"},
+        {"give_back", "yes"},    {"real", "float"},      {"seed", "18446744073709551615"}};
     for (const Key& key : parameter_keys()) {
         ASSERT_TRUE(texts.contains(key.name)) << key.name;
         const std::string text = texts.at(key.name);

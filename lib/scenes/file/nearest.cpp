@@ -39,6 +39,13 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
     if (name.size() > longest_name) {
         return nearest;
     }
+    if (name.size() > 2) {
+        const auto longer = std::ranges::find_if(
+            names, [&](const std::string& one) { return one.starts_with(name); });
+        if (longer != names.end()) {
+            return *longer;
+        }
+    }
     std::size_t fewest = name.size() / 3 + 1; // of "stpes" two may be wrong
     for (const std::string& one : names) {
         const std::size_t changes = letters_to_change(name, one);

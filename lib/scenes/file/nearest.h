@@ -8,8 +8,9 @@
 
 namespace dsc::scenes {
 
-/// The name with the fewest letters to change, if they are few; otherwise empty. Letters may be
-/// added, left out, exchanged for others, or swapped with their neighbours.
+/// The first name that goes on where this one ends, or else the one with the fewest letters to
+/// change, if they are few; otherwise empty. Letters may be added, left out, exchanged for others,
+/// or swapped with their neighbours.
 [[nodiscard]] std::string nearest_name(std::string_view name, std::span<const std::string> names);
 
 /// All names, after the nearest one if there is one: "did you mean h? one of: h, dt".

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Every scene of the catalogue, written as a scene file, runs to the same bits.
+#include "scenes/file/describe.h"
+
+#include "dsc/base/error.h"
+#include "scenes/file/formula/formula_flow.h"
+#include "scenes/file/scene_file.h"
+#include "scenes/run/run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace dsc::scenes {
+namespace {
+
+constexpr int described_steps = 4;
+
+// Coarse, and with the time step of a whole run.
+Parameters short_run(const Scene& scene) {
+    Parameters parameters = scene.defaults;
+    parameters.h = 2 * scene.defaults.h;
+    parameters.dt = scene.prepare(parameters).dt;
+    parameters.steps = scene.counts_steps_each_way ? described_steps / 2 : described_steps;
+    return parameters;
+}
+
+void expect_same_bits(const RunResult& a, const RunResult& b) {
+    EXPECT_EQ(a.mesh_hash, b.mesh_hash);
+    EXPECT_EQ(a.steps, b.steps);
+    ASSERT_EQ(a.last.size(), b.last.size());
+    for (const char* figure : {"sd_rel", "area", "area_drift_exact", "hausdorff"}) {
+        const double one = number(a.last, figure);
+        const double other = number(b.last, figure);
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(one), std::bit_cast<std::uint64_t>(other))
+            << figure << ": " << one << " and " << other;
+    }
+    EXPECT_EQ(a.half.has_value(), b.half.has_value());
+}
+
+class Described : public testing::TestWithParam<std::string> {};
+
+TEST_P(Described, RunsToTheSameBits) {
+    const Scene& scene = find_scene(GetParam());
+    const Parameters parameters = short_run(scene);
+    const SceneFile file = read_scene_text(describe(scene, parameters), "described.toml");
+    EXPECT_EQ(file.scene.name, scene.name);
+    EXPECT_EQ(file.scene.description, scene.description);
+    const RunResult from_catalogue = run_scene(scene, parameters, {});
+    const RunResult from_file = run_scene(file.scene, file.scene.defaults, {});
+    expect_same_bits(from_catalogue, from_file);
+    EXPECT_GE(from_file.steps, described_steps);
+    // Nothing would be compared if nobody knew the exact shape.
+    EXPECT_EQ(std::isfinite(number(from_file.last, "sd_rel")),
+              static_cast<bool>(scene.prepare(parameters).exact));
+}
+
+TEST_P(Described, HasAllSettingsAndPartsOfTheScene) {
+    const Scene& scene = find_scene(GetParam());
+    const scenes::Setup there = scene.prepare(scene.defaults);
+    const Scene read = read_scene_text(describe(scene, scene.defaults), "described.toml").scene;
+    const scenes::Setup here = read.prepare(read.defaults);
+    EXPECT_EQ(here.dt, there.dt);
+    EXPECT_EQ(here.steps, there.steps);
+    EXPECT_EQ(here.half_step, there.half_step);
+    EXPECT_EQ(here.measured, there.measured);
+    EXPECT_EQ(here.clamped, there.clamped);
+    EXPECT_EQ(here.outlines, there.outlines);
+    EXPECT_EQ(here.curves.size(), there.curves.size());
+    EXPECT_EQ(here.flow.size(), there.flow.size());
+    EXPECT_EQ(here.curvature.has_value(), there.curvature.has_value());
+    EXPECT_EQ(here.growth.has_value(), there.growth.has_value());
+    for (const Key& key : parameter_keys()) {
+        if (key.is_common && key.name != "dt" && key.name != "steps") {
+            EXPECT_EQ(key.value(read.defaults), key.value(scene.defaults)) << key.name;
+        }
+    }
+}
+
+std::vector<std::string> names_of_scenes() {
+    std::vector<std::string> names;
+    for (const Scene& scene : catalogue()) {
+        names.push_back(scene.name);
+    }
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Described, testing::ValuesIn(names_of_scenes()),
+                         [](const auto& one) {
+                             std::string name = one.param;
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
+
+TEST(Describe, RepeatsFormulasAndNumbersToTheBit) {
+    const SceneFile first = read_scene_text(R"(
+name = "mine"
+[options]
+h = 0.05
+dt = 0.1
+steps = 2
+seed = "18446744073709551615"
+[flow]
+u = "a*x"
+v = "-a*y"
+parameters = { a = 0.1 }
+[[shape]]
+phase = 3
+points = [[0.1, 0.2], [0.30000000000000004, 0.2], [0.3333333333333333, 0.7]]
+)",
+                                            "mine.toml");
+    const std::string text = describe(first.scene, first.scene.defaults);
+    const SceneFile second = read_scene_text(text, "mine.toml");
+    EXPECT_EQ(text, describe(second.scene, second.scene.defaults));
+    const scenes::Setup setup = second.scene.prepare(second.scene.defaults);
+    EXPECT_EQ(setup.outlines.at(0).at(1).x(), 0.30000000000000004);
+    EXPECT_EQ(setup.phases, std::vector<Phase>{3});
+    EXPECT_EQ(second.scene.defaults.seed, UINT64_MAX);
+    ASSERT_NE(setup.flow.at(0).velocity.target<FormulaFlow>(), nullptr);
+}
+
+TEST(Describe, RefusesAFlowWithoutAName) {
+    Scene scene = find_scene("scaling");
+    scene.prepare = [prepare = scene.prepare](const Parameters& p) {
+        scenes::Setup setup = prepare(p);
+        setup.flow = steady([](auto, double, auto) {});
+        return setup;
+    };
+    EXPECT_THROW((void)describe(scene, scene.defaults), InputError);
+}
+
+} // namespace
+} // namespace dsc::scenes

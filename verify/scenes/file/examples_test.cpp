@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The example files run, each of them keeps to its limits, and the README shows one of them as it
+// is.
+#include "dsc/queries/validate.h"
+#include "scenes/file/scene_file.h"
+#include "scenes/file/text_file.h"
+#include "scenes/run/run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace dsc::scenes {
+namespace {
+
+std::vector<std::string> names_of_examples() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(DSC_EXAMPLES)) {
+        if (entry.path().extension() == ".toml") {
+            names.push_back(entry.path().stem().string());
+        }
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+std::filesystem::path example(const std::string& name) {
+    return std::filesystem::path(DSC_EXAMPLES) / (name + ".toml");
+}
+
+class Example : public testing::TestWithParam<std::string> {};
+
+TEST_P(Example, RunsAndStaysValid) {
+    const SceneFile file = read_scene_file(example(GetParam()));
+    RunOptions options;
+    options.observer = [](int step, const Complex<double>& complex) {
+        ASSERT_EQ(validate(complex).problem, "") << "after step " << step;
+    };
+    const RunResult result = run_scene(file.scene, file.scene.defaults, options);
+    EXPECT_TRUE(result.holds());
+    EXPECT_EQ(result.steps, file.scene.prepare(file.scene.defaults).steps);
+    for (const FigureLimit& limit : file.limits) {
+        const std::size_t last = limit.figure.rfind("_last");
+        ASSERT_NE(last, std::string::npos) << limit.figure;
+        const double measured = number(result.last, limit.figure.substr(0, last).c_str());
+        EXPECT_GE(measured, limit.least) << limit.figure;
+        EXPECT_LE(measured, limit.most) << limit.figure;
+    }
+}
+
+TEST_P(Example, BeginsWithACommentOfTwoLines) {
+    const std::string text = read_text_file(example(GetParam()));
+    EXPECT_TRUE(text.starts_with("# "));
+    const std::size_t second = text.find('\n') + 1;
+    EXPECT_EQ(text.compare(second, 2, "# "), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, Example, testing::ValuesIn(names_of_examples()),
+                         [](const auto& one) {
+                             std::string name = one.param;
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
+
+TEST(Readme, ShowsAnExampleAsItIs) {
+    const std::string readme = read_text_file(DSC_README);
+    EXPECT_NE(readme.find("```toml\n" + read_text_file(example("my-vortex")) + "```"),
+              std::string::npos);
+}
+
+TEST(Examples, AreWhatTheyShow) {
+    const SceneFile bubbles = read_scene_file(example("double-bubble"));
+    const RunResult result = run_scene(bubbles.scene, bubbles.scene.defaults, {});
+    // Films that meet at 120 degrees, and areas that are kept.
+    EXPECT_LT(result.junctions.largest_error_degrees, 2);
+    EXPECT_NEAR(result.area_ratio, 1, 1e-6);
+}
+
+} // namespace
+} // namespace dsc::scenes

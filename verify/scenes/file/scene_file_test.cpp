@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+// What a scene file means, and what is said of one that means nothing.
+#include "scenes/file/scene_file.h"
+
+#include "dsc/base/error.h"
+#include "flows/velocity.h"
+#include "scenes/run/run.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace dsc::scenes {
+namespace {
+
+/// Lines 1 to 4 of what follows.
+const std::string options = "[options]\nh = 0.1\ndt = 0.01\nsteps = 2\n";
+const std::string disc = "[[shape]]\ncircle = { centre = [0.5, 0.5], radius = 0.2 }\n";
+
+SceneFile read(const std::string& text) { return read_scene_text(text, "s.toml"); }
+
+scenes::Setup setup_of(const std::string& text) {
+    const Scene scene = read(text).scene;
+    return scene.prepare(scene.defaults);
+}
+
+RunResult run_text(const std::string& text) {
+    const Scene scene = read(text).scene;
+    return run_scene(scene, scene.defaults, {});
+}
+
+TEST(SceneFile, NeedsNoMoreThanOptions) {
+    const SceneFile file = read(options);
+    EXPECT_EQ(file.scene.name, "s");
+    const RunResult result = run_scene(file.scene, file.scene.defaults, {});
+    EXPECT_TRUE(result.holds());
+    EXPECT_EQ(result.steps, 2);
+}
+
+TEST(SceneFile, TakesSettingsLikeAnyScene) {
+    const Scene scene = read(options + disc).scene;
+    Parameters parameters = scene.defaults;
+    apply_setting(parameters, scene.keys, "steps=5");
+    apply_setting(parameters, scene.keys, "h=0.05");
+    apply_setting(parameters, scene.keys, "period=3");
+    const scenes::Setup setup = scene.prepare(parameters);
+    EXPECT_EQ(setup.steps, 5);
+    EXPECT_GT(setup.outlines.at(0).size(), scene.prepare(scene.defaults).outlines.at(0).size());
+}
+
+TEST(SceneFile, FindsTheThirdOfDtStepsAndPeriod) {
+    const scenes::Setup by_dt = setup_of("[options]\nh = 0.1\ndt = 0.25\nperiod = 2\n");
+    EXPECT_EQ(by_dt.steps, 8);
+    EXPECT_EQ(by_dt.half_step, 4);
+    const scenes::Setup by_steps = setup_of("[options]\nh = 0.1\nsteps = 5\nperiod = 2\n");
+    EXPECT_EQ(by_steps.dt, 0.4);
+    EXPECT_FALSE(by_steps.half_step);
+}
+
+TEST(SceneFile, HasFlowsOneAfterTheOther) {
+    const scenes::Setup setup = setup_of(
+        options + "[[flow]]\nuntil = 1\nswirl = { amplitude = 2 }\n"
+                  "[[flow]]\nuntil = 2\nreversed = true\nu = 'x'\nv = 'k*period'\n"
+                  "parameters = { k = 3 }\n[[flow]]\nfalling = { surface = 0, depth = 1 }");
+    ASSERT_EQ(setup.flow.size(), 3U);
+    EXPECT_EQ(setup.flow[0].end, 1);
+    ASSERT_NE(setup.flow[0].velocity.target<Swirl>(), nullptr);
+    EXPECT_EQ(setup.flow[0].velocity.target<Swirl>()->amplitude, 2);
+    EXPECT_NE(setup.flow[1].velocity.target<Reversed>(), nullptr);
+    EXPECT_TRUE(std::isinf(setup.flow[2].end));
+}
+
+TEST(SceneFile, HasPhasesHolesAndCurves) {
+    const scenes::Setup shapes = setup_of(options +
+                                          "[[shape]]\nphase = 3\nhole_phase = 2\n"
+                                          "path = 'M.1.1h.8v.8h-.8z M.3.3h.4v.4h-.4z'\n" +
+                                          "[measure]\nphase = 3");
+    EXPECT_EQ(shapes.phases, (std::vector<Phase>{3, 2}));
+    EXPECT_EQ(shapes.measured, 3U);
+    const scenes::Setup curves =
+        setup_of(options + "[domain]\nhigh = [2, 1]\nclamped = true\n"
+                           "[[curve]]\nleft = 1\nright = 2\npoints = [[1, 0], [1, 1]]\n"
+                           "[[curve]]\nleft = 3\nright = 1\ncircle = "
+                           "{ centre = [0.5, 0.5], radius = 0.2 }\n[curvature]\nkeeps = [3]\n"
+                           "pairs = [{ one = 1, other = 2, tension = 2 }]");
+    ASSERT_EQ(curves.curves.size(), 2U);
+    EXPECT_TRUE(curves.clamped);
+    EXPECT_EQ(curves.domain.high.x(), 2);
+    EXPECT_EQ(curves.curves[1].points.front(), curves.curves[1].points.back());
+    ASSERT_TRUE(curves.curvature);
+    EXPECT_EQ(curves.curvature->pairs.at(0).tension, 2);
+    EXPECT_EQ(curves.curvature->keeps, std::vector<Phase>{3});
+}
+
+TEST(SceneFile, ShapesOfSeveralPhasesRun) {
+    const RunResult result = run_text(
+        options + "[flow]\ntranslation = { velocity = [0.1, 0] }\n"
+                  "[[shape]]\nphase = 2\nrectangle = { low = [0.1, 0.1], high = [0.4, 0.9] }\n"
+                  "[[shape]]\nphase = 5\nellipse = { centre = [0.7, 0.5], radii = [0.1, 0.2] }");
+    EXPECT_TRUE(result.holds());
+    ASSERT_EQ(result.phases.phases.size(), 3U);
+    EXPECT_EQ(result.phases.phases[2].phase, 5U);
+    EXPECT_NEAR(result.phases.phases[1].area, 0.24, 1e-9);
+}
+
+TEST(SceneFile, ScalesAndMovesWhatItReads) {
+    const scenes::Setup setup =
+        setup_of(options + "[[shape]]\npoints = [[0, 0], [1, 0], [1, 1]]\nscale = [0.5, -0.5]\n"
+                           "move = [0.2, 0.8]");
+    EXPECT_EQ(setup.outlines.at(0), (Outline{{0.2, 0.8}, {0.7, 0.8}, {0.7, 0.30000000000000004}}));
+}
+
+TEST(SceneFile, KnowsExactShapes) {
+    const std::string vortex =
+        "[options]\nh = 0.1\ndt = 0.1\nperiod = 2\n[flow]\nswirl = { period = "
+        "2 }\n" +
+        disc;
+    const auto back = setup_of(vortex + "[exact]\nback = true").exact;
+    EXPECT_NEAR(back(0).area, 0.04 * 3.14159265358979, 1e-9);
+    EXPECT_NEAR(back(2).area, 0.04 * 3.14159265358979, 1e-9);
+    EXPECT_TRUE(std::isnan(back(1).area)) << "nobody knows";
+    const auto carried = setup_of(vortex + "[exact]\ncarried = true").exact;
+    EXPECT_NEAR(signed_area(carried(1).outlines), 0.04 * 3.14159265358979, 1e-6);
+    const auto circle =
+        setup_of(vortex + "[exact]\ncircle = { centre = [0.5, 0.5], radius = '0.2 + t' }").exact;
+    EXPECT_NEAR(circle(0.1).area, 0.09 * 3.14159265358979, 1e-9);
+    const auto holes =
+        setup_of(options + "[flow]\ntranslation = { velocity = [1, 0] }\n[[shape]]\n"
+                           "path = 'M.1.1h.4v.8h-.4z M.2.3h.2v.4h-.2z'\n[exact]\ncarried = true")
+            .exact;
+    EXPECT_NEAR(holes(0.1).area, 0.4 * 0.8 - 0.2 * 0.4, 1e-9);
+    EXPECT_NEAR(signed_area(holes(0.1).outlines), 0.4 * 0.8 - 0.2 * 0.4, 1e-6);
+}
+
+TEST(SceneFile, IsMeasuredWhereTheExactShapeIsKnown) {
+    const RunResult result =
+        run_text("[options]\nh = 0.05\ndt = 0.05\nperiod = 1\n[flow]\nswirl = { period = 1 }\n" +
+                 disc + "[exact]\nback = true");
+    EXPECT_LT(number(result.last, "sd_rel"), 0.01);
+    ASSERT_TRUE(result.half);
+    EXPECT_TRUE(std::isnan(number(*result.half, "sd_rel")));
+}
+
+TEST(SceneFile, BeginsAsASceneOfTheCatalogue) {
+    const Scene swirl = find_scene("swirl");
+    Parameters parameters = swirl.defaults;
+    parameters.h = 0.05;
+    parameters.steps = 3;
+    const Scene scene = read("scene = 'swirl'\n[options]\nh = 0.05\nsteps = 3\n").scene;
+    const RunResult result = run_scene(scene, scene.defaults, {});
+    EXPECT_EQ(result.mesh_hash, run_scene(swirl, parameters, {}).mesh_hash);
+    EXPECT_EQ(result.parameters.steps, 3) << "each way, as in the catalogue";
+    EXPECT_TRUE(std::isfinite(number(result.last, "sd_rel")));
+
+    const scenes::Setup other = setup_of("scene = 'swirl'\n" + disc);
+    EXPECT_EQ(other.steps, 520);
+    EXPECT_EQ(other.outlines.size(), 1U);
+    EXPECT_FALSE(other.exact) << "that of another shape";
+}
+
+TEST(SceneFile, KeepsLimits) {
+    const auto limits =
+        read(options + "[limits]\nsd_rel_last = 1e-3\narea_ratio = { least = 0.9, most = 1.1 }\n")
+            .limits;
+    ASSERT_EQ(limits.size(), 2U);
+    EXPECT_EQ(limits[0].figure, "area_ratio");
+    EXPECT_EQ(limits[0].least, 0.9);
+    EXPECT_EQ(limits[1].most, 1e-3);
+    EXPECT_TRUE(std::isinf(limits[1].least));
+}
+
+// The vertices on the left have no velocity: they are held and counted, as for any flow.
+TEST(SceneFile, HoldsVerticesWhereAFormulaHasNoValue) {
+    const RunResult result = run_text(options + "[flow]\nu = 'sqrt(x - 0.5)'\nv = '0'\n" + disc);
+    EXPECT_GT(result.held, 0U);
+    EXPECT_EQ(result.steps, 2);
+    EXPECT_EQ(result.inverted, 0U);
+}
+
+struct Wrong {
+    std::string text;
+    std::vector<std::string> words; ///< of the sentence
+};
+
+TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
+    const std::string shape = options + "[[shape]]\n";
+    const std::string flow = options + "[flow]\n";
+    const std::vector<Wrong> wrong{
+        {"[options\n", {"s.toml:1", "[options"}},
+        {"a = 1\na = 2\n", {"s.toml:2", "a = 2"}},
+        {"[option]\nh = 1\n", {"s.toml:1", "'option'", "did you mean options?"}},
+        {"[options]\nh = 0.1\nstpes = 3\n", {"s.toml:3", "[options]", "'stpes'", "mean steps?"}},
+        {"[options]\nh = 0.1\nintegrator = 'rk5'\n", {"s.toml:3", "integrator", "rk5", "rk4"}},
+        {"[options]\nh = -1\n", {"s.toml:2", "[options] h", "-1", "1e-5 to 1"}},
+        {"[options]\nh = nan\n", {"s.toml:2", "nan", "1e-5 to 1"}},
+        {"[options]\nh = [1]\n", {"s.toml:2", "h", "a number"}},
+        {"[options]\nh = 0.1\nsteps = 1.5\n", {"s.toml:3", "steps", "1.5", "whole number"}},
+        {"[options]\nh = 0.1\nangle = 9\n", {"s.toml:3", "'angle'"}},
+        {"[options]\ndt = 1\nsteps = 1\n", {"s.toml", "[options]", "no h"}},
+        {"[options]\nh = 0.1\ndt = 1\n", {"s.toml", "dt alone", "steps"}},
+        {"[options]\nh = 1e-5\ndt = 1\nsteps = 1\n[domain]\nhigh = [9, 9]\n", {"s.toml", "edges"}},
+        {"options = 3\n", {"s.toml:1", "options", "3", "[options]"}},
+        {"name = '../x'\n" + options, {"s.toml:1", "name", "../x", "letters"}},
+        {"name = ''\n" + options, {"s.toml:1", "name"}},
+        {"scene = 'swril'\n", {"s.toml:1", "swril", "did you mean swirl?"}},
+        {options + "[domain]\nlow = [0, 0]\nhigh = [0, 1]\n", {"s.toml:7", "[domain] high"}},
+        {options + "[domain]\nlow = [0, nan]\n", {"s.toml:6", "[domain] low", "nan", "[x, y]"}},
+        {options + "[domain]\nlow = [0, 0, 0]\n", {"s.toml:6", "[domain] low", "[x, y]"}},
+        {shape, {"s.toml:5", "[shape]", "points, file, path, circle"}},
+        {shape + "circle = { centre = [0.5, 0.5] }\n", {"s.toml:6", "[shape.circle]", "radius"}},
+        {shape + "circle = { centre = [0.5, 0.5], radius = 0 }\n", {"s.toml:6", "radius", "0"}},
+        {shape + "circle = { centre = 5, radius = 1 }\n", {"s.toml:6", "centre", "5", "[x, y]"}},
+        {shape + "cricle = 5\n", {"s.toml:6", "'cricle'", "did you mean circle?"}},
+        {shape + "points = [[0,0],[1,0],[1,1]]\npath = 'M0 0'\n", {"s.toml:7", "points and path"}},
+        {shape + "points = [[0,0],\n[1,0],\n[1]]\n", {"s.toml:8", "bad point 3", "[x, y]"}},
+        {shape + "points = [[0,0],[1,0]]\n", {"s.toml:5", "2 points", "3 points or more"}},
+        {shape + "path = 'M 0 0 L 1'\n", {"s.toml:6", "character 10"}},
+        {shape + "path = 'M 0 0 L 1 1 L 0 1'\n", {"s.toml:5", "closed"}},
+        {shape + "polygon = { corners = [[0,0],[1,1]] }\n", {"s.toml:6", "corners", "at least 3"}},
+        {shape + "crescent = { centre = [0,0], radius = 1, bite_centre = [5,0], bite_radius = 1 }",
+         {"s.toml:6", "[shape.crescent]", "circles cross"}},
+        {shape + "phase = -1\npath = ''\n", {"s.toml:6", "phase", "-1"}},
+        {shape + "file = 'x.exe'\n", {"s.toml:6", "x.exe", ".geojson"}},
+        {options + "shape = 3\n", {"s.toml:5", "unknown key", "'shape'"}},
+        {disc + "[[curve]]\npoints = [[0, 0], [1, 1]]\n" + options, {"s.toml:3", "curve"}},
+        {flow, {"s.toml:5", "[flow]", "swirl"}},
+        {flow + "u = 'x +'\nv = '1'\n", {"s.toml:6", "[flow] u", "character 4", "a number"}},
+        {flow + "u = 'x'\nv = 'z'\n", {"s.toml:7", "[flow] v", "character 1", "'z'", "x, y, t"}},
+        {flow + "u = 'x'\n", {"s.toml:5", "[flow]", "key v"}},
+        {flow + "u = 1\nv = '1'\n", {"s.toml:6", "[flow] u", "in quotes"}},
+        {flow + "u = 'x'\nv = 'x'\nparameters = { sin = 1 }\n", {"s.toml:8", "sin", "bad name"}},
+        {flow + "swirl = { speed = 1 }\n", {"s.toml:6", "[flow.swirl]", "'speed'", "amplitude"}},
+        {flow + "swirl = {}\nu = '1'\n", {"s.toml:6", "u and swirl"}},
+        {flow + "swirl = {}\nv = '1'\n", {"s.toml:7", "v", "formulas"}},
+        {options + "[[flow]]\nswirl = {}\n[[flow]]\nswirl = {}\n", {"s.toml:5", "until"}},
+        {options + "[[flow]]\nswirl = {}\nuntil = 2\n[[flow]]\nswirl = {}\nuntil = 1\n",
+         {"s.toml:10", "until", "order"}},
+        {flow + "swirl = {}\n[growth]\nspeed = 1\n", {"s.toml:7", "flow and growth"}},
+        {options + "[curvature]\nkeeps = [0]\n", {"s.toml:6", "keeps", "whole numbers from 1"}},
+        {options + "[curvature]\npairs = [{ one = 1 }]\n", {"s.toml:6", "other"}},
+        {options + "[exact]\nback = true\n", {"s.toml:6", "back", "period"}},
+        {options + "[exact]\n", {"s.toml:5", "[exact]", "back, carried, circle, scene"}},
+        {options + "[exact]\nscene = 'grains'\n", {"s.toml:6", "grains"}},
+        {options + "[exact]\nscene = 'swirl'\nset = ['h=9']\n", {"s.toml:7", "'9'", "1e-5 to 1"}},
+        {options + "[limits]\nsd_rel = 1\n", {"s.toml:6", "'sd_rel'", "did you mean sd_rel_last?"}},
+        {options + "[limits]\nsd_rel_last = '1'\n", {"s.toml:6", "sd_rel_last", "a number"}},
+        {options + "[measure]\nphase = 0\n", {"s.toml:6", "phase", "from 1"}},
+        {"scene = 'grains'\n[options]\nh = 1e-4\n", {"s.toml", "grains", "20000"}},
+    };
+    for (const auto& [text, words] : wrong) {
+        SCOPED_TRACE(text);
+        try {
+            (void)read(text);
+            ADD_FAILURE() << "accepted";
+        } catch (const InputError& error) {
+            for (const std::string& word : words) {
+                EXPECT_NE(std::string(error.what()).find(word), std::string::npos)
+                    << "'" << word << "' is not in: " << error.what();
+            }
+        }
+    }
+}
+
+class FilesBeside : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = std::filesystem::path(testing::TempDir()) /
+                  ("scene_files_" + std::to_string(::getpid()));
+        std::filesystem::create_directories(folder_ / "data");
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(FilesBeside, AreFoundFromTheSceneFile) {
+    write("mine.toml", options + "[[shape]]\nfile = 'data/outline.txt'\n[[shape]]\n"
+                                 "file = 'data/map.geojson'\nphase = 2\n");
+    write("data/outline.txt", "0.1 0.1\n0.3 0.1\n0.3 0.3\n");
+    write("data/map.geojson",
+          R"({"type":"Polygon","coordinates":[[[0.5,0.5],[0.8,0.5],[0.8,0.8],[0.5,0.5]]]})");
+    const Scene scene = read_scene_file(folder_ / "mine.toml").scene;
+    EXPECT_EQ(scene.name, "mine");
+    const scenes::Setup setup = scene.prepare(scene.defaults);
+    ASSERT_EQ(setup.outlines.size(), 2U);
+    EXPECT_EQ(setup.phases, (std::vector<Phase>{1, 2}));
+}
+
+TEST_F(FilesBeside, AreRefusedWhereTheyCannotBeRead) {
+    EXPECT_THROW((void)read_scene_file(folder_ / "none.toml"), FileError);
+    EXPECT_THROW((void)read_scene_file(folder_), FileError);
+    EXPECT_THROW((void)read_scene_file("/dev/zero"), FileError);
+    write("a.toml", options + "[[shape]]\nfile = 'none.txt'\n");
+    EXPECT_THROW((void)read_scene_file(folder_ / "a.toml"), FileError);
+    write("b.toml", options + "[[shape]]\nfile = 'bad.txt'\n");
+    write("bad.txt", "0 0\n1 0\nx\n");
+    try {
+        (void)read_scene_file(folder_ / "b.toml");
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(error.where().find("bad.txt:3"), std::string::npos) << error.what();
+    }
+    std::filesystem::create_directory(folder_ / "folder.txt");
+    write("c.toml", options + "[[shape]]\nfile = 'folder.txt'\n");
+    EXPECT_THROW((void)read_scene_file(folder_ / "c.toml"), FileError);
+}
+
+TEST(SceneFile, IsWhatHasASlashOrEndsInToml) {
+    EXPECT_TRUE(is_scene_file("a.toml"));
+    EXPECT_TRUE(is_scene_file("folder/a"));
+    EXPECT_FALSE(is_scene_file("swirl"));
+}
+
+} // namespace
+} // namespace dsc::scenes
