@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whatever is in a scene file, reading it ends with a scene or an error that says what is wrong, and
-// so does making the first complex of it, if that is small. The files are those of the examples
+// Whatever is in a scene file, reading it ends with a scene or an error that says what is wrong,
+// and so does making the first complex of it, if that is small. The files are those of the examples
 // with bytes, numbers and lines changed, doubled, swapped or lost.
 //
 // The seeds are fixed; DSC_FUZZ_FILES=N tries N files, and DSC_FUZZ_FIRST says where to begin.
@@ -49,14 +49,17 @@ public:
     explicit Mutator(std::uint64_t seed) : random_(seed) {}
 
     std::string mutated(std::string text) {
-        const std::size_t count = 1 + below(4);
+        const std::size_t count = 1 + below(3);
         for (std::size_t i = 0; i < count && !text.empty(); ++i) {
-            switch (below(6)) {
+            switch (below(9)) {
             case 0: text[below(text.size())] = static_cast<char>(below(256)); break;
             case 1: text.erase(below(text.size()), 1 + below(8)); break;
             case 2: text.insert(below(text.size()), token()); break;
-            case 3:
-            case 4: replace_number(text); break;
+            case 3: replace_number(text); break;
+            case 4:
+            case 5:
+            case 6:
+            case 7: replace_digit(text); break;
             default: move_line(text);
             }
         }
@@ -70,11 +73,18 @@ private:
 
     std::string token() {
         static const std::array<std::string, 31> tokens{
-            "[",      "]",     "{",    "}",      "\"",    "=",          ",",     "\n",
-            "-",      ".",     "e",    "nan",    "inf",   "1e308",      "0",     "-1",
-            "999999", "1e-12", "true", "[[",     "shape", "[curve]\n", "Z",     "A 1 1 0 0 1 ",
-            "sin(",   "^",     "x",    "\\u0000", "'",     "#",          "1e-5"};
+            "[",      "]",     "{",    "}",       "\"",    "=",         ",",   "\n",
+            "-",      ".",     "e",    "nan",     "inf",   "1e308",     "0",   "-1",
+            "999999", "1e-12", "true", "[[",      "shape", "[curve]\n", "Z",   "A 1 1 0 0 1 ",
+            "sin(",   "^",     "x",    "\\u0000", "'",     "#",         "1e-5"};
         return tokens[below(tokens.size())];
+    }
+
+    void replace_digit(std::string& text) {
+        const std::size_t at = text.find_first_of("0123456789", below(text.size()));
+        if (at != std::string::npos) {
+            text[at] = static_cast<char>('0' + below(10));
+        }
     }
 
     void replace_number(std::string& text) {
