@@ -83,6 +83,33 @@ class SceneGood(CommandLine):
         for name in names:
             xml.parse(os.path.join(self.path("frames"), name))
 
+    def test_a_described_scene_runs_to_the_same_mesh(self):
+        described = self.call("describe", "zalesak", *SHORT)
+        self.assertEqual((described.returncode, described.stderr), (0, ""))
+        with open(self.path("mine.toml"), "w", encoding="utf-8") as stream:
+            stream.write(described.stdout)
+        results = []
+        for scene in (["zalesak", *SHORT], ["mine.toml"]):
+            done = self.call("run", *scene, "--json", self.path("r.json"))
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(self.path("r.json"), encoding="utf-8") as stream:
+                result = json.load(stream)
+            results.append([result[key] for key in ("scene", "mesh_hash", "sd_rel_last")])
+        self.assertEqual(*results)
+
+    def test_a_scene_file_takes_settings(self):
+        with open(self.path("mine.toml"), "w", encoding="utf-8") as stream:
+            stream.write("[options]\nh = 0.1\ndt = 0.1\nsteps = 9\n[flow]\nu = '-y'\nv = 'x'\n")
+        done = self.call("run", "./mine.toml", *SHORT, "--json", self.path("r.json"), "--frames",
+                         self.path("frames"))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.path("r.json"), encoding="utf-8") as stream:
+            result = json.load(stream)
+        self.assertEqual((result["scene"], result["steps"]), ("mine", 4))
+        self.assertEqual(result["parameters"]["h"], 0.05)
+        self.assertTrue(all(name.startswith(("mine", "r.json")) for name in self.files()),
+                        self.files())
+
     def test_an_interrupted_run_keeps_its_result(self):
         with subprocess.Popen([SCENE, "run", "swirl", "--set", "h=0.02", "--set", "steps=1000000",
                                "--json", self.path("r.json")], stdout=subprocess.DEVNULL,
@@ -110,6 +137,15 @@ class SceneBad(CommandLine):
     def test_unknown_scene(self):
         for name in ("swril", "", "SWIRL", "../swirl"):
             self.expect_refusal("run", name, words=[f"'{name}'", "swirl", "scaling"])
+
+    def test_bad_scene_file(self):
+        self.expect_refusal("run", "none.toml", words=["none.toml", "No such file", "swirl"])
+        self.expect_refusal("run", "/dev/zero", words=["/dev/zero", "regular"])
+        with open(self.path("mine.toml"), "w", encoding="utf-8") as stream:
+            stream.write("[options]\nh = 0.1\n\nstpes = 9\n")
+        self.expect_refusal("run", "mine.toml", words=["mine.toml:4", "'stpes'", "steps"])
+        self.expect_refusal("describe", "none", words=["'none'", "swirl"])
+        self.expect_refusal("describe")
 
     def test_unknown_strategy(self):
         for name in ("cubes", "", "Fixed"):

@@ -127,8 +127,21 @@ std::string names_of_strategies() {
 
 // One of the list, or from a file.
 SceneFile scene_called(const std::string& name, const std::vector<Scene>& scenes) {
-    return is_scene_file(name) ? read_scene_file(name, scenes)
-                               : SceneFile{.scene = find_scene(name, scenes)};
+    if (!is_scene_file(name)) {
+        return {.scene = find_scene(name, scenes)};
+    }
+    try {
+        return read_scene_file(name, scenes);
+    } catch (const FileError& error) {
+        std::string names;
+        for (const Scene& scene : scenes) {
+            names += (names.empty() ? "" : ", ") + scene.name;
+        }
+        throw InputError({.what = error.what(),
+                          .where = "run",
+                          .value = "'" + name + "'",
+                          .allowed = "a scene file that can be read, or one of " + names});
+    }
 }
 
 Parameters with_settings(const Scene& scene, const std::vector<std::string>& settings) {

@@ -2,6 +2,7 @@
 #include "scenes/file/table_reader.h"
 
 #include "dsc/base/error.h"
+#include "scenes/file/excerpt.h"
 #include "scenes/file/nearest.h"
 
 #include <algorithm>
@@ -13,9 +14,6 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Of a value that is repeated in an error.
-constexpr std::size_t longest_value = 60;
-
 std::string shortest_digits(double value) {
     char digits[32];
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
@@ -25,12 +23,7 @@ std::string shortest_digits(double value) {
 std::string as_written(const toml::node& node) {
     std::ostringstream stream;
     node.visit([&](const auto& value) { stream << value; });
-    std::string text = stream.str();
-    std::ranges::replace(text, '\n', ' ');
-    if (text.size() > longest_value) {
-        text = text.substr(0, longest_value) + "...";
-    }
-    return text;
+    return excerpt(stream.str());
 }
 
 std::optional<double> finite_number(const toml::node& node, Bounds bounds) {
@@ -95,7 +88,7 @@ const toml::node& TableReader::at(const std::string& key) const {
         }
         throw InputError({.what = "key missing",
                           .where = where(),
-                          .value = names.empty() ? "nothing" : names,
+                          .value = names.empty() ? "nothing" : excerpt(names),
                           .allowed = "with the key " + key});
     }
     return *node;
@@ -270,7 +263,7 @@ void TableReader::allow(std::span<const std::string> keys) const {
                                         (name_.empty() ? "" : ": [" + name_ + "]");
             throw InputError({.what = "unknown key",
                               .where = at_line,
-                              .value = "'" + key.substr(0, longest_value) + "'",
+                              .value = quoted_excerpt(key),
                               .allowed = allowed_names(key, keys)});
         }
     }
@@ -315,10 +308,10 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
             return line_begin;
         }();
         const std::string line = text.substr(begin, text.find('\n', begin) - begin);
-        throw InputError({.what = std::string(error.description()),
+        throw InputError({.what = excerpt(error.description()),
                           .where = file.string() + ':' + std::to_string(at.line) + ", column " +
                                    std::to_string(at.column),
-                          .value = "'" + line.substr(0, longest_value) + "'",
+                          .value = quoted_excerpt(line),
                           .allowed = "TOML: tables in [brackets], key = value, texts in quotes"});
     }
 }

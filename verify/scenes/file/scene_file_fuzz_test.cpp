@@ -169,6 +169,7 @@ TEST(SceneFileFuzz, EndsWithASceneOrAnError) {
             }
         } catch (const InputError& error) {
             EXPECT_FALSE(error.where().empty());
+            EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "one line";
             EXPECT_FALSE(error.allowed().empty()) << error.what();
         } catch (const FileError& error) {
             EXPECT_FALSE(error.path().empty());

@@ -229,6 +229,7 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {flow, {"s.toml:5", "[flow]", "swirl"}},
         {flow + "u = 'x +'\nv = '1'\n", {"s.toml:6", "[flow] u", "character 4", "a number"}},
         {flow + "u = 'x'\nv = 'z'\n", {"s.toml:7", "[flow] v", "character 1", "'z'", "x, y, t"}},
+        {flow + "u = '''x\n+\n$\n\t!'''\nv = '1'\n", {"s.toml:6", "character 5", "'$  !'"}},
         {flow + "u = 'x'\n", {"s.toml:5", "[flow]", "key v"}},
         {flow + "u = 1\nv = '1'\n", {"s.toml:6", "[flow] u", "in quotes"}},
         {flow + "u = 'x'\nv = 'x'\nparameters = { sin = 1 }\n", {"s.toml:8", "sin", "bad name"}},

@@ -2,6 +2,7 @@
 #include "scenes/file/formula/parser.h"
 
 #include "dsc/base/error.h"
+#include "scenes/file/excerpt.h"
 
 #include <algorithm>
 #include <cctype>
@@ -63,8 +64,8 @@ private:
         throw InputError(
             {.what = what + " at character " + std::to_string(at_ + 1) + " of the formula",
              .where = where_,
-             .value = at_ < text_.size() ? "'" + std::string(text_.substr(at_, 32)) + "'"
-                                         : "the end of '" + std::string(text_.substr(0, 64)) + "'",
+             .value = at_ < text_.size() ? quoted_excerpt(text_.substr(at_))
+                                         : "the end of " + quoted_excerpt(text_),
              .allowed = allowed});
     }
 

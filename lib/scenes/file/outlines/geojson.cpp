@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/base/error.h"
+#include "scenes/file/excerpt.h"
 #include "scenes/file/outlines/pieces.h"
 #include "scenes/file/table_reader.h"
 
@@ -46,7 +47,7 @@ public:
         } else if (type == "\"LineString\"") {
             add_line(list(object, "coordinates"), false);
         } else {
-            refuse("unknown type of geometry", type.empty() ? "no object" : type.substr(0, 60),
+            refuse("unknown type of geometry", type.empty() ? "no object" : type,
                    "Polygon, MultiPolygon, LineString, MultiLineString, GeometryCollection, "
                    "Feature, FeatureCollection");
         }
@@ -57,7 +58,8 @@ public:
 private:
     [[noreturn]] void refuse(const std::string& what, const std::string& value,
                              const std::string& allowed) const {
-        throw InputError({.what = what, .where = where_, .value = value, .allowed = allowed});
+        throw InputError(
+            {.what = what, .where = where_, .value = excerpt(value), .allowed = allowed});
     }
 
     [[nodiscard]] const Json& member(const Json& object, const char* name) const {
@@ -71,14 +73,14 @@ private:
     [[nodiscard]] const Json& list(const Json& object, const char* name) const {
         const Json& value = member(object, name);
         if (!value.is_array()) {
-            refuse("not a list", value.dump().substr(0, 60), std::string("a list of ") + name);
+            refuse("not a list", value.dump(), std::string("a list of ") + name);
         }
         return value;
     }
 
     void add_lines(const Json& lines, bool is_polygon) {
         if (!lines.is_array()) {
-            refuse("not a list of lines", lines.dump().substr(0, 60), "a list");
+            refuse("not a list of lines", lines.dump(), "a list");
         }
         for (const Json& line : lines) {
             add_line(line, is_polygon);
@@ -87,7 +89,7 @@ private:
 
     void add_line(const Json& positions, bool is_closed) {
         if (!positions.is_array()) {
-            refuse("not a list of positions", positions.dump().substr(0, 60), "a list");
+            refuse("not a list of positions", positions.dump(), "a list");
         }
         Piece piece;
         for (const Json& position : positions) {
@@ -98,8 +100,7 @@ private:
             if (!(std::abs(x) <= largest_coordinate) || !(std::abs(y) <= largest_coordinate) ||
                 ++count_ > most_points) {
                 refuse(count_ > most_points ? "too many positions" : "not a position",
-                       position.dump().substr(0, 60),
-                       "[x, y] from -1e6 to 1e6, at most 1000000 of them");
+                       position.dump(), "[x, y] from -1e6 to 1e6, at most 1000000 of them");
             }
             piece.points.emplace_back(x, y);
         }
@@ -122,8 +123,10 @@ std::vector<Piece> read_geojson(const std::string& text, const std::string& wher
     try {
         json = Json::parse(text);
     } catch (const Json::exception& error) {
-        throw InputError(
-            {.what = "no JSON", .where = where, .value = error.what(), .allowed = "GeoJSON"});
+        throw InputError({.what = "no JSON",
+                          .where = where,
+                          .value = excerpt(error.what()),
+                          .allowed = "GeoJSON"});
     }
     GeoJsonReader reader(where);
     reader.read(json);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/base/error.h"
+#include "scenes/file/excerpt.h"
 #include "scenes/file/outlines/pieces.h"
 #include "scenes/file/table_reader.h"
 
@@ -86,7 +87,7 @@ std::vector<Piece> read_points(std::string_view text, bool close, const std::str
             line.find_first_not_of(" \t\r,") != std::string_view::npos || ++count > most_points) {
             throw InputError({.what = count > most_points ? "too many points" : "not a point",
                               .where = where + ':' + std::to_string(number),
-                              .value = "'" + std::string(whole.substr(0, 60)) + "'",
+                              .value = quoted_excerpt(whole),
                               .allowed = "two numbers x y, at most 1000000 lines of them"});
         }
         pieces.back().points.emplace_back(x, y);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/base/error.h"
+#include "scenes/file/excerpt.h"
 #include "scenes/file/outlines/pieces.h"
 #include "scenes/file/table_reader.h"
 
@@ -53,8 +54,7 @@ private:
         throw InputError(
             {.what = what + " at character " + std::to_string(at_ + 1) + " of the path",
              .where = where_,
-             .value =
-                 at_ < text_.size() ? "'" + std::string(text_.substr(at_, 32)) + "'" : "the end",
+             .value = at_ < text_.size() ? quoted_excerpt(text_.substr(at_)) : "the end",
              .allowed = allowed});
     }
 

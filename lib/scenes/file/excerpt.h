@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// A piece of somebody's text as errors repeat it.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace dsc::scenes {
+
+inline constexpr std::size_t longest_excerpt = 60; ///< characters
+
+/// The beginning of the text on one line: an error is one sentence on one line, and must not do to
+/// a terminal what control characters can.
+[[nodiscard]] inline std::string excerpt(std::string_view text) {
+    std::string line(text.substr(0, longest_excerpt));
+    std::ranges::replace_if(
+        line, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return text.size() > longest_excerpt ? line + "..." : line;
+}
+
+/// The same in quotes.
+[[nodiscard]] inline std::string quoted_excerpt(std::string_view text) {
+    return "'" + excerpt(text) + "'";
+}
+
+} // namespace dsc::scenes
