@@ -155,6 +155,20 @@ std::vector<std::string> TableReader::texts(const std::string& key) const {
     return list;
 }
 
+std::vector<double> TableReader::numbers(const std::string& key, Bounds bounds) const {
+    std::vector<double> list;
+    const toml::array* array = at(key).as_array();
+    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
+        if (const auto value = finite_number((*array)[i], bounds)) {
+            list.push_back(*value);
+        }
+    }
+    if (array == nullptr || list.size() != array->size()) {
+        refuse(key, "bad value", range("a list of numbers", bounds.low, bounds.high));
+    }
+    return list;
+}
+
 std::vector<int> TableReader::integers(const std::string& key, int low, int high) const {
     std::vector<int> list;
     const toml::array* array = at(key).as_array();

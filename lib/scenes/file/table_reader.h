@@ -48,6 +48,7 @@ public:
     [[nodiscard]] bool flag_or(bool otherwise, const std::string& key) const;
     [[nodiscard]] std::string text(const std::string& key) const;
     [[nodiscard]] std::vector<std::string> texts(const std::string& key) const;
+    [[nodiscard]] std::vector<double> numbers(const std::string& key, Bounds bounds = {}) const;
     [[nodiscard]] std::vector<int> integers(const std::string& key, int low, int high) const;
     [[nodiscard]] Point<double> point(const std::string& key) const;
     [[nodiscard]] Point<double> point_or(const Point<double>& otherwise,
