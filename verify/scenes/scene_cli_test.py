@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The command line of dsc_scene: good calls, and every kind of bad one."""
+import csv
 import json
 import os
 import signal
@@ -26,6 +27,23 @@ class SceneGood(CommandLine):
             done = self.call(*arguments)
             self.assertEqual(done.returncode, 0)
             self.assertEqual(done.stderr, "")
+
+    def test_series_adds_up_to_the_result(self):
+        done = self.call("run", "swirl", *SHORT, "--json", self.path("r.json"),
+                         "--series", self.path("s.csv"), "--every", "3")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.path("r.json"), encoding="utf-8") as stream:
+            result = json.load(stream)
+        with open(self.path("s.csv"), encoding="utf-8", newline="") as stream:
+            rows = list(csv.DictReader(stream))
+        self.assertEqual([int(row["step"]) for row in rows], [0, 3, 6, 8])
+        for name, count in result["operations"].items():
+            self.assertEqual(sum(int(row[name]) for row in rows), count, name)
+        self.assertAlmostEqual(sum(float(row["wall_us"]) for row in rows) / 1e6, result["wall_s"])
+        for figure in ("area", "sd_rel", "min_quality", "min_angle_deg"):
+            self.assertEqual(float(rows[-1][figure]), result[f"{figure}_last"])
+        self.assertEqual(int(rows[0]["triangles"]), result["triangles_first"])
+        self.assertEqual(int(rows[-1]["triangles"]), result["triangles_last"])
 
     def test_run_writes_its_result(self):
         done = self.call("run", "swirl", *SHORT, "--json", self.path("r.json"))
@@ -190,6 +208,14 @@ class SceneBad(CommandLine):
             for value in ("0", "-1", "x", "1.5", "1000000", "99999999999", "nan", ""):
                 self.expect_refusal("run", "swirl", *SHORT, "--strategy", "fixed",
                                     f"{option}={value}", words=[option])
+
+    def test_bad_series(self):
+        for value in ("0", "-1", "x", "1.5"):
+            self.expect_refusal("run", "swirl", *SHORT, "--series", self.path("s.csv"),
+                                f"--every={value}", words=["--every"])
+        self.expect_refusal("run", "swirl", *SHORT, "--every", "2", words=["--series"])
+        self.expect_refusal("run", "swirl", *SHORT, "--series", self.path("none/s.csv"),
+                            words=["--series", "allowed"])
 
     def test_bad_angles(self):
         for value in ("x", "nan", "inf", "", "9o"):

@@ -39,6 +39,8 @@ struct Arguments {
     RunOptions run;
     std::optional<std::string> events;
     std::optional<std::string> json;
+    std::optional<std::string> series;
+    int every = 1;
 };
 
 void list_scenes(const std::vector<Scene>& scenes) {
@@ -168,6 +170,10 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     if (arguments.events) {
         check_writable(*arguments.events, "--events");
     }
+    if (arguments.series) {
+        check_writable(*arguments.series, "--series");
+        options.series_every = arguments.every;
+    }
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
 
@@ -178,6 +184,9 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     }
     if (arguments.events) {
         write_file(*arguments.events, events_to_json_lines(result.events));
+    }
+    if (arguments.series) {
+        write_file(*arguments.series, series_to_csv(result.series));
     }
     if (!result.gave_up.empty()) {
         std::cerr << program << ": gave up: " << result.gave_up << '\n';
@@ -224,6 +233,12 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
     run_command->add_option("--json", arguments.json, "file for the result");
     run_command->add_option("--events", arguments.events,
                             "file for the changes of topology, one JSON object a line");
+    auto* series = run_command->add_option(
+        "--series", arguments.series,
+        "file for the run over time: areas, errors, quality, operations, as CSV");
+    run_command->add_option("--every", arguments.every, "steps between the rows of --series (1)")
+        ->needs(series)
+        ->check(CLI::Range(1, 1000000000));
     auto* describe_command =
         app.add_subcommand("describe", "print one scene as a file that can be changed and run");
     describe_command->add_option("scene", arguments.scene, "a name from the list")->required();

@@ -9,8 +9,7 @@
 //     [domain]                    # low = [0, 0], high = [1, 1]; clamped = true: the ends of
 //                                 # curves on the sides stay where they are
 //     [[shape]]                   # phase = 1, hole_phase = 0, and a source (outline_source.h):
-//     what
-//                                 # is in an odd number of its closed lines has the phase
+//                                 # inside an odd number of its closed lines is the phase
 //     [[curve]]                   # left, right: the phases beside it, and a source; in place of
 //                                 # shapes, where several phases meet
 //     [flow]                      # flow_source.h
@@ -18,10 +17,9 @@
 //     [growth]                    # speed, turns_at: phase 1 into 0 (scene.h)
 //     [options]                   # all keys of --set; h, and two of dt, steps and period
 //     [exact]                     # exact_source.h
-//     [measure]                   # phase, half_step; shape = false: no errors against the exact
-//     one [limits]                    # figure = most, or figure = { least, most }: names as in
-//     result
-//                                 # files, such as sd_rel_last
+//     [measure]                   # phase, half_step; shape = false: not against the exact shape
+//     [limits]                    # figure = most, or figure = { least, most }: names as in
+//                                 # result files, such as sd_rel_last
 #pragma once
 
 #include "scenes/catalogue/catalogue.h"

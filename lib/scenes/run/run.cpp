@@ -100,7 +100,7 @@ private:
             complex(), {.reading = result_.parameters.interface.reading, .phase = setup_.measured});
     }
 
-    Figures figures() {
+    Figures figures(const std::vector<Measure>& measures) {
         const auto read = outlines();
         const auto polygons = interface_outlines(complex(), {.phase = setup_.measured});
         std::optional<ExactShape> exact;
@@ -110,12 +110,12 @@ private:
                 exact.reset();
             }
         }
-        return measure(options_.measures, {.mesh = &complex(),
-                                           .outlines = read,
-                                           .polygons = polygons,
-                                           .exact = exact ? &*exact : nullptr,
-                                           .area_first = result_.area_first,
-                                           .area_exact_first = result_.area_exact_first});
+        return measure(measures, {.mesh = &complex(),
+                                  .outlines = read,
+                                  .polygons = polygons,
+                                  .exact = exact ? &*exact : nullptr,
+                                  .area_first = result_.area_first,
+                                  .area_exact_first = result_.area_exact_first});
     }
 
     void first() {
@@ -128,6 +128,34 @@ private:
         look_at_the_worst();
         result_.quality_sampled_every = result_.triangles_first <= few_triangles ? 1 : seldom;
         observe(0);
+        add_to_series(0);
+    }
+
+    // What has been counted so far, less what the rows before have of it.
+    void add_to_series(int step) {
+        const int every = options_.series_every;
+        if (every <= 0 || (step % every != 0 && step != setup_.steps)) {
+            return;
+        }
+        SeriesRow row{.step = step,
+                      .time = time_,
+                      .triangles = complex().triangle_count(),
+                      .interface_vertices = method_.interface_vertices(),
+                      .phases = measure_phases(complex()).phases.size(),
+                      .figures = figures(series_measures_),
+                      .operations = result_.operations,
+                      .events = result_.events.size(),
+                      .unreached = result_.unreached,
+                      .wall_s = result_.wall_s};
+        const SeriesRow so_far = row;
+        for (auto& [name, count] : row.operations) {
+            count -= told_.operations[name];
+        }
+        row.events -= told_.events;
+        row.unreached -= told_.unreached;
+        row.wall_s -= told_.wall_s;
+        told_ = so_far;
+        result_.series.push_back(std::move(row));
     }
 
     void look_at_the_worst() {
@@ -141,16 +169,17 @@ private:
             look_at_the_worst();
         }
         if (setup_.half_step == step) {
-            result_.half = figures();
+            result_.half = figures(options_.measures);
         }
         observe(step);
+        add_to_series(step);
     }
 
     void last(std::vector<double>& step_us) {
         result_.peak_memory_mb = peak_memory_mb();
         result_.triangles_last = complex().triangle_count();
         result_.interface_vertices_last = method_.interface_vertices();
-        result_.last = figures();
+        result_.last = figures(options_.measures);
         result_.area_ratio = signed_area(outlines()) / result_.area_first;
         result_.phases = measure_phases(complex());
         result_.junctions = summarise(measure_junctions(complex()));
@@ -177,6 +206,8 @@ private:
     Method& method_;
     RunResult& result_;
     double time_ = 0;
+    std::vector<Measure> series_measures_ = series_measures();
+    SeriesRow told_; ///< sums over all rows
 };
 
 template <class Method>

@@ -7,6 +7,7 @@
 #include "measures/junctions.h"
 #include "measures/measures.h"
 #include "measures/phases.h"
+#include "scenes/output/series.h"
 #include "scenes/run/strategy.h"
 #include "scenes/scene.h"
 
@@ -22,6 +23,7 @@ struct RunOptions {
     Submeshing submeshing; ///< of the parallel strategies
     std::string frames;    ///< folder for frames (.vtu, .pvd); empty: none
     int frame_count = 9;   ///< approximate number, evenly spread, with the first and the last
+    int series_every = 0;  ///< steps between rows of the time series; 0: none
     bool progress = false; ///< a line on stderr
     /// What is measured at the end, and when a reversing flow is farthest out.
     std::vector<Measure> measures = default_measures();
@@ -62,9 +64,10 @@ struct RunResult {
     std::uint64_t held = 0; ///< of these, because of a velocity that was not finite
     std::uint64_t sub_steps = 0;
     std::map<std::string, std::uint64_t> operations;
-    std::vector<Event> events; ///< changes of topology
-    AreaAccount area;          ///< of these, if it was to be given back
-    double cpu_s = 0;          ///< of all steps, without measuring
+    std::vector<Event> events;     ///< changes of topology
+    AreaAccount area;              ///< of these, if it was to be given back
+    std::vector<SeriesRow> series; ///< with the first and the last step, if it was asked for
+    double cpu_s = 0;              ///< of all steps, without measuring
     double wall_s = 0;
     double step_us_median = 0;     ///< wall time
     double us_per_vertex_step = 0; ///< CPU time over interface vertices, summed over steps

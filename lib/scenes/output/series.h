@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A run over time: rows of figures and counts, as comma-separated values.
+#pragma once
+
+#include "measures/measures.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dsc::scenes {
+
+/// The mesh after a step, and what has been done since the row before.
+struct SeriesRow {
+    int step = 0;
+    double time = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t interface_vertices = 0;
+    std::uint64_t phases = 0; ///< that have a triangle
+    Figures figures;          ///< the same names in all rows
+    std::map<std::string, std::uint64_t> operations;
+    std::uint64_t events = 0; ///< changes of topology
+    std::uint64_t unreached = 0;
+    double wall_s = 0; ///< of the steps, without measuring
+};
+
+/// Measures that are cheap enough for many rows: areas, the symmetric difference where the exact
+/// shape is known, perimeter, worst quality and angle.
+[[nodiscard]] std::vector<Measure> series_measures();
+
+/// A line of names and one line for each row, numbers with the digits that read back the same. A
+/// figure that could not be measured leaves its place empty.
+[[nodiscard]] std::string series_to_csv(const std::vector<SeriesRow>& rows);
+
+} // namespace dsc::scenes
