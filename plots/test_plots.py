@@ -23,6 +23,7 @@ import speedup  # noqa: E402
 import step_cost  # noqa: E402
 import style  # noqa: E402
 from samples import PUBLISHED, VTU, Case, bench, row, scene, verify  # noqa: E402
+from test_over_time import OverTime  # noqa: E402, F401
 from test_parallel import Parallel  # noqa: E402, F401  (its tests run with these)
 from test_precision import Precision  # noqa: E402, F401
 

@@ -42,6 +42,7 @@ class SceneGood(CommandLine):
         self.assertAlmostEqual(sum(float(row["wall_us"]) for row in rows) / 1e6, result["wall_s"])
         for figure in ("area", "sd_rel", "min_quality", "min_angle_deg"):
             self.assertEqual(float(rows[-1][figure]), result[f"{figure}_last"])
+        self.assertEqual(float(rows[-1]["interface_length"]), result["phases"][1]["perimeter"])
         self.assertEqual(int(rows[0]["triangles"]), result["triangles_first"])
         self.assertEqual(int(rows[-1]["triangles"]), result["triangles_last"])
 

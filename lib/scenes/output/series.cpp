@@ -42,6 +42,7 @@ void for_each_column(const SeriesRow& row, const std::set<std::string>& operatio
     put("triangles", cell(row.triangles));
     put("interface_vertices", cell(row.interface_vertices));
     put("phases", cell(row.phases));
+    put("interface_length", cell(row.interface_length));
     for (const Figure& figure : row.figures) {
         put(figure.name, cell(number(row.figures, figure.name)));
     }
@@ -57,8 +58,8 @@ void for_each_column(const SeriesRow& row, const std::set<std::string>& operatio
 } // namespace
 
 std::vector<Measure> series_measures() {
-    constexpr std::array<std::string_view, 7> cheap{
-        "area", "area_exact", "sd", "sd_rel", "perimeter", "min_quality", "min_angle_deg"};
+    constexpr std::array<std::string_view, 6> cheap{"area",   "area_exact",  "sd",
+                                                    "sd_rel", "min_quality", "min_angle_deg"};
     std::vector<Measure> measures = default_measures();
     std::erase_if(measures, [&](const Measure& one) {
         return std::ranges::find(cheap, std::string_view(one.name)) == cheap.end();

@@ -16,8 +16,9 @@ struct SeriesRow {
     double time = 0;
     std::uint64_t triangles = 0;
     std::uint64_t interface_vertices = 0;
-    std::uint64_t phases = 0; ///< that have a triangle
-    Figures figures;          ///< the same names in all rows
+    std::uint64_t phases = 0;    ///< that have a triangle
+    double interface_length = 0; ///< of all pairs of phases, with straight edges
+    Figures figures;             ///< the same names in all rows
     std::map<std::string, std::uint64_t> operations;
     std::uint64_t events = 0; ///< changes of topology
     std::uint64_t unreached = 0;
@@ -25,7 +26,7 @@ struct SeriesRow {
 };
 
 /// Measures that are cheap enough for many rows: areas, the symmetric difference where the exact
-/// shape is known, perimeter, worst quality and angle.
+/// shape is known, worst quality and angle.
 [[nodiscard]] std::vector<Measure> series_measures();
 
 /// A line of names and one line for each row, numbers with the digits that read back the same. A

@@ -137,16 +137,20 @@ private:
         if (every <= 0 || (step % every != 0 && step != setup_.steps)) {
             return;
         }
+        const PhaseReport phases = measure_phases(complex());
         SeriesRow row{.step = step,
                       .time = time_,
                       .triangles = complex().triangle_count(),
                       .interface_vertices = method_.interface_vertices(),
-                      .phases = measure_phases(complex()).phases.size(),
+                      .phases = phases.phases.size(),
                       .figures = figures(series_measures_),
                       .operations = result_.operations,
                       .events = result_.events.size(),
                       .unreached = result_.unreached,
                       .wall_s = result_.wall_s};
+        for (const PairFigures& pair : phases.pairs) {
+            row.interface_length += pair.length;
+        }
         const SeriesRow so_far = row;
         for (auto& [name, count] : row.operations) {
             count -= told_.operations[name];
