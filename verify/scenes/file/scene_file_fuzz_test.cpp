@@ -8,6 +8,8 @@
 
 #include "dsc/base/error.h"
 #include "dsc/queries/validate.h"
+#include "scenes/file/formula/formula_flow.h"
+#include "scenes/file/grid/grid_files.h"
 #include "scenes/file/outlines/pieces.h"
 #include "scenes/file/text_file.h"
 #include "scenes/run/start.h"
@@ -19,6 +21,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <random>
 
 namespace dsc::scenes {
@@ -180,6 +183,57 @@ TEST(SceneFileFuzz, EndsWithASceneOrAnError) {
     // Otherwise the changes are so wild that hardly anything is tried.
     EXPECT_GT(outcome.scenes, static_cast<int>(count / 10));
     EXPECT_GT(outcome.complexes, static_cast<int>(count / 20));
+}
+
+// The files that a scene names, each in a few lines.
+struct NamedText {
+    const char* text;
+    std::function<void(const std::string& text)> read;
+};
+
+std::vector<NamedText> named_texts() {
+    const auto points = [](const std::string& text) { (void)read_points(text, true, "file"); };
+    const auto path = [](const std::string& text) { (void)read_svg_path(text, 1e-3, 0.1, "file"); };
+    const auto grid = [](const std::string& text) { (void)read_grid_csv(text, "file"); };
+    const auto array = [](const std::string& text) { (void)read_npy(text, {}, "file"); };
+    const auto formula = [](const std::string& text) {
+        const FormulaFlow flow({.u = text, .v = "x", .where_u = "file"});
+        std::vector<Point<double>> velocities(3, {0.25, 4});
+        flow(velocities, 0.5, velocities);
+    };
+    return {
+        {"# points\n0 0\n1e0, 0.5\n\n 3 4\n5 6 # end\n3 4\n", points},
+        {"M 10 20 l 5,5 h-3 V 7 C 1 2 3 4 5 6 s 1 1 2 2 q 1 1 2 0 T 9 9 a 3 2 30 0 1 4 4 z", path},
+        {"t,x,y,u,v\n0,0,0,1,2\n0,1,0,1,2\n0,0,1,1,2\n0,1,1,1,2\n", grid},
+        {"\x93NUMPY\x01 6 {'descr': '<f8', 'fortran_order': False, 'shape': (2, 2, 2)} 0123456789"
+         "0123456789012345678901234567890123456789012345678901234567890123456789",
+         array},
+        {"2*sin(pi*x)^2*cos(-y/3) + (x < t ? min(x, y, 1e-3) : atan2(y, exp(x))) - sqrt(abs(x))",
+         formula},
+    };
+}
+
+TEST(NamedFileFuzz, EndsWithAResultOrAnError) {
+    const std::vector<NamedText> texts = named_texts();
+    const std::uint64_t first = number_from_environment("DSC_FUZZ_FIRST", 1);
+    const std::uint64_t count = 10 * number_from_environment("DSC_FUZZ_FILES", 300);
+    std::vector<int> read(texts.size(), 0);
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        const std::size_t which = seed % texts.size();
+        const std::string text = Mutator(seed).mutated(texts[which].text);
+        SCOPED_TRACE("DSC_FUZZ_FIRST=" + std::to_string(seed));
+        try {
+            texts[which].read(text);
+            ++read[which];
+        } catch (const InputError& error) {
+            EXPECT_TRUE(error.where().starts_with("file")) << error.what();
+        } catch (const std::exception& error) {
+            ADD_FAILURE() << "no InputError: " << error.what();
+        }
+    }
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        EXPECT_GT(read[i] + (i == 3 ? 1 : 0), 0) << texts[i].text;
+    }
 }
 
 } // namespace

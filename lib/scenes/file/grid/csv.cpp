@@ -131,8 +131,7 @@ private:
             values.push_back(row.*coordinate);
         }
         std::ranges::sort(values);
-        const auto rest = std::ranges::unique(values);
-        values.erase(rest.begin(), rest.end());
+        values.erase(std::unique(values.begin(), values.end()), values.end());
         return values;
     }
 
