@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 PROGRAM = ""
-FILTER = ("^(operation/edge_flip|kernel/gather_ring|"
+FILTER = ("^(operation/edge_flip|kernel/gather_ring|flow/|"
           "(scaling|four_circles)_step/strategy:(sequential|counting)/triangles:28000/|"
           "scaling_step/strategy:cells/triangles:28000/submeshes:0/threads:2/modelled:1)")
 
@@ -31,6 +31,7 @@ MODEL = {**ITERATION, **dict.fromkeys((
     "us_hand_over", "us_clean_up", "us_driver", "us_upkeep", "us_velocities", "us_movement",
     "us_mesh_update", "us_later_colours"), "number")}
 OPERATION = {**ITERATION, "items_per_second": "number", "batch": "number", "label": "text"}
+FLOW = {**ITERATION, "items_per_second": "number", "ratio": "number", "label": "text"}
 KERNEL = {**ITERATION, "items_per_second": "number", "label": "text"}
 CONTEXT = ("dsc_machine", "dsc_commit", "dsc_cores", "dsc_compiler", "dsc_build_type",
            "dsc_native", "dsc_load")
@@ -79,7 +80,8 @@ class Schema(unittest.TestCase):
 
     def test_rows_have_these_keys_and_no_others(self):
         for name, schema in (("scaling_step", STEP), ("four_circles_step", STEP),
-                             ("operation", OPERATION), ("kernel", KERNEL)):
+                             ("operation", OPERATION), ("kernel", KERNEL),
+                             ("flow", FLOW)):
             for row in self.family(name):
                 self.assertEqual(masked(row), schema, row["name"])
 

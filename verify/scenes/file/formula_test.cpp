@@ -172,9 +172,10 @@ TEST(Formula, WithoutAValueIsNotFinite) {
     const auto result = evaluate(formulas("1/x", "sqrt(y)"), positions);
     EXPECT_TRUE(std::isinf(result[0].x()));
     EXPECT_TRUE(std::isnan(result[0].y()));
-    const auto hidden = evaluate(formulas("min(1, sqrt(y))", "max(sqrt(y), 1)"), positions);
-    EXPECT_TRUE(std::isnan(hidden[0].x()));
-    EXPECT_TRUE(std::isnan(hidden[0].y()));
+    for (const char* hidden : {"min(1, sqrt(y))", "min(sqrt(y), 1)", "max(1, sqrt(y))",
+                               "max(sqrt(y), 1)", "min(1, 2, sqrt(y), 3)"}) {
+        EXPECT_TRUE(std::isnan(evaluate(formulas(hidden), positions)[0].x())) << hidden;
+    }
 }
 
 struct BadFormula {

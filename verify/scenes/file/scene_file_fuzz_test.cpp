@@ -187,9 +187,18 @@ TEST(SceneFileFuzz, EndsWithASceneOrAnError) {
 
 // The files that a scene names, each in a few lines.
 struct NamedText {
-    const char* text;
+    std::string text;
     std::function<void(const std::string& text)> read;
 };
+
+std::string npy_of_four_points() {
+    const std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2, 2)}";
+    std::string bytes = "\x93NUMPY\x01";
+    bytes += '\0';
+    bytes += static_cast<char>(header.size());
+    bytes += '\0';
+    return bytes + header + std::string(8 * sizeof(double), '\x3f');
+}
 
 std::vector<NamedText> named_texts() {
     const auto points = [](const std::string& text) { (void)read_points(text, true, "file"); };
@@ -205,9 +214,7 @@ std::vector<NamedText> named_texts() {
         {"# points\n0 0\n1e0, 0.5\n\n 3 4\n5 6 # end\n3 4\n", points},
         {"M 10 20 l 5,5 h-3 V 7 C 1 2 3 4 5 6 s 1 1 2 2 q 1 1 2 0 T 9 9 a 3 2 30 0 1 4 4 z", path},
         {"t,x,y,u,v\n0,0,0,1,2\n0,1,0,1,2\n0,0,1,1,2\n0,1,1,1,2\n", grid},
-        {"\x93NUMPY\x01 6 {'descr': '<f8', 'fortran_order': False, 'shape': (2, 2, 2)} 0123456789"
-         "0123456789012345678901234567890123456789012345678901234567890123456789",
-         array},
+        {npy_of_four_points(), array},
         {"2*sin(pi*x)^2*cos(-y/3) + (x < t ? min(x, y, 1e-3) : atan2(y, exp(x))) - sqrt(abs(x))",
          formula},
     };
@@ -232,7 +239,7 @@ TEST(NamedFileFuzz, EndsWithAResultOrAnError) {
         }
     }
     for (std::size_t i = 0; i < texts.size(); ++i) {
-        EXPECT_GT(read[i] + (i == 3 ? 1 : 0), 0) << texts[i].text;
+        EXPECT_GT(read[i], 0) << texts[i].text;
     }
 }
 

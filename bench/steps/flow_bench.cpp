@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// What a velocity costs for one position: the swirl as it is built in, and as formulas in a scene
+// file, which have the same bits. The two alternate within an iteration, so that whatever disturbs
+// the one disturbs the other; the counter `ratio` is that of their sums.
+#include "refusal.h"
+#include "suites.h"
+
+#include "dsc/base/error.h"
+#include "flows/velocity.h"
+#include "scenes/file/formula/formula_flow.h"
+#include "scenes/run/clock.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <random>
+#include <vector>
+
+namespace dsc::bench {
+
+namespace {
+
+/// As many as a front has, evaluated so often that a clock can tell.
+constexpr std::size_t positions_of_front = 512;
+constexpr int evaluations = 200;
+
+std::vector<Point<double>> random_positions() {
+    std::mt19937_64 random(1);
+    std::vector<Point<double>> positions(positions_of_front);
+    for (Point<double>& p : positions) {
+        const auto unit = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
+        const double x = unit();
+        p = {x, unit()};
+    }
+    return positions;
+}
+
+double seconds(const scenes::Velocity& flow, const std::vector<Point<double>>& positions,
+               std::vector<Point<double>>& velocities) {
+    const scenes::Stopwatch watch;
+    for (int i = 0; i < evaluations; ++i) {
+        flow(positions, 0.0, velocities);
+        benchmark::DoNotOptimize(velocities.data());
+        benchmark::ClobberMemory();
+    }
+    return watch.cpu();
+}
+
+void measure_formula(benchmark::State& state) {
+    const auto positions = random_positions();
+    std::vector<Point<double>> built_in(positions.size());
+    std::vector<Point<double>> by_formula(positions.size());
+    const scenes::Velocity swirl = scenes::Swirl{};
+    const scenes::Velocity formula =
+        scenes::FormulaFlow({.u = "2*sin(pi*x)*sin(pi*y)*sin(pi*x)*cos(pi*y)",
+                             .v = "-2*sin(pi*x)*sin(pi*y)*sin(pi*y)*cos(pi*x)"});
+    double of_swirl = 0;
+    double of_formula = 0;
+    for (auto _ : state) {
+        of_swirl += seconds(swirl, positions, built_in);
+        const double time = seconds(formula, positions, by_formula);
+        of_formula += time;
+        state.SetIterationTime(time);
+    }
+    if (std::memcmp(built_in.data(), by_formula.data(), built_in.size() * sizeof built_in[0]) !=
+        0) {
+        throw InvariantError("the formula is not the swirl");
+    }
+    const auto items = static_cast<std::int64_t>(positions_of_front) * evaluations;
+    state.SetItemsProcessed(state.iterations() * items);
+    state.SetLabel("CPU time of a batch");
+    state.counters["ratio"] = of_formula / of_swirl;
+}
+
+} // namespace
+
+void register_flows() {
+    benchmark::RegisterBenchmark("flow/formula_of_swirl",
+                                 [](benchmark::State& state) { guarded(state, measure_formula); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMicrosecond);
+}
+
+} // namespace dsc::bench
