@@ -7,7 +7,7 @@ namespace dsc::bench {
 /// `operation/NAME`: one operation of the library; `kernel/NAME`: a function of the whole mesh.
 void register_operations();
 
-/// `flow/formula_of_swirl`: a velocity by formulas, against the same one in C++.
+/// `flow/NAME`: a velocity by formulas, against the same one in C++.
 void register_flows();
 
 /// `scaling_step/...` and `four_circles_step/...`: a time step of the two scenes of the thesis,

@@ -67,6 +67,12 @@ const std::array examples{
     Example{"sin(-2*pi*x/3)", [](double x, double, double) { return std::sin(-2 * pi * x / 3); }},
     Example{"cos(x*y) * sin(x*y)",
             [](double x, double y, double) { return std::cos(x * y) * std::sin(x * y); }},
+    Example{"sin(2*pi*x) - cos(-2*pi*y)",
+            [](double x, double y, double) { return std::sin(2 * pi * x) - std::cos(2 * pi * y); }},
+    Example{"sin(-pi*x*2) + sin(pi*x)^2",
+            [](double x, double, double) {
+                return -std::sin(2 * pi * x) + std::pow(std::sin(pi * x), 2);
+            }},
     Example{"sin(pi/6) * x", [](double x, double, double) { return 0.5 * x; }},
     Example{"exp(-x^2 - y^2)", [](double x, double y, double) { return std::exp(-x * x - y * y); }},
     Example{"sqrt(x^2 + y^2)", [](double x, double y, double) { return std::hypot(x, y); }},

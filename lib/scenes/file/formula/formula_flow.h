@@ -3,7 +3,8 @@
 //
 // The formulas are compiled once, into a list of operations on rows of positions: a row of numbers
 // is read, computed and written at a time, so that the processor's vector units are at work and a
-// formula costs about as much as the same field written in C++. Rows stay in the first-level cache.
+// formula costs less than twice as much as the same field written in C++ (an interpreter that takes
+// one position after the other: 70 times as much). Rows stay in the first-level cache.
 // Whatever depends on the time alone is computed once for each batch.
 #pragma once
 
@@ -27,7 +28,7 @@ struct FormulaTexts {
 
 /// A Velocity. The result for a position depends neither on the batch nor on the thread; calls from
 /// several threads at once are safe, and nothing is allocated. Sines and cosines are those of
-/// `sine_cosine_pi`, with an error below 4e-16 + 3e-16 |argument|; where a formula has no value the
+/// `sine_cosine_pi`, with an error below 1e-15 + 3e-16 |argument|; where a formula has no value the
 /// result is NaN or infinite.
 class FormulaFlow {
 public:

@@ -123,7 +123,19 @@ FormulaNodeId FormulaGraph::sine_or_cosine(FormulaOp op, FormulaNodeId argument)
         return constant(op == Op::sine ? std::sin(value) : std::cos(value));
     }
     const auto [factor, node] = without_factor(argument);
-    const FormulaNodeId half_turns = apply(Op::multiply, constant(factor / pi), node);
+    const double half_turns = factor / pi;
+    if (std::abs(half_turns) == 2) {
+        // Where sin(2 pi x) is needed, sin(pi x) often is as well: one of them is computed.
+        const FormulaNodeId s = sine_or_cosine_pi(Op::sine, node);
+        const FormulaNodeId c = sine_or_cosine_pi(Op::cosine, node);
+        return op == Op::sine
+                   ? apply(Op::multiply, constant(half_turns), apply(Op::multiply, s, c))
+                   : apply(Op::multiply, apply(Op::subtract, c, s), apply(Op::add, c, s));
+    }
+    return sine_or_cosine_pi(op, apply(Op::multiply, constant(half_turns), node));
+}
+
+FormulaNodeId FormulaGraph::sine_or_cosine_pi(FormulaOp op, FormulaNodeId half_turns) {
     const FormulaNodeId both =
         folded(Op::sine_cosine_pi, half_turns, no_formula_node, no_formula_node);
     return folded(op, both, no_formula_node, no_formula_node);

@@ -55,6 +55,7 @@ private:
     FormulaNodeId folded(FormulaOp op, FormulaNodeId a, FormulaNodeId b, FormulaNodeId c);
     FormulaNodeId power(FormulaNodeId base, FormulaNodeId exponent);
     FormulaNodeId sine_or_cosine(FormulaOp op, FormulaNodeId argument);
+    FormulaNodeId sine_or_cosine_pi(FormulaOp op, FormulaNodeId half_turns);
     [[nodiscard]] Scaled without_factor(FormulaNodeId id) const;
 
     using Identity = std::tuple<FormulaOp, std::array<FormulaNodeId, 3>, std::uint64_t>;
