@@ -15,8 +15,9 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Edges along a side of the domain: far more than a mesh could have.
 constexpr double most_edges_of_side = 1e5;
+/// A gigabyte of them: a file from somebody else should not fill the memory by a wrong unit.
+constexpr double most_triangles_of_file = 2e7;
 constexpr std::size_t longest_file_name = 64;
 
 /// The tables of the file, read and checked, and what they make of parameters.
@@ -62,12 +63,13 @@ void set_schedule(const SceneParts& parts, const Parameters& p, Setup& setup) {
 }
 
 void check_size(const SceneParts& parts, double h, const Setup& setup) {
-    const double side = (setup.domain.high - setup.domain.low).maxCoeff();
-    if (!(side / h <= most_edges_of_side)) {
+    const Point<double> size = setup.domain.high - setup.domain.low;
+    const double triangles = 4 / std::sqrt(3.0) * size.prod() / (h * h);
+    if (!(size.maxCoeff() / h <= most_edges_of_side && triangles <= most_triangles_of_file)) {
         throw InputError({.what = "edge length too small for the domain",
                           .where = parts.where,
                           .value = std::to_string(h),
-                          .allowed = "at most 100000 edges along a side"});
+                          .allowed = "at most 100000 edges along a side, and 20000000 triangles"});
     }
 }
 

@@ -223,6 +223,7 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {"[options]\ndt = 1\nsteps = 1\n", {"s.toml", "[options]", "no h"}},
         {"[options]\nh = 0.1\ndt = 1\n", {"s.toml", "dt alone", "steps"}},
         {"[options]\nh = 1e-5\ndt = 1\nsteps = 1\n[domain]\nhigh = [9, 9]\n", {"s.toml", "edges"}},
+        {"[options]\nh = 2e-4\ndt = 1\nsteps = 1\n", {"s.toml", "20000000 triangles"}},
         {"options = 3\n", {"s.toml:1", "options", "3", "[options]"}},
         {"name = '../x'\n" + options, {"s.toml:1", "name", "../x", "letters"}},
         {"name = ''\n" + options, {"s.toml:1", "name"}},
