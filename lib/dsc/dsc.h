@@ -24,6 +24,9 @@
 #include "dsc/queries/outlines.h"
 #include "dsc/queries/validate.h"
 
+#include "dsc/sizes/measure.h"
+#include "dsc/sizes/options.h"
+
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"

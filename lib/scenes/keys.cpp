@@ -118,6 +118,9 @@ std::vector<Key> make_keys() {
         number(
             "finest", 1e-3, 1.0, "0.001 to 1, in edge lengths",
             [](auto& p) -> auto& { return p.interface.finest; }),
+        number(
+            "grade", 0.0, 2.0, "0 (all edges of one length), above 1, up to 2",
+            [](auto& p) -> auto& { return p.grade; }),
         choice(
             "topology", topology_names, [](auto& p) -> auto& { return p.topology; }),
         number(

@@ -34,6 +34,7 @@ struct Parameters {
     InterfaceThresholds interface {};
     Topology topology = Topology::keep; ///< of all pairs of phases
     double contact = 0; ///< thickness at which a film opens, a length; 0: the library's default
+    double grade = 0;    ///< how much longer edges grow, from one to the next; 0: all of one length
     bool gives_back = false; ///< area that changes of topology take
     RealType real = RealType::double_precision;
     std::uint64_t seed = 0; ///< shuffles the order in which the interface is worked through; 0: not

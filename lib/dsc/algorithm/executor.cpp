@@ -86,6 +86,7 @@ void absorb_edits(Work<Real>& work, std::span<const Edit> edits) {
     const std::span<const Edit> after = edits_after_renumbering(edits);
     if (after.size() != edits.size()) {
         work.active.clear();
+        work.resized.clear(); // all is measured anew
         work.interface = collect_interface(complex, work.options.shuffle_seed);
     }
     const std::vector<std::uint32_t> changed = interface_changes(after);

@@ -45,6 +45,10 @@ public:
     /// them.
     virtual void take_suspects(std::vector<Suspect<Real>>& list) { (void)list; }
 
+    /// Vertices that the next mesh update has to look at, because the targets of edges do not fit
+    /// theirs. Only called if edges are not all of one length.
+    virtual void resize(std::span<const std::uint32_t> list) { (void)list; }
+
     virtual void begin_step() {}
     /// Interface upkeep; then velocities at `time` and targets at time + dt. `dt` is the step that
     /// the driver expects; it may change it once the velocities are known.
@@ -119,6 +123,9 @@ public:
     void keep_edits(bool keep) override { work_.log.readers = keep ? 1 : 0; }
     [[nodiscard]] std::vector<Edit> take_edits() override;
     void take_suspects(std::vector<Suspect<Real>>& list) override { append_suspects(work_, list); }
+    void resize(std::span<const std::uint32_t> list) override {
+        work_.resized.assign(list.begin(), list.end());
+    }
     void begin_step() override;
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;

@@ -4,6 +4,8 @@
 #include "dsc/base/error.h"
 #include "dsc/passes/interface_list.h"
 #include "dsc/passes/readers.h"
+#include "dsc/passes/size_upkeep.h"
+#include "dsc/sizes/measure.h"
 #include "dsc/topology/change.h"
 #include "dsc/topology/contact_check.h"
 
@@ -24,14 +26,15 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
     check_options(options);
     check_contact<Real>(complex, options.topology, options.edge_length);
     if (executor_) {
-        executor_->set_options(options);
+        executor_->set_options(completed());
     } else {
-        executor_ =
-            std::make_unique<SequentialExecutor<Real>>(complex, options, default_algorithm<Real>());
+        executor_ = std::make_unique<SequentialExecutor<Real>>(complex, completed(),
+                                                               default_algorithm<Real>());
     }
     mark_corners(complex, interface(), options.interface.corner_degrees);
     ++complex.journal.readers;
     absorbed_ = complex.journal.records.size();
+    measure(0);
 }
 
 template <class Real>
@@ -49,10 +52,35 @@ void Simulation<Real>::set_options(const Options<Real>& options) {
         check_contact<Real>(complex_, options.topology, options.edge_length);
     }
     const bool is_another = options.integrator != options_.integrator;
+    const bool was_uniform = options_.sizes.is_uniform();
     options_ = options;
-    executor_->set_options(options);
+    executor_->set_options(completed());
     if (is_another) {
         forget();
+    }
+    if (!was_uniform) {
+        executor_->resize(out_of_size(complex_, options_)); // if all are of one length now
+    }
+    measure(0);
+}
+
+// Where no longest edge is given, the extent of the mesh is the bound: without an interface,
+// targets would rise for ever.
+template <class Real>
+Options<Real> Simulation<Real>::completed() const {
+    Options<Real> options = options_;
+    if (!options.sizes.is_uniform() && options.sizes.longest == 0) {
+        options.sizes.longest = std::max(extent_of(complex_), options.edge_length);
+    }
+    return options;
+}
+
+// The targets of all edges. O(mesh), if they are not of one length.
+template <class Real>
+void Simulation<Real>::measure(Real time) {
+    if (!options_.sizes.is_uniform()) {
+        measure_sizes(complex_, completed().sizes, options_.edge_length, time);
+        executor_->resize(out_of_size(complex_, options_));
     }
 }
 
@@ -82,7 +110,7 @@ void Simulation<Real>::tell_what_was_done() {
 // What the application did since the last step, or what a change of topology did just now. O(their
 // edits).
 template <class Real>
-void Simulation<Real>::absorb(By by) {
+void Simulation<Real>::absorb(By by, Real time) {
     EditLog& journal = complex_.journal;
     if (absorbed_ == journal.records.size()) {
         return;
@@ -91,6 +119,9 @@ void Simulation<Real>::absorb(By by) {
     tell(edits);
     executor_->absorb(edits);
     const auto after = edits_after_renumbering(edits);
+    if (after.size() != edits.size()) {
+        measure(time);
+    }
     // A new interface edge of the application may make a sharp turn: that is a corner from now on.
     // The end of a seam is none.
     if (by == By::application) {
@@ -133,7 +164,7 @@ void Simulation<Real>::change_topology(Real time, StepReport& report) {
         return;
     }
     tell_what_was_done(); // what the sub-step did comes first
-    absorb(By::topology);
+    absorb(By::topology, time);
     if (report.events.size() == before) {
         return;
     }
@@ -168,7 +199,10 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
                           .allowed = "a finite time and a step of 0 or more"});
     }
     StepReport report;
-    absorb(By::application);
+    absorb(By::application, time);
+    if (options_.sizes.changes_in_time) {
+        measure(time);
+    }
     executor_->begin_step();
     Real remaining = dt;
     try {

@@ -88,7 +88,8 @@ public:
     void interrupt_by(const std::atomic<bool>* flag) { interrupted_ = flag; }
 
     /// Moves the interface from `time` to `time + dt`. O(interface vertices and what changes around
-    /// them), never O(mesh). Throws InputError if dt is negative or not finite.
+    /// them), never O(mesh), unless the targets of edges change in time. Throws InputError if dt is
+    /// negative or not finite.
     StepReport step(const Velocity<Real>& velocity, Real time, Real dt) {
         return step_along(velocity, time, dt);
     }
@@ -118,10 +119,12 @@ private:
     void find_fastest(const Flow<Real>& flow, Real time, Real dt, StepReport& report) const;
 
     enum class By : std::uint8_t { application, topology };
-    void absorb(By by);
+    void absorb(By by, Real time);
     void change_topology(Real time, StepReport& report);
     [[nodiscard]] std::vector<std::uint32_t> missed_vertices() const;
     void forget_vertex(Vertex v);
+    [[nodiscard]] Options<Real> completed() const;
+    void measure(Real time);
     void tell(std::span<const Edit> edits);
     void tell_what_was_done();
 

@@ -5,9 +5,9 @@
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/collapse_choice.h"
+#include "dsc/passes/size_upkeep.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/delaunay.h"
-#include "dsc/quality/ring_quality.h"
 
 namespace dsc {
 
@@ -23,12 +23,16 @@ template <class Real>
 class MeshUpdate {
 public:
     explicit MeshUpdate(Work<Real>& work)
-        : work_(work), complex_(work.complex), ring_(work.ring),
+        : work_(work), complex_(work.complex), ring_(work.ring), sizes_(work),
           grading_squared_(
               static_cast<Real>(work.options.interface.grading * work.options.interface.grading)),
           needle_(squared_needle_quality(grading_squared_)) {}
 
     void run() {
+        for (const std::uint32_t v : work_.resized) {
+            work_.activate(v);
+        }
+        work_.resized.clear();
         // Vertices created on the way are appended and visited as well: splits halve lengths, so
         // this terminates; the bound is for thresholds that contradict each other.
         const std::size_t bound = 8 * work_.active.size() + 64;
@@ -39,22 +43,10 @@ public:
     }
 
 private:
-    struct Limits {
-        Real collapse; // squared quality
-        Real smooth;   // squared quality
-        Real longest;  // squared length
-        Real shortest; // squared length
-        Real crowded;  // squared length
-    };
+    using Limits = StarLimits<Real>;
 
-    Limits limits(Phase phase) const {
-        const PhaseThresholds& t = work_.options.thresholds(phase);
-        const auto square = [](Real value) { return value * value; };
-        const Real h = work_.options.edge_length;
-        return {square(static_cast<Real>(t.collapse_quality)),
-                square(static_cast<Real>(t.smooth_quality)),
-                square(static_cast<Real>(t.longest) * h), square(static_cast<Real>(t.shortest) * h),
-                square(static_cast<Real>(t.crowded) * h)};
+    Limits limits(Phase phase, Real length) const {
+        return star_limits(work_.options.thresholds(phase), length);
     }
 
     bool gather_star(std::uint32_t v) {
@@ -77,7 +69,8 @@ private:
             if (star.delaunay < 0 && flip_spokes()) {
                 continue;
             }
-            const Limits limit = limits(ring_.phase[0]);
+            const Real length = sizes_.follow(ring_);
+            const Limits limit = limits(ring_.phase[0], length);
             const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
             if (may_move) {
                 const bool poor = star.quality < limit.collapse;
@@ -101,7 +94,7 @@ private:
             }
             // Around an interface vertex phases differ, and so may their limits.
             const bool mixed = !ring_.one_phase && !work_.options.per_phase.empty();
-            if ((mixed || star.longest > limit.longest) && split_longest(limit, mixed)) {
+            if ((mixed || star.longest > limit.longest) && split_longest(length, limit, mixed)) {
                 continue;
             }
             if (!ring_.one_phase && star.quality < needle_ && split_beside_short()) {
@@ -202,7 +195,7 @@ private:
         std::uint32_t best_spoke = no_id;
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             const Real after = worst_quality_squared_after_collapse(ring_, i);
-            if (after > best && longest_after_collapse(ring_, i) <= Real(1.44) * limit.longest &&
+            if (after > best && longest_after_collapse(ring_, i) <= longest_about(i, limit) &&
                 keeps_grading(complex_, ring_, grading_squared_, i)) {
                 best = after;
                 best_spoke = i;
@@ -211,11 +204,18 @@ private:
         return best_spoke != no_id && finish_collapse(best_spoke);
     }
 
+    /// How long the edges of link vertex i may become by a collapse, squared.
+    Real longest_about(std::uint32_t i, const Limits& limit) const {
+        return sizes_.is_uniform() ? Real(1.44) * limit.longest
+                                   : Real(1.44) * limits(ring_.phase[0], sizes_.at_link(i)).longest;
+    }
+
     bool finish_collapse(std::uint32_t i) {
         const std::uint32_t target = ring_.link[i];
         if (collapse_star(work_, ring_, i) != Verdict::legal) {
             return false;
         }
+        sizes_.look_again(ring_);
         // Restore the Delaunay condition around the vertex that took over the star.
         Ring<Real>& star = work_.other_ring;
         if (gather(complex_, work_.submesh.region, target, star) && star.owned &&
@@ -237,6 +237,7 @@ private:
         const WallLimits<Real> wall{limit.longest, limit.shortest,
                                     std::sqrt(std::clamp(star.quality, Real(0), limit.collapse))};
         if (should_collapse_on_wall(ring_, wall, is_poor) && collapse_on_wall(work_, ring_, wall)) {
+            sizes_.look_again(ring_);
             return WallUpkeep::gone;
         }
         if (!should_split_wall(ring_, wall)) {
@@ -288,14 +289,14 @@ private:
     }
 
     // --- refinement ---------------------------------------------------------------------------
-    bool split_longest(const Limits& limit, bool mixed) {
+    bool split_longest(Real length, const Limits& limit, bool mixed) {
         Real longest = 0;
         std::uint32_t spoke = no_id;
         for (std::uint32_t i = ring_.closed ? 0 : 1; i < ring_.size; ++i) {
             const Real dx = ring_.x[i] - ring_.x0;
             const Real dy = ring_.y[i] - ring_.y0;
             const Real squared = dx * dx + dy * dy;
-            const Real allowed = mixed ? limits(ring_.phase[i]).longest : limit.longest;
+            const Real allowed = mixed ? limits(ring_.phase[i], length).longest : limit.longest;
             if (squared > allowed && squared > longest && !ring_.is_constrained(i)) {
                 longest = squared;
                 spoke = i;
@@ -382,6 +383,7 @@ private:
     Work<Real>& work_;
     Complex<Real>& complex_;
     Ring<Real>& ring_;
+    SizeUpkeep<Real> sizes_;
     Real grading_squared_;
     Real needle_; // squared quality of a needle that the grading just allows; 0: none are split
 };

@@ -7,6 +7,7 @@
 #include "dsc/base/enum_table.h"
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interpolation.h"
+#include "dsc/sizes/options.h"
 #include "dsc/topology/options.h"
 
 #include <vector>
@@ -74,6 +75,10 @@ struct InterfaceThresholds {
 template <class Real>
 struct Options {
     Real edge_length = 0; ///< target length of edges, in units of the domain; must be positive
+
+    /// Longer edges where they may be; lengths relative to the edge length are relative to the
+    /// target there, but for those of the interface. Uniform, unless asked for.
+    SizeOptions<Real> sizes = {};
 
     PhaseThresholds phases = {};                 ///< of every phase without thresholds of its own
     std::vector<PhaseThresholds> per_phase = {}; ///< by phase number; may be shorter

@@ -52,6 +52,7 @@ template <class Real>
 Options<Real> scene_options(const Parameters& parameters) {
     Options<Real> options;
     options.edge_length = static_cast<Real>(parameters.h);
+    options.sizes.growth = parameters.grade;
     options.integrator = parameters.integrator;
     options.tolerance = parameters.tolerance;
     options.insertion = parameters.insertion;

@@ -22,6 +22,7 @@ void forget(Work<Real>& work) {
     work.interface.clear();
     work.movers.clear();
     work.active.clear();
+    work.resized.clear();
     work.deferred.clear();
 }
 
@@ -130,6 +131,7 @@ void CopyExecutor<Real>::hand_out() {
         task->passes = 0;
         // The stamps of a new submesh are 0.
         task->work.epoch = 1;
+        task->work.time = whole_.time;
     }
     waiting_movers_.clear();
     waiting_active_.clear();
@@ -144,6 +146,12 @@ void CopyExecutor<Real>::hand_out() {
             waiting_movers_.push_back(mover);
         }
     }
+    for (const std::uint32_t v : whole_.resized) {
+        if (complex_.is_alive(Vertex{v})) {
+            whole_.activate(v);
+        }
+    }
+    whole_.resized.clear();
     for (const std::uint32_t v : whole_.active) {
         if (Work<Real>* work = work_of(v)) {
             work->activate(submeshes_.local[v]);
@@ -221,6 +229,11 @@ bool CopyExecutor<Real>::take_back() {
         };
         std::ranges::for_each(work.movers, take_mover);
         std::ranges::for_each(work.active, take_star);
+        for (const std::uint32_t v : work.resized) {
+            if (merged[v] != no_id) {
+                whole_.resized.push_back(merged[v]);
+            }
+        }
         for (const Deferred<Real>& one : work.deferred.entries) {
             if (one.kind == DeferredKind::mover) {
                 take_mover(one.mover());

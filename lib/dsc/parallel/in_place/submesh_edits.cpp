@@ -102,9 +102,11 @@ void SubmeshExecutor<Real>::forget_ids() {
         part->pool.triangles.clear();
         part->work.deferred.clear();
         part->work.active.clear();
+        part->work.resized.clear();
         part->work.interface.clear();
     }
     whole_.active.clear();
+    whole_.resized.clear();
     whole_.interface.clear();
     std::vector<std::uint32_t> list = collect_interface(complex_, options_.shuffle_seed);
     if (parts_.empty()) {
@@ -128,8 +130,18 @@ void SubmeshExecutor<Real>::absorb(std::span<const Edit> edits) {
     wake(whole_, after);
 }
 
+// Handed out to the submeshes before they move.
+template <class Real>
+void SubmeshExecutor<Real>::resize(std::span<const std::uint32_t> list) {
+    for (const auto& part : parts_) {
+        part->work.resized.clear();
+    }
+    whole_.resized.assign(list.begin(), list.end());
+}
+
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void SubmeshExecutor<Real>::set_options(const Options<Real>&);                        \
+    template void SubmeshExecutor<Real>::resize(std::span<const std::uint32_t>);                   \
     template void SubmeshExecutor<Real>::keep_edits(bool);                                         \
     template void SubmeshExecutor<Real>::collect_edits();                                          \
     template void SubmeshExecutor<Real>::collect_changes();                                        \

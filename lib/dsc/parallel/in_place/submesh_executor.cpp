@@ -206,6 +206,8 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
     }
     while (parts_.size() > wanted) {
         give_back(parts_.back()->pool, 0, 0);
+        const std::vector<std::uint32_t>& resized = parts_.back()->work.resized;
+        whole_.resized.insert(whole_.resized.end(), resized.begin(), resized.end());
         parts_.pop_back();
     }
     while (parts_.size() < wanted) {
@@ -306,6 +308,7 @@ void SubmeshExecutor<Real>::recover() {
         part->arrivals.clear();
         part->work.movers.clear();
         part->work.active.clear();
+        part->work.resized.clear();
         part->work.interface.clear();
         part->work.changed_interface.clear();
         part->work.topology_suspects.clear();
@@ -314,6 +317,7 @@ void SubmeshExecutor<Real>::recover() {
     whole_.changed_interface.clear();
     whole_.movers.clear();
     whole_.active.clear();
+    whole_.resized.clear();
     whole_.deferred.clear();
     hand_out(collect_interface(complex_, options_.shuffle_seed));
     under_way_ = false;

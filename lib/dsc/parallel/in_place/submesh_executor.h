@@ -40,6 +40,7 @@ public:
 
     void set_options(const Options<Real>& options) override;
     void absorb(std::span<const Edit> edits) override;
+    void resize(std::span<const std::uint32_t> list) override;
     void keep_edits(bool keep) override;
     [[nodiscard]] std::vector<Edit> take_edits() override;
     void take_suspects(std::vector<Suspect<Real>>& list) override;
@@ -89,6 +90,7 @@ private:
     AimReport<Real> hand_over(const Flow<Real>& flow, Real time, Real dt);
     void take_displaced();
     void unlist(std::uint32_t vertex);
+    void hand_out_resized();
     void clean_up(MoveReport& report);
     void recover();
     void collect_edits();

@@ -57,7 +57,6 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Re
     Work<Real>& work = part.work;
     if (pass == 0) {
         begin_part(part);
-        work.time = time;
         work.dt = dt;
     }
     if (pass < algorithm_.upkeep.size()) {
@@ -146,12 +145,14 @@ template <class Real>
 AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
     Timer timer(submeshes_.profile);
     under_way_ = true;
+    whole_.time = time;
     std::size_t number = 0;
     for (const Colour& colour : partition_.colours) {
         const std::uint32_t epoch = next_epochs();
         for (std::size_t i = 0; i < colour.regions.size(); ++i, ++number) {
             refill(*parts_[number]);
             parts_[number]->work.epoch = epoch;
+            parts_[number]->work.time = time;
         }
     }
     const double set_up = timer.lap();
@@ -215,7 +216,6 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
         listed_places_.push_back(place_of(v));
     }
     whole_.epoch = next_epochs();
-    whole_.time = time;
     whole_.dt = dt;
     for (const auto& pass : algorithm_.upkeep) {
         run_pass(whole_, pass);
@@ -305,6 +305,24 @@ Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, 
     return reach;
 }
 
+// Vertices to be looked at because targets changed there: to the submeshes that own them by now. An
+// id may be in use elsewhere since it was noted, and its stamp is not to be written from here then.
+// O(their number).
+template <class Real>
+void SubmeshExecutor<Real>::hand_out_resized() {
+    std::vector<std::uint32_t> list = std::move(whole_.resized);
+    whole_.resized.clear();
+    for (const auto& part : parts_) {
+        list.insert(list.end(), part->work.resized.begin(), part->work.resized.end());
+        part->work.resized.clear();
+    }
+    for (const std::uint32_t v : list) {
+        if (complex_.is_alive(Vertex{v})) {
+            owner_of(v).work.resized.push_back(v);
+        }
+    }
+}
+
 template <class Real>
 MoveReport SubmeshExecutor<Real>::move() {
     Timer timer(submeshes_.profile);
@@ -320,6 +338,9 @@ MoveReport SubmeshExecutor<Real>::move() {
             owner_of(v).arrivals.listing(v);
         }
         whole_.interface.clear();
+    }
+    if (!options_.sizes.is_uniform()) {
+        hand_out_resized();
     }
     const double hand_over = timer.lap();
     moving_.run(threads_, submeshes_.assignment, [&](std::size_t task) { move_part(task); });

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Keeps the targets of edges up to date as the mesh update visits stars: a target that has changed
+// is stored, and those neighbours that it concerns are visited in the next pass. So a change goes
+// from ring to ring, a ring in a pass, and no further than it matters. Only owned stars are read
+// and written: the result does not depend on the threads.
+#pragma once
+
+#include "dsc/passes/star_limits.h"
+#include "dsc/passes/work.h"
+#include "dsc/sizes/field.h"
+
+#include <cmath>
+
+namespace dsc {
+
+template <class Real>
+class SizeUpkeep {
+public:
+    explicit SizeUpkeep(Work<Real>& work)
+        : work_(work), rule_(work.options.sizes, work.options.edge_length),
+          field_(work.options.sizes.is_uniform() ? nullptr : &size_field(work.complex)) {}
+
+    [[nodiscard]] bool is_uniform() const { return field_ == nullptr; }
+
+    /// The target at the centre of an owned star, brought up to date. O(degree); O(1) if all edges
+    /// are of one length.
+    Real follow(const Ring<Real>& ring) {
+        return is_uniform() ? work_.options.edge_length : follow_star(ring);
+    }
+
+    /// The target at link vertex i of the star that was followed last, if that is not on the
+    /// interface.
+    [[nodiscard]] Real at_link(std::uint32_t i) const {
+        return is_uniform() ? work_.options.edge_length : lengths_.at[i];
+    }
+
+    /// To be called when the centre has been removed: its link is visited in the next pass, for
+    /// those that this one has visited already. Coarsening goes on until no vertex is left to be
+    /// removed.
+    void look_again(const Ring<Real>& ring) {
+        if (!is_uniform()) {
+            work_.resized.insert(work_.resized.end(), ring.link.begin(),
+                                 ring.link.begin() + ring.link_size());
+        }
+    }
+
+private:
+    // Out of line, so that the update of uniform meshes stays small.
+    [[gnu::noinline]] Real follow_star(const Ring<Real>& ring) {
+        VertexSize<Real>& stored = (*field_)[Vertex{ring.vertex}];
+        if (rule_.is_finest(ring) && stored.length == work_.options.edge_length) {
+            return stored.length; // as nearly all of them
+        }
+        const auto& data = field_->data();
+        lengths_.take(ring, [&](std::uint32_t v) { return data[v].length; });
+        if (rule_.needs_distance()) {
+            distances_.take(ring, [&](std::uint32_t v) { return data[v].distance; });
+        }
+        const VertexSize<Real> now = rule_.at(ring, lengths_, distances_, work_.time);
+        const Real change = rule_.slack() * std::min(now.length, stored.length);
+        const bool is_nearer = std::abs(now.distance - stored.distance) > change;
+        if (is_nearer || std::abs(now.length - stored.length) > change) {
+            const VertexSize<Real> old = stored;
+            stored = now;
+            tell_neighbours(ring, old.length, now.length, is_nearer && rule_.needs_distance());
+        }
+        return stored.length;
+    }
+
+    void tell_neighbours(const Ring<Real>& ring, Real old, Real now, bool all) {
+        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+            const Real dx = ring.link_x(i) - ring.x0;
+            const Real dy = ring.link_y(i) - ring.y0;
+            const Real rise = rule_.slope() * std::sqrt(dx * dx + dy * dy);
+            const Real theirs = lengths_.at[i];
+            // It falls with this one...
+            const bool falls = theirs > (now + rise) * (1 + rule_.slack());
+            // ...or was held down by it, along the edge or at less than 60 degrees to it, and may
+            // have been lower than that by the slack.
+            const bool rises = now > old && theirs * (1 + rule_.slack()) > old + Real(0.5) * rise;
+            if (all || falls || rises) {
+                work_.resized.push_back(ring.link[i]);
+            }
+        }
+    }
+
+    Work<Real>& work_;
+    SizeRule<Real> rule_;
+    SizeField<Real>* field_;
+    LinkValues<Real> lengths_; ///< of the star that was followed last
+    LinkValues<Real> distances_;
+};
+
+/// The vertices whose spokes are too long or too short for the targets of `size_field`: those that
+/// the mesh update has to visit first. Ascending. O(n).
+template <class Real>
+std::vector<std::uint32_t> out_of_size(Complex<Real>& complex, const Options<Real>& options);
+
+} // namespace dsc

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/sizes/measure.h"
+
+#include "dsc/complex/ranges.h"
+
+#include <string>
+
+namespace dsc {
+
+namespace {
+
+/// A vertex and the value that it was put on the heap with.
+template <class Real>
+struct Reached {
+    Real value;
+    std::uint32_t vertex;
+
+    // The smallest on top; vertices of one value by their ids, so that the order is certain.
+    friend bool operator<(const Reached& a, const Reached& b) {
+        return a.value != b.value ? a.value > b.value : a.vertex > b.vertex;
+    }
+};
+
+/// Dijkstra's algorithm, where a value reaches a vertex across triangles as well. Where a triangle
+/// is obtuse, a vertex may become lower after its turn, and gets another one.
+template <class Real>
+class March {
+public:
+    March(const Complex<Real>& complex, std::vector<Real>& values, Real slope)
+        : complex_(complex), values_(values), slope_(slope) {}
+
+    void run() {
+        for (const Vertex v : vertices(complex_)) {
+            if (std::isfinite(values_[v.id])) {
+                heap_.push_back({values_[v.id], v.id});
+            }
+        }
+        std::make_heap(heap_.begin(), heap_.end());
+        while (!heap_.empty()) {
+            std::pop_heap(heap_.begin(), heap_.end());
+            const Reached<Real> lowest = heap_.back();
+            heap_.pop_back();
+            if (lowest.value == values_[lowest.vertex]) {
+                reach_from(lowest.vertex);
+            }
+        }
+    }
+
+private:
+    void reach_from(std::uint32_t v) {
+        if (!gather(complex_, Region{}, v, ring_)) {
+            return;
+        }
+        const std::uint32_t n = ring_.link_size();
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const Real ax = ring_.x0 - ring_.link_x(i);
+            const Real ay = ring_.y0 - ring_.link_y(i);
+            Real value = values_[v] + slope_ * std::sqrt(ax * ax + ay * ay);
+            const auto across = [&](std::uint32_t j) {
+                value = std::min(value, least_between<Real>(ax, ay, values_[v],
+                                                            ring_.link_x(j) - ring_.link_x(i),
+                                                            ring_.link_y(j) - ring_.link_y(i),
+                                                            values_[ring_.link[j]], slope_));
+            };
+            if (i > 0 || ring_.closed) {
+                across(i > 0 ? i - 1 : n - 1);
+            }
+            if (i + 1 < n || ring_.closed) {
+                across(i + 1 < n ? i + 1 : 0);
+            }
+            lower(ring_.link[i], value);
+        }
+    }
+
+    void lower(std::uint32_t v, Real value) {
+        constexpr Real worth = Real(1e-3); // of the value: what a second turn has to bring
+        if (value < values_[v] && !(values_[v] - value < worth * value)) {
+            values_[v] = value;
+            heap_.push_back({value, v});
+            std::push_heap(heap_.begin(), heap_.end());
+        }
+    }
+
+    const Complex<Real>& complex_;
+    std::vector<Real>& values_;
+    Real slope_;
+    std::vector<Reached<Real>> heap_;
+    Ring<Real> ring_;
+};
+
+} // namespace
+
+template <class Real>
+SizeField<Real>& size_field(Complex<Real>& complex) {
+    static const std::string name = "dsc.size";
+    if (complex.attributes.contains(name)) {
+        return complex.attributes.template get<Vertex, VertexSize<Real>>(name);
+    }
+    using Size = VertexSize<Real>;
+    return complex.attributes.template add<Vertex>(
+        name, Size{}, [](const Size& a, const Size& b, double fraction) {
+            const auto between = [share = static_cast<Real>(fraction)](Real from, Real to) {
+                return std::isfinite(from) && std::isfinite(to) ? from + share * (to - from)
+                                                                : std::min(from, to);
+            };
+            return Size{between(a.length, b.length), between(a.distance, b.distance)};
+        });
+}
+
+template <class Real>
+Real extent_of(const Complex<Real>& complex) {
+    constexpr Real most = std::numeric_limits<Real>::max();
+    Point<Real> low(most, most);
+    Point<Real> high = -low;
+    for (const Vertex v : vertices(complex)) {
+        low = low.cwiseMin(complex.position(v));
+        high = high.cwiseMax(complex.position(v));
+    }
+    return std::max((high - low).maxCoeff(), Real(0));
+}
+
+template <class Real>
+void measure_sizes(Complex<Real>& complex, const SizeOptions<Real>& sizes, Real edge_length,
+                   Real time) {
+    const SizeRule<Real> rule(sizes, edge_length);
+    std::vector<Real> distances;
+    std::vector<Real> values(complex.vertex_bound(), std::numeric_limits<Real>::infinity());
+    Ring<Real> ring;
+    if (rule.needs_distance()) {
+        distances = values;
+        for (const Vertex v : vertices(complex)) {
+            if (gather(complex, Region{}, v.id, ring) && is_on_interface(ring)) {
+                distances[v.id] = 0;
+            }
+        }
+        March<Real>(complex, distances, Real(1)).run();
+    }
+    const auto distance = [&](Vertex v) { return distances.empty() ? Real(0) : distances[v.id]; };
+    for (const Vertex v : vertices(complex)) {
+        if (gather(complex, Region{}, v.id, ring)) {
+            values[v.id] = rule.own(ring, distance(v), time);
+        }
+    }
+    March<Real>(complex, values, rule.slope()).run();
+    SizeField<Real>& field = size_field(complex);
+    for (const Vertex v : vertices(complex)) {
+        field[v] = {values[v.id], distance(v)};
+    }
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template SizeField<Real>& size_field(Complex<Real>&);                                          \
+    template Real extent_of(const Complex<Real>&);                                                 \
+    template void measure_sizes(Complex<Real>&, const SizeOptions<Real>&, Real, Real);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

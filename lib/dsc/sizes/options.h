@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// How long edges should be: everywhere the same, or growing away from the interface, by a field of
+// the application where it gives one.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <functional>
+
+namespace dsc {
+
+/// Lengths are in units of the domain. The edge length of the options is the finest target: results
+/// of the functions are clamped to at least that, NaN counts as that too. The functions are called
+/// from several threads at once where submeshes run in parallel.
+template <class Real>
+struct SizeOptions {
+    using ByPlace = std::function<Real(const Point<Real>&, Real time, Phase)>;
+    using ByDistance = std::function<Real(Real distance)>;
+
+    /// How much longer an edge may be than its neighbour towards the interface: above 1, up to 2.
+    /// At the distance d of edges of length h, edges of h + (growth - 1) d are wanted. 0: all edges
+    /// are of one length, and nothing else here may be set.
+    double growth = 0;
+    Real longest = 0; ///< the longest target; 0: the extent of the mesh
+    /// A target by place, time and phase; where phases meet the shortest counts. The interface has
+    /// it too. Empty: none.
+    ByPlace by_place = {};
+    bool changes_in_time = false; ///< `by_place` does: the whole mesh is looked at in each step
+    /// A target by the distance to the interface. Empty: none.
+    ByDistance by_distance = {};
+
+    [[nodiscard]] bool is_uniform() const { return growth == 0; }
+};
+
+/// Throws InputError if a value is out of range, or set although all edges are of one length.
+template <class Real>
+void check_sizes(const SizeOptions<Real>& sizes, Real edge_length);
+
+} // namespace dsc

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// How a value that grows with the distance reaches a point: along edges, or across the triangles of
+// its star, which is exact for a straight front (R. Kimmel, J. A. Sethian, "Computing geodesic
+// paths on manifolds", 1998).
+#pragma once
+
+#include "dsc/complex/ring.h"
+
+#include <cmath>
+#include <limits>
+
+namespace dsc {
+
+/// The least of value(q) + slope |p - q| over the points q strictly between a and b, where the
+/// value is linear; infinity if it is at an end, or if the values at both ends are infinite. (ax,
+/// ay) and (bx, by) lead from p to a and b. `slope` must be positive. Without branches.
+template <class Real>
+Real least_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_b, Real slope) {
+    const Real ex = bx - ax;
+    const Real ey = by - ay;
+    const Real squared = ex * ex + ey * ey;
+    const Real along = -(ax * ex + ay * ey);
+    const Real across = std::abs(ax * by - ay * bx);
+    // How far the front rises along the edge, and how far it goes sideways: 0 where it is steeper
+    // than the slope, and the lower end always the better start.
+    const Real rise = (value_b - value_a) / slope;
+    const Real sideways = std::sqrt(std::max(Real(0), squared - rise * rise));
+    const Real foot = along * sideways - across * rise; // over sideways: along the edge
+    const Real value = value_a + slope * (rise * along + sideways * across) / squared;
+    return (foot > 0) & (foot < squared * sideways) ? value : std::numeric_limits<Real>::infinity();
+}
+
+/// The values at the link of a ring: as the ring's coordinates, padded, with those of the next link
+/// vertex beside them.
+template <class Real>
+struct LinkValues {
+    alignas(64) std::array<Real, Ring<Real>::room> at;
+    alignas(64) std::array<Real, Ring<Real>::room> next;
+
+    /// Takes value(v) of each vertex v of the link. O(degree).
+    template <class Value>
+    void take(const Ring<Real>& ring, Value value) {
+        const std::uint32_t n = ring.size;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            at[i] = value(ring.link[i]);
+            next[i > 0 ? i - 1 : n - 1] = at[i];
+        }
+        if (!ring.closed) {
+            at[n] = value(ring.link[n]);
+            next[n - 1] = at[n];
+        }
+        for (std::uint32_t i = n; i < ring.padded(); ++i) {
+            // The last value of an open ring is not padding.
+            at[i] = ring.closed || i > n ? at[0] : at[i];
+            next[i] = next[0];
+        }
+    }
+};
+
+/// The least of value(q) + slope |p - q| over the points q of the link of a ring, whose centre is
+/// p; the value is linear along the link's edges. O(degree).
+template <class Real>
+Real least_over_link(const Ring<Real>& ring, Real slope, const LinkValues<Real>& values) {
+    Real least = std::numeric_limits<Real>::infinity();
+    const std::uint32_t n = ring.closed ? ring.padded() : ring.size;
+    const Real px = ring.x0;
+    const Real py = ring.y0;
+    const Real* x = ring.x.data();
+    const Real* y = ring.y.data();
+    const Real* x_next = ring.x_next.data();
+    const Real* y_next = ring.y_next.data();
+    const Real* at = values.at.data();
+    const Real* next = values.next.data();
+#pragma omp simd reduction(min : least)
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Real ax = x[i] - px;
+        const Real ay = y[i] - py;
+        const Real bx = x_next[i] - px;
+        const Real by = y_next[i] - py;
+        least = std::min(least, at[i] + slope * std::sqrt(ax * ax + ay * ay));
+        least = std::min(least, least_between<Real>(ax, ay, at[i], bx, by, next[i], slope));
+    }
+    if (!ring.closed) {
+        const Real ax = ring.link_x(ring.size) - px;
+        const Real ay = ring.link_y(ring.size) - py;
+        least = std::min(least, at[ring.size] + slope * std::sqrt(ax * ax + ay * ay));
+    }
+    return least;
+}
+
+} // namespace dsc

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// Targets of edges that grow away from the interface, kept as it moves: in each of the ways that
+// there are.
+#include "support/courses.h"
+#include "support/simulation_testing.h"
+
+#include "dsc/algebra/mesh_functions.h"
+#include "dsc/base/error.h"
+#include "dsc/complex/numbering.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/queries/hash.h"
+#include "dsc/sizes/measure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc {
+namespace {
+
+using test::all_courses;
+using test::Course;
+using test::course_name;
+using test::expect_whole;
+using test::make_simulation;
+using test::swirl;
+
+constexpr double h = 0.015;
+
+Options<double> graded(double growth = 1.3) {
+    Options<double> options;
+    options.edge_length = h;
+    options.sizes.growth = growth;
+    return options;
+}
+
+Complex<double> small_disc() { return test::disc_complex<double>(h, {0.5, 0.7}, 0.15); }
+
+void run_steps(Simulation<double>& simulation, const Velocity<double>& velocity, int steps,
+               double dt = 0.6 * h) {
+    for (int step = 0; step < steps; ++step) {
+        simulation.step(velocity, step * dt, dt);
+    }
+}
+
+class GradedMesh : public testing::TestWithParam<Course> {};
+
+TEST_P(GradedMesh, CoarsensFarAwayAndKeepsTheCurve) {
+    Complex<double> uniform = small_disc();
+    Complex<double> complex = small_disc();
+    auto even = make_simulation(uniform, {.edge_length = h}, GetParam());
+    auto simulation = make_simulation(complex, graded(), GetParam());
+    for (int step = 0; step < 30; ++step) {
+        even->step(swirl, 0.01 * step, 0.01);
+        simulation->step(swirl, 0.01 * step, 0.01);
+        expect_whole(complex, *simulation);
+    }
+    EXPECT_LT(complex.triangle_count(), uniform.triangle_count() / 2);
+    EXPECT_NEAR(static_cast<double>(simulation->interface_size()),
+                static_cast<double>(even->interface_size()), 4);
+    EXPECT_NEAR(phase_area(complex, 1), phase_area(uniform, 1), 1e-5);
+    for (const Edge e : edges(complex)) {
+        const auto [a, b] = complex.vertices_of(e);
+        const double length = (complex.position(a) - complex.position(b)).norm();
+        const double target =
+            std::min(size_field(complex)[a].length, size_field(complex)[b].length);
+        EXPECT_LT(length, 2.2 * target);
+    }
+}
+
+// What is stored may lag behind, by the slack at each ring and by a ring a pass.
+TEST_P(GradedMesh, TargetsAreThoseOfTheMeshAsItIs) {
+    Complex<double> complex = small_disc();
+    auto simulation = make_simulation(complex, graded(), GetParam());
+    run_steps(*simulation, swirl, 60);
+    run_steps(*simulation, test::constant<double>(1e-9, 0), 20); // what was under way arrives
+    const std::vector<VertexSize<double>> kept = size_field(complex).data();
+    SizeOptions<double> sizes = graded().sizes;
+    sizes.longest = extent_of(complex);
+    measure_sizes(complex, sizes, h, 0.0);
+    double sum = 0;
+    for (const Vertex v : vertices(complex)) {
+        const double ratio = kept[v.id].length / size_field(complex)[v].length;
+        EXPECT_GT(ratio, 0.6);
+        EXPECT_LT(ratio, 1.5);
+        sum += std::abs(ratio - 1);
+    }
+    EXPECT_LT(sum / complex.vertex_count(), 0.1);
+}
+
+TEST_P(GradedMesh, GivesTheSameBitsForAnyNumberOfThreads) {
+    std::vector<std::uint64_t> hashes;
+    for (const std::uint32_t threads : {1U, 2U}) {
+        Complex<double> complex = small_disc();
+        Course course = GetParam();
+        course.threads = threads;
+        auto simulation = make_simulation(complex, graded(), course);
+        for (int step = 0; step < 40; ++step) {
+            simulation->step(swirl, 0.01 * step, 0.01);
+            hashes.push_back(mesh_hash(complex));
+        }
+    }
+    for (std::size_t i = 0; i < 40; ++i) {
+        EXPECT_EQ(hashes[i], hashes[i + 40]) << "step " << i;
+    }
+}
+
+// Fine triangles follow the interface and are not left behind.
+TEST_P(GradedMesh, CoarsensWhatTheInterfaceLeavesBehind) {
+    Complex<double> complex = test::disc_complex<double>(h, {0.25, 0.3}, 0.1);
+    auto simulation = make_simulation(complex, graded(), GetParam());
+    run_steps(*simulation, test::constant<double>(1e-9, 0), 40);
+    const double before = complex.triangle_count();
+    run_steps(*simulation, test::constant<double>(1, 0.8), 50);
+    run_steps(*simulation, test::constant<double>(1e-9, 0), 40);
+    expect_whole(complex, *simulation);
+    EXPECT_LT(complex.triangle_count(), 1.25 * before);
+    EXPECT_GT(complex.triangle_count(), 0.6 * before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, GradedMesh, testing::ValuesIn(all_courses), course_name);
+
+TEST(Sizes, UniformMeshesKeepNoTargets) {
+    Complex<double> complex = small_disc();
+    Simulation<double> simulation(complex, {.edge_length = h});
+    run_steps(simulation, swirl, 2);
+    EXPECT_TRUE(complex.attributes.empty());
+}
+
+TEST(Sizes, CanBeSwitchedOnAndOff) {
+    Complex<double> complex = small_disc();
+    const double uniform = complex.triangle_count();
+    Simulation<double> simulation(complex, {.edge_length = h});
+    simulation.set_options(graded());
+    run_steps(simulation, test::constant<double>(1e-9, 0), 40);
+    EXPECT_LT(complex.triangle_count(), uniform / 6);
+    simulation.set_options({.edge_length = h});
+    run_steps(simulation, test::constant<double>(1e-9, 0), 80);
+    expect_whole(complex, simulation);
+    EXPECT_GT(complex.triangle_count(), 0.25 * uniform);
+}
+
+TEST(Sizes, SurviveANewNumbering) {
+    Complex<double> complex = small_disc();
+    Simulation<double> simulation(complex, graded());
+    run_steps(simulation, swirl, 10);
+    renumber(complex);
+    run_steps(simulation, swirl, 10);
+    expect_whole(complex, simulation);
+    renumber(complex);
+    run_steps(simulation, test::constant<double>(1e-9, 0), 40);
+    EXPECT_LT(complex.triangle_count(), small_disc().triangle_count() / 2);
+}
+
+TEST(Sizes, FollowTheTimeWhereTheyAreToldThatTheyChange) {
+    Complex<double> complex = small_disc();
+    Options<double> options = graded(1.5);
+    options.sizes.by_place = [](const Point<double>&, double time, Phase) {
+        return time < 1 ? 0.06 : h;
+    };
+    options.sizes.changes_in_time = true;
+    Simulation<double> simulation(complex, options);
+    const auto still = test::constant<double>(1e-9, 0);
+    const auto at = [&](double time) {
+        for (int i = 0; i < 40; ++i) {
+            simulation.step(still, time, 1e-3);
+        }
+        expect_whole(complex, simulation);
+        return static_cast<double>(complex.triangle_count());
+    };
+    const double coarse = at(0);
+    EXPECT_GT(at(2), 4 * coarse);
+}
+
+TEST(Sizes, FloatWorksAsWell) {
+    auto complex = test::disc_complex<float>(h, {0.5, 0.7}, 0.15);
+    const auto before = complex.triangle_count();
+    auto options = test::options_for<float>(h);
+    options.sizes.growth = 1.3;
+    Simulation<float> simulation(complex, options);
+    for (int step = 0; step < 30; ++step) {
+        simulation.step(test::constant<float>(0.3, 0), 0.0F, 0.01F);
+    }
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_LT(complex.triangle_count(), before / 2);
+}
+
+TEST(Sizes, BadOptionsAreRefused) {
+    const auto refused = [](auto change) {
+        Options<double> options = graded();
+        change(options.sizes);
+        EXPECT_THROW(check_options(options), InputError);
+    };
+    EXPECT_NO_THROW(check_options(graded()));
+    refused([](auto& sizes) { sizes.growth = 1; });
+    refused([](auto& sizes) { sizes.growth = 0.5; });
+    refused([](auto& sizes) { sizes.growth = 2.1; });
+    refused([](auto& sizes) { sizes.growth = -1; });
+    refused([](auto& sizes) { sizes.growth = std::nan(""); });
+    refused([](auto& sizes) { sizes.longest = h / 2; });
+    refused([](auto& sizes) { sizes.longest = std::nan(""); });
+    refused([](auto& sizes) { sizes.longest = INFINITY; });
+    refused([](auto& sizes) { sizes.changes_in_time = true; });
+    refused([](auto& sizes) {
+        sizes.growth = 0;
+        sizes.by_distance = [](double) { return 0.1; };
+    });
+    refused([](auto& sizes) {
+        sizes.growth = 0;
+        sizes.longest = 0.1;
+    });
+}
+
+} // namespace
+} // namespace dsc
