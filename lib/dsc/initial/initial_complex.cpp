@@ -8,6 +8,7 @@
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/phases.h"
 #include "dsc/initial/build/segments.h"
+#include "dsc/initial/improve/grading.h"
 #include "dsc/initial/improve/improvement.h"
 #include "dsc/initial/input/curve_check.h"
 #include "dsc/initial/input/input_check.h"
@@ -43,8 +44,13 @@ Complex<Real> build(const initial::Lattice& lattice, std::span<const initial::Pa
         legalise_star(complex, v, stack);
     }
     const auto interface_vertices = vertices_on(chains);
-    improve(complex, std::span<const std::uint32_t>(interface_vertices), options.edge_length,
-            options.improve_rounds, protection);
+    if (options.sizes.is_uniform()) {
+        improve(complex, std::span<const std::uint32_t>(interface_vertices), options.edge_length,
+                options.improve_rounds, protection);
+    } else {
+        grade(complex, sizes_in<Real>(options.sizes), static_cast<Real>(options.edge_length),
+              options.improve_rounds, protection);
+    }
     if (options.renumber) {
         renumber(complex);
     }

@@ -3,13 +3,14 @@
 // number of simple polygons, each with its phase, or with a network of curves that meet each other
 // and the sides of the rectangle, triangulated at a target edge length. A lattice of
 // near-equilateral triangles is laid over the rectangle; only the part near the interface is
-// searched, changed or improved.
+// searched, changed or improved, unless edges grow away from it.
 //
 // The result is a constrained Delaunay triangulation (up to `delaunay_slack`) whose interface
 // consists of the outlines or curves and nothing else.
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/sizes/options.h"
 
 #include <initializer_list>
 #include <span>
@@ -39,7 +40,9 @@ struct Rectangle {
 struct InitialOptions {
     double edge_length = 0.05; ///< the target, in units of the coordinates
     int improve_rounds = 12;   ///< at most so many rounds of improvement near the interface
-    bool renumber = true;      ///< order ids along a space-filling curve
+    /// Longer edges away from the interface. The interface is cut by `edge_length` all the same.
+    SizeOptions<double> sizes = {};
+    bool renumber = true; ///< order ids along a space-filling curve
 };
 
 /// Triangulates `domain` with the outlines of `shapes` as its interface.
@@ -49,12 +52,15 @@ struct InitialOptions {
 /// longer than `edge_length` is cut into ceil(length / edge_length) equal pieces; all vertices of
 /// the outline stay, bit for bit (for float: as rounded).
 ///
-/// Time and memory: O(1) per triangle, plus O(n log n) for the n vertices of the cut outlines. The
-/// same input gives the same bits.
+/// Where edges grow (`sizes`), the lattice is coarse, and triangles are broken up until they are as
+/// small as the targets of their vertices.
 ///
-/// \throw InputError where a coordinate or the edge length makes no sense, an outline is degenerate
-/// or crosses or touches itself, another one or the side of the domain, a shape has the phase
-/// around it, or the complex would be absurdly large.
+/// Time and memory: O(1) per triangle, plus O(n log n) for the n vertices of the cut outlines, and
+/// for those of the complex where edges grow. The same input gives the same bits.
+///
+/// \throw InputError where a coordinate, the edge length or a size makes no sense, an outline is
+/// degenerate or crosses or touches itself, another one or the side of the domain, a shape has the
+/// phase around it, or the complex would be absurdly large.
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
                               const InitialOptions& options = {});
@@ -78,11 +84,11 @@ Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Sha
 /// shorter than the others, and crowded, are searched in up to the square of their number. The same
 /// input gives the same bits.
 ///
-/// \throw InputError where a coordinate or the edge length makes no sense; a curve has too few
-/// points, an edge without length, one phase on both sides or a reserved one; a point lies outside
-/// the domain or, unless it is an end, on a side or next to it; an end meets nothing; curves cross,
-/// touch or overlap anywhere but at common ends; two curves name different phases for a region; or
-/// the complex would be absurdly large.
+/// \throw InputError where a coordinate, the edge length or a size makes no sense; a curve has too
+/// few points, an edge without length, one phase on both sides or a reserved one; a point lies
+/// outside the domain or, unless it is an end, on a side or next to it; an end meets nothing;
+/// curves cross, touch or overlap anywhere but at common ends; two curves name different phases for
+/// a region; or the complex would be absurdly large.
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> curves,
                               const InitialOptions& options = {});

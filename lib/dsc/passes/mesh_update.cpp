@@ -29,10 +29,7 @@ public:
           needle_(squared_needle_quality(grading_squared_)) {}
 
     void run() {
-        for (const std::uint32_t v : work_.resized) {
-            work_.activate(v);
-        }
-        work_.resized.clear();
+        activate_resized(work_);
         // Vertices created on the way are appended and visited as well: splits halve lengths, so
         // this terminates; the bound is for thresholds that contradict each other.
         const std::size_t bound = 8 * work_.active.size() + 64;
@@ -44,9 +41,8 @@ public:
 
 private:
     using Limits = StarLimits<Real>;
-
     Limits limits(Phase phase, Real length) const {
-        return star_limits(work_.options.thresholds(phase), length);
+        return star_limits(work_.options, phase, length);
     }
 
     bool gather_star(std::uint32_t v) {
@@ -60,6 +56,7 @@ private:
     // A vertex that has been removed has no star. Its id may be in use again elsewhere, so its
     // position is checked before anything else.
     void visit(std::uint32_t v) {
+        Real length = 0; // the target, followed once in a visit
         for (int turn = 0; turn < max_turns; ++turn) {
             if (!gather_star(v)) {
                 return;
@@ -69,7 +66,7 @@ private:
             if (star.delaunay < 0 && flip_spokes()) {
                 continue;
             }
-            const Real length = sizes_.follow(ring_);
+            length = length > 0 ? length : sizes_.follow(ring_);
             const Limits limit = limits(ring_.phase[0], length);
             const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
             if (may_move) {
@@ -206,8 +203,9 @@ private:
 
     /// How long the edges of link vertex i may become by a collapse, squared.
     Real longest_about(std::uint32_t i, const Limits& limit) const {
-        return sizes_.is_uniform() ? Real(1.44) * limit.longest
-                                   : Real(1.44) * limits(ring_.phase[0], sizes_.at_link(i)).longest;
+        const Real target = sizes_.at(ring_.link[i]);
+        return Real(1.44) *
+               (sizes_.is_uniform() ? limit.longest : limits(ring_.phase[0], target).longest);
     }
 
     bool finish_collapse(std::uint32_t i) {

@@ -13,8 +13,7 @@ std::vector<std::uint32_t> out_of_size(Complex<Real>& complex, const Options<Rea
     for (const Vertex v : vertices(complex)) {
         if (gather(complex, Region{}, v.id, ring)) {
             const Real length = field != nullptr ? (*field)[v].length : options.edge_length;
-            if (is_out_of_size(examine(ring),
-                               star_limits(options.thresholds(ring.phase[0]), length))) {
+            if (is_out_of_size(examine(ring), star_limits(options, ring.phase[0], length))) {
                 found.push_back(v.id);
             }
         }

@@ -13,6 +13,15 @@
 
 namespace dsc {
 
+/// Puts the vertices where targets change into the active set, once each. O(their number).
+template <class Real>
+void activate_resized(Work<Real>& work) {
+    for (const std::uint32_t v : work.resized) {
+        work.activate(v);
+    }
+    work.resized.clear();
+}
+
 template <class Real>
 class SizeUpkeep {
 public:
@@ -28,14 +37,13 @@ public:
         return is_uniform() ? work_.options.edge_length : follow_star(ring);
     }
 
-    /// The target at link vertex i of the star that was followed last, if that is not on the
-    /// interface.
-    [[nodiscard]] Real at_link(std::uint32_t i) const {
-        return is_uniform() ? work_.options.edge_length : lengths_.at[i];
+    /// The target at a vertex, as stored.
+    [[nodiscard]] Real at(std::uint32_t v) const {
+        return is_uniform() ? work_.options.edge_length : (*field_)[Vertex{v}].length;
     }
 
-    /// To be called when the centre has been removed: its link is visited in the next pass, for
-    /// those that this one has visited already. Coarsening goes on until no vertex is left to be
+    /// To be called when the centre has been removed: its link is visited in the next pass, since
+    /// this one may have visited it already. Coarsening goes on until no vertex is left to be
     /// removed.
     void look_again(const Ring<Real>& ring) {
         if (!is_uniform()) {
@@ -87,7 +95,7 @@ private:
     Work<Real>& work_;
     SizeRule<Real> rule_;
     SizeField<Real>* field_;
-    LinkValues<Real> lengths_; ///< of the star that was followed last
+    LinkValues<Real> lengths_; // scratch
     LinkValues<Real> distances_;
 };
 

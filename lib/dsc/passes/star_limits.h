@@ -18,12 +18,19 @@ struct StarLimits {
     Real crowded;  ///< length
 };
 
+/// The limits at a vertex with this target, inside a phase. O(1).
 template <class Real>
-StarLimits<Real> star_limits(const PhaseThresholds& t, Real length) {
+StarLimits<Real> star_limits(const Options<Real>& options, Phase phase, Real length) {
+    const PhaseThresholds& t = options.thresholds(phase);
     const auto square = [](Real value) { return value * value; };
+    // The target grows along an edge that leads away from the interface: at the middle of one as
+    // long as the threshold allows it is longer by this factor. Measured against the shorter target
+    // of its ends alone, edges would be split and collapsed twice as often as they need.
+    const double growth = options.sizes.growth > 0 ? options.sizes.growth : 1;
+    const double stretch = 1 + 0.5 * t.longest * (growth - 1);
     return {square(static_cast<Real>(t.collapse_quality)),
             square(static_cast<Real>(t.smooth_quality)),
-            square(static_cast<Real>(t.longest) * length),
+            square(static_cast<Real>(t.longest * stretch) * length),
             square(static_cast<Real>(t.shortest) * length),
             square(static_cast<Real>(t.crowded) * length)};
 }

@@ -32,6 +32,28 @@ struct SizeOptions {
     [[nodiscard]] bool is_uniform() const { return growth == 0; }
 };
 
+/// The same options for a complex of another scalar.
+template <class Real, class From>
+SizeOptions<Real> sizes_in(const SizeOptions<From>& sizes) {
+    SizeOptions<Real> result;
+    result.growth = sizes.growth;
+    result.longest = static_cast<Real>(sizes.longest);
+    result.changes_in_time = sizes.changes_in_time;
+    if (sizes.by_place) {
+        result.by_place = [by_place = sizes.by_place](const Point<Real>& p, Real time,
+                                                      Phase phase) {
+            return static_cast<Real>(
+                by_place(p.template cast<From>(), static_cast<From>(time), phase));
+        };
+    }
+    if (sizes.by_distance) {
+        result.by_distance = [by_distance = sizes.by_distance](Real distance) {
+            return static_cast<Real>(by_distance(static_cast<From>(distance)));
+        };
+    }
+    return result;
+}
+
 /// Throws InputError if a value is out of range, or set although all edges are of one length.
 template <class Real>
 void check_sizes(const SizeOptions<Real>& sizes, Real edge_length);

@@ -33,6 +33,7 @@ template <class Real>
 Complex<Real> first_complex(const Setup& setup, const Parameters& parameters) {
     InitialOptions options;
     options.edge_length = parameters.h;
+    options.sizes.growth = parameters.grade;
     if (!setup.curves.empty()) {
         auto complex =
             initial_complex<Real>(setup.domain, std::span<const dsc::Curve>(setup.curves), options);

@@ -2,8 +2,6 @@
 #include "dsc/initial/improve/refinement.h"
 
 #include "dsc/complex/ranges.h"
-#include "dsc/initial/build/insertion.h"
-#include "dsc/initial/rounding.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/quality/measures.h"
 
@@ -15,75 +13,15 @@ namespace dsc::initial {
 
 namespace {
 
-constexpr double refine_below = 0.5;    // quality of a triangle that is broken up
-constexpr double split_above = 1.5;     // length of an inner edge that is split, over the target
-constexpr double split_quality = 0.4;   // of the triangles that a split may leave for smoothing
-constexpr double cosine_of_lens = -0.5; // of the angle at which a piece is seen from its rim
-
-template <class Real>
-Point<double> at(const Complex<Real>& complex, std::uint32_t vertex) {
-    return complex.position(Vertex{vertex}).template cast<double>();
-}
-
-template <class Real>
-bool is_constrained(const Complex<Real>& complex, Corner corner) {
-    return complex.phase_at(corner) != complex.phase_at(complex.twin(corner));
-}
+constexpr double refine_below = 0.5;  // quality of a triangle that is broken up
+constexpr double split_above = 1.5;   // length of an inner edge that is split, over the target
+constexpr double split_quality = 0.4; // of the triangles that a split may leave for smoothing
 
 template <class Real>
 double quality_of(const Complex<Real>& complex, std::uint32_t triangle) {
     const auto& v = complex.triangles[triangle].v;
-    return quality<double>(at(complex, v[0]), at(complex, v[1]), at(complex, v[2]));
-}
-
-// Whether the point lies in the protection of a constrained edge of the triangle.
-template <class Real>
-bool encroaches(const Complex<Real>& complex, std::uint32_t triangle, const Point<double>& point,
-                Protection protection) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        const Corner c = corner_of(triangle, i);
-        if (!is_constrained(complex, c)) {
-            continue;
-        }
-        const Point<double> p = at(complex, complex.vertex(next(c))) - point;
-        const Point<double> q = at(complex, complex.vertex(prev(c))) - point;
-        const double dot = p.dot(q);
-        if (dot < 0 &&
-            (protection == Protection::circle || dot < cosine_of_lens * p.norm() * q.norm())) {
-            return true;
-        }
-    }
-    return false;
-}
-
-// The same for the triangle and its neighbours, which an insertion is certain to change.
-template <class Real>
-bool encroaches_near(const Complex<Real>& complex, std::uint32_t triangle,
-                     const Point<double>& point, Protection protection) {
-    const auto& across = complex.triangles[triangle].n;
-    return encroaches(complex, triangle, point, protection) ||
-           std::any_of(across.begin(), across.end(), [&](Corner c) {
-               return !is_border(c) && encroaches(complex, triangle_of(c), point, protection);
-           });
-}
-
-// The new vertex, or no_id where the centre lies beyond the interface or too near to it.
-template <class Real>
-std::uint32_t break_up(Complex<Real>& complex, std::uint32_t triangle, Protection protection,
-                       std::vector<Corner>& stack) {
-    const auto& v = complex.triangles[triangle].v;
-    const Point<double> centre =
-        circumcentre<double>(at(complex, v[0]), at(complex, v[1]), at(complex, v[2]));
-    if (!std::isfinite(centre.x()) || !std::isfinite(centre.y())) {
-        return no_id;
-    }
-    const Point<Real> point = narrowed<Real>(centre);
-    const Location location = locate(complex, triangle, point);
-    if (location.place == Place::beyond || location.place == Place::vertex ||
-        encroaches_near(complex, triangle_of(location.corner), centre, protection)) {
-        return no_id;
-    }
-    return insert_point(complex, location, point, stack);
+    return quality<double>(position_of(complex, v[0]), position_of(complex, v[1]),
+                           position_of(complex, v[2]));
 }
 
 template <class Real>
@@ -99,10 +37,10 @@ void push_poor(const Complex<Real>& complex, std::uint32_t vertex,
 // Splits the edge at its midpoint if that is allowed; returns whether it was.
 template <class Real>
 bool split(Complex<Real>& complex, Corner corner, std::vector<Corner>& stack) {
-    const Point<double> a = at(complex, complex.vertex(corner));
-    const Point<double> b = at(complex, complex.vertex(next(corner)));
-    const Point<double> w = at(complex, complex.vertex(prev(corner)));
-    const Point<double> d = at(complex, complex.vertex(complex.twin(corner)));
+    const Point<double> a = position_of(complex, complex.vertex(corner));
+    const Point<double> b = position_of(complex, complex.vertex(next(corner)));
+    const Point<double> w = position_of(complex, complex.vertex(prev(corner)));
+    const Point<double> d = position_of(complex, complex.vertex(complex.twin(corner)));
     const Point<Real> point = narrowed<Real>(midpoint<double>(b, w));
     const Point<double> m = point.template cast<double>();
     const double worst = std::min(std::min(quality<double>(a, b, m), quality<double>(a, m, w)),
@@ -135,7 +73,7 @@ std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone,
         if (!complex.is_alive(Triangle{t}) || quality_of(complex, t) >= refine_below) {
             continue;
         }
-        const std::uint32_t v = break_up(complex, t, protection, stack);
+        const std::uint32_t v = break_up(complex, t, protection, stack).vertex;
         if (v != no_id) {
             push_poor(complex, v, queue);
             ++inserted;
@@ -157,7 +95,8 @@ std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zo
         double length = split_above * edge_length;
         for_each_corner(complex, Vertex{v}, [&](Corner c) {
             // The spoke at the counter-clockwise side of the triangle, opposite to its next corner.
-            const double candidate = (at(complex, complex.vertex(prev(c))) - at(complex, v)).norm();
+            const double candidate =
+                (position_of(complex, complex.vertex(prev(c))) - position_of(complex, v)).norm();
             if (candidate > length && !is_constrained(complex, next(c))) {
                 longest = next(c);
                 length = candidate;

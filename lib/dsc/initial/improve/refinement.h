@@ -3,20 +3,11 @@
 // algorithm for quality 2-dimensional mesh generation" (1995), with the outlines left as they are.
 #pragma once
 
-#include "dsc/complex/complex.h"
+#include "dsc/initial/improve/centres.h"
 
 #include <span>
 
 namespace dsc::initial {
-
-/// What no new vertex may enter, about a piece of the interface or of a side of the domain.
-enum class Protection : std::uint8_t {
-    circle, ///< the smallest circle: the piece is seen at an angle of at most 90 degrees
-    /// The part of it where the piece is seen at more than 120 degrees, so that triangles may have
-    /// angles of 30 at its ends (L. P. Chew, "Guaranteed-quality mesh generation for curved
-    /// surfaces", 1993). Where curves meet, short pieces next to long ones need that.
-    lens,
-};
 
 /// Breaks up poor triangles by the centres of their circles, as long as these do not crowd the
 /// interface: new edges are no shorter than those that there are (with `lens`: not by much), and

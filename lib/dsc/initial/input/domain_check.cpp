@@ -12,6 +12,20 @@
 
 namespace dsc::initial {
 
+namespace {
+
+// Of the lattice. Where edges grow, it is as coarse as they may become: an eighth of the smaller
+// side of the domain is small enough for triangles of good quality, and costs nothing.
+double spacing_of(const InitialOptions& options, double side) {
+    if (options.sizes.is_uniform()) {
+        return options.edge_length;
+    }
+    const double coarse = std::max(options.edge_length, side / 8);
+    return options.sizes.longest > 0 ? std::min(coarse, options.sizes.longest) : coarse;
+}
+
+} // namespace
+
 template <class Real>
 Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     const double h = options.edge_length;
@@ -66,8 +80,10 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
                           .allowed = "at least " + text(least_steps * resolution) +
                                      "; a UnitMap brings a scene near the origin"});
     }
+    check_sizes(options.sizes, h);
+    const double spacing = spacing_of(options, std::min(width, height));
     // An equilateral triangle has the area sqrt(3)/4 h^2.
-    const double triangles = width / h * (height / h) / 0.43301270189221933;
+    const double triangles = width / spacing * (height / spacing) / 0.43301270189221933;
     if (!(triangles <= most_triangles)) {
         throw InputError(
             {.what = "the complex would be absurdly large",
@@ -75,7 +91,7 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
              .value = "edge length " + text(h) + ", about " + text(triangles) + " triangles",
              .allowed = "at most " + text(most_triangles) + " triangles"});
     }
-    return fit_lattice(low, high, h);
+    return fit_lattice(low, high, spacing);
 }
 
 template Lattice check_domain<double>(const Rectangle&, const InitialOptions&);

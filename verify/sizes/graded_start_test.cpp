@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// The first complex where edges grow away from the interface: as good as the uniform one, small,
+// and such that the first step has nothing to mend.
+#include "dsc/algorithm/simulation.h"
+#include "dsc/initial/initial_complex.h"
+
+#include "support/simulation_testing.h"
+
+#include "dsc/algebra/mesh_functions.h"
+#include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/passes/size_upkeep.h"
+#include "dsc/quality/measures.h"
+#include "dsc/queries/hash.h"
+#include "dsc/sizes/measure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dsc {
+namespace {
+
+constexpr double h = 0.01;
+
+std::vector<Point<double>> circle(const Point<double>& centre, double radius, double length) {
+    const int n = static_cast<int>(std::ceil(2 * std::numbers::pi * radius / length));
+    std::vector<Point<double>> points;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        points.emplace_back(centre.x() + radius * std::cos(angle),
+                            centre.y() + radius * std::sin(angle));
+    }
+    return points;
+}
+
+template <class Real>
+Complex<Real> disc(const SizeOptions<double>& sizes, double length = h) {
+    const std::vector<Shape> shapes{{circle({0.5, 0.75}, 0.15, length), 1}};
+    return initial_complex<Real>({}, shapes, {.edge_length = length, .sizes = sizes});
+}
+
+double smallest_angle(const Complex<double>& complex) {
+    double smallest = 180;
+    for (const Triangle t : triangles(complex)) {
+        const auto v = complex.vertices_of(t);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Point<double> a = complex.position(v[(i + 1) % 3]) - complex.position(v[i]);
+            const Point<double> b = complex.position(v[(i + 2) % 3]) - complex.position(v[i]);
+            smallest = std::min(smallest, std::acos(a.normalized().dot(b.normalized())));
+        }
+    }
+    return smallest * 180 / std::numbers::pi;
+}
+
+double median_quality(const Complex<double>& complex) {
+    std::vector<double> list;
+    for (const Triangle t : triangles(complex)) {
+        const auto v = complex.vertices_of(t);
+        list.push_back(quality<double>(complex.position(v[0]), complex.position(v[1]),
+                                       complex.position(v[2])));
+    }
+    std::ranges::nth_element(list, list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2));
+    return list[list.size() / 2];
+}
+
+TEST(GradedStart, HasAsManyTrianglesAsItsTargetsCallFor) {
+    const auto count = [](double growth, double length) {
+        return disc<double>({.growth = growth}, length).triangle_count();
+    };
+    EXPECT_LT(count(1.3, h / 2), 5000U); // 92,603 of one length
+    EXPECT_GT(count(1.3, h / 2), 2000U);
+    EXPECT_LT(count(2, h), count(1.3, h));
+    EXPECT_LT(count(1.3, h), count(1.1, h));
+    // Nearly all are near the curve.
+    EXPECT_LT(count(1.3, h / 2), 2.5 * count(1.3, h));
+}
+
+TEST(GradedStart, IsOfGoodQuality) {
+    for (const double growth : {1.1, 1.3, 1.6, 2.0}) {
+        const Complex<double> complex = disc<double>({.growth = growth});
+        EXPECT_EQ(validate(complex).problem, "");
+        EXPECT_GE(smallest_angle(complex), 20) << growth;
+        // Where edges double from one to the next, triangles cannot be equilateral.
+        EXPECT_GE(median_quality(complex), growth < 1.5 ? 0.82 : 0.74) << growth;
+        EXPECT_TRUE(complex.attributes.empty());
+    }
+}
+
+TEST(GradedStart, KeepsTheInterface) {
+    const Complex<double> graded = disc<double>({.growth = 1.3});
+    const Complex<double> uniform = disc<double>({});
+    EXPECT_NEAR(phase_area(graded, 1), phase_area(uniform, 1), 1e-15);
+    Complex<double> one = graded;
+    Complex<double> other = uniform;
+    EXPECT_EQ(Simulation<double>(one, {.edge_length = h}).interface_size(),
+              Simulation<double>(other, {.edge_length = h}).interface_size());
+}
+
+TEST(GradedStart, LeavesTheFirstStepNothingToMend) {
+    Complex<double> complex = disc<double>({.growth = 1.3});
+    Options<double> options = test::options_for<double>(h);
+    options.sizes.growth = 1.3;
+    measure_sizes(complex, options.sizes, h, 0.0);
+    // Vertices of the interface have to stay, however short the edges about them are.
+    const double free = complex.vertex_count() - 95.0;
+    EXPECT_LT(static_cast<double>(out_of_size(complex, options).size()) - 95.0, free / 8);
+    Simulation<double> simulation(complex, options);
+    const auto report = simulation.step(test::constant<double>(1e-9, 0), 0, 1);
+    EXPECT_LT(static_cast<double>(report.operations.splits + report.operations.collapses),
+              free / 20);
+}
+
+TEST(GradedStart, FollowsThePlace) {
+    const SizeOptions<double> sizes{.growth = 1.5,
+                                    .by_place = [](const Point<double>& p, double, Phase) {
+                                        return p.x() < 0.5 ? 0.02 : 0.08;
+                                    }};
+    const Complex<double> complex = disc<double>(sizes);
+    EXPECT_EQ(validate(complex).problem, "");
+    std::array<double, 2> count{};
+    for (const Triangle t : triangles(complex)) {
+        const auto v = complex.vertices_of(t);
+        const double x = complex.position(v[0]).x();
+        if (x < 0.3 || x > 0.7) {
+            ++count[x < 0.5 ? 0 : 1];
+        }
+    }
+    EXPECT_GT(count[0], 5 * count[1]);
+}
+
+TEST(GradedStart, RespectsTheLongestTarget) {
+    const auto complex = disc<double>({.growth = 2, .longest = 0.03});
+    for (const Edge e : edges(complex)) {
+        const auto [a, b] = complex.vertices_of(e);
+        EXPECT_LT((complex.position(a) - complex.position(b)).norm(), 1.6 * 0.03);
+    }
+}
+
+TEST(GradedStart, TakesCurvesThatEndOnTheSides) {
+    const std::vector<Curve> one{{{{0.0, 0.4}, {0.5, 0.5}, {1.0, 0.4}}, 1, 0}};
+    const auto complex = initial_complex<double>({}, std::span<const Curve>(one),
+                                                 {.edge_length = h, .sizes = {.growth = 1.4}});
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_GE(smallest_angle(complex), 15);
+    EXPECT_LT(complex.triangle_count(), 8000U);
+}
+
+TEST(GradedStart, GivesTheSameBitsAgainAndFloatWorks) {
+    EXPECT_EQ(mesh_hash(disc<double>({.growth = 1.3})), mesh_hash(disc<double>({.growth = 1.3})));
+    EXPECT_EQ(validate(disc<float>({.growth = 1.3})).problem, "");
+}
+
+TEST(GradedStart, BadSizesAreRefused) {
+    EXPECT_THROW(disc<double>({.growth = 3}), InputError);
+    EXPECT_THROW(disc<double>({.growth = 1.3, .longest = h / 3}), InputError);
+}
+
+} // namespace
+} // namespace dsc
