@@ -39,6 +39,7 @@ struct Setup {
     Flow flow{};
     std::optional<CurvatureMotion> curvature{}; ///< replaces `flow`; not for the reference
     std::optional<Growth> growth{};             ///< the same
+    SizeOptions<double> sizes{}; ///< targets of edges; unless edges are all of one length
     double dt = 0;
     int steps = 0;                  ///< in total
     std::optional<int> half_step{}; ///< the step at which a reversing flow is farthest out

@@ -65,6 +65,7 @@ TEST(Parameters, TakeGoodValues) {
     EXPECT_EQ(with("corner", "180").interface.corner_degrees, 180);
     EXPECT_EQ(with("gap", "2").interface.gap, 2);
     EXPECT_EQ(with("grading", "2.5").interface.grading, 2.5);
+    EXPECT_EQ(with("grade", "1.3").grade, 1.3);
     EXPECT_EQ(with("finest", "0.05").interface.finest, 0.05);
     EXPECT_EQ(with("real", "float").real, RealType::single_precision);
     EXPECT_EQ(with("real", "double").real, RealType::double_precision);
@@ -116,7 +117,7 @@ std::vector<Bad> bad_values() {
         list.push_back({"steps", value});
     }
     for (const char* key : {"tolerance", "longest", "shortest", "deviation", "turn", "corner",
-                            "gap", "grading", "finest"}) {
+                            "gap", "grading", "finest", "grade"}) {
         for (const char* value : {"", "abc", "-1", "nan", "inf", "1e9", "0.1x"}) {
             list.push_back({key, value});
         }
@@ -137,15 +138,31 @@ INSTANTIATE_TEST_SUITE_P(Parameters, BadValue, testing::ValuesIn(bad_values()),
 
 // What a result file says of a run can be given back to the command line.
 TEST(Parameters, ArePrintedAsTheyAreRead) {
-    const std::map<std::string, std::string> texts{
-        {"h", "0.125"},          {"dt", "0.5"},          {"steps", "260"},
-        {"period", "8"},         {"angle", "30"},        {"grains", "25"},
-        {"integrator", "euler"}, {"tolerance", "0.25"},  {"insertion", "arc"},
-        {"coarsening", "area"},  {"reading", "cubic"},   {"longest", "1.25"},
-        {"shortest", "0.125"},   {"deviation", "0.5"},   {"turn", "15"},
-        {"corner", "180"},       {"gap", "2"},           {"grading", "2.5"},
-        {"finest", "0.0625"},    {"topology", "change"}, {"contact", "0.0078125"},
-        {"give_back", "yes"},    {"real", "float"},      {"seed", "18446744073709551615"}};
+    const std::map<std::string, std::string> texts{{"h", "0.125"},
+                                                   {"dt", "0.5"},
+                                                   {"steps", "260"},
+                                                   {"period", "8"},
+                                                   {"angle", "30"},
+                                                   {"grains", "25"},
+                                                   {"integrator", "euler"},
+                                                   {"tolerance", "0.25"},
+                                                   {"insertion", "arc"},
+                                                   {"coarsening", "area"},
+                                                   {"reading", "cubic"},
+                                                   {"longest", "1.25"},
+                                                   {"shortest", "0.125"},
+                                                   {"deviation", "0.5"},
+                                                   {"turn", "15"},
+                                                   {"corner", "180"},
+                                                   {"gap", "2"},
+                                                   {"grading", "2.5"},
+                                                   {"finest", "0.0625"},
+                                                   {"grade", "1.25"},
+                                                   {"topology", "change"},
+                                                   {"contact", "0.0078125"},
+                                                   {"give_back", "yes"},
+                                                   {"real", "float"},
+                                                   {"seed", "18446744073709551615"}};
     for (const Key& key : parameter_keys()) {
         ASSERT_TRUE(texts.contains(key.name)) << key.name;
         const std::string text = texts.at(key.name);
@@ -238,6 +255,7 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
           "three-phases", "t1", "grains", "foam", "drop-and-pool"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
+    EXPECT_EQ(names.count("quality-distance"), 1U);
 }
 
 // What --set changes is what the scene does.

@@ -73,8 +73,13 @@ TEST_P(GradedMesh, CoarsensFarAwayAndKeepsTheCurve) {
 TEST_P(GradedMesh, TargetsAreThoseOfTheMeshAsItIs) {
     Complex<double> complex = small_disc();
     auto simulation = make_simulation(complex, graded(), GetParam());
-    run_steps(*simulation, swirl, 60);
-    run_steps(*simulation, test::constant<double>(1e-9, 0), 20); // what was under way arrives
+    const Velocity<double> back = [](auto positions, double time, auto velocities) {
+        swirl(positions, time, velocities);
+        std::ranges::for_each(velocities, [](Point<double>& one) { one = -one; });
+    };
+    run_steps(*simulation, swirl, 150);
+    run_steps(*simulation, back, 150);
+    run_steps(*simulation, test::constant<double>(1e-9, 0), 40); // what was under way arrives
     const std::vector<VertexSize<double>> kept = size_field(complex).data();
     SizeOptions<double> sizes = graded().sizes;
     sizes.longest = extent_of(complex);

@@ -45,8 +45,8 @@ public:
     /// them.
     virtual void take_suspects(std::vector<Suspect<Real>>& list) { (void)list; }
 
-    /// Vertices that the next mesh update has to look at, because the targets of edges do not fit
-    /// theirs. Only called if edges are not all of one length.
+    /// Vertices that the next mesh update has to look at, because their edges or the targets of
+    /// these may have to change. Only called if edges are not all of one length, or were not.
     virtual void resize(std::span<const std::uint32_t> list) { (void)list; }
 
     virtual void begin_step() {}
@@ -124,7 +124,7 @@ public:
     [[nodiscard]] std::vector<Edit> take_edits() override;
     void take_suspects(std::vector<Suspect<Real>>& list) override { append_suspects(work_, list); }
     void resize(std::span<const std::uint32_t> list) override {
-        work_.resized.assign(list.begin(), list.end());
+        work_.resized.insert(work_.resized.end(), list.begin(), list.end());
     }
     void begin_step() override;
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;

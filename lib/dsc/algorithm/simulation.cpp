@@ -84,6 +84,24 @@ void Simulation<Real>::measure(Real time) {
     }
 }
 
+// Looks at all vertices in turn, a few in each step. What a flip or smoothing changes around a
+// vertex may change its target without a visit; without the sweep a single vertex that waits would
+// hold down all those around it. Most vertices of such a mesh are near the interface and visited
+// anyway.
+template <class Real>
+void Simulation<Real>::sweep() {
+    constexpr std::uint32_t steps = 32; // for the whole mesh
+    const std::uint32_t bound = complex_.vertex_bound();
+    std::vector<std::uint32_t> list;
+    for (std::uint32_t i = 0; i < bound / steps + 1; ++i, ++swept_) {
+        swept_ = swept_ < bound ? swept_ : 0;
+        if (complex_.is_alive(Vertex{swept_})) {
+            list.push_back(swept_);
+        }
+    }
+    executor_->resize(list);
+}
+
 template <class Real>
 void Simulation<Real>::add_listener(EditListener listener) {
     listeners_.push_back(std::move(listener));
@@ -202,6 +220,9 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     absorb(By::application, time);
     if (options_.sizes.changes_in_time) {
         measure(time);
+    }
+    if (!options_.sizes.is_uniform()) {
+        sweep();
     }
     executor_->begin_step();
     Real remaining = dt;

@@ -125,6 +125,7 @@ private:
     void forget_vertex(Vertex v);
     [[nodiscard]] Options<Real> completed() const;
     void measure(Real time);
+    void sweep();
     void tell(std::span<const Edit> edits);
     void tell_what_was_done();
 
@@ -135,6 +136,7 @@ private:
     std::vector<EditListener> listeners_;
     std::vector<EventListener> event_listeners_;
     std::vector<Suspect<Real>> suspects_; ///< scratch of change_topology
+    std::uint32_t swept_ = 0;             ///< the vertex at which the slow sweep goes on
     std::size_t absorbed_ = 0;            ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;
     Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`

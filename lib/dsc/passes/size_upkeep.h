@@ -67,12 +67,20 @@ private:
         const VertexSize<Real> now = rule_.at(ring, lengths_, distances_, work_.time);
         const Real change = rule_.slack() * std::min(now.length, stored.length);
         const bool is_nearer = std::abs(now.distance - stored.distance) > change;
-        if (is_nearer || std::abs(now.length - stored.length) > change) {
+        // A lowest one that is not there by itself is left over from where the interface was: if it
+        // waited for more than the slack, it might wait for ever.
+        const bool is_left_over =
+            now.length > stored.length && stored.length <= lowest_of(ring, lengths_);
+        if (is_nearer || is_left_over || std::abs(now.length - stored.length) > change) {
             const VertexSize<Real> old = stored;
             stored = now;
             tell_neighbours(ring, old.length, now.length, is_nearer && rule_.needs_distance());
         }
         return stored.length;
+    }
+
+    static Real lowest_of(const Ring<Real>& ring, const LinkValues<Real>& values) {
+        return *std::min_element(values.at.begin(), values.at.begin() + ring.link_size());
     }
 
     void tell_neighbours(const Ring<Real>& ring, Real old, Real now, bool all) {

@@ -17,6 +17,7 @@ const std::vector<Scene>& catalogue() {
                  zalesak_scenes,
                  swirl_scenes,
                  speedup_scenes,
+                 quality_scenes,
                  curvature_scenes,
                  growth_scenes,
                  network_scenes,

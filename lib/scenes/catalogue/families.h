@@ -14,6 +14,7 @@ namespace dsc::scenes {
 [[nodiscard]] std::vector<Scene> zalesak_scenes();
 [[nodiscard]] std::vector<Scene> swirl_scenes();
 [[nodiscard]] std::vector<Scene> speedup_scenes();
+[[nodiscard]] std::vector<Scene> quality_scenes();
 [[nodiscard]] std::vector<Scene> curvature_scenes();
 [[nodiscard]] std::vector<Scene> growth_scenes();
 [[nodiscard]] std::vector<Scene> network_scenes();

@@ -55,7 +55,7 @@ class DscMethod {
 public:
     DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run)
         : complex_(first_complex<Real>(setup, parameters)),
-          options_(scene_options<Real>(parameters)) {
+          options_(scene_options<Real>(setup, parameters)) {
         Submeshing submeshing = run.submeshing;
         submeshing.profile = !run.frames.empty(); // the submeshes are drawn by their work
         std::optional<Algorithm<Real>> algorithm;

@@ -7,6 +7,7 @@
 #include "scenes/run/start.h"
 
 #include <map>
+#include <string>
 
 namespace dsc::scenes {
 
@@ -76,6 +77,9 @@ reference::Options reference_options(const Parameters& parameters) {
     }
     if (parameters.interface.reading != Reading::chords) {
         throw not_in_reference("--set reading", to_string(parameters.interface.reading));
+    }
+    if (parameters.grade != 0) {
+        throw not_in_reference("--set grade", std::to_string(parameters.grade));
     }
     return options;
 }

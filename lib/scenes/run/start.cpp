@@ -27,13 +27,22 @@ void clamp_ends(Complex<Real>& complex) {
     }
 }
 
+SizeOptions<double> sizes_of(const Setup& setup, const Parameters& parameters) {
+    if (parameters.grade == 0) {
+        return {}; // all edges are of one length
+    }
+    SizeOptions<double> sizes = setup.sizes;
+    sizes.growth = parameters.grade;
+    return sizes;
+}
+
 } // namespace
 
 template <class Real>
 Complex<Real> first_complex(const Setup& setup, const Parameters& parameters) {
     InitialOptions options;
     options.edge_length = parameters.h;
-    options.sizes.growth = parameters.grade;
+    options.sizes = sizes_of(setup, parameters);
     if (!setup.curves.empty()) {
         auto complex =
             initial_complex<Real>(setup.domain, std::span<const dsc::Curve>(setup.curves), options);
@@ -66,6 +75,13 @@ Options<Real> scene_options(const Parameters& parameters) {
 }
 
 template <class Real>
+Options<Real> scene_options(const Setup& setup, const Parameters& parameters) {
+    auto options = scene_options<Real>(parameters);
+    options.sizes = sizes_in<Real>(sizes_of(setup, parameters));
+    return options;
+}
+
+template <class Real>
 std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,
                                                   const Options<Real>& options, Strategy strategy,
                                                   const Submeshing& submeshing) {
@@ -76,6 +92,7 @@ std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Complex<Real> first_complex(const Setup&, const Parameters&);                         \
     template Options<Real> scene_options(const Parameters&);                                       \
+    template Options<Real> scene_options(const Setup&, const Parameters&);                         \
     template std::unique_ptr<Simulation<Real>> make_simulation(                                    \
         Complex<Real>&, const Options<Real>&, Strategy, const Submeshing&);
 DSC_INSTANTIATE(double)

@@ -17,8 +17,11 @@ namespace dsc::scenes {
 
 template <class Real>
 Complex<Real> first_complex(const Setup& setup, const Parameters& parameters);
+/// Without what the scene itself asks for: fields of sizes.
 template <class Real>
 Options<Real> scene_options(const Parameters& parameters);
+template <class Real>
+Options<Real> scene_options(const Setup& setup, const Parameters& parameters);
 /// A simulation of `complex`, which must outlive it, as must `options`.
 template <class Real>
 std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,

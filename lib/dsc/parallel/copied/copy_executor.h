@@ -50,7 +50,7 @@ public:
     void set_options(const Options<Real>& options) override;
     void absorb(std::span<const Edit> edits) override { absorb_edits(whole_, edits); }
     void resize(std::span<const std::uint32_t> list) override {
-        whole_.resized.assign(list.begin(), list.end());
+        whole_.resized.insert(whole_.resized.end(), list.begin(), list.end());
     }
     void keep_edits(bool keep) override;
     /// Edits within submeshes name the ids of copies and are not reported: each merge is one

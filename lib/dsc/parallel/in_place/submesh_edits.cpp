@@ -133,10 +133,7 @@ void SubmeshExecutor<Real>::absorb(std::span<const Edit> edits) {
 // Handed out to the submeshes before they move.
 template <class Real>
 void SubmeshExecutor<Real>::resize(std::span<const std::uint32_t> list) {
-    for (const auto& part : parts_) {
-        part->work.resized.clear();
-    }
-    whole_.resized.assign(list.begin(), list.end());
+    whole_.resized.insert(whole_.resized.end(), list.begin(), list.end());
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
