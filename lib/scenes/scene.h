@@ -9,6 +9,7 @@
 #include "scenes/keys.h"
 #include "shapes/exact_shape.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,6 +27,15 @@ struct CurvatureMotion {
 struct Growth {
     double speed = 1;    ///< of phase 1 into the exterior
     double turns_at = 0; ///< the time at which it begins to shrink at that speed
+};
+
+/// Edges as long as the way from them to the interface divided by their number on it, and none
+/// shorter than the finest.
+struct EdgesToInterface {
+    double finest = 0;
+    double number = 0;
+
+    double operator()(double distance) const { return std::max(finest, distance / number); }
 };
 
 /// A scene with its parameters filled in.

@@ -6,8 +6,6 @@
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"
 
-#include <algorithm>
-
 namespace dsc::scenes {
 
 namespace {
@@ -16,9 +14,7 @@ namespace {
 Setup grow_in_a_fine_band(const Parameters& p) {
     constexpr double edges_to_interface = 5; // as many as there are from anywhere outside the band
     Setup setup = scaling_scene({}, p.h).prepare(p);
-    setup.sizes.by_distance = [h = p.h](double distance) {
-        return std::max(h, distance / edges_to_interface);
-    };
+    setup.sizes.by_distance = EdgesToInterface{p.h, edges_to_interface};
     return setup;
 }
 

@@ -182,6 +182,22 @@ std::string options_in_toml(Parameters parameters, const Setup& setup) {
     return text;
 }
 
+std::string sizes_in_toml(const SizeOptions<double>& sizes, const std::string& scene) {
+    if (!sizes.by_distance && !sizes.by_place && sizes.longest == 0) {
+        return "";
+    }
+    const auto* edges = sizes.by_distance.target<EdgesToInterface>();
+    if (sizes.by_place || (sizes.by_distance && edges == nullptr)) {
+        throw InputError({.what = "sizes that a scene file has no name for",
+                          .where = "describe",
+                          .value = "the scene " + scene,
+                          .allowed = "EdgesToInterface and a longest length"});
+    }
+    return "\n[sizes]\n" +
+           (edges != nullptr ? "edges_to_interface = " + in_toml(edges->number) + '\n' : "") +
+           (sizes.longest > 0 ? "longest = " + in_toml(sizes.longest) + '\n' : "");
+}
+
 // The settings with which the scene's own exact shape is the one of this run.
 std::string exact_in_toml(const Scene& scene, const Parameters& parameters) {
     std::string settings;
@@ -211,7 +227,8 @@ std::string describe(const Scene& scene, const Parameters& parameters) {
     const Setup setup = scene.prepare(parameters);
     return "# The scene " + scene.name + ", in full. Run it with: dsc_scene run FILE.toml\n" +
            "name = " + in_quotes(scene.name) + "\ndescription = " + in_quotes(scene.description) +
-           '\n' + options_in_toml(parameters, setup) + motion_in_toml(setup, scene.name) +
+           '\n' + options_in_toml(parameters, setup) + sizes_in_toml(setup.sizes, scene.name) +
+           motion_in_toml(setup, scene.name) +
            (setup.exact ? exact_in_toml(scene, parameters) : "") + measure_in_toml(setup) +
            geometry_in_toml(setup);
 }

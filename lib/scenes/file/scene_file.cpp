@@ -32,6 +32,7 @@ struct SceneParts {
     std::optional<CurvatureMotion> curvature{};
     std::optional<Growth> growth{};
     ExactSource exact{};
+    std::function<SizeOptions<double>(double finest)> sizes{};
     std::optional<Phase> measured{};
     std::optional<int> half_step{};
 
@@ -106,6 +107,9 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
         add_curves(parts.curves, p.h, setup);
     }
     set_motion(parts, p, setup);
+    if (parts.sizes) {
+        setup.sizes = parts.sizes(p.h);
+    }
     if (parts.measured) {
         setup.measured = parts.measured;
     }
@@ -211,7 +215,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     const toml::table table = parse_toml(text, path);
     const TableReader top(table, "", path);
     top.allow({"name", "description", "scene", "domain", "shape", "curve", "flow", "curvature",
-               "growth", "options", "exact", "measure", "limits"});
+               "growth", "options", "sizes", "exact", "measure", "limits"});
     SceneFile file;
     SceneParts parts{.where = path.string(), .base = read_base(top, scenes)};
     file.scene = parts.base.value_or(Scene{});
@@ -235,6 +239,9 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     }
     read_geometry(top, parts);
     read_motion(top, parts);
+    if (top.has("sizes")) {
+        parts.sizes = read_sizes(top.table("sizes"));
+    }
     if (top.has("exact")) {
         parts.exact = read_exact(top.table("exact"), scenes);
     }

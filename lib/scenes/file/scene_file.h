@@ -16,6 +16,8 @@
 //     [curvature]                 # keeps = [phases], pairs = [{one, other, tension, mobility}]
 //     [growth]                    # speed, turns_at: phase 1 into 0 (scene.h)
 //     [options]                   # all keys of --set; h, and two of dt, steps and period
+//     [sizes]                     # where edges grow by `grade`: edges_to_interface = the number
+//                                 # wanted on the way there; longest = their greatest length
 //     [exact]                     # exact_source.h
 //     [measure]                   # phase, half_step; shape = false: not against the exact shape
 //     [limits]                    # figure = most, or figure = { least, most }: names as in

@@ -88,6 +88,21 @@ Growth read_growth(const TableReader& reader) {
             .turns_at = reader.number_or(never, "turns_at", {0, never})};
 }
 
+std::function<SizeOptions<double>(double finest)> read_sizes(const TableReader& reader) {
+    reader.allow({"edges_to_interface", "longest"});
+    const double number =
+        reader.has("edges_to_interface") ? reader.number("edges_to_interface", {1, 1e4}) : 0;
+    const double longest = reader.has("longest") ? reader.number("longest", positive_length) : 0;
+    return [number, longest](double finest) {
+        SizeOptions<double> sizes;
+        sizes.longest = longest;
+        if (number > 0) {
+            sizes.by_distance = EdgesToInterface{finest, number};
+        }
+        return sizes;
+    };
+}
+
 std::vector<FigureLimit> read_limits(const TableReader& reader) {
     reader.allow(names_of_figures());
     std::vector<FigureLimit> limits;

@@ -28,6 +28,9 @@ struct CurveSource {
 [[nodiscard]] CurveSource read_curve(const TableReader& reader);
 [[nodiscard]] CurvatureMotion read_curvature(const TableReader& reader);
 [[nodiscard]] Growth read_growth(const TableReader& reader);
+/// A [sizes], given the shortest target.
+[[nodiscard]] std::function<SizeOptions<double>(double finest)>
+read_sizes(const TableReader& reader);
 [[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader);
 /// Sets the parameters that the table names; `keys` are those that it may.
 void read_options(const TableReader& reader, const std::vector<std::string>& keys,
