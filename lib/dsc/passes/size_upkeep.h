@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Keeps the targets of edges up to date as the mesh update visits stars: a target that has changed
 // is stored, and those neighbours that it concerns are visited in the next pass. So a change goes
-// from ring to ring, a ring in a pass, and no further than it matters. Only owned stars are read
-// and written: the result does not depend on the threads.
+// from ring to ring, a ring in a pass, and no further than it matters. Flips and smoothing nearby
+// may change what a target should be without a visit; the slow sweep of `Simulation` finds those.
+// Only owned stars are read and written: the result does not depend on the threads.
 #pragma once
 
 #include "dsc/passes/star_limits.h"

@@ -22,8 +22,8 @@ struct SizeOptions {
     /// are of one length, and nothing else here may be set.
     double growth = 0;
     Real longest = 0; ///< the longest target; 0: the extent of the mesh
-    /// A target by place, time and phase; where phases meet the shortest counts. The interface has
-    /// it too. Empty: none.
+    /// A target by place, time and phase; where phases meet the shortest counts. It holds for edges
+    /// that end on the interface too, but not for those that are part of it. Empty: none.
     ByPlace by_place = {};
     bool changes_in_time = false; ///< `by_place` does: the whole mesh is looked at in each step
     /// A target by the distance to the interface. Empty: none.

@@ -136,9 +136,28 @@ void SubmeshExecutor<Real>::resize(std::span<const std::uint32_t> list) {
     whole_.resized.insert(whole_.resized.end(), list.begin(), list.end());
 }
 
+// Vertices to be looked at because targets changed there: to the submeshes that own them by now. An
+// id may be in use elsewhere since it was noted, and its stamp is not to be written from here then.
+// O(their number).
+template <class Real>
+void SubmeshExecutor<Real>::hand_out_resized() {
+    std::vector<std::uint32_t> list = std::move(whole_.resized);
+    whole_.resized.clear();
+    for (const auto& part : parts_) {
+        list.insert(list.end(), part->work.resized.begin(), part->work.resized.end());
+        part->work.resized.clear();
+    }
+    for (const std::uint32_t v : list) {
+        if (complex_.is_alive(Vertex{v})) {
+            owner_of(v).work.resized.push_back(v);
+        }
+    }
+}
+
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void SubmeshExecutor<Real>::set_options(const Options<Real>&);                        \
     template void SubmeshExecutor<Real>::resize(std::span<const std::uint32_t>);                   \
+    template void SubmeshExecutor<Real>::hand_out_resized();                                       \
     template void SubmeshExecutor<Real>::keep_edits(bool);                                         \
     template void SubmeshExecutor<Real>::collect_edits();                                          \
     template void SubmeshExecutor<Real>::collect_changes();                                        \

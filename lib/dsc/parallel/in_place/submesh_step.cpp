@@ -305,24 +305,6 @@ Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, 
     return reach;
 }
 
-// Vertices to be looked at because targets changed there: to the submeshes that own them by now. An
-// id may be in use elsewhere since it was noted, and its stamp is not to be written from here then.
-// O(their number).
-template <class Real>
-void SubmeshExecutor<Real>::hand_out_resized() {
-    std::vector<std::uint32_t> list = std::move(whole_.resized);
-    whole_.resized.clear();
-    for (const auto& part : parts_) {
-        list.insert(list.end(), part->work.resized.begin(), part->work.resized.end());
-        part->work.resized.clear();
-    }
-    for (const std::uint32_t v : list) {
-        if (complex_.is_alive(Vertex{v})) {
-            owner_of(v).work.resized.push_back(v);
-        }
-    }
-}
-
 template <class Real>
 MoveReport SubmeshExecutor<Real>::move() {
     Timer timer(submeshes_.profile);
