@@ -19,9 +19,17 @@ inline constexpr std::size_t longest_excerpt = 60; ///< characters
     return text.size() > longest_excerpt ? line + "..." : line;
 }
 
-/// The same in quotes.
+/// In single quotes. GCC 12 warns of "'" + a temporary string (its bug 105651).
+[[nodiscard]] inline std::string in_single_quotes(std::string_view text) {
+    std::string quoted(1, '\'');
+    quoted += text;
+    quoted += '\'';
+    return quoted;
+}
+
+/// The beginning of the text on one line, in quotes.
 [[nodiscard]] inline std::string quoted_excerpt(std::string_view text) {
-    return "'" + excerpt(text) + "'";
+    return in_single_quotes(excerpt(text));
 }
 
 } // namespace dsc::scenes

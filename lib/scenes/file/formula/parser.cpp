@@ -87,7 +87,7 @@ private:
 
     void expect(std::string_view token) {
         if (!take(token)) {
-            refuse("something is missing", "'" + std::string(token) + "'");
+            refuse("something is missing", in_single_quotes(token));
         }
     }
 
