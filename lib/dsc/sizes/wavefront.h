@@ -27,7 +27,8 @@ Real least_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_
     const Real sideways = std::sqrt(std::max(Real(0), squared - rise * rise));
     const Real foot = along * sideways - across * rise; // over sideways: along the edge
     const Real value = value_a + slope * (rise * along + sideways * across) / squared;
-    return (foot > 0) & (foot < squared * sideways) ? value : std::numeric_limits<Real>::infinity();
+    return ((foot > 0) & (foot < squared * sideways)) ? value
+                                                      : std::numeric_limits<Real>::infinity();
 }
 
 /// The values at the link of a ring: as the ring's coordinates, padded, with those of the next link
