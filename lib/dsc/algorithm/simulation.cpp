@@ -92,14 +92,14 @@ template <class Real>
 void Simulation<Real>::sweep() {
     constexpr std::uint32_t steps = 32; // for the whole mesh
     const std::uint32_t bound = complex_.vertex_bound();
-    std::vector<std::uint32_t> list;
+    to_sweep_.clear();
     for (std::uint32_t i = 0; i < bound / steps + 1; ++i, ++swept_) {
         swept_ = swept_ < bound ? swept_ : 0;
         if (complex_.is_alive(Vertex{swept_})) {
-            list.push_back(swept_);
+            to_sweep_.push_back(swept_);
         }
     }
-    executor_->resize(list);
+    executor_->resize(to_sweep_);
 }
 
 template <class Real>

@@ -88,8 +88,9 @@ public:
     void interrupt_by(const std::atomic<bool>* flag) { interrupted_ = flag; }
 
     /// Moves the interface from `time` to `time + dt`. O(interface vertices and what changes around
-    /// them), never O(mesh), unless the targets of edges change in time. Throws InputError if dt is
-    /// negative or not finite.
+    /// them), never O(mesh), as long as edges are all of one length. Where they may grow, one
+    /// vertex in 32 is visited as well; all are, if targets change in time. Throws InputError if dt
+    /// is negative or not finite.
     StepReport step(const Velocity<Real>& velocity, Real time, Real dt) {
         return step_along(velocity, time, dt);
     }
@@ -137,6 +138,7 @@ private:
     std::vector<EventListener> event_listeners_;
     std::vector<Suspect<Real>> suspects_; ///< scratch of change_topology
     std::uint32_t swept_ = 0;             ///< the vertex at which the slow sweep goes on
+    std::vector<std::uint32_t> to_sweep_; ///< scratch of sweep
     std::size_t absorbed_ = 0;            ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;
     Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`

@@ -2,10 +2,10 @@
 #include "scenes/file/describe.h"
 
 #include "dsc/base/error.h"
+#include "scenes/digits.h"
 #include "scenes/file/formula/formula_flow.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace dsc::scenes {
@@ -23,11 +23,7 @@ std::string in_quotes(const std::string& text) {
     return quoted + '"';
 }
 
-std::string in_toml(double value) {
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-    return {digits, end};
-}
+std::string in_toml(double value) { return shortest_digits(value); }
 std::string in_toml(const Point<double>& p) {
     return '[' + in_toml(p.x()) + ", " + in_toml(p.y()) + ']';
 }

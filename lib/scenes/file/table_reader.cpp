@@ -2,23 +2,17 @@
 #include "scenes/file/table_reader.h"
 
 #include "dsc/base/error.h"
+#include "scenes/digits.h"
 #include "scenes/file/excerpt.h"
 #include "scenes/file/nearest.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
 namespace dsc::scenes {
 
 namespace {
-
-std::string shortest_digits(double value) {
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-    return {digits, end};
-}
 
 std::string as_written(const toml::node& node) {
     std::ostringstream stream;

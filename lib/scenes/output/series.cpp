@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/output/series.h"
 
+#include "scenes/digits.h"
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -13,12 +14,7 @@ namespace dsc::scenes {
 namespace {
 
 std::string cell(double value) {
-    if (!std::isfinite(value)) {
-        return {};
-    }
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), end.ptr};
+    return std::isfinite(value) ? shortest_digits(value) : std::string();
 }
 
 std::string cell(std::uint64_t value) { return std::to_string(value); }

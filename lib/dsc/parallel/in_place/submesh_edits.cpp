@@ -141,8 +141,7 @@ void SubmeshExecutor<Real>::resize(std::span<const std::uint32_t> list) {
 // O(their number).
 template <class Real>
 void SubmeshExecutor<Real>::hand_out_resized() {
-    std::vector<std::uint32_t> list = std::move(whole_.resized);
-    whole_.resized.clear();
+    std::vector<std::uint32_t>& list = whole_.resized; // no submesh, so that it may collect
     for (const auto& part : parts_) {
         list.insert(list.end(), part->work.resized.begin(), part->work.resized.end());
         part->work.resized.clear();
@@ -152,6 +151,7 @@ void SubmeshExecutor<Real>::hand_out_resized() {
             owner_of(v).work.resized.push_back(v);
         }
     }
+    list.clear();
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
