@@ -136,7 +136,8 @@ run_scenes() {
     run_scene drop-and-pool drop-and-pool "${keep_frames[@]}"
     run_scene grains grains --set h=0.01 "${keep_frames[@]}"
     if ! $quick; then
-        run_scene grow-shrink grow-shrink "${keep_frames[@]}"
+        # In longer steps the film holds up a vertex before it opens, which counts as unreached.
+        run_scene grow-shrink grow-shrink --set dt=0.002 "${keep_frames[@]}"
         run_scene erode-dumbbell erode-dumbbell "${keep_frames[@]}"
         run_scene t1 t1 "${keep_frames[@]}"
         run_scene foam foam --set h=0.01 "${keep_frames[@]}"
