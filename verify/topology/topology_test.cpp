@@ -95,6 +95,85 @@ TEST(Topology, SuspectsDoNotOutliveTheirStep) {
     expect_no_old_suspects(complex, executor);
 }
 
+struct Area {
+    double area = 0;
+    double x = 0; ///< of the centre of mass
+};
+
+Area area_and_centre(const Complex<double>& complex, Phase phase) {
+    Area sum;
+    for (const Triangle t : triangles(complex)) {
+        if (complex.phase(t) == phase) {
+            const double part = area(complex, t);
+            sum.area += part;
+            for (const Vertex v : complex.vertices_of(t)) {
+                sum.x += part * complex.position(v).x() / 3;
+            }
+        }
+    }
+    sum.x /= sum.area;
+    return sum;
+}
+
+// The first disc has to go where the second one is, and cannot. Then the second one is taken away,
+// as by a change of topology at the end of a sub-step: all of the first one arrive after all.
+void expect_arrival_once_free(Complex<double>& complex, Executor<double>& executor) {
+    const Velocity<double> to_the_right = [](std::span<const Point<double>> positions, double,
+                                             std::span<Point<double>> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {positions[i].x() < 0.5 ? 1.0 : 0.0, 0.0};
+        }
+    };
+    const Area first_before = area_and_centre(complex, 1);
+    complex.journal.readers = 1;
+    constexpr double way = 2 * h;
+    executor.begin_step();
+    (void)executor.aim(to_the_right, 0, way);
+    const MoveReport moved = executor.move();
+    ASSERT_GT(moved.unreached, 0U);
+    for (const Triangle t : triangles(complex)) {
+        if (complex.phase(t) == 2) {
+            complex.set_phase(t, exterior_phase);
+        }
+    }
+    executor.absorb(complex.journal.records);
+    EXPECT_EQ(executor.move_missed(), moved.unreached);
+    executor.end_step();
+    EXPECT_EQ(validate(complex).problem, "");
+    const Area first = area_and_centre(complex, 1);
+    EXPECT_NEAR(first.x, first_before.x + way, 1e-12);
+    EXPECT_NEAR(first.area, first_before.area, 1e-12);
+}
+
+// In one stage, so that the velocity is that of where a vertex starts.
+Options<double> options_of_one_stage() {
+    Options<double> result = options();
+    result.integrator = Integrator::euler;
+    return result;
+}
+
+Complex<double> discs_that_nearly_meet() {
+    auto complex = discs_nearby(2);
+    Simulation<double> simulation(complex, options(Topology::keep));
+    (void)run(complex, simulation, 0.02);
+    return complex;
+}
+
+TEST_P(EveryWay, WhatIsSetFreeStillArrives) {
+    auto complex = discs_that_nearly_meet();
+    const auto executor =
+        make_executor(complex, options_of_one_stage(),
+                      Parallel{.division = GetParam(), .always_all_threads = true});
+    expect_arrival_once_free(complex, *executor);
+}
+
+TEST(Topology, WhatIsSetFreeStillArrives) {
+    auto complex = discs_that_nearly_meet();
+    SequentialExecutor<double> executor(complex, options_of_one_stage(),
+                                        default_algorithm<double>());
+    expect_arrival_once_free(complex, executor);
+}
+
 INSTANTIATE_TEST_SUITE_P(Topology, EveryWay,
                          testing::Values(Division::fixed, Division::counting, Division::active,
                                          Division::blocks, Division::cells, Division::copy),

@@ -50,8 +50,34 @@ std::uint64_t give_up_movers(Work<Real>& work) {
         flags += (flags & vertex_contact) == vertex_contact ? 0U : std::uint32_t{vertex_missed};
     }
     const std::uint64_t given_up = work.movers.size();
+    if (work.options.topology.changes()) {
+        work.missed.swap(work.movers);
+    }
     work.movers.clear();
     return given_up;
+}
+
+template <class Real>
+std::uint64_t move_missed_of(Work<Real>& work, const std::vector<Pass<Real>>& passes,
+                             std::uint32_t& next_epoch) {
+    const std::size_t missed = work.missed.size();
+    std::erase_if(work.missed, [&](const Mover<Real>& mover) {
+        return on_interface<Real>(work.complex, {&mover.vertex, 1}).empty();
+    });
+    if (work.missed.empty()) {
+        return missed;
+    }
+    work.movers.swap(work.missed);
+    (void)run_motion(work, passes, next_epoch);
+    work.deferred.clear(); // alone on the complex, nothing is postponed
+    // That they missed has been noted.
+    for (const auto& mover : work.movers) {
+        work.complex.vertices[mover.vertex].flags &= ~static_cast<std::uint32_t>(vertex_on_way);
+    }
+    const std::size_t left = work.movers.size();
+    work.movers.clear();
+    work.missed.clear();
+    return missed - left;
 }
 
 template <class Real>
@@ -178,6 +204,8 @@ OperationCounts SequentialExecutor<Real>::take_counts() {
     template std::uint32_t run_motion(Work<Real>&, const std::vector<Pass<Real>>&,                 \
                                       std::uint32_t&);                                             \
     template std::uint64_t give_up_movers(Work<Real>&);                                            \
+    template std::uint64_t move_missed_of(Work<Real>&, const std::vector<Pass<Real>>&,             \
+                                          std::uint32_t&);                                         \
     template AimReport<Real> aim_whole(Work<Real>&, const std::vector<Pass<Real>>&,                \
                                        InterfaceSight<Real>&, const Flow<Real>&, Real, Real);      \
     template Reach<Real> aim_whole_again(Work<Real>&, InterfaceSight<Real>&, const Flow<Real>&,    \

@@ -57,6 +57,9 @@ public:
     virtual Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) = 0;
     /// Movement and mesh update, until all vertices are at their targets or make no more progress.
     virtual MoveReport move() = 0;
+    /// Tries those that did not arrive once more, after a change of the topology, which may have
+    /// set them free. Returns how many have arrived now, or are no longer on the interface.
+    [[nodiscard]] virtual std::uint64_t move_missed() { return 0; }
     virtual void end_step() {}
 
     /// The number of interface vertices.
@@ -75,9 +78,15 @@ bool is_in_contact(const VertexRecord<Real>& record) {
 }
 
 /// Empties `work.movers`: they did not arrive this time, which is noted for each vertex. Returns
-/// their number.
+/// their number. Where the topology may change they are kept in `work.missed`.
 template <class Real>
 std::uint64_t give_up_movers(Work<Real>& work);
+
+/// `Executor::move_missed` for `work.missed`, in a work that has the complex to itself.
+/// `next_epoch` as in run_motion.
+template <class Real>
+[[nodiscard]] std::uint64_t move_missed_of(Work<Real>& work, const std::vector<Pass<Real>>& passes,
+                                           std::uint32_t& next_epoch);
 
 /// Upkeep, velocities and targets for a work that has the complex to itself. `sight` is kept from
 /// call to call, for flows that see the interface.
@@ -130,6 +139,9 @@ public:
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;
     MoveReport move() override;
+    [[nodiscard]] std::uint64_t move_missed() override {
+        return move_missed_of(work_, algorithm_.motion, epoch_);
+    }
     void end_step() override;
     [[nodiscard]] std::size_t interface_size() const override { return work_.interface.size(); }
     void append_interface(std::vector<std::uint32_t>& list) const override;

@@ -158,37 +158,30 @@ void Simulation<Real>::absorb(By by, Real time) {
     }
 }
 
-// Those that have not arrived at their last target. O(interface vertices).
+// After each sub-step, serially, at the places that the upkeep of the sub-step has noted. False if
+// nothing was changed.
 template <class Real>
-std::vector<std::uint32_t> Simulation<Real>::missed_vertices() const {
-    std::vector<std::uint32_t> list = interface();
-    std::erase_if(
-        list, [&](std::uint32_t v) { return (complex_.vertices[v].flags & vertex_contact) == 0; });
-    return list;
-}
-
-// After each sub-step, serially, at the places that the upkeep of the sub-step has noted.
-template <class Real>
-void Simulation<Real>::change_topology(Real time, StepReport& report) {
+bool Simulation<Real>::change_topology(Real time, StepReport& report) {
     suspects_.clear();
     executor_->take_suspects(suspects_);
     if (suspects_.empty()) {
-        return;
+        return false;
     }
     const std::size_t before = report.events.size();
     report.area += dsc::change_topology<Real>(complex_, options_.topology, options_.edge_length,
                                               suspects_, static_cast<double>(time), report.events);
     if (absorbed_ == complex_.journal.records.size()) {
-        return;
+        return false;
     }
     tell_what_was_done(); // what the sub-step did comes first
     absorb(By::topology, time);
     if (report.events.size() == before) {
-        return;
+        return true;
     }
     for (const EventListener& listener : event_listeners_) {
         listener(std::span<const Event>(report.events).subspan(before));
     }
+    return true;
 }
 
 // The application has moved the vertex: its missed targets and its last step no longer count.
@@ -298,13 +291,9 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
     ++report.sub_steps;
     time += dt;
     remaining = dt < remaining ? remaining - dt : Real(0);
-    if (options_.topology.changes()) {
-        const std::vector<std::uint32_t> missed =
-            moved.unreached > moved.held ? missed_vertices() : std::vector<std::uint32_t>{};
-        change_topology(time, report);
-        const std::uint64_t vanished = missed.size() - on_interface<Real>(complex_, missed).size();
-        // One that was held in this sub-step may still bear the mark of an earlier one.
-        report.unreached -= std::min(vanished, moved.unreached - moved.held);
+    if (options_.topology.changes() && change_topology(time, report) &&
+        moved.unreached > moved.held) {
+        report.unreached -= executor_->move_missed();
     }
     return true;
 }

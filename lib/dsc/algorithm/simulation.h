@@ -121,8 +121,7 @@ private:
 
     enum class By : std::uint8_t { application, topology };
     void absorb(By by, Real time);
-    void change_topology(Real time, StepReport& report);
-    [[nodiscard]] std::vector<std::uint32_t> missed_vertices() const;
+    bool change_topology(Real time, StepReport& report);
     void forget_vertex(Vertex v);
     [[nodiscard]] Options<Real> completed() const;
     void measure(Real time);

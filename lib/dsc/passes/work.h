@@ -68,6 +68,9 @@ struct Work {
     /// Changes of the interface by passes of an application: see `run_pass`.
     std::vector<std::uint32_t> changed_interface;
 
+    /// Those that did not arrive in the last sub-step. Empty if the topology is kept.
+    std::vector<Mover<Real>> missed;
+
     /// Interface vertices where the topology may have to change. Empty if it is kept.
     std::vector<Suspect<Real>> topology_suspects;
 

@@ -97,6 +97,14 @@ MoveReport CopyExecutor<Real>::move() {
     return report;
 }
 
+template <class Real>
+std::uint64_t CopyExecutor<Real>::move_missed() {
+    under_way_ = true;
+    const std::uint64_t arrived = move_missed_of(whole_, algorithm_.motion, epoch_);
+    under_way_ = false;
+    return arrived;
+}
+
 // What is left to do is in `whole_` again, under the new ids.
 template <class Real>
 bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {

@@ -59,6 +59,22 @@ void SubmeshExecutor<Real>::take_suspects(std::vector<Suspect<Real>>& list) {
     append_suspects(whole_, list);
 }
 
+// The edits of the topology have been absorbed: their stars are active.
+template <class Real>
+std::uint64_t SubmeshExecutor<Real>::move_missed() {
+    under_way_ = true;
+    for (const auto& part : parts_) {
+        const std::vector<Mover<Real>>& missed = part->work.missed;
+        whole_.missed.insert(whole_.missed.end(), missed.begin(), missed.end());
+    }
+    std::uint32_t epoch = whole_.epoch;
+    const std::uint64_t arrived = move_missed_of(whole_, algorithm_.motion, epoch);
+    collect_edits();
+    collect_changes();
+    under_way_ = false;
+    return arrived;
+}
+
 // Passes of an application may have changed the interface in a part listed by another submesh.
 template <class Real>
 void SubmeshExecutor<Real>::collect_changes() {
@@ -163,6 +179,7 @@ void SubmeshExecutor<Real>::hand_out_resized() {
     template void SubmeshExecutor<Real>::collect_changes();                                        \
     template std::vector<Edit> SubmeshExecutor<Real>::take_edits();                                \
     template void SubmeshExecutor<Real>::take_suspects(std::vector<Suspect<Real>>&);               \
+    template std::uint64_t SubmeshExecutor<Real>::move_missed();                                   \
     template void SubmeshExecutor<Real>::absorb(std::span<const Edit>);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
