@@ -27,9 +27,13 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool turns_less(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
                               Real cosine) {
-    const Point<Real> in = at - from;
-    const Point<Real> out = to - at;
-    return in.dot(out) > cosine * std::sqrt(in.squaredNorm() * out.squaredNorm());
+    // In scalars: a vector load waits for two scalar stores, if the points have just been made.
+    const Real in_x = at.x() - from.x();
+    const Real in_y = at.y() - from.y();
+    const Real out_x = to.x() - at.x();
+    const Real out_y = to.y() - at.y();
+    return in_x * out_x + in_y * out_y >
+           cosine * std::sqrt((in_x * in_x + in_y * in_y) * (out_x * out_x + out_y * out_y));
 }
 
 /// Whether the polyline turns by more than the angle of this cosine at `at`. Not the negation of

@@ -133,9 +133,14 @@ private:
         const Point<Real> p(ring.x0, ring.y0);
         const Point<Real> a = link_point(ring, spokes.first);
         const Point<Real> b = link_point(ring, spokes.second);
-        const Real nearest = std::min((a - p).squaredNorm(), (b - p).squaredNorm());
-        if (nearest >= shortest_squared_ ||
-            (b - a).squaredNorm() >= longest_squared(ring, spokes)) {
+        // In scalars, as turns_less.
+        const auto squared = [](const Point<Real>& from, const Point<Real>& to) {
+            const Real x = to.x() - from.x();
+            const Real y = to.y() - from.y();
+            return x * x + y * y;
+        };
+        const Real nearest = std::min(squared(p, a), squared(p, b));
+        if (nearest >= shortest_squared_ || squared(a, b) >= longest_squared(ring, spokes)) {
             return false;
         }
         if (nearest < degenerate_squared_ &&
@@ -288,8 +293,9 @@ private:
             if (before == after || before == border_phase || after == border_phase) {
                 continue;
             }
-            const Real squared =
-                (link_point(ring, i) - Point<Real>(ring.x0, ring.y0)).squaredNorm();
+            const Real x = ring.link_x(i) - ring.x0;
+            const Real y = ring.link_y(i) - ring.y0;
+            const Real squared = x * x + y * y;
             const Real allowed =
                 after > before ? longest_squared_ : std::numeric_limits<Real>::infinity();
             if (squared > std::min(local < longest_squared_ ? local : allowed, allowed) &&
