@@ -17,7 +17,11 @@ install(TARGETS dsc EXPORT dscTargets
 install(CODE "
     set(source \"${PROJECT_SOURCE_DIR}/lib\")
     set(destination \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")
-    include(\"${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake\")")
+    include(\"${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake\")
+    foreach(header IN LISTS public_headers)
+        get_filename_component(folder \${header} DIRECTORY)
+        file(INSTALL \${source}/\${header} DESTINATION \${destination}/\${folder})
+    endforeach()")
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/dsc)
 install(EXPORT dscTargets NAMESPACE dsc:: DESTINATION ${package_dir})

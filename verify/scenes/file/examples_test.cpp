@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The example files run, each of them keeps to its limits, and the README shows one of them as it
-// is.
+// The example files run, and each of them keeps to its limits.
 #include "dsc/queries/validate.h"
 #include "scenes/file/scene_file.h"
 #include "scenes/file/text_file.h"
@@ -62,12 +61,6 @@ INSTANTIATE_TEST_SUITE_P(Examples, Example, testing::ValuesIn(names_of_examples(
                              std::ranges::replace(name, '-', '_');
                              return name;
                          });
-
-TEST(Readme, ShowsAnExampleAsItIs) {
-    const std::string readme = read_text_file(DSC_README);
-    EXPECT_NE(readme.find("```toml\n" + read_text_file(example("my-vortex")) + "```"),
-              std::string::npos);
-}
 
 TEST(Examples, AreWhatTheyShow) {
     const SceneFile bubbles = read_scene_file(example("double-bubble"));

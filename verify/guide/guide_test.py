@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""The README and the guide say what is so: their programs are those that tests compile, their
+commands run and print what is shown, the files they name exist. Each check is tried on faults."""
+import os
+import shutil
+import tempfile
+import unittest
+
+import check
+from blocks import Block, Page, read_page
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+BUILD = os.environ["DSC_BUILD"]
+GUIDE = os.path.join(ROOT, "lib", "guide")
+FILES = ["README.md"] + sorted(f"lib/guide/{name}" for name in os.listdir(GUIDE)
+                               if name.endswith(".md"))
+
+
+def read(file):
+    with open(os.path.join(ROOT, file), encoding="utf-8") as stream:
+        return read_page(file, stream.read())
+
+
+def scratch_folder(test):
+    """Looks like the root of the repository to a command, and takes the files that it writes."""
+    folder = tempfile.mkdtemp()
+    test.addCleanup(shutil.rmtree, folder)
+    for room in check.ROOMS:
+        os.symlink(os.path.join(ROOT, room), os.path.join(folder, room))
+    os.mkdir(os.path.join(folder, "build"))
+    os.symlink(BUILD, os.path.join(folder, "build", "release"))
+    return folder
+
+
+class Pages(unittest.TestCase):
+    def check(self, problems):
+        self.assertEqual(problems, [], "\n".join(problems))
+
+    def test_programs_are_those_that_are_compiled(self):
+        for file in FILES:
+            self.check(check.sources(read(file), ROOT))
+
+    def test_files_exist(self):
+        for file in FILES:
+            self.check(check.paths(read(file), file, ROOT))
+
+    def test_recipes_hold_their_line(self):
+        for file in FILES:
+            self.check(check.recipes(read(file), file, ROOT))
+
+    def test_commands_do_what_is_shown(self):
+        for file in FILES:
+            with self.subTest(file=file):
+                self.check(check.shown_commands(read(file), scratch_folder(self)))
+
+    def test_commands_in_the_text_are_taken(self):
+        for file in FILES:
+            with self.subTest(file=file):
+                self.check(check.commands_in_text(read(file), file, scratch_folder(self)))
+
+
+class Faults(unittest.TestCase):
+    """What is wrong is found."""
+
+    def block(self, language, *text, mark=""):
+        return Page(blocks=[Block("page.md", 1, language, list(text), mark)])
+
+    def test_a_program_that_differs(self):
+        mark = "from verify/install/main.cpp"
+        line = "    dsc::Options<double> options;"
+        self.assertEqual(check.sources(self.block("cpp", line, mark=mark), ROOT), [])
+        for wrong in (line.replace("double", "float"), "int there_is_no_such_line;"):
+            self.assertEqual(len(check.sources(self.block("cpp", wrong, mark=mark), ROOT)), 1)
+        # The lines are there, but not one after the other.
+        apart = ["    options.edge_length = 0.01;", "    std::uint64_t unreached = 0;"]
+        self.assertEqual(len(check.sources(self.block("cpp", *apart, mark=mark), ROOT)), 1)
+        apart.insert(1, "// ...")
+        self.assertEqual(check.sources(self.block("cpp", *apart, mark=mark), ROOT), [])
+
+    def test_a_program_without_a_source(self):
+        self.assertEqual(len(check.sources(self.block("cpp", "int i;"), ROOT)), 1)
+        page = self.block("cpp", "int i;", mark="from verify/no/such.cpp")
+        self.assertEqual(len(check.sources(page, ROOT)), 1)
+
+    def test_a_command_that_fails_or_prints_something_else(self):
+        folder = scratch_folder(self)
+        run = "$ dsc_scene run speedup-four-circles --set h=0.05 --set steps=2"
+        right = "  inverted 0, unreached 0"
+        self.assertEqual(check.shown_commands(self.block("console", run, right), folder), [])
+        for page in (self.block("console", run.replace("h=", "w="), right),
+                     self.block("console", run, right.replace("0", "1")),
+                     self.block("sh", "dsc_scene run no-such-scene"),
+                     self.block("sh", "dsc_scene run speedup-four-circles", mark="run with --set steps=none")):
+            self.assertEqual(len(check.shown_commands(page, folder)), 1)
+
+    def test_times_do_not_matter(self):
+        folder = scratch_folder(self)
+        for shown, wrong in (("took 3.25 s, 17 us", 0), ("took 3.25 m, 17 us", 1)):
+            page = self.block("console", "$ echo took 1.5 s, 2 us", shown)
+            self.assertEqual(len(check.shown_commands(page, folder)), wrong)
+
+    def test_a_command_in_the_text(self):
+        folder = scratch_folder(self)
+        for text, wrong in (("`dsc_scene run speedup-four-circles --set h=0.05`", 0),
+                            ("`dsc_scene run speedup-four-circles --set h=fine`", 1),
+                            ("`dsc_scene run speedup-four-circles --set h=0.05` | `... --set reading=cube`", 1)):
+            page = read_page("page.md", text)
+            self.assertEqual(len(check.commands_in_text(page, "page.md", folder)), wrong, text)
+
+    def test_a_file_that_is_not_there(self):
+        for text, wrong in (("`lib/dsc/dsc.h` and [it](README.md)", 0), ("`lib/dsc/no.h`", 1),
+                            ("![a picture](plots/no.png)", 1)):
+            page = read_page("page.md", text)
+            self.assertEqual(len(check.paths(page, "page.md", ROOT)), wrong, text)
+
+    def test_a_recipe_without_its_line(self):
+        row = "| a scene | `verify/recipes/scene.cpp` | `scenes.push_back({})` |"
+        for line, wrong in (("turning_star()", 0), ("...", 0), ("standing_star()", 1)):
+            page = read_page("page.md", row.format(line))
+            self.assertEqual(len(check.recipes(page, "page.md", ROOT)), wrong, line)
+
+
+if __name__ == "__main__":
+    unittest.main()
