@@ -21,18 +21,25 @@ public:
     SimplexSet(std::vector<Vertex> vertices, std::vector<Edge> edges,
                std::vector<Triangle> triangles);
 
+    /// Ascending by id.
     [[nodiscard]] const std::vector<Vertex>& vertices() const& { return vertices_; }
+    /// Ascending by id.
     [[nodiscard]] const std::vector<Edge>& edges() const& { return edges_; }
+    /// Ascending by id.
     [[nodiscard]] const std::vector<Triangle>& triangles() const& { return triangles_; }
     // A temporary gives away its arrays, so that `for (Vertex v : link(k, w).vertices())` is sound.
+    /// Gives the array away.
     [[nodiscard]] std::vector<Vertex> vertices() && { return std::move(vertices_); }
+    /// Gives the array away.
     [[nodiscard]] std::vector<Edge> edges() && { return std::move(edges_); }
+    /// Gives the array away.
     [[nodiscard]] std::vector<Triangle> triangles() && { return std::move(triangles_); }
 
     /// The number of simplices of all dimensions, |Sigma|. O(1).
     [[nodiscard]] std::size_t size() const {
         return vertices_.size() + edges_.size() + triangles_.size();
     }
+    /// Whether there is no simplex at all. O(1).
     [[nodiscard]] bool empty() const { return size() == 0; }
 
     /// O(log n).
@@ -50,6 +57,7 @@ public:
     /// Inserts a whole set. O(n + m).
     void insert(const SimplexSet& other);
 
+    /// Empties the set.
     void clear();
 
     friend bool operator==(const SimplexSet&, const SimplexSet&) = default;

@@ -26,8 +26,8 @@ struct Reach {
 /// What is known once all targets have been found.
 template <class Real>
 struct AimReport {
-    Real fastest = 0; ///< the largest finite speed at the start
-    Reach<Real> reach;
+    Real fastest = 0;         ///< the largest finite speed at the start
+    Reach<Real> reach;        ///< of the targets
     std::uint64_t held = 0;   ///< vertices held because of a velocity that is not finite
     std::size_t vertices = 0; ///< interface vertices
 

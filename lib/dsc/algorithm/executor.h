@@ -49,6 +49,7 @@ public:
     /// these may have to change. Only called if edges are not all of one length, or were not.
     virtual void resize(std::span<const std::uint32_t> list) { (void)list; }
 
+    /// Called before the first sub-step of a step.
     virtual void begin_step() {}
     /// Interface upkeep; then velocities at `time` and targets at time + dt. `dt` is the step that
     /// the driver expects; it may change it once the velocities are known.
@@ -60,6 +61,7 @@ public:
     /// Tries those that did not arrive once more, after a change of the topology, which may have
     /// set them free. Returns how many have arrived now, or are no longer on the interface.
     [[nodiscard]] virtual std::uint64_t move_missed() { return 0; }
+    /// Called after the last sub-step, also where something threw.
     virtual void end_step() {}
 
     /// The number of interface vertices.
@@ -124,6 +126,7 @@ void append_edits(EditLog& log, std::vector<Edit>& edits);
 template <class Real>
 class SequentialExecutor final : public Executor<Real> {
 public:
+    /// Lists the interface and reads the options, which the simulation has checked. O(mesh).
     SequentialExecutor(Complex<Real>& complex, const Options<Real>& options,
                        Algorithm<Real> algorithm);
 

@@ -13,15 +13,15 @@ namespace dsc {
 struct RunPlan {
     double begin = 0; ///< time of the first step
     double dt = 0;    ///< of each step
-    int steps = 0;
+    int steps = 0;    ///< how many
 };
 
 /// What is known after a step.
 struct Progress {
-    int step = 0; ///< 1 for the first
-    int steps = 0;
-    double time = 0; ///< at its end
-    const StepReport& report;
+    int step = 0;             ///< 1 for the first
+    int steps = 0;            ///< of the plan
+    double time = 0;          ///< at its end
+    const StepReport& report; ///< of the step; valid during the call
 };
 
 /// Called after each step, by the thread that runs them; false: no more steps.
@@ -29,11 +29,11 @@ using ProgressFunction = std::function<bool(const Progress& progress)>;
 
 /// Sums over the steps of a run.
 struct RunReport {
-    int steps = 0; ///< done
-    OperationCounts operations;
-    std::uint64_t sub_steps = 0;
-    std::uint64_t unreached = 0;
-    std::uint64_t held = 0;
+    int steps = 0;                 ///< done
+    OperationCounts operations;    ///< of all steps
+    std::uint64_t sub_steps = 0;   ///< of all steps
+    std::uint64_t unreached = 0;   ///< of all steps: see `StepReport`
+    std::uint64_t held = 0;        ///< of all steps: see `StepReport`
     GiveUp gave_up = GiveUp::none; ///< of the last step
     double reached = 0;            ///< time at the end
 };

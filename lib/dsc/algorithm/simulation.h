@@ -16,6 +16,7 @@
 
 namespace dsc {
 
+/// Why a step ended before its time.
 enum class GiveUp : std::uint8_t {
     none,
     too_many_sub_steps, ///< the velocity requires more than `max_sub_steps`
@@ -24,15 +25,15 @@ enum class GiveUp : std::uint8_t {
 
 /// What one step did.
 struct StepReport {
-    OperationCounts operations;
-    std::uint32_t sub_steps = 0;
-    std::uint32_t passes = 0;
+    OperationCounts operations;  ///< counts of what was done
+    std::uint32_t sub_steps = 0; ///< how many the step was cut into
+    std::uint32_t passes = 0;    ///< of movement and mesh update, summed over sub-steps
     /// Vertices that did not arrive, summed over sub-steps; includes `held`. Those whose piece of a
     /// phase vanished in the same sub-step are left out: nothing of the interface stays behind.
     std::uint64_t unreached = 0;
     std::uint64_t held = 0; ///< of these: held because of a velocity that was not finite
     double error = 0;       ///< the largest estimate of `adaptive` that was accepted, a length
-    GiveUp gave_up = GiveUp::none;
+    GiveUp gave_up = GiveUp::none;        ///< `none` if the step was done as a whole
     Vertex where;                         ///< when the step gave up: the fastest vertex...
     double speed = 0;                     ///< ...and its speed
     std::uint32_t interface_vertices = 0; ///< at the end of the step
@@ -66,6 +67,7 @@ public:
     Simulation(Simulation&&) = delete;
     Simulation& operator=(Simulation&&) = delete;
 
+    /// Those of the next step.
     [[nodiscard]] const Options<Real>& options() const { return options_; }
     /// Checks the options and replaces all of them for the next step; integrators with a memory
     /// start afresh if the integrator changes. Throws InputError if one is out of range, or a new
@@ -109,6 +111,7 @@ public:
 
     /// The vertices of the interface, roughly in the order of the curve. O(their number).
     [[nodiscard]] std::vector<std::uint32_t> interface() const;
+    /// The number of interface vertices. O(submeshes).
     [[nodiscard]] std::size_t interface_size() const { return executor_->interface_size(); }
 
 private:

@@ -15,9 +15,10 @@ namespace dsc {
 /// One value of an enum, and what it is called on command lines and in files.
 template <class Enum>
 struct Named {
-    Enum value;
-    std::string_view name;
+    Enum value;            ///< the value itself
+    std::string_view name; ///< in lower case, with underscores
 };
+/// Deduces the enum from a literal.
 template <class Enum>
 Named(Enum, const char*) -> Named<Enum>;
 
@@ -25,6 +26,7 @@ Named(Enum, const char*) -> Named<Enum>;
 template <class Enum, std::size_t n>
 using EnumTable = std::array<Named<Enum>, n>;
 
+/// The values without their names, in the order of the table.
 template <class Enum, std::size_t n>
 [[nodiscard]] constexpr std::array<Enum, n> values_in(const EnumTable<Enum, n>& table) {
     std::array<Enum, n> values{};

@@ -21,6 +21,7 @@ public:
         std::string allowed; ///< the values that would have been right
     };
 
+    /// The sentence of `what()` is put together from all fields.
     explicit InputError(Fields fields)
         : std::runtime_error(fields.where + ": " + fields.what + ": got " + fields.value +
                              "; allowed: " + fields.allowed),
@@ -28,8 +29,11 @@ public:
 
     /// The field `what` alone; `what()` is the whole sentence.
     [[nodiscard]] const std::string& problem() const { return fields_.what; }
+    /// The function, option, file or shape.
     [[nodiscard]] const std::string& where() const { return fields_.where; }
+    /// As it was given.
     [[nodiscard]] const std::string& value() const { return fields_.value; }
+    /// The values that would have been right.
     [[nodiscard]] const std::string& allowed() const { return fields_.allowed; }
 
 private:
@@ -45,6 +49,7 @@ public:
                              (error == 0 ? "" : ": " + std::generic_category().message(error))),
           path_(path), error_(error) {}
 
+    /// Of the file concerned.
     [[nodiscard]] const std::string& path() const { return path_; }
     /// 0 where the system gave no reason.
     [[nodiscard]] int error() const { return error_; }

@@ -9,6 +9,7 @@ namespace dsc {
 /// not flip back and forth. Rounding is some 1e-15 (float: 1e-6) of that size.
 template <class Real>
 inline constexpr Real delaunay_slack = Real(1e-7);
+/// Of `delaunay_slack`, in float.
 template <>
 inline constexpr float delaunay_slack<float> = 1e-4F;
 
@@ -22,6 +23,7 @@ inline constexpr double altitude_keep = 0.5;
 /// (3 + 16 eps) eps with eps = 2^-53 (Shewchuk 1997), and 2^-24 for float.
 template <class Real>
 inline constexpr Real area_bound = Real(3.3306690738754716e-16);
+/// Of `area_bound`, in float.
 template <>
 inline constexpr float area_bound<float> = 1.7881411e-7F;
 
@@ -33,11 +35,13 @@ inline constexpr float area_bound<float> = 1.7881411e-7F;
 /// run in the unit coordinates of a `UnitMap`.
 template <class Real>
 inline constexpr double least_edge_length = 1e-50;
+/// Of `least_edge_length`, in float.
 template <>
 inline constexpr double least_edge_length<float> = 1e-5;
 /// ... to here.
 template <class Real>
 inline constexpr double most_edge_length = 1e50;
+/// Of `most_edge_length`, in float.
 template <>
 inline constexpr double most_edge_length<float> = 1e5;
 

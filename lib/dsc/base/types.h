@@ -26,14 +26,16 @@ inline constexpr Phase exterior_phase = 0;
 /// The phase of the border triangle, which stands in for "no neighbour". Never given by a user.
 inline constexpr Phase border_phase = 0xffffffffU;
 
+/// No simplex: what a handle is before it is given one.
 inline constexpr std::uint32_t no_id = 0xffffffffU;
 
 /// A simplex by number. `Vertex`, `Edge` and `Triangle` are distinct types that do not compare
 /// with each other and do not convert to integers by themselves.
 template <class Tag>
 struct Handle {
-    std::uint32_t id = no_id;
+    std::uint32_t id = no_id; ///< of the simplex; edges are named by a corner
 
+    /// Whether it names anything at all; it may still be dead: see `Complex::is_alive`.
     [[nodiscard]] constexpr bool is_valid() const { return id != no_id; }
     friend constexpr auto operator<=>(Handle, Handle) = default;
 };

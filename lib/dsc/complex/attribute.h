@@ -24,6 +24,7 @@
 
 namespace dsc {
 
+/// The dimension of a simplex.
 enum class SimplexKind : std::uint8_t { vertex, edge, triangle };
 
 /// `Vertex`, `Edge` or `Triangle`.
@@ -43,6 +44,7 @@ inline constexpr SimplexKind kind_of = std::same_as<Simplex, Vertex> ? SimplexKi
 /// touch only the entries named, and shared data only under a lock.
 class AttributeBase {
 public:
+    /// The name and the kind do not change.
     AttributeBase(std::string name, SimplexKind kind) : name_(std::move(name)), kind_(kind) {}
     virtual ~AttributeBase() = default;
     AttributeBase(const AttributeBase&) = delete;
@@ -50,10 +52,13 @@ public:
     AttributeBase(AttributeBase&&) = delete;
     AttributeBase& operator=(AttributeBase&&) = delete;
 
+    /// As it was added.
     [[nodiscard]] const std::string& name() const { return name_; }
+    /// Of the simplices that it belongs to.
     [[nodiscard]] SimplexKind kind() const { return kind_; }
 
     // --- storage
+    /// The number of entries.
     [[nodiscard]] virtual std::size_t size() const = 0;
     /// New entries take the initial value.
     virtual void resize(std::size_t size) = 0;
@@ -61,6 +66,7 @@ public:
     virtual void reserve(std::size_t /*size*/) {}
     /// Entry i of the result is the old entry order[i]; no_id: the initial value.
     virtual void permute(const std::vector<std::uint32_t>& order) = 0;
+    /// A copy, entries included.
     [[nodiscard]] virtual std::unique_ptr<AttributeBase> clone() const = 0;
     /// An attribute of the same class, name, kind, initial value and behaviour, without entries.
     [[nodiscard]] virtual std::unique_ptr<AttributeBase> clone_empty() const = 0;
@@ -70,6 +76,7 @@ public:
     virtual void swap_entries(AttributeBase& other) noexcept = 0;
 
     // --- edits of any kind of simplex
+    /// The simplex `to` inherits from `from`.
     virtual void copy(std::uint32_t to, std::uint32_t from) = 0;
     /// The simplex is new: the entry takes the initial value.
     virtual void reset(std::uint32_t to) = 0;
@@ -109,10 +116,12 @@ class Attribute final : public AttributeBase {
     static constexpr bool of_edges = std::same_as<Simplex, Edge>;
 
 public:
+    /// See `AttributeSet::add`.
     Attribute(std::string name, T initial, Blend<T> blend)
         : AttributeBase(std::move(name), kind_of<Simplex>), initial_(std::move(initial)),
           blend_(std::move(blend)) {}
 
+    /// The value of a simplex, which is not checked. O(1).
     [[nodiscard]] const T& operator[](Simplex simplex) const { return data_[simplex.id]; }
     /// An edge has two entries, so it is written with `set`.
     [[nodiscard]] T& operator[](Simplex simplex) requires(!of_edges) { return data_[simplex.id]; }
@@ -131,6 +140,7 @@ public:
     /// All values, by id (edges: by corner, both entries equal). `Eigen::Map` over data().data()
     /// costs nothing.
     [[nodiscard]] std::vector<T>& data() { return data_; }
+    /// The same, to be read.
     [[nodiscard]] const std::vector<T>& data() const { return data_; }
 
     [[nodiscard]] std::size_t size() const override { return data_.size(); }
@@ -173,10 +183,13 @@ private:
     Blend<T> blend_;
 };
 
+/// One value for each vertex.
 template <class T>
 using VertexAttribute = Attribute<T, Vertex>;
+/// One value for each edge.
 template <class T>
 using EdgeAttribute = Attribute<T, Edge>;
+/// One value for each triangle.
 template <class T>
 using TriangleAttribute = Attribute<T, Triangle>;
 

@@ -13,7 +13,9 @@ namespace dsc {
 class AttributeSet {
 public:
     AttributeSet() = default;
+    /// Copies the attributes with their entries.
     AttributeSet(const AttributeSet& other);
+    /// Replaces all attributes; references to the old ones become invalid.
     AttributeSet& operator=(const AttributeSet& other);
     AttributeSet(AttributeSet&&) = default;
     AttributeSet& operator=(AttributeSet&&) = default;
@@ -40,6 +42,7 @@ public:
         return *added;
     }
 
+    /// Whether there is an attribute of that name, of any kind.
     [[nodiscard]] bool contains(const std::string& name) const { return find(name) != nullptr; }
     /// The attribute of that name, kind and type, `get<Vertex, double>("heat")`; throws InputError
     /// if there is none.
@@ -47,6 +50,7 @@ public:
     [[nodiscard]] Attribute<T, Simplex>& get(const std::string& name) {
         return cast<Attribute<T, Simplex>>(name, kind_of<Simplex>);
     }
+    /// The same, to be read.
     template <SimplexHandle Simplex, class T>
     [[nodiscard]] const Attribute<T, Simplex>& get(const std::string& name) const {
         return cast<Attribute<T, Simplex>>(name, kind_of<Simplex>);
@@ -59,32 +63,44 @@ public:
     /// Throws InputError if there is none of that name.
     void remove(const std::string& name);
 
+    /// Whether there are no attributes.
     [[nodiscard]] bool empty() const { return list_.empty(); }
+    /// Whether there are none of that kind.
     [[nodiscard]] bool empty(SimplexKind kind) const { return counts_[index(kind)] == 0; }
+    /// All of them, in the order in which they were added.
     [[nodiscard]] const std::vector<std::unique_ptr<AttributeBase>>& list() const { return list_; }
 
     // --- called by the operations; nothing happens if there is no attribute of the kind
+    /// There are ids up to `bound` now.
     void resize_vertices(std::size_t bound);
+    /// There are ids up to `bound` now.
     void resize_triangles(std::size_t bound);
     /// Reserves room for that many entries, so that growth up to there copies nothing.
     void reserve(std::size_t vertex_bound, std::size_t triangle_bound);
+    /// Vertex `to` is new, at a + fraction (b - a). See AttributeBase, as for the following ones.
     void blend_vertex(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
         tell(SimplexKind::vertex, [&](AttributeBase& each) { each.blend(to, a, b, fraction); });
     }
+    /// Vertex `to` is new.
     void reset_vertex(std::uint32_t to) { reset(SimplexKind::vertex, to); }
+    /// The edge at corner `to` inherits from that at `from`.
     void copy_edge(Corner to, Corner from) {
         tell(SimplexKind::edge, [&](AttributeBase& each) { each.copy(to, from); });
     }
+    /// The edge at corner `to` is new.
     void reset_edge(Corner to) { reset(SimplexKind::edge, to); }
+    /// Triangle `to` is new.
     void reset_triangle(std::uint32_t to) { reset(SimplexKind::triangle, to); }
     /// See AttributeBase; `share()` is only called if there is an attribute to tell.
     template <class Share>
     void split_triangle(std::uint32_t to, std::uint32_t from, Share share) {
         tell(SimplexKind::triangle, [&](AttributeBase& each) { each.split(to, from, share()); });
     }
+    /// Triangle `gone` vanishes, and `into` takes its place.
     void merge_triangle(std::uint32_t into, std::uint32_t gone) {
         tell(SimplexKind::triangle, [&](AttributeBase& each) { each.merge(into, gone); });
     }
+    /// The two triangles have flipped their common edge.
     template <class Share>
     void flip_triangles(std::uint32_t one, std::uint32_t other, Share share) {
         tell(SimplexKind::triangle, [&](AttributeBase& each) { each.flip(one, other, share()); });

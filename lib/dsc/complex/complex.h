@@ -31,18 +31,20 @@ enum VertexFlag : std::uint32_t {
     vertex_seam = 64U,   ///< two sheets of the interface met here: see topology/films/films.h
 };
 
+/// A triangle, by id.
 struct TriangleRecord {
     std::array<std::uint32_t, 3> v; ///< vertices, counter-clockwise; v[0] == no_id: the id is free
     std::array<Corner, 3> n;        ///< the corner on the other side of the edge opposite to v[i]
-    Phase phase;
-    std::uint32_t mark; ///< scratch of algorithms; holds no state between calls
+    Phase phase;                    ///< of the material
+    std::uint32_t mark;             ///< scratch of algorithms; holds no state between calls
 };
 static_assert(sizeof(TriangleRecord) == 32);
 
+/// A vertex, by id.
 template <class Real>
 struct VertexRecord {
-    Real x;
-    Real y;
+    Real x;              ///< position, in units of the domain
+    Real y;              ///< position, in units of the domain
     Corner corner;       ///< any corner at this vertex; no_id while it has no triangle
     std::uint32_t flags; ///< VertexFlag
     std::uint32_t stamp; ///< scratch of the active set
@@ -53,9 +55,9 @@ static_assert(sizeof(VertexRecord<double>) == 32);
 /// Free ids. The whole complex grows its arrays when its pool is empty; a submesh that runs in
 /// parallel may not, and refuses the edit instead (`Verdict::out_of_ids`).
 struct IdPool {
-    std::vector<std::uint32_t> vertices;
-    std::vector<std::uint32_t> triangles;
-    bool may_grow = true;
+    std::vector<std::uint32_t> vertices;  ///< ids without a vertex
+    std::vector<std::uint32_t> triangles; ///< ids without a triangle
+    bool may_grow = true;                 ///< false: an empty pool refuses
 };
 
 /// A two-dimensional simplicial complex that is a manifold with boundary (thesis, section 3.2).
@@ -64,7 +66,7 @@ struct IdPool {
 template <class Real>
 class Complex {
 public:
-    using Scalar = Real;
+    using Scalar = Real; ///< the type of coordinates
 
     Complex();
 
@@ -75,15 +77,18 @@ public:
     [[nodiscard]] std::uint32_t vertex_bound() const {
         return static_cast<std::uint32_t>(vertices.size());
     }
+    /// The same for triangles.
     [[nodiscard]] std::uint32_t triangle_bound() const {
         return static_cast<std::uint32_t>(triangles.size());
     }
 
     // --- what is alive
     // ----------------------------------------------------------------------------
+    /// Whether the handle names a living vertex. O(1).
     [[nodiscard]] bool is_alive(Vertex v) const {
         return v.id < vertices.size() && (vertices[v.id].flags & vertex_dead) == 0;
     }
+    /// Whether the handle names a living triangle. O(1).
     [[nodiscard]] bool is_alive(Triangle t) const {
         return t.id != border_triangle && t.id < triangles.size() && triangles[t.id].v[0] != no_id;
     }
@@ -94,24 +99,29 @@ public:
     }
 
     // --- navigation ---------------------------------------------------------------------------
+    /// The id of the vertex at a corner.
     [[nodiscard]] std::uint32_t vertex(Corner c) const {
         return triangles[triangle_of(c)].v[index_of(c)];
     }
     /// The corner on the other side of the edge opposite to `c`; below 4 at the domain boundary.
     [[nodiscard]] Corner twin(Corner c) const { return triangles[triangle_of(c)].n[index_of(c)]; }
+    /// The phase of the triangle of a corner; `border_phase` for the border's.
     [[nodiscard]] Phase phase_at(Corner c) const { return triangles[triangle_of(c)].phase; }
     /// The edge opposite to `c`.
     [[nodiscard]] Edge edge(Corner c) const {
         const Corner other = twin(c);
         return Edge{!is_border(other) && other < c ? other : c};
     }
+    /// Its two ends: the half-edge opposite to the edge's corner runs from the first to the second.
     [[nodiscard]] std::array<Vertex, 2> vertices_of(Edge e) const {
         return {Vertex{vertex(next(e.id))}, Vertex{vertex(prev(e.id))}};
     }
+    /// Its three vertices, counter-clockwise.
     [[nodiscard]] std::array<Vertex, 3> vertices_of(Triangle t) const {
         const auto& v = triangles[t.id].v;
         return {Vertex{v[0]}, Vertex{v[1]}, Vertex{v[2]}};
     }
+    /// Its three edges, each opposite to the vertex of the same number.
     [[nodiscard]] std::array<Edge, 3> edges_of(Triangle t) const {
         return {edge(corner_of(t.id, 0)), edge(corner_of(t.id, 1)), edge(corner_of(t.id, 2))};
     }
@@ -121,6 +131,7 @@ public:
     [[nodiscard]] Edge find_edge(Vertex a, Vertex b) const;
 
     // --- geometry and phases ------------------------------------------------------------------
+    /// In units of the domain.
     [[nodiscard]] Point<Real> position(Vertex v) const {
         return {vertices[v.id].x, vertices[v.id].y};
     }
@@ -129,20 +140,27 @@ public:
     /// All positions as a 2 x vertex_bound() matrix, without a copy; free ids hold stale values.
     /// Changes made through it are not recorded in any log.
     using Positions = Eigen::Map<Eigen::Matrix<Real, 2, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
+    /// The map; valid until vertices are added.
     [[nodiscard]] Positions positions();
+    /// The phase of a living triangle.
     [[nodiscard]] Phase phase(Triangle t) const { return triangles[t.id].phase; }
     /// Noted in `journal`.
     void set_phase(Triangle t, Phase phase);
+    /// Whether the application forbids it to move or vanish.
     [[nodiscard]] bool is_locked(Vertex v) const {
         return (vertices[v.id].flags & vertex_locked) != 0;
     }
+    /// Forbids a vertex to move or vanish, or allows it. Operations answer `Verdict::locked`.
     void set_locked(Vertex v, bool locked);
 
     // --- ids ----------------------------------------------------------------------------------
     /// Takes an id from the pool, or grows; no_id if the pool is empty and may not grow.
     std::uint32_t take_vertex(IdPool& pool);
+    /// The same for a triangle.
     std::uint32_t take_triangle(IdPool& pool);
+    /// Puts an id back; the vertex is dead from then on.
     void give_vertex(IdPool& pool, std::uint32_t id);
+    /// Puts an id back; the triangle is dead from then on.
     void give_triangle(IdPool& pool, std::uint32_t id);
     /// Reserves room for that many vertices and triangles and for their existing attributes: up to
     /// there new ids copy nothing. O(n) if there is less room.
@@ -156,11 +174,11 @@ public:
     EditLog journal;
 
     // --- the records themselves: for algorithms of the library --------------------------------
-    std::vector<VertexRecord<Real>> vertices;
-    std::vector<TriangleRecord> triangles;
-    IdPool ids;                      ///< free ids of the whole complex
-    std::uint32_t lent_vertices = 0; ///< free ids that submeshes hold while they run
-    std::uint32_t lent_triangles = 0;
+    std::vector<VertexRecord<Real>> vertices; ///< by id
+    std::vector<TriangleRecord> triangles;    ///< by id; 0 is the border
+    IdPool ids;                               ///< free ids of the whole complex
+    std::uint32_t lent_vertices = 0;          ///< free ids that submeshes hold while they run
+    std::uint32_t lent_triangles = 0;         ///< the same for triangles
 };
 
 extern template class Complex<double>;

@@ -7,15 +7,20 @@
 
 namespace dsc {
 
+/// A corner by number; also names the edge and the half-edge opposite to it.
 using Corner = std::uint32_t;
 
 /// Triangle 0 is the border: it stands in for a missing neighbour. Its phase differs from all
 /// others, so "phases differ" means "constrained" for both the interface and the domain boundary.
 inline constexpr std::uint32_t border_triangle = 0;
+/// A corner of the border: what is on the other side of the domain's edges.
 inline constexpr Corner border_corner = 0;
 
+/// The triangle of a corner.
 constexpr std::uint32_t triangle_of(Corner corner) { return corner >> 2U; }
+/// Which of the three corners of its triangle it is: 0, 1 or 2.
 constexpr std::uint32_t index_of(Corner corner) { return corner & 3U; }
+/// Corner `index` (0, 1 or 2) of a triangle.
 constexpr Corner corner_of(std::uint32_t triangle, std::uint32_t index) {
     return (triangle << 2U) + index;
 }
@@ -23,6 +28,7 @@ constexpr Corner corner_of(std::uint32_t triangle, std::uint32_t index) {
 constexpr Corner next(Corner corner) { return index_of(corner) == 2 ? corner - 2 : corner + 1; }
 /// The previous corner of the same triangle, counter-clockwise.
 constexpr Corner prev(Corner corner) { return index_of(corner) == 0 ? corner + 2 : corner - 1; }
+/// Whether a corner belongs to the border: there is no neighbour.
 constexpr bool is_border(Corner corner) { return corner < 4; }
 
 } // namespace dsc

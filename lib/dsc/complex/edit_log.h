@@ -19,6 +19,7 @@
 
 namespace dsc {
 
+/// What was done.
 enum class EditKind : std::uint8_t {
     flip,            ///< an edge became the other diagonal of its two triangles
     split,           ///< a new vertex on an edge
@@ -33,6 +34,7 @@ enum class EditKind : std::uint8_t {
     renumber,        ///< `renumber` was called: all ids are new, earlier handles are invalid
     rebuild,         ///< another mesh took its place: all ids are new (create and merge)
 };
+/// The number of values of `EditKind`.
 inline constexpr int edit_kind_count = 12;
 
 [[nodiscard]] constexpr std::string_view to_string(EditKind kind) {
@@ -64,7 +66,7 @@ enum class MoveReason : std::uint8_t {
 
 /// One edit. Fields that a kind of edit does not use are invalid (no_id).
 struct Edit {
-    EditKind kind = EditKind::flip;
+    EditKind kind = EditKind::flip;              ///< what was done
     MoveReason reason = MoveReason::application; ///< of a move
     bool on_interface = false;                   ///< split, collapse: of an interface edge
     /// flip, split, collapse: opposite to the edge, as a corner before the edit. relabel,
@@ -86,23 +88,23 @@ struct Edit {
     std::array<std::uint32_t, 2> made{no_id, no_id};
     /// split, move, insert_vertex: the position after, in units of the domain.
     double x = 0;
-    double y = 0;
+    double y = 0; ///< as x
 };
 static_assert(sizeof(Edit) == 56);
 
 /// How many edits of each kind there were. Sums over submeshes do not depend on threads.
 struct OperationCounts {
-    std::uint64_t moves = 0; ///< vertices moved by the flow, wholly or partly
-    std::uint64_t flips = 0;
-    std::uint64_t interface_splits = 0;
-    std::uint64_t interface_collapses = 0;
-    std::uint64_t splits = 0;    ///< of other edges
-    std::uint64_t collapses = 0; ///< along other edges
-    std::uint64_t smoothed = 0;
-    std::uint64_t subdivisions = 0; ///< their splits and flips are counted as well
-    std::uint64_t retriangulations = 0;
-    std::uint64_t relabelled = 0; ///< triangles that changed their phase
-    std::uint64_t examined = 0;   ///< stars that were gathered for the mesh update
+    std::uint64_t moves = 0;               ///< vertices moved by the flow, wholly or partly
+    std::uint64_t flips = 0;               ///< of edges that are not constrained
+    std::uint64_t interface_splits = 0;    ///< of interface edges
+    std::uint64_t interface_collapses = 0; ///< along interface edges
+    std::uint64_t splits = 0;              ///< of other edges
+    std::uint64_t collapses = 0;           ///< along other edges
+    std::uint64_t smoothed = 0;            ///< vertices moved for the quality of their stars
+    std::uint64_t subdivisions = 0;        ///< their splits and flips are counted as well
+    std::uint64_t retriangulations = 0;    ///< local ones, of whole polygons
+    std::uint64_t relabelled = 0;          ///< triangles that changed their phase
+    std::uint64_t examined = 0;            ///< stars that were gathered for the mesh update
 
     OperationCounts& operator+=(const OperationCounts& other);
 };
@@ -117,7 +119,9 @@ using EditListener = std::function<void(std::span<const Edit> edits)>;
 class EditLog {
 public:
     EditLog() = default;
+    /// Empty, and without a reader.
     EditLog(const EditLog& /*other*/) {}
+    /// Empties this log and forgets its readers.
     EditLog& operator=(const EditLog& other) {
         if (this != &other) {
             *this = EditLog{};
@@ -128,8 +132,8 @@ public:
     EditLog& operator=(EditLog&&) noexcept = default;
     ~EditLog() = default;
 
-    OperationCounts counts;
-    std::vector<Edit> records;
+    OperationCounts counts;    ///< of all edits since they were last read
+    std::vector<Edit> records; ///< in the order of the edits
     std::uint32_t readers = 0; ///< records are kept while there are any
 };
 

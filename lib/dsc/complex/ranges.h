@@ -61,14 +61,18 @@ private:
 template <class Cursor>
 class HandleRange : public std::ranges::view_base {
 public:
-    using iterator = detail::HandleIterator<Cursor>;
+    using iterator = detail::HandleIterator<Cursor>; ///< forward; its values are handles
 
     HandleRange() = default;
+    /// From one cursor to another, the second excluded.
     HandleRange(const Cursor& first, const Cursor& last)
         : first_(iterator(first)), last_(iterator(last)) {}
 
+    /// The first handle.
     [[nodiscard]] iterator begin() const { return first_; }
+    /// Behind the last handle.
     [[nodiscard]] iterator end() const { return last_; }
+    /// Whether there is none.
     [[nodiscard]] bool empty() const { return first_ == last_; }
 
 private:

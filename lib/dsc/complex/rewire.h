@@ -35,6 +35,7 @@ double area_share(const Complex<Real>& complex, const std::array<std::uint32_t, 
     return first / (first + size(other));
 }
 
+/// Makes two corners the other sides of each other. The border keeps no record of its neighbours.
 template <class Real>
 void link(Complex<Real>& complex, Corner a, Corner b) {
     // The border is not updated: several submeshes would write there at once.

@@ -7,10 +7,12 @@
 
 namespace dsc {
 
+/// Reads without tearing; any value that was there at some moment.
 template <class Real>
 Real read_shared(const Real& value) {
     return std::atomic_ref<Real>(const_cast<Real&>(value)).load(std::memory_order_relaxed);
 }
+/// Writes without tearing.
 template <class Real>
 void write_shared(Real& value, Real next) {
     std::atomic_ref<Real>(value).store(next, std::memory_order_relaxed);

@@ -14,42 +14,49 @@ namespace dsc {
 
 /// Which vertices a submesh owns.
 struct Region {
+    /// By what the vertices are owned.
     enum class Kind : std::uint8_t { whole, box, places, labels };
     /// The number of the submesh that holds a point, by the partition of an application.
     using PlaceFunction = std::uint32_t (*)(const void* context, double x, double y);
+    /// The limit of a box that has none.
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    Kind kind = Kind::whole;
+    Kind kind = Kind::whole; ///< by what they are owned
     /// box: with u along the normal and w along its left, owns (u, w) where low <= u < high and
     /// side_low <= w < side_high. If low > high the slab wraps around the ends of the mesh: it owns
     /// u < high and u >= low, because the first and the last black slab form one (thesis, section
     /// 8.5).
     double normal_x = 1;
-    double normal_y = 0;
-    double low = -infinity;
-    double high = infinity;
-    double side_low = -infinity;
-    double side_high = infinity;
+    double normal_y = 0;         ///< with normal_x a unit vector
+    double low = -infinity;      ///< the least u
+    double high = infinity;      ///< the bound of u
+    double side_low = -infinity; ///< the least w
+    double side_high = infinity; ///< the bound of w
     /// places: owns p where place(context, p) == label.
     PlaceFunction place = nullptr;
-    const void* context = nullptr;
+    const void* context = nullptr; ///< handed to `place`
     /// labels: owns v where labels[v] == label.
     const std::uint32_t* labels = nullptr;
-    std::uint32_t label = 0;
+    std::uint32_t label = 0; ///< of this region, for places and labels
 
+    /// Whether everything is owned.
     [[nodiscard]] bool is_whole() const { return kind == Kind::whole; }
     /// An axis-aligned box that does not wrap around.
     [[nodiscard]] bool is_upright() const {
         return kind == Kind::box && low <= high && normal_y == 0 && normal_x == 1;
     }
+    /// The coordinate along the normal, u.
     [[nodiscard]] double along(double x, double y) const { return normal_x * x + normal_y * y; }
+    /// The coordinate along the left of the normal, w.
     [[nodiscard]] double aside(double x, double y) const { return normal_x * y - normal_y * x; }
+    /// Whether a box owns a place.
     [[nodiscard]] bool owns_place(double x, double y) const {
         const double u = along(x, y);
         const double w = aside(x, y);
         const bool is_along = low <= high ? (low <= u) & (u < high) : (low <= u) | (u < high);
         return is_along & (side_low <= w) & (w < side_high);
     }
+    /// Whether it owns a vertex that lies at (x, y). O(1), or what `place` takes.
     [[nodiscard]] bool owns(std::uint32_t vertex, double x, double y) const {
         switch (kind) {
         case Kind::whole: return true;
@@ -83,16 +90,18 @@ struct Region {
 /// A region, the pool of ids that its operations draw from, and the log that records them. Neither
 /// pointer may be null.
 struct Submesh {
-    Region region;
-    IdPool* pool;
-    EditLog* log;
+    Region region; ///< what it owns
+    IdPool* pool;  ///< ids for new simplices
+    EditLog* log;  ///< where edits are noted
 };
 
+/// The submesh that owns everything, with the pool and the journal of the complex.
 template <class Real>
 Submesh whole_submesh(Complex<Real>& complex) {
     return Submesh{Region{}, &complex.ids, &complex.journal};
 }
 
+/// Whether the region owns a vertex, where it is now. Safe while another submesh moves it.
 template <class Real>
 bool owns(const Complex<Real>& complex, const Region& region, std::uint32_t vertex) {
     if (region.is_whole()) {

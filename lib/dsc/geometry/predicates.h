@@ -36,6 +36,7 @@ inline int orientation(double ax, double ay, double bx, double by, double cx, do
     return exact::orientation(ax, ay, bx, by, cx, cy);
 }
 
+/// The same for points.
 template <class Real>
 int orientation(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
     return orientation(static_cast<double>(a.x()), static_cast<double>(a.y()),
@@ -46,17 +47,19 @@ int orientation(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c
 /// The in-circle determinant of (a, b, c) and d in doubles, positive where d lies inside, and the
 /// sum of the magnitudes of its terms, to which its rounding error is relative.
 struct InCircleFilter {
-    double determinant;
-    double permanent;
+    double determinant; ///< positive where d lies inside
+    double permanent;   ///< the sum of the magnitudes of its terms
 
     /// A determinant of a larger magnitude has the right sign, unless products underflowed.
     [[nodiscard]] double error_bound() const {
         // (10 + 96 eps) eps with eps = 2^-53 (Shewchuk 1997).
         return 1.1102230246251577e-15 * permanent;
     }
+    /// Whether the bound holds: no product may have lost bits to underflow.
     [[nodiscard]] bool is_free_of_underflow() const { return permanent > underflow_guard; }
 };
 
+/// The filter for four points. O(1), no allocation.
 inline InCircleFilter in_circle_filter(double ax, double ay, double bx, double by, double cx,
                                        double cy, double dx, double dy) {
     const double adx = ax - dx;
@@ -80,6 +83,7 @@ inline InCircleFilter in_circle_filter(double ax, double ay, double bx, double b
 int in_circle(double ax, double ay, double bx, double by, double cx, double cy, double dx,
               double dy);
 
+/// The same for points.
 template <class Real>
 int in_circle(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c,
               const Point<Real>& d) {

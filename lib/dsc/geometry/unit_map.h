@@ -20,6 +20,7 @@
 
 namespace dsc {
 
+/// The map between world and unit coordinates.
 struct UnitMap {
     Point<double> origin{0.0, 0.0}; ///< in world coordinates
     int exponent = 0;               ///< one unit is 2^exponent in the world; -1000 to 1000
@@ -30,13 +31,16 @@ struct UnitMap {
 inline double length_to_unit(const UnitMap& map, double length) {
     return length * std::ldexp(1.0, -map.exponent);
 }
+/// The way back.
 inline double length_to_world(const UnitMap& map, double length) {
     return length * std::ldexp(1.0, map.exponent);
 }
 
+/// A point of the world in unit coordinates.
 inline Point<double> to_unit(const UnitMap& map, const Point<double>& world) {
     return (world - map.origin) * std::ldexp(1.0, -map.exponent);
 }
+/// The way back. Rounds where the origin is not zero.
 inline Point<double> to_world(const UnitMap& map, const Point<double>& unit) {
     return map.origin + unit * std::ldexp(1.0, map.exponent);
 }

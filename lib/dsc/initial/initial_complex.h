@@ -33,10 +33,11 @@ struct Curve {
 
 /// A rectangle with sides parallel to the axes.
 struct Rectangle {
-    Point<double> low{0.0, 0.0};
-    Point<double> high{1.0, 1.0};
+    Point<double> low{0.0, 0.0};  ///< the corner of the smallest coordinates
+    Point<double> high{1.0, 1.0}; ///< the corner of the largest coordinates
 };
 
+/// How fine the first complex is, and how much it is improved.
 struct InitialOptions {
     double edge_length = 0.05; ///< the target, in units of the coordinates
     int improve_rounds = 12;   ///< at most so many rounds of improvement near the interface

@@ -8,6 +8,7 @@
 
 namespace dsc {
 
+/// The same rectangle, shape or curve in unit coordinates.
 [[nodiscard]] Rectangle to_unit(const UnitMap& map, const Rectangle& world);
 [[nodiscard]] Shape to_unit(const UnitMap& map, const Shape& world);
 [[nodiscard]] Curve to_unit(const UnitMap& map, const Curve& world);

@@ -22,8 +22,11 @@ namespace dsc {
 /// Until `commit` it is written beside its place. Throws FileError.
 class EditFile {
 public:
+    /// Opens the file beside its place.
     explicit EditFile(std::string path);
+    /// Appends records.
     void write(std::span<const Edit> edits);
+    /// Writes how many there are, and puts the file in its place. Nothing may be written after it.
     void commit();
 
 private:
@@ -31,6 +34,7 @@ private:
     std::uint64_t count_ = 0;
 };
 
+/// Writes a whole log at once. The file exists as a whole or not at all. Throws FileError.
 void write_edits(const std::string& path, std::span<const Edit> edits);
 
 /// Throws FileError where the file is missing, is no such file, has a line that is no record (with

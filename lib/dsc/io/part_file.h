@@ -14,17 +14,23 @@ namespace dsc {
 /// not committed is removed.
 class PartFile {
 public:
+    /// Opens `path` with ".part" added. Throws FileError.
     explicit PartFile(std::string path);
     ~PartFile();
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
 
+    /// Appends a text as it is.
     PartFile& operator<<(std::string_view text);
+    /// Appends a character.
     PartFile& operator<<(char c);
     /// The shortest text that reads back as the same number.
     PartFile& operator<<(double value);
+    /// The shortest text that reads back as the same number.
     PartFile& operator<<(float value);
+    /// Decimal digits.
     PartFile& operator<<(std::uint64_t value);
+    /// Decimal digits.
     PartFile& operator<<(std::uint32_t value);
     /// With so many digits after the point.
     PartFile& fixed(double value, int digits);

@@ -11,20 +11,22 @@
 
 namespace dsc {
 
+/// An upright rectangle, in units of the domain.
 struct SvgBox {
-    double low_x = 0;
+    double low_x = 0; ///< the corner of the smallest coordinates
     double low_y = 0;
-    double high_x = 1;
+    double high_x = 1; ///< the corner of the largest coordinates
     double high_y = 1;
 };
 
+/// How a picture looks.
 struct SvgOptions {
-    double size_px = 800;          ///< the longer side of the picture
-    double margin_px = 10;         ///< around it
-    double edge_width_px = 0.5;    ///< 0: no edges but those of the interface
-    double interface_width_px = 2; ///< 0: no interface
-    std::string edge_colour = "#888888";
-    std::string interface_colour = "#000000";
+    double size_px = 800;                     ///< the longer side of the picture
+    double margin_px = 10;                    ///< around it
+    double edge_width_px = 0.5;               ///< 0: no edges but those of the interface
+    double interface_width_px = 2;            ///< 0: no interface
+    std::string edge_colour = "#888888";      ///< as SVG and CSS write colours
+    std::string interface_colour = "#000000"; ///< the same
     /// Fill by phase; phases beyond the list start it again after its first entry, which is the
     /// exterior's. The default is the colour-blind palette of Okabe and Ito (2008).
     std::vector<std::string> phase_colours{"#ffffff", "#56b4e9", "#e69f00", "#009e73",

@@ -19,7 +19,7 @@ void write_vtu(const Complex<Real>& complex, const std::string& path);
 
 /// One file of a series.
 struct PvdEntry {
-    double time = 0;
+    double time = 0;    ///< in the units of the simulation
     std::string file{}; ///< relative to the folder of the .pvd file
 };
 

@@ -11,15 +11,15 @@ namespace dsc {
 
 /// A pair of phases with values of its own.
 struct PairCurvature {
-    Phase one = 0;
-    Phase other = 1;
+    Phase one = 0;       ///< either phase of the pair
+    Phase other = 1;     ///< the other one
     double tension = 1;  ///< as in `CurvatureFlowOptions`
     double mobility = 1; ///< as in `CurvatureFlowOptions`
 };
 
 /// What the domain boundary under a phase costs; of the phases that are not named it costs nothing.
 struct WallEnergy {
-    Phase phase = 0;
+    Phase phase = 0;   ///< at the domain boundary
     double energy = 0; ///< per length; only differences matter, so that it may be negative
 };
 

@@ -18,15 +18,16 @@ namespace dsc {
 
 /// How fast one phase grows into another: in units of length per time, negative where it shrinks.
 struct GrowthSpeed {
-    Phase growing = 1;
-    Phase into = 0;
-    double speed = 0;
+    Phase growing = 1; ///< the phase that gains area where `speed` is positive
+    Phase into = 0;    ///< the phase that loses it
+    double speed = 0;  ///< along the normal
 };
 
 /// A factor of all speeds, by place and time. Called from several threads at once.
 template <class Real>
 using GrowthFactor = std::function<Real(const Point<Real>& place, Real time)>;
 
+/// Speeds by pairs of phases, and how corners are treated.
 template <class Real>
 struct GrowthOptions {
     std::vector<GrowthSpeed> speeds; ///< interfaces between other phases stay
@@ -71,7 +72,7 @@ struct FanRay {
     float start = 0;    ///< how far along its ray the vertex was when the corner opened
     float to_first = 0; ///< angle from its ray to the first one along the curve, in radians
     float to_last = 0;  ///< to the last one
-    FanState state = FanState::none;
+    FanState state = FanState::none; ///< where the vertex is on its way
 };
 
 /// Whether both start from one corner.

@@ -19,6 +19,7 @@ template <class Real>
 using Velocity = std::function<void(std::span<const Point<Real>> positions, Real time,
                                     std::span<Point<Real>> velocities)>;
 
+/// How targets are found from velocities.
 enum class Integrator : std::uint8_t {
     euler,    ///< first order, one evaluation a step
     centred,  ///< the centred difference (thesis, section 9.4): second order, one
@@ -52,10 +53,10 @@ struct Past {
 template <class Real>
 struct IntegratorScratch {
     std::vector<Point<Real>> first; ///< v(positions, time), as the caller leaves it
-    std::vector<Point<Real>> stage;
-    std::vector<Point<Real>> slope;
-    std::vector<Point<Real>> sum;
-    std::vector<Past<Real>> past; ///< of `centred`
+    std::vector<Point<Real>> stage; ///< positions of a stage
+    std::vector<Point<Real>> slope; ///< velocities of a stage
+    std::vector<Point<Real>> sum;   ///< of the weighted velocities
+    std::vector<Past<Real>> past;   ///< of `centred`
 };
 
 /// targets[i] = where positions[i] is at time + dt. `scratch.first` must hold the velocities at

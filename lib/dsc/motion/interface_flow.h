@@ -28,8 +28,8 @@ enum InterfaceFlag : std::uint8_t {
 /// An interface edge that leaves a junction.
 struct InterfaceArm {
     std::uint32_t neighbour = no_id; ///< index in the view
-    Phase left = border_phase; ///< as seen from the junction; border_phase: outside the domain
-    Phase right = border_phase;
+    Phase left = border_phase;  ///< as seen from the junction; border_phase: outside the domain
+    Phase right = border_phase; ///< as seen from the junction
 };
 
 /// The interface at one moment. Entry i of each array is the same interface vertex; neighbours are
@@ -46,7 +46,7 @@ struct InterfaceView {
     /// attributes: `view.complex.attributes.get<Vertex, double>("speed")[view.vertices[i]]`, looked
     /// up by name once for a range and not for each vertex.
     const Complex<Real>& complex;
-    std::span<const Vertex> vertices;
+    std::span<const Vertex> vertices; ///< handles; i is their index here
     /// Where they are in this stage of the integrator.
     std::span<const Point<Real>> positions;
     std::span<const std::uint32_t> previous; ///< no_id at junctions
@@ -59,11 +59,15 @@ struct InterfaceView {
     std::span<const std::uint32_t> arm_begin; ///< junction k: arms arm_begin[k] to arm_begin[k + 1]
     std::span<const InterfaceArm> arms;       ///< counter-clockwise about each junction
 
+    /// The number of interface vertices.
     [[nodiscard]] std::size_t size() const { return vertices.size(); }
+    /// Whether i is no ordinary point of a curve; see `interface_junction`.
     [[nodiscard]] bool is_junction(std::size_t i) const {
         return (flags[i] & interface_junction) != 0;
     }
+    /// Whether i is a corner that is kept.
     [[nodiscard]] bool is_corner(std::size_t i) const { return (flags[i] & interface_corner) != 0; }
+    /// Whether i can only slide along the domain boundary.
     [[nodiscard]] bool is_on_boundary(std::size_t i) const {
         return (flags[i] & interface_boundary) != 0;
     }
@@ -150,9 +154,12 @@ using InterfaceMotion = std::function<void(const InterfaceView<Real>& view, Real
 template <class Real>
 class Flow {
 public:
+    /// A function of positions and time.
     Flow(const Velocity<Real>& velocity) : velocity_(&velocity) {} // NOLINT: all are flows
+    /// A velocity that sees the interface.
     Flow(const InterfaceFlow<Real>& along_curves) : seeing_(&along_curves) {} // NOLINT: the same
-    Flow(const InterfaceMotion<Real>& motion) : motion_(&motion) {}           // NOLINT: the same
+    /// A motion of the whole interface.
+    Flow(const InterfaceMotion<Real>& motion) : motion_(&motion) {} // NOLINT: the same
 
     /// The function of positions and time; null where the flow sees the interface.
     [[nodiscard]] const Velocity<Real>* velocity() const { return velocity_; }

@@ -12,6 +12,7 @@
 
 namespace dsc {
 
+/// Where a new vertex on an interface edge goes.
 enum class Insertion : std::uint8_t {
     linear, ///< the midpoint of the edge
     cubic,  ///< 4-point Lagrange by chord length; one-sided or linear at corners
@@ -47,12 +48,12 @@ inline constexpr std::array reading_names{
 /// and `has_last` are false where the curve ends, branches or has a corner.
 template <class Real>
 struct CurveNeighbours {
-    Point<Real> p0 = Point<Real>::Zero();
-    Point<Real> p1 = Point<Real>::Zero();
-    Point<Real> p2 = Point<Real>::Zero();
-    Point<Real> p3 = Point<Real>::Zero();
-    bool has_first = false;
-    bool has_last = false;
+    Point<Real> p0 = Point<Real>::Zero(); ///< before p1
+    Point<Real> p1 = Point<Real>::Zero(); ///< one end of the edge
+    Point<Real> p2 = Point<Real>::Zero(); ///< the other end
+    Point<Real> p3 = Point<Real>::Zero(); ///< after p2
+    bool has_first = false;               ///< whether p0 is known
+    bool has_last = false;                ///< whether p3 is known
 };
 
 /// An application's own interpolator for positions (thesis, section 9.2: a circle that stays

@@ -37,6 +37,7 @@ Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge)
 template <class Real>
 Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t i);
 
+/// Tries both ends, with the whole complex as the submesh.
 template <class Real>
 Verdict edge_collapse(Complex<Real>& complex, Edge edge) {
     return edge_collapse(complex, whole_submesh(complex), edge);
@@ -62,6 +63,7 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
                : Verdict::not_a_simplex;
 }
 
+/// The guard for the whole complex.
 template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, Edge edge, Vertex vanishing) {
     return edge_collapse_guard(complex, Region{}, edge, vanishing);
@@ -82,6 +84,7 @@ Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge,
                                 : Verdict::not_a_simplex;
 }
 
+/// The same, with the whole complex as the submesh.
 template <class Real>
 Verdict edge_collapse(Complex<Real>& complex, Edge edge, Vertex vanishing) {
     return edge_collapse(complex, whole_submesh(complex), edge, vanishing);

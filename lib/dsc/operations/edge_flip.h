@@ -44,11 +44,13 @@ Verdict edge_flip(Complex<Real>& complex, const Submesh& submesh, Corner corner)
     return verdict;
 }
 
+/// By handle, which is checked: answers not_a_simplex for a dead edge.
 template <class Real>
 Verdict edge_flip(Complex<Real>& complex, const Submesh& submesh, Edge edge) {
     return complex.is_alive(edge) ? edge_flip(complex, submesh, edge.id) : Verdict::not_a_simplex;
 }
 
+/// The same, with the whole complex as the submesh.
 template <class Real>
 Verdict edge_flip(Complex<Real>& complex, Edge edge) {
     return edge_flip(complex, whole_submesh(complex), edge);
@@ -64,6 +66,7 @@ Verdict edge_flip_guard(const Complex<Real>& complex, const Region& region, Edge
                                   : Verdict::not_a_simplex;
 }
 
+/// The guard for the whole complex.
 template <class Real>
 Verdict edge_flip_guard(const Complex<Real>& complex, Edge edge) {
     return edge_flip_guard(complex, Region{}, edge);

@@ -37,9 +37,10 @@ Verdict edge_split_guard(const Complex<Real>& complex, const Region& region, Cor
     return Verdict::legal;
 }
 
+/// What a split did.
 struct SplitResult {
-    Verdict verdict = Verdict::legal;
-    Vertex vertex; ///< the new vertex, if legal
+    Verdict verdict = Verdict::legal; ///< `legal`, or what stopped it
+    Vertex vertex;                    ///< the new vertex, if legal
 };
 
 /// Splits the edge opposite to `corner` at `point` if that is legal. Only the position needs to be
@@ -64,6 +65,7 @@ SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner co
     return {Verdict::legal, Vertex{m}};
 }
 
+/// By handle, which is checked: answers not_a_simplex for a dead edge.
 template <class Real>
 SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Edge edge,
                        const Point<Real>& point) {
@@ -82,6 +84,7 @@ SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Edge edge
                       midpoint<Real>(complex.position(a), complex.position(b)));
 }
 
+/// Splits an edge at its midpoint, with the whole complex as the submesh.
 template <class Real>
 SplitResult edge_split(Complex<Real>& complex, Edge edge) {
     return edge_split(complex, whole_submesh(complex), edge);
@@ -98,11 +101,13 @@ Verdict edge_split_guard(const Complex<Real>& complex, const Region& region, Edg
                                   : Verdict::not_a_simplex;
 }
 
+/// The guard for the whole complex.
 template <class Real>
 Verdict edge_split_guard(const Complex<Real>& complex, Edge edge, const Point<Real>& point) {
     return edge_split_guard(complex, Region{}, edge, point);
 }
 
+/// Splits an edge at `point`, with the whole complex as the submesh.
 template <class Real>
 SplitResult edge_split(Complex<Real>& complex, Edge edge, const Point<Real>& point) {
     return edge_split(complex, whole_submesh(complex), edge, point);

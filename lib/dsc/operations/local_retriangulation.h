@@ -18,9 +18,10 @@ template <class Real>
 Verdict local_retriangulation_guard(const Complex<Real>& complex, const Region& region,
                                     Triangle triangle);
 
+/// What a retriangulation did.
 struct RetriangulationResult {
-    Verdict verdict = Verdict::legal;
-    std::uint32_t vertices_removed = 0;
+    Verdict verdict = Verdict::legal;    ///< `legal`, or what stopped it
+    std::uint32_t vertices_removed = 0;  ///< those that were inside
     std::uint32_t triangles_removed = 0; ///< old minus new ones
 };
 
@@ -33,6 +34,7 @@ RetriangulationResult
 local_retriangulation(Complex<Real>& complex, const Submesh& submesh, Triangle triangle,
                       RetriangulationMethod method = RetriangulationMethod::ear_clipping);
 
+/// The same, with the whole complex as the submesh.
 template <class Real>
 RetriangulationResult
 local_retriangulation(Complex<Real>& complex, Triangle triangle,
@@ -40,6 +42,7 @@ local_retriangulation(Complex<Real>& complex, Triangle triangle,
     return local_retriangulation(complex, whole_submesh(complex), triangle, method);
 }
 
+/// The guard for the whole complex.
 template <class Real>
 Verdict local_retriangulation_guard(const Complex<Real>& complex, Triangle triangle) {
     return local_retriangulation_guard(complex, Region{}, triangle);

@@ -17,8 +17,9 @@ template <class Real>
 Verdict loop_subdivision_guard(const Complex<Real>& complex, const Region& region,
                                Triangle triangle);
 
+/// What a subdivision did.
 struct LoopSubdivisionResult {
-    Verdict verdict = Verdict::legal;
+    Verdict verdict = Verdict::legal; ///< `legal`, or what stopped it
     /// If legal: the new vertices a, b, c on the edges opposite to the triangle's vertices v[0],
     /// v[1], v[2] (figure 7.2).
     std::array<Vertex, 3> vertices{};
@@ -32,11 +33,13 @@ template <class Real>
 LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, const Submesh& submesh,
                                        Triangle triangle);
 
+/// The same, with the whole complex as the submesh.
 template <class Real>
 LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, Triangle triangle) {
     return loop_subdivision(complex, whole_submesh(complex), triangle);
 }
 
+/// The guard for the whole complex.
 template <class Real>
 Verdict loop_subdivision_guard(const Complex<Real>& complex, Triangle triangle) {
     return loop_subdivision_guard(complex, Region{}, triangle);

@@ -12,8 +12,9 @@
 
 namespace dsc {
 
+/// What became of the records.
 struct ReplayReport {
-    std::uint64_t done = 0;
+    std::uint64_t done = 0;    ///< records that were repeated
     std::uint64_t skipped = 0; ///< records that name simplices that do not exist
 };
 

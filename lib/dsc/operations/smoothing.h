@@ -15,11 +15,13 @@ namespace dsc {
 template <class Real>
 Verdict laplacian_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex);
 
+/// The same, with the whole complex as the submesh.
 template <class Real>
 Verdict laplacian_smoothing(Complex<Real>& complex, Vertex vertex) {
     return laplacian_smoothing(complex, whole_submesh(complex), vertex);
 }
 
+/// How an interface vertex slides.
 struct InterfaceSmoothingOptions {
     /// Degrees. If the interface turns by more, the vertex is a corner: it stays, and no curve is
     /// drawn through it.
@@ -40,6 +42,7 @@ template <class Real>
 Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex,
                             const InterfaceSmoothingOptions& options = {});
 
+/// The same, with the whole complex as the submesh.
 template <class Real>
 Verdict interface_smoothing(Complex<Real>& complex, Vertex vertex,
                             const InterfaceSmoothingOptions& options = {}) {

@@ -16,6 +16,7 @@ enum class InterfaceRule : std::uint8_t {
     change, ///< phases may meet, part or vanish: this removes small triangles between two sheets
 };
 
+/// Where a triangle collapses to, and what this may change.
 template <class Real>
 struct TriangleCollapseOptions {
     /// Where the three vertices become one, in units of the domain. By default where the one vertex
@@ -23,7 +24,7 @@ struct TriangleCollapseOptions {
     /// Without such a vertex, where the only one on the interface is, or the only corner of the
     /// interface; otherwise the centroid.
     std::optional<Point<Real>> place = {};
-    InterfaceRule interface = InterfaceRule::keep;
+    InterfaceRule interface = InterfaceRule::keep; ///< whether phases may change
 };
 
 /// Whether the triangle may collapse. At most one of its vertices may be on the domain boundary, on
@@ -37,9 +38,10 @@ Verdict triangle_collapse_guard(const Complex<Real>& complex, const Region& regi
                                 Triangle triangle,
                                 const TriangleCollapseOptions<Real>& options = {});
 
+/// What a triangle collapse did.
 struct TriangleCollapseResult {
-    Verdict verdict = Verdict::legal;
-    Vertex vertex; ///< the one that is left, if legal
+    Verdict verdict = Verdict::legal; ///< `legal`, or what stopped it
+    Vertex vertex;                    ///< the one that is left, if legal
 };
 
 /// Collapses the triangle if that is legal: two edge collapses, as the thesis suggests, and a
@@ -52,12 +54,14 @@ TriangleCollapseResult triangle_collapse(Complex<Real>& complex, const Submesh& 
                                          Triangle triangle,
                                          const TriangleCollapseOptions<Real>& options = {});
 
+/// The guard for the whole complex.
 template <class Real>
 Verdict triangle_collapse_guard(const Complex<Real>& complex, Triangle triangle,
                                 const TriangleCollapseOptions<Real>& options = {}) {
     return triangle_collapse_guard(complex, Region{}, triangle, options);
 }
 
+/// The same, with the whole complex as the submesh.
 template <class Real>
 TriangleCollapseResult triangle_collapse(Complex<Real>& complex, Triangle triangle,
                                          const TriangleCollapseOptions<Real>& options = {}) {

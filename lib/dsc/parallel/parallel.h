@@ -18,14 +18,14 @@ enum class Division : std::uint8_t { fixed, counting, active, blocks, cells, cop
 /// The result depends on the division, the number of submeshes and the direction, and on nothing
 /// else here.
 struct Parallel {
-    std::uint32_t threads = 1;
-    Division division = Division::cells;
-    std::uint32_t submeshes = 0;     ///< 0: the division's own choice
-    double degrees = 0;              ///< slabs are cut across this direction, from the x axis
+    std::uint32_t threads = 1; ///< 1 to 1024; fewer are used where there is too little to do
+    Division division = Division::cells; ///< how the mesh is divided
+    std::uint32_t submeshes = 0;         ///< 0: the division's own choice
+    double degrees = 0;                  ///< slabs are cut across this direction, from the x axis
     bool follow_shape = false;       ///< slabs are cut across the direction of the shape instead
     bool always_all_threads = false; ///< also if there is too little to do for them
-    Assignment assignment = Assignment::queue;
-    bool profile = false; ///< measure times (in_place/step_profile.h)
+    Assignment assignment = Assignment::queue; ///< which thread runs which submesh
+    bool profile = false;                      ///< measure times (in_place/step_profile.h)
 };
 
 /// Makes an executor for either precision.
@@ -37,12 +37,12 @@ using MakeExecutor = std::unique_ptr<Executor<Real>> (*)(Complex<Real>& complex,
 
 /// The properties of a division.
 struct DivisionEntry {
-    Division division;
-    std::string_view name;
-    std::string_view description;
-    std::uint32_t submeshes; ///< if no number is asked for; 0: chosen during the run
-    MakeExecutor<double> in_double;
-    MakeExecutor<float> in_float;
+    Division division;              ///< which one it is
+    std::string_view name;          ///< on command lines and in files
+    std::string_view description;   ///< one sentence, for help texts
+    std::uint32_t submeshes;        ///< if no number is asked for; 0: chosen during the run
+    MakeExecutor<double> in_double; ///< makes its executor
+    MakeExecutor<float> in_float;   ///< makes its executor
 };
 
 /// One entry for each division, in their order.

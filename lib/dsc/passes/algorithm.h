@@ -18,13 +18,14 @@ namespace dsc {
 /// list of the interface is brought up to date: both are read from the log of its edits.
 template <class Real>
 struct Pass {
-    std::string name;
-    std::function<void(Work<Real>&)> run;
+    std::string name;                     ///< a few words, for lists of the passes
+    std::function<void(Work<Real>&)> run; ///< does the work of one submesh
     /// True for a pass that keeps the active set and the interface list up to date itself, with the
     /// functions of edits.h; its log is then not read.
     bool attends = false;
 };
 
+/// The passes of a step, in their order.
 template <class Real>
 struct Algorithm {
     std::vector<Pass<Real>> upkeep; ///< once a sub-step, before anything moves

@@ -14,11 +14,12 @@ namespace dsc {
 /// A vertex that is moving to its target.
 template <class Real>
 struct Mover {
-    std::uint32_t vertex;
-    Real x; ///< target
+    std::uint32_t vertex; ///< its id
+    Real x;               ///< target
     Real y;
 };
 
+/// What is left to be done.
 enum class DeferredKind : std::uint8_t {
     star,    ///< a star that must be looked at
     mover,   ///< a vertex that has yet to reach its target
@@ -26,17 +27,19 @@ enum class DeferredKind : std::uint8_t {
     listing, ///< an interface vertex that lies in another submesh now, whose list it belongs to
 };
 
+/// One entry of the queue.
 template <class Real>
 struct Deferred {
     /// The route of an entry that no submesh takes: it is left to what runs after all of them.
     static constexpr std::uint32_t nowhere = 0xffffffffU;
 
-    std::uint32_t vertex;
+    std::uint32_t vertex;          ///< the vertex concerned
     std::uint32_t route = nowhere; ///< number of the submesh that takes it
     Real x = 0;                    ///< target of a mover
     Real y = 0;
-    DeferredKind kind;
+    DeferredKind kind; ///< what is to be done there
 
+    /// The vertex and its target; only of the kind `mover`.
     [[nodiscard]] Mover<Real> mover() const { return {vertex, x, y}; }
 };
 
@@ -44,15 +47,20 @@ struct Deferred {
 /// submesh has ended.
 template <class Real>
 struct DeferredQueue {
-    std::vector<Deferred<Real>> entries;
-    std::size_t routed = 0; ///< entries before this one have their route
+    std::vector<Deferred<Real>> entries; ///< in the order in which they were put off
+    std::size_t routed = 0;              ///< entries before this one have their route
 
+    /// Puts off a look at the star of `v`. Amortised O(1), as are the next three.
     void star(std::uint32_t v) { put(v, DeferredKind::star); }
+    /// Puts off the interface upkeep at `v`.
     void upkeep(std::uint32_t v) { put(v, DeferredKind::upkeep); }
+    /// Leaves `v` to the interface list of the submesh that owns it now.
     void listing(std::uint32_t v) { put(v, DeferredKind::listing); }
+    /// Puts off a movement.
     void mover(const Mover<Real>& m) {
         entries.push_back({.vertex = m.vertex, .x = m.x, .y = m.y, .kind = DeferredKind::mover});
     }
+    /// Empties the queue and keeps its memory.
     void clear() {
         entries.clear();
         routed = 0;

@@ -57,8 +57,8 @@ struct InterfaceThresholds {
     /// interpolated across them.
     double corner_degrees = 40;
 
-    Coarsening coarsening = Coarsening::deviation;
-    Reading reading = Reading::chords; ///< what `deviation` is measured from
+    Coarsening coarsening = Coarsening::deviation; ///< which vertices may go
+    Reading reading = Reading::chords;             ///< what `deviation` is measured from
 
     /// Edges beside an interface edge are split if they are longer than this times its length; 0:
     /// none are.
@@ -72,6 +72,7 @@ struct InterfaceThresholds {
     double finest = 0.2;
 };
 
+/// All that an application chooses for a simulation.
 template <class Real>
 struct Options {
     Real edge_length = 0; ///< target length of edges, in units of the domain; must be positive
@@ -82,13 +83,13 @@ struct Options {
 
     PhaseThresholds phases = {};                 ///< of every phase without thresholds of its own
     std::vector<PhaseThresholds> per_phase = {}; ///< by phase number; may be shorter
-    InterfaceThresholds interface = {};
+    InterfaceThresholds interface = {};          ///< of all interfaces
 
     TopologyOptions<Real> topology = {}; ///< kept, unless asked for
 
-    Integrator integrator = Integrator::rk4;
-    double tolerance = 1e-4; ///< of `adaptive`: error of a sub-step, in edge lengths
-    Insertion insertion = Insertion::cubic;
+    Integrator integrator = Integrator::rk4; ///< how targets are found from velocities
+    double tolerance = 1e-4;                ///< of `adaptive`: error of a sub-step, in edge lengths
+    Insertion insertion = Insertion::cubic; ///< where new interface vertices go
     InsertionFunction<Real> insertion_function = {}; ///< replaces `insertion` if set
 
     /// Not 0: process the interface in a different order in each step.
@@ -99,6 +100,7 @@ struct Options {
     int max_passes = 32;       ///< movement and mesh update, of one sub-step
     int max_idle_passes = 6;   ///< passes without any progress before the sub-step ends
 
+    /// The thresholds that hold for a phase. O(1).
     [[nodiscard]] const PhaseThresholds& thresholds(Phase phase) const {
         return phase < per_phase.size() ? per_phase[phase] : phases;
     }

@@ -15,9 +15,10 @@ namespace dsc {
 /// arbitrary functions; the worst simplex has the smallest quality.
 template <class Real, class Simplex>
 struct MeshUpdateLine {
-    std::string name;
-    std::function<double(const Complex<Real>&, Simplex)> quality;
-    SelectionStrategy<Simplex> select;
+    std::string name;                                             ///< of the pass
+    std::function<double(const Complex<Real>&, Simplex)> quality; ///< small values are bad
+    SelectionStrategy<Simplex> select; ///< chooses among the candidates, and orders them
+    /// Its verdict says whether anything changed.
     std::function<Verdict(Work<Real>&, Simplex)> operation;
 };
 

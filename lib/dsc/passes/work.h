@@ -16,11 +16,11 @@ namespace dsc {
 /// Where the vertices of `Work::interface` are, and where they should move; one entry for each.
 template <class Real>
 struct Aim {
-    std::vector<Point<Real>> positions;
-    std::vector<Point<Real>> targets;
-    std::vector<std::uint8_t> held;  ///< not 0: the velocity is not finite, the vertex stays
-    IntegratorScratch<Real> scratch; ///< `first`: the velocities
-    Real dt = 0;                     ///< the time in which the targets are to be reached
+    std::vector<Point<Real>> positions; ///< now
+    std::vector<Point<Real>> targets;   ///< at the end of the sub-step
+    std::vector<std::uint8_t> held;     ///< not 0: the velocity is not finite, the vertex stays
+    IntegratorScratch<Real> scratch;    ///< `first`: the velocities
+    Real dt = 0;                        ///< the time in which the targets are to be reached
 };
 
 /// The attribute in which `Integrator::centred` keeps the last step of each vertex; created if
@@ -28,6 +28,7 @@ struct Aim {
 template <class Real>
 VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex);
 
+/// What one submesh holds while a step runs.
 template <class Real>
 struct Work {
     /// Refers to both: the executor that owns the work keeps a copy of the options.
@@ -41,8 +42,8 @@ struct Work {
     Work(Work&&) = delete;
     Work& operator=(Work&&) = delete;
 
-    Complex<Real>& complex;
-    const Options<Real>& options;
+    Complex<Real>& complex;                      ///< the complex that is worked on
+    const Options<Real>& options;                ///< those of the simulation
     EditLog log;                                 ///< the edits made here
     Submesh submesh;                             ///< notes in `log`
     VertexAttribute<Past<Real>>* past = nullptr; ///< of `Integrator::centred`; null for all others
@@ -77,10 +78,10 @@ struct Work {
     std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
 
     // Scratch, kept so that nothing is allocated from step to step.
-    Ring<Real> ring;
-    Ring<Real> other_ring;
-    std::vector<Corner> suspects; ///< edges to be tested for the Delaunay condition
-    std::vector<std::uint32_t> interface_next;
+    Ring<Real> ring;                           ///< the star under examination
+    Ring<Real> other_ring;                     ///< and a second one
+    std::vector<Corner> suspects;              ///< edges to be tested for the Delaunay condition
+    std::vector<std::uint32_t> interface_next; ///< of the interface list, while it is rebuilt
 
     /// Puts a vertex into the active set, unless it is there already.
     void activate(std::uint32_t vertex) {

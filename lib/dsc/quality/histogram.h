@@ -18,11 +18,13 @@ struct Histogram {
     std::vector<double> edges;         ///< ascending, one more than there are bins
     std::vector<std::uint64_t> counts; ///< one per bin
 
+    /// The sum of the counts. O(bins).
     [[nodiscard]] std::uint64_t total() const;
 };
 
+/// What is counted, and into which bins.
 struct HistogramOptions {
-    std::size_t bins = 50;
+    std::size_t bins = 50; ///< how many, of equal width
     /// In the measure's own unit. Values beyond an end are counted in the bin at that end.
     double low = 0;
     /// Empty: the largest value that occurs (area), 1 (quality), 60 degrees (smallest angle). Two
@@ -43,6 +45,7 @@ struct HistogramOptions {
 template <class Real>
 [[nodiscard]] Histogram area_histogram(const Complex<Real>& complex,
                                        const HistogramOptions& options = {});
+/// Of the quality of equation 4.
 template <class Real>
 [[nodiscard]] Histogram quality_histogram(const Complex<Real>& complex,
                                           const HistogramOptions& options = {});

@@ -16,6 +16,7 @@ template <class Real>
 /// Equation 2.
 template <class Real>
 [[nodiscard]] Real length(const Complex<Real>& complex, Edge e);
+/// The square of equation 2, without a square root.
 template <class Real>
 [[nodiscard]] Real squared_length(const Complex<Real>& complex, Edge e);
 /// Equation 3.
@@ -24,12 +25,16 @@ template <class Real>
 /// Equation 4.
 template <class Real>
 [[nodiscard]] Real quality(const Complex<Real>& complex, Triangle t);
+/// The smallest angle, in degrees, 0 to 60.
 template <class Real>
 [[nodiscard]] Real min_angle_deg(const Complex<Real>& complex, Triangle t);
+/// The mean ratio, 1 for an equilateral triangle.
 template <class Real>
 [[nodiscard]] Real mean_ratio(const Complex<Real>& complex, Triangle t);
+/// The aspect ratio, 1 for an equilateral triangle.
 template <class Real>
 [[nodiscard]] Real aspect_ratio(const Complex<Real>& complex, Triangle t);
+/// The radius ratio, 1 for an equilateral triangle.
 template <class Real>
 [[nodiscard]] Real radius_ratio(const Complex<Real>& complex, Triangle t);
 

@@ -43,13 +43,16 @@ template <class Simplex>
 template <class Simplex>
 class Selection {
 public:
+    /// Chooses. O(what the strategy takes).
     Selection(std::span<const Simplex> candidates, const QualityFunction<Simplex>& quality,
               const SelectionStrategy<Simplex>& strategy)
         : chosen_(strategy(candidates, quality)) {}
 
+    /// Whether there is another one.
     [[nodiscard]] bool has_next() const { return next_ < chosen_.size(); }
     /// \pre has_next(); throws InvariantError otherwise.
     Simplex get_next();
+    /// How many were chosen.
     [[nodiscard]] std::size_t size() const { return chosen_.size(); }
 
 private:

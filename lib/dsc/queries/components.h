@@ -11,17 +11,20 @@
 
 namespace dsc {
 
+/// One connected component of a phase.
 struct Component {
-    Phase phase = exterior_phase;
-    std::uint32_t triangles = 0;
+    Phase phase = exterior_phase; ///< of all its triangles
+    std::uint32_t triangles = 0;  ///< how many
     /// Closed curves around it, the outer one included. Holes that touch at a vertex share one.
     std::uint32_t outlines = 0;
     bool touches_border = false; ///< an edge of the domain boundary belongs to it
     double area = 0;             ///< in squared units of the domain
 
+    /// The outlines without the outer one.
     [[nodiscard]] std::uint32_t holes() const { return outlines - 1; }
 };
 
+/// All components of a complex, and which of them each triangle belongs to.
 struct Components {
     std::vector<Component> list; ///< in the order of the smallest triangle of each
     /// The position in `list` of each triangle's component, by id; `no_id` where no triangle lives.

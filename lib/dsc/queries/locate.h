@@ -8,6 +8,7 @@ namespace dsc {
 
 /// The part of a complex that contains a point.
 struct Location {
+    /// Where a point may lie.
     enum class Kind : std::uint8_t { outside, triangle, edge, vertex };
 
     Kind kind = Kind::outside; ///< of the simplex that has the point in its interior

@@ -18,7 +18,7 @@ struct InterfaceCurve {
     /// repeat its first vertex. An open one has two vertices or more; they are distinct, except for
     /// the ends of a curve that returns to its junction.
     std::vector<Vertex> vertices;
-    bool is_closed = false;
+    bool is_closed = false;       ///< without ends
     Phase left = exterior_phase;  ///< the larger one; at the domain boundary, the phase inside
     Phase right = exterior_phase; ///< `border_phase` at the domain boundary
 

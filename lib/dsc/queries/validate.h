@@ -18,12 +18,13 @@ struct ValidationReport {
     std::uint64_t vertices = 0;        ///< living vertices, unused ones included
     std::uint64_t triangles = 0;       ///< living triangles
     std::uint64_t unused_vertices = 0; ///< living vertices without triangles: allowed
-    std::uint64_t edges = 0;
-    std::uint64_t components = 0;     ///< parts connected through edges
-    std::uint64_t boundary_loops = 0; ///< one around each component, and one around each hole
+    std::uint64_t edges = 0;           ///< inner ones and those of the boundary
+    std::uint64_t components = 0;      ///< parts connected through edges
+    std::uint64_t boundary_loops = 0;  ///< one around each component, and one around each hole
     /// V - E + T of the vertices in use: 1 for each component, less 1 for each hole.
     std::int64_t euler_characteristic = 0;
 
+    /// Whether nothing is wrong.
     [[nodiscard]] bool ok() const { return problem.empty(); }
 };
 

@@ -18,6 +18,7 @@ struct VertexSize {
     Real distance = std::numeric_limits<Real>::infinity(); ///< to the interface; kept if needed
 };
 
+/// The attribute that holds the targets.
 template <class Real>
 using SizeField = VertexAttribute<VertexSize<Real>>;
 
@@ -48,6 +49,7 @@ public:
     /// each other down rise by the slope times the edge between them, which is longer than the 0.3
     /// above times their target: they are not held up.
     [[nodiscard]] Real slack() const { return slack_; }
+    /// Whether the distance to the interface has to be kept.
     [[nodiscard]] bool needs_distance() const { return bool(options_.by_distance); }
 
     /// The target at the centre without regard to its neighbours. O(degree).

@@ -14,7 +14,9 @@ namespace dsc {
 /// from several threads at once where submeshes run in parallel.
 template <class Real>
 struct SizeOptions {
+    /// A length by place, time and phase.
     using ByPlace = std::function<Real(const Point<Real>&, Real time, Phase)>;
+    /// A length by the distance to the interface.
     using ByDistance = std::function<Real(Real distance)>;
 
     /// How much longer an edge may be than its neighbour towards the interface: above 1, up to 2.
@@ -29,6 +31,7 @@ struct SizeOptions {
     /// A target by the distance to the interface. Empty: none.
     ByDistance by_distance = {};
 
+    /// Whether all edges are of one length.
     [[nodiscard]] bool is_uniform() const { return growth == 0; }
 };
 

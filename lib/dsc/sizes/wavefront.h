@@ -35,8 +35,8 @@ Real least_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_
 /// vertex beside them.
 template <class Real>
 struct LinkValues {
-    alignas(64) std::array<Real, Ring<Real>::room> at;
-    alignas(64) std::array<Real, Ring<Real>::room> next;
+    alignas(64) std::array<Real, Ring<Real>::room> at;   ///< of link vertex i
+    alignas(64) std::array<Real, Ring<Real>::room> next; ///< of link vertex i + 1
 
     /// Takes value(v) of each vertex v of the link. O(degree).
     template <class Value>

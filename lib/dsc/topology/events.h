@@ -11,6 +11,7 @@
 
 namespace dsc {
 
+/// What happened.
 enum class EventKind : std::uint8_t {
     merge,    ///< a film opened: two pieces of the phase beyond it became one
     split,    ///< a neck closed: the phase fell into two pieces there
@@ -32,10 +33,11 @@ inline constexpr std::array event_names{
     return name_in(event_names, kind);
 }
 
+/// One change of topology.
 struct Event {
-    EventKind kind = EventKind::merge;
-    double time = 0; ///< at the end of the sub-step
-    double x = 0;    ///< where, in units of the domain
+    EventKind kind = EventKind::merge; ///< what happened
+    double time = 0;                   ///< at the end of the sub-step
+    double x = 0;                      ///< where, in units of the domain
     double y = 0;
     Phase lost = exterior_phase; ///< the phase whose area it was
     /// The phases that took the area; the same twice unless different ones took it.
@@ -45,8 +47,8 @@ struct Event {
 
 /// What became of the area that changed hands, where it is to be given back.
 struct AreaAccount {
-    double given_back = 0;
-    double owed = 0; ///< still: the two phases have no common interface nearby any more
+    double given_back = 0; ///< in squared units of the domain
+    double owed = 0;       ///< still: the two phases have no common interface nearby any more
 
     AreaAccount& operator+=(const AreaAccount& other) {
         given_back += other.given_back;

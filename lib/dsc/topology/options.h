@@ -40,10 +40,10 @@ inline constexpr std::array topology_names{
 /// `one` between two pieces of phase `other`, and the reverse, follow this rule.
 template <class Real>
 struct PairTopology {
-    Phase one = exterior_phase;
-    Phase other = exterior_phase;
-    Topology rule = Topology::keep;
-    Real contact = 0; ///< as in `TopologyOptions`
+    Phase one = exterior_phase;     ///< either phase of the pair
+    Phase other = exterior_phase;   ///< the other one
+    Topology rule = Topology::keep; ///< of this pair
+    Real contact = 0;               ///< as in `TopologyOptions`
 };
 
 /// Two sheets of the interface that have come close, with a film of one phase between them.
@@ -55,6 +55,7 @@ struct Contact {
     double thickness = 0; ///< of the film, a length
 };
 
+/// Which phases may meet, merge and part, and when.
 template <class Real>
 struct TopologyOptions {
     Topology rule = Topology::keep; ///< of all pairs without a rule of their own
@@ -63,14 +64,14 @@ struct TopologyOptions {
     /// to that of this distance, and each sub-step looks across the films from all of the
     /// interface. Wider than a phase is refused where a simulation begins (contact_check.h).
     Real contact = 0;
-    Opening opening = Opening::squeezed;
+    Opening opening = Opening::squeezed; ///< when a film that is thin enough opens
     /// Pieces of a phase that are smaller than this area vanish. 0: one edge length squared.
     Real least_area = 0;
     /// Area that an event takes from a phase is given back to it at once: the nearest interface
     /// with the phase that took it moves, by a tenth of an edge length at most. See
     /// topology/give_back.h.
     bool gives_back_area = false;
-    std::vector<PairTopology<Real>> pairs = {};
+    std::vector<PairTopology<Real>> pairs = {}; ///< pairs with a rule of their own, each once
     /// Asked before a film opens: false keeps it. Called by the thread that calls
     /// `Simulation::step`, between sub-steps; what it throws comes out of there, and the complex is
     /// valid then.
@@ -98,6 +99,7 @@ inline constexpr double default_contact = 0.4;
 /// it is the height of a triangle. Wider films are seen by rays across them (wide_films.h).
 inline constexpr double most_contact_of_triangles = 0.75;
 
+/// Whether a contact distance, a length, is wider than triangles can show.
 template <class Real>
 [[nodiscard]] bool is_wide(Real contact, Real edge_length) {
     return contact > static_cast<Real>(most_contact_of_triangles) * edge_length;
@@ -106,9 +108,10 @@ template <class Real>
 /// The rule of a pair, and its contact distance.
 template <class Real>
 struct TopologyRule {
-    Topology rule;
-    Real contact; ///< a length
+    Topology rule; ///< keep or change
+    Real contact;  ///< a length
 };
+/// The rule that holds for a pair of phases, in either order. O(pairs).
 template <class Real>
 [[nodiscard]] TopologyRule<Real> rule_of(const TopologyOptions<Real>& options, Real edge_length,
                                          Phase one, Phase other);

@@ -11,11 +11,11 @@ namespace dsc {
 /// sub-step.
 template <class Real>
 struct Suspect {
-    std::uint32_t vertex;
-    Real x;
-    Real y;
-    bool is_thin;  ///< a triangle of its star is
-    bool is_sharp; ///< the interface turns sharply there, or has a junction
+    std::uint32_t vertex; ///< its id
+    Real x;               ///< before the sub-step
+    Real y;               ///< before the sub-step
+    bool is_thin;         ///< a triangle of its star is
+    bool is_sharp;        ///< the interface turns sharply there, or has a junction
 };
 
 /// True if the smallest height of a triangle of the star is below the contact distance: its area

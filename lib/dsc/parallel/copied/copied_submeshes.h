@@ -22,7 +22,7 @@ struct CountingDivision {
     std::uint32_t submeshes = 8; ///< n
     double normal_x = 1;         ///< direction along which the slabs follow each other; length 1
     double normal_y = 0;
-    RedBlack colour = RedBlack::red;
+    RedBlack colour = RedBlack::red; ///< which of the two placings
 };
 
 /// Submesh i: the closure of its triangles. It has ids of its own; triangles at its boundary have
@@ -73,21 +73,23 @@ struct CopiedSubmeshes {
     }
 
     // Scratch.
+    /// Sorts triangles along the normal.
     struct Key {
-        double place; ///< three times the coordinate of the barycentre
-        std::uint32_t triangle;
+        double place;           ///< three times the coordinate of the barycentre
+        std::uint32_t triangle; ///< its id
     };
+    /// Sorts the edges of submesh boundaries, so that both sides of one come together.
     struct HalfEdge {
         std::uint64_t ends; ///< smaller vertex, larger vertex
-        Corner corner;
+        Corner corner;      ///< in the merged mesh
     };
-    std::vector<Key> keys;
-    std::vector<std::size_t> cuts;
-    std::vector<std::uint32_t> local_triangle;
-    std::vector<std::uint32_t> by_submesh; ///< triangles of the mesh, submesh by submesh
-    std::vector<std::uint32_t> order;      ///< of the copied entries of the attributes
-    std::vector<std::uint32_t> corner_order;
-    std::vector<HalfEdge> seams;
+    std::vector<Key> keys;                     ///< of all triangles
+    std::vector<std::size_t> cuts;             ///< into `keys`: where each share begins
+    std::vector<std::uint32_t> local_triangle; ///< by triangle of the mesh: its id in its submesh
+    std::vector<std::uint32_t> by_submesh;     ///< triangles of the mesh, submesh by submesh
+    std::vector<std::uint32_t> order;          ///< of the copied entries of the attributes
+    std::vector<std::uint32_t> corner_order;   ///< the same for the entries of edges
+    std::vector<HalfEdge> seams;               ///< of all submesh boundaries
     Complex<Real> fresh; ///< K' while it grows, and the arrays of the mesh before
 };
 

@@ -21,11 +21,11 @@ struct CopyOptions {
 
 /// Where the time went, since the beginning, in seconds of the calling thread.
 struct CopyCosts {
-    double create_s = 0; ///< CreateSubmeshes, and distributing what there is to do
-    double run_s = 0;    ///< the submeshes, in parallel
-    double merge_s = 0;  ///< MergeSubmeshes, and collecting what was put off
-    double whole_s = 0;  ///< the run on the whole complex for what both colours left
-    std::uint64_t steps = 0;
+    double create_s = 0;      ///< CreateSubmeshes, and distributing what there is to do
+    double run_s = 0;         ///< the submeshes, in parallel
+    double merge_s = 0;       ///< MergeSubmeshes, and collecting what was put off
+    double whole_s = 0;       ///< the run on the whole complex for what both colours left
+    std::uint64_t steps = 0;  ///< that have been run
     std::uint64_t rounds = 0; ///< how often the mesh was divided and merged
 };
 
@@ -71,6 +71,7 @@ public:
     void append_interface(std::vector<std::uint32_t>& list) const override;
     [[nodiscard]] OperationCounts take_counts() override;
 
+    /// What it has cost so far.
     [[nodiscard]] const CopyCosts& costs() const { return costs_; }
     /// The division of the last round.
     [[nodiscard]] const CopiedSubmeshes<Real>& submeshes() const { return submeshes_; }

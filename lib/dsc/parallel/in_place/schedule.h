@@ -16,6 +16,7 @@
 
 namespace dsc {
 
+/// Which thread runs which task.
 enum class Assignment : std::uint8_t {
     fixed, ///< each thread always has the same share of each colour: static assignment
     queue, ///< the same, but an idle thread takes over tasks that nobody has begun
@@ -40,7 +41,9 @@ public:
     /// `task` waits for `earlier`, which has a smaller number. To be called in the order of `task`.
     void wait_for(std::size_t task, std::size_t earlier);
 
+    /// The number of tasks.
     [[nodiscard]] std::size_t size() const { return shares_.size(); }
+    /// The tasks that this one waits for.
     [[nodiscard]] std::span<const std::uint32_t> predecessors(std::size_t task) const;
     /// The thread, out of `threads`, to which this task is assigned first.
     [[nodiscard]] std::uint32_t home_of(std::size_t task, std::uint32_t threads) const {
@@ -61,7 +64,7 @@ private:
 /// Runs the tasks of a graph, any number of times.
 class Schedule {
 public:
-    TaskGraph tasks;
+    TaskGraph tasks; ///< what there is to run; not to be changed during a run
 
     /// Starts threads, so that the first run by the same caller with the same number finds them
     /// awake.

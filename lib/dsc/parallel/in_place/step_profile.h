@@ -18,18 +18,19 @@ struct SubStepProfile {
     std::vector<double> aim;  ///< upkeep, velocities and targets: the first colour's submeshes
     std::vector<double> move; ///< movement and mesh update: all submeshes of all colours
     // Sums over submeshes.
-    double upkeep = 0;
-    double velocities = 0;
+    double upkeep = 0;                 ///< of the interface
+    double velocities = 0;             ///< finding them, and the targets
     std::vector<double> motion_passes; ///< one entry for each motion pass, first colour
-    double later_colours = 0;
+    double later_colours = 0;          ///< movement and mesh update of the colours after the first
     // Wall time of the two parallel sections.
-    double aim_wall = 0;
-    double move_wall = 0;
+    double aim_wall = 0;  ///< upkeep, velocities and targets
+    double move_wall = 0; ///< movement and mesh update
 };
 
+/// All sub-steps of one step.
 struct StepProfile {
-    std::vector<SubStepProfile> sub_steps;
-    double serial_outside = 0; ///< the rest of the step: the driver's own
+    std::vector<SubStepProfile> sub_steps; ///< in their order
+    double serial_outside = 0;             ///< the rest of the step: the driver's own
 };
 
 } // namespace dsc

@@ -13,15 +13,17 @@
 
 namespace dsc {
 
+/// How the submeshes are run.
 struct SubmeshOptions {
-    std::uint32_t threads = 1;
-    Assignment assignment = Assignment::queue;
+    std::uint32_t threads = 1;                 ///< 1 to 1024; the result does not depend on it
+    Assignment assignment = Assignment::queue; ///< which thread runs which submesh
     /// A thread pays off from about this many interface vertices on; fewer threads are used if
     /// there is less to do. 1: always all of them.
     std::uint32_t vertices_per_thread = 48;
     bool profile = false; ///< measure times: reads a clock twice for each pass and task
 };
 
+/// Runs a step in submeshes that lie in the complex itself.
 template <class Real>
 class SubmeshExecutor final : public Executor<Real> {
 public:

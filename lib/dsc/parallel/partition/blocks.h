@@ -9,17 +9,20 @@
 
 namespace dsc {
 
+/// How blocks are cut.
 struct BlockOptions {
     std::uint32_t submeshes = 16; ///< of the first colour; rounded down to a square number
     double least_width = 8;       ///< in edge lengths
     std::uint32_t recut = 64;     ///< steps between two choices of the cuts
 };
 
+/// Blocks of equal width in both directions, over the extent of the interface.
 template <class Real>
 class BlockPartitioner final : public Partitioner<Real> {
 public:
     /// Throws InputError if the options make no sense.
     explicit BlockPartitioner(const BlockOptions& options);
+    /// All colours every `recut` steps.
     [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
     void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
 

@@ -11,6 +11,7 @@
 
 namespace dsc {
 
+/// How cells are cut.
 struct CellOptions {
     /// Cells of the first colour; 0: as many as pay off, by the length of the interface. Fewer if
     /// they would be too small.
@@ -24,9 +25,9 @@ struct CellOptions {
 
 /// A place where there is work.
 struct Site {
-    double x;
+    double x; ///< in units of the domain
     double y;
-    float weight;
+    float weight; ///< its share of the work, in any unit
 };
 
 /// How boxes of sites are cut.
@@ -44,11 +45,13 @@ struct CutRules {
 std::vector<Region> divide_sites(std::vector<Site>& sites, std::uint32_t cells,
                                  const CutRules& rules);
 
+/// Cells of equal shares of the interface's work.
 template <class Real>
 class CellPartitioner final : public Partitioner<Real> {
 public:
     /// Throws InputError if the options make no sense.
     explicit CellPartitioner(const CellOptions& options);
+    /// The first colour every `recut` steps, the later ones every `recut_later`.
     [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
     void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
 

@@ -16,7 +16,7 @@ namespace dsc {
 
 /// The submeshes of one colour. Their regions must be disjoint, and together cover the plane.
 struct Colour {
-    std::vector<Region> regions;
+    std::vector<Region> regions; ///< disjoint
 
     /// The region that holds a vertex at (x, y); tries `hint` first. regions.size() if there is
     /// none. O(regions), O(1) if the hint is right. A place function that the regions share is
@@ -52,6 +52,7 @@ struct Colour {
     }
 };
 
+/// All colours, in the order in which they run.
 struct Partition {
     std::vector<Colour> colours; ///< at least one
 };
@@ -70,9 +71,10 @@ struct PartitionStatus {
     std::size_t interface_vertices = 0; ///< now
 };
 
+/// What a partitioner divides.
 template <class Real>
 struct PartitionInput {
-    const Complex<Real>& complex;
+    const Complex<Real>& complex;             ///< between two steps
     std::span<const std::uint32_t> interface; ///< roughly in the order of the curve
     std::span<const float> work; ///< of each of them in the previous steps, in any unit
     double edge_length;          ///< the target
@@ -89,6 +91,7 @@ public:
     Partitioner(Partitioner&&) = delete;
     Partitioner& operator=(Partitioner&&) = delete;
 
+    /// Whether the partition in force is to be replaced before the next step.
     [[nodiscard]] virtual Recut is_due(const PartitionStatus& status) const = 0;
     /// Divides; regions may point to what the partitioner holds. Must not depend on threads.
     virtual void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) = 0;

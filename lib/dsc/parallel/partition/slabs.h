@@ -28,13 +28,14 @@ inline constexpr std::array slabbing_names{
     return name_in(slabbing_names, slabbing);
 }
 
+/// How slabs are cut.
 struct SlabOptions {
-    Slabbing slabbing = Slabbing::counting;
+    Slabbing slabbing = Slabbing::counting; ///< by what the cuts are chosen
     std::uint32_t submeshes = 8; ///< how many red slabs; independent of the number of threads
     /// The slabs are cut across this direction, in degrees from the x axis; follow_shape: across
     /// the direction in which the interface extends farthest.
     double degrees = 0;
-    bool follow_shape = false;
+    bool follow_shape = false; ///< cuts across the direction of the shape, in place of `degrees`
     /// In edge lengths. Thinner slabs would be locked completely, so there are fewer slabs instead.
     double least_width = 8;
     std::uint32_t recut = 64; ///< steps between two choices of the cuts
@@ -42,7 +43,7 @@ struct SlabOptions {
 
 /// Cuts along a direction: slab i is [cuts[i], cuts[i + 1]); the outer cuts are infinite.
 struct Cuts {
-    std::vector<double> red;
+    std::vector<double> red;   ///< of the first colour
     std::vector<double> black; ///< in the middle of the red slabs, by the same measure
 };
 
@@ -62,11 +63,13 @@ template <class Real>
 Point<double> principal_direction(const Complex<Real>& complex,
                                   std::span<const std::uint32_t> vertices);
 
+/// Slabs of two colours.
 template <class Real>
 class SlabPartitioner final : public Partitioner<Real> {
 public:
     /// Throws InputError if the options make no sense.
     explicit SlabPartitioner(const SlabOptions& options);
+    /// Both colours every `recut` steps.
     [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
     void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
 
