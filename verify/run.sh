@@ -88,6 +88,9 @@ if $with_sanitizers; then
 else
     set_up plain
 fi
+if $all; then
+    install_packages "${guide_packages[@]}"
+fi
 
 if $with_release; then
     preset=release

@@ -8,6 +8,8 @@ cd -- "$project_root" || exit 2
 
 build_packages=(cmake g++ ninja-build git libeigen3-dev libmetis-dev libboost-dev nlohmann-json3-dev
     libtomlplusplus-dev libcli11-dev googletest libgtest-dev libbenchmark-dev)
+# For the tests that only `verify/run.sh --all` needs.
+guide_packages=(doxygen)
 plot_packages=(python3 python3-matplotlib)
 # The sanitizer's own runtime is only recommended by clang-14, so it is named.
 tsan_packages=(clang-14 libclang-rt-14-dev libomp-14-dev)

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The README and the guide say what is so: their programs are those that tests compile, their
 commands run and print what is shown, the files they name exist. Each check is tried on faults."""
+import filecmp
 import os
 import shutil
+import subprocess
 import tempfile
 import unittest
 
@@ -48,6 +50,23 @@ class Pages(unittest.TestCase):
         for file in FILES:
             self.check(check.recipes(read(file), file, ROOT))
 
+    def test_rooms_include_only_those_above(self):
+        page = read("README.md")
+        self.assertGreater(sum(spans[:1] == ["lib/dsc/base"] for _, spans in page.rows), 0)
+        self.check(check.rooms(page, "README.md", ROOT))
+
+    def test_pictures_are_what_the_library_draws(self):
+        program = os.path.join(BUILD, "lib", "guide", "dsc_guide_pictures")
+        if not os.path.exists(program):
+            self.skipTest("dsc_guide_pictures is not built")
+        folder = scratch_folder(self)
+        subprocess.run([program, folder], check=True)
+        kept = os.path.join(GUIDE, "pictures")
+        names = sorted(os.listdir(kept))
+        self.assertEqual([n for n in sorted(os.listdir(folder)) if n.endswith(".svg")], names)
+        _, differing, missing = filecmp.cmpfiles(folder, kept, names, shallow=False)
+        self.assertEqual(differing + missing, [])
+
     def test_commands_do_what_is_shown(self):
         for file in FILES:
             with self.subTest(file=file):
@@ -90,7 +109,8 @@ class Faults(unittest.TestCase):
         for page in (self.block("console", run.replace("h=", "w="), right),
                      self.block("console", run, right.replace("0", "1")),
                      self.block("sh", "dsc_scene run no-such-scene"),
-                     self.block("sh", "dsc_scene run speedup-four-circles", mark="run with --set steps=none")):
+                     self.block("sh", "dsc_scene run swirl", mark="run with --set steps=none"),
+                     self.block("sh", "dsc_scene list", mark="never run")):
             self.assertEqual(len(check.shown_commands(page, folder)), 1)
 
     def test_times_do_not_matter(self):
@@ -103,7 +123,9 @@ class Faults(unittest.TestCase):
         folder = scratch_folder(self)
         for text, wrong in (("`dsc_scene run speedup-four-circles --set h=0.05`", 0),
                             ("`dsc_scene run speedup-four-circles --set h=fine`", 1),
-                            ("`dsc_scene run speedup-four-circles --set h=0.05` | `... --set reading=cube`", 1)):
+                            ("`dsc_scene show swirl`", 1), ("`dsc_scene run SCENE`", 0),
+                            ("`dsc_verify run inverted`", 0), ("`dsc_verify run inverse`", 1),
+                            ("`dsc_scene run zalesak --set h=0.05` | `... --set reading=cube`", 1)):
             page = read_page("page.md", text)
             self.assertEqual(len(check.commands_in_text(page, "page.md", folder)), wrong, text)
 
@@ -112,6 +134,12 @@ class Faults(unittest.TestCase):
                             ("![a picture](plots/no.png)", 1)):
             page = read_page("page.md", text)
             self.assertEqual(len(check.paths(page, "page.md", ROOT)), wrong, text)
+
+    def test_a_room_that_looks_down(self):
+        rows = ("| `lib/dsc/base` | |", "| `lib/dsc/geometry` | |")
+        for order, is_wrong in ((rows, False), (rows[::-1], True)):
+            page = read_page("page.md", "\n".join(order))
+            self.assertEqual(bool(check.rooms(page, "page.md", ROOT)), is_wrong)
 
     def test_a_recipe_without_its_line(self):
         row = "| a scene | `verify/recipes/scene.cpp` | `scenes.push_back({})` |"

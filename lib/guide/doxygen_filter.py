@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Doxygen reads each header through this, and the headers stay as they are:
+
+- the comment at the top of a file becomes the description of the file;
+- what a room (a folder of lib/dsc) declares becomes part of the group of that name;
+- a comment above several functions of one name, or beside an x and a y, is given to all of them.
+
+No line is added or removed, so that warnings name the right one."""
+import re
+import sys
+
+FUNCTION = re.compile(r"([A-Za-z_]\w*)\s*\(")
+COORDINATE = re.compile(r"\s*[\w<>:() ]+ (?:\w+_)?(?:x|y)(?:0|_next|_previous)?(?: = .+?)?;")
+SAID_ONCE = (  # what is the same wherever it stands
+    (re.compile(r"inline constexpr std::array \w+_names\{"), "The values with their names."),
+    (re.compile(r".*constexpr std::string_view to_string\(\w+ \w+\) \{"), "The name of a value."),
+    (re.compile(r"\s+\w+& operator\+=\(const \w+& other\)[;{ ]*"), "Adds what another one holds."),
+)
+
+
+def describe_file(lines):
+    """Line 1 names the licence; the comment goes on to the first line that is none."""
+    lines[0] = r"/// \file"
+    for i in range(1, len(lines)):
+        if not lines[i].startswith("//"):
+            break
+        lines[i] = "/" + lines[i]
+
+
+def put_into_group(lines, room):
+    for i, line in enumerate(lines):
+        if line.startswith("namespace dsc") and line.endswith("{"):
+            lines[i] = rf"{line} /** \addtogroup {room} */ /** @{{ */"
+        elif line.startswith("} // namespace dsc"):
+            lines[i] = f"/** @}} */ {line}"
+
+
+def leave_out(lines):
+    """Instantiations are declared elsewhere, a default is what it is everywhere, and what follows
+    the namespace are specialisations of the standard library's."""
+    inside = False
+    for i, line in enumerate(lines):
+        inside = inside or line.startswith("extern template")
+        if inside or line.endswith("= default;"):
+            lines[i] = ""
+        inside = inside and not line.endswith(";")
+        if line.startswith("} // namespace dsc"):
+            lines[i + 1:] = [""] * (len(lines) - i - 1)
+            break
+
+
+def say_once(lines):
+    for i in range(1, len(lines)):
+        for pattern, comment in SAID_ONCE:
+            if pattern.fullmatch(lines[i]) and not lines[i - 1].strip().startswith("///"):
+                lines[i] = f"/** {comment} */ {lines[i]}"
+
+
+def share_comments(lines):
+    """In a run of declarations without blank lines and braces, one that has no comment gets that of
+    the function of the same name before it."""
+    comment = name = ""
+    start = 0
+    while start < len(lines):
+        if lines[start].strip().startswith("///"):
+            comment = name = ""
+            while lines[start].strip().startswith("///"):
+                comment += lines[start].strip()[3:]
+                start += 1
+        end = start
+        while end + 1 < len(lines) and lines[end].strip() and lines[end][-1] not in "{};":
+            end += 1
+        declaration = re.sub(r"^template <.*?> ", "", " ".join(lines[start:end + 1]))
+        found = FUNCTION.search(declaration)
+        if lines[end].endswith(";") and found:
+            if comment and name == found.group(1):
+                lines[start] = f"/**{comment} */ {lines[start]}"
+            elif name:
+                comment = ""
+            name = found.group(1)
+        else:
+            comment = name = ""
+        start = end + 1
+
+
+def share_coordinates(lines):
+    for i in range(1, len(lines)):
+        before = re.search(r"(?<=///<).*", lines[i - 1])
+        if before and COORDINATE.fullmatch(lines[i]) and COORDINATE.match(lines[i - 1]):
+            lines[i] += f" ///<{before.group(0)}"
+
+
+def filtered(path, text):
+    lines = text.split("\n")
+    describe_file(lines)
+    leave_out(lines)
+    say_once(lines)
+    share_comments(lines)
+    share_coordinates(lines)
+    room = re.search(r"/lib/dsc/(?:(\w+)/)?", path).group(1)
+    if room:
+        put_into_group(lines, room)
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    with open(sys.argv[1], encoding="utf-8") as stream:
+        sys.stdout.write(filtered(sys.argv[1], stream.read()))
