@@ -80,7 +80,7 @@ ExactShape eroded_dumbbell(const Dumbbell& d, double depth) {
     require(std::isfinite(depth) && depth >= 0, "depth", depth, "a finite length of 0 or more");
     ExactShape shape;
     shape.description = "a dumbbell in closed form, eroded by " + std::to_string(depth);
-    (void)rounding_offset(d); // refuses what is no dumbbell
+    (void)rounding_offset(d); // throws for an invalid dumbbell
     if (depth >= d.radius) {
         return shape;
     }

@@ -8,7 +8,7 @@
 
 namespace dsc::scenes {
 
-/// The shortest digits that read back as the same number; "nan" and "inf" for what is none.
+/// The shortest digits that read back as the same number; "nan" and "inf" otherwise.
 [[nodiscard]] inline std::string shortest_digits(double value) {
     std::array<char, 32> digits{};
     const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);

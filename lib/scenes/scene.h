@@ -54,7 +54,7 @@ struct Setup {
     int steps = 0;                  ///< in total
     std::optional<int> half_step{}; ///< the step at which a reversing flow is farthest out
     /// What errors are measured against: the first outlines moved rigidly, or the smooth shape of
-    /// the scene. Empty where nobody knows it; a shape whose area is NaN at times when nobody does.
+    /// the scene. Empty if it is unknown; at times when it is unknown, a shape whose area is NaN.
     std::function<ExactShape(double time)> exact{};
 
     /// The interface moves by its own geometry.

@@ -142,7 +142,7 @@ void check_sites(const Rectangle& domain, std::span<const Point<double>> sites) 
         const Point<double>& s = sites[i];
         const bool inside =
             (s.array() >= domain.low.array()).all() && (s.array() <= domain.high.array()).all();
-        if (!inside) { // nor is a number that is none
+        if (!inside) { // a NaN is not inside either
             throw InputError({.what = "the site is not in the domain",
                               .where = site_name(i),
                               .value = coordinates(s),

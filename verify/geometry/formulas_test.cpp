@@ -76,7 +76,7 @@ TEST(Turn, HasTheAngleBetweenTheEdges) {
     }
     EXPECT_FALSE(turns_less<double>(P(0, 0), P(0, 0), P(1, 0), 0.5));
     EXPECT_FALSE(turns_more<double>(P(0, 0), P(0, 0), P(1, 0), 0.5));
-    // Lengths whose product of squares is no number of a double any more.
+    // Lengths whose product of squares underflows.
     EXPECT_TRUE(turns_more<double>(P(0, 0), P(1e-100, 0), P(1e-100, 1e-100), 0.9));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Logs of edits as files: written and read back, and what is said of files that are no such logs.
+// Logs of edits as files: written and read back, and the errors for files that are not logs.
 #include "dsc/io/edit_file.h"
 
 #include "dsc/base/error.h"

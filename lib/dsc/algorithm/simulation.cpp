@@ -47,7 +47,7 @@ Simulation<Real>::~Simulation() {
 template <class Real>
 void Simulation<Real>::set_options(const Options<Real>& options) {
     check_options(options);
-    // Only where they change: a phase that has shrunk since is no mistake.
+    // Only if the contact distances change: a phase may have shrunk since, which is no error.
     if (differ_in_contact(options.topology, options_.topology)) {
         check_contact<Real>(complex_, options.topology, options.edge_length);
     }
@@ -140,8 +140,8 @@ void Simulation<Real>::absorb(By by, Real time) {
     if (after.size() != edits.size()) {
         measure(time);
     }
-    // A new interface edge of the application may make a sharp turn: that is a corner from now on.
-    // The end of a seam is none.
+    // A new interface edge of the application may make a sharp turn, which is a corner from now on;
+    // the sharp turn at the end of a seam is not.
     if (by == By::application) {
         mark_corners(complex_, on_interface(complex_, interface_changes(after)),
                      options_.interface.corner_degrees);

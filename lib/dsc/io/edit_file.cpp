@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view header = "dsc edits 1";
 constexpr std::string_view trailer = "end ";
 
-// The fields of one line, one after the other; `good` is false from the first that is none.
+// The fields of one line, one after the other; `good` is false from the first bad one on.
 class Fields {
 public:
     explicit Fields(std::string_view line) : rest_(line) {}

@@ -24,7 +24,7 @@ Real longest_after_collapse(const Ring<Real>& ring, std::uint32_t i) {
 
 /// Whether no needle beside an interface edge would be split again at once, with the star's
 /// triangles at link vertex i. `grading_squared`: how much longer than that edge an edge may be,
-/// squared; 0: as long as it likes. The ring must be closed. O(degree).
+/// squared; 0: without a limit. The ring must be closed. O(degree).
 template <class Real>
 bool keeps_grading(const Complex<Real>& complex, const Ring<Real>& ring, Real grading_squared,
                    std::uint32_t i) {

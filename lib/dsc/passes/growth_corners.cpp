@@ -23,7 +23,7 @@ constexpr double roomy = 0.25;  // the radius at which they go to their rays
 constexpr double grown = 1.5;   // the radius from which on a fan looks after itself
 constexpr double margin = 0.1;  // of a notch's way, to what it is about to run over
 constexpr double bulge = 0.2;   // the most that the curve may move where that is taken away
-constexpr double stray = 1e-3;  // from a ray, before its vertex is none of the fan's any more
+constexpr double stray = 1e-3;  // a vertex farther from its ray than this leaves the fan
 constexpr std::uint32_t most_members = 32;
 
 template <class Real>

@@ -70,7 +70,7 @@ void print_summary(const RunResult& r) {
               << (r.threads == 1 ? "" : "s") << "): " << r.steps << " steps, " << r.triangles_last
               << " triangles, " << r.interface_vertices_last << " interface vertices\n"
               << std::setprecision(8) << "  area ratio " << r.area_ratio << std::setprecision(3);
-    // Of a network nobody knows the exact shape.
+    // The exact shape of a network is not known.
     if (const double difference = number(r.last, "sd_rel"); std::isfinite(difference)) {
         std::cout << ", symmetric difference " << difference << " of the area";
     }

@@ -14,7 +14,7 @@
 
 namespace dsc::scenes {
 
-/// Throws InputError for a scene whose flow is none of those in flows/velocity.h, or a formula.
+/// Throws InputError for a scene whose flow is neither one of flows/velocity.h nor a formula.
 [[nodiscard]] std::string describe(const Scene& scene, const Parameters& parameters);
 
 } // namespace dsc::scenes

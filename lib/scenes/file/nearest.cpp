@@ -8,7 +8,7 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Names that are longer are no slips of the pen.
+/// A longer name is hardly a misspelling.
 constexpr std::size_t longest_name = 64;
 
 // The distance of V. I. Levenshtein, with swaps (F. J. Damerau, "A technique for computer detection

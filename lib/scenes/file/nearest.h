@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What somebody may have meant who wrote a name that does not exist.
+// The existing name that a misspelt one may have meant.
 #pragma once
 
 #include <span>

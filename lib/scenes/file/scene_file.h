@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene in one file of TOML (https://toml.io), for scenes that are nobody's but yours. Nothing
-// but [options] is needed; what a table holds is said in the header that is named beside it.
+// A scene in one file of TOML (https://toml.io), for scenes of your own. Only [options] is needed.
+// The header that is named beside a table describes what the table holds.
 //
 //     name = "my-scene"           # of result files; else the file's own
 //     description = "..."

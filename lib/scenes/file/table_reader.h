@@ -85,7 +85,7 @@ private:
     const std::filesystem::path* file_;
 };
 
-/// Throws InputError, with the line, for what is no TOML.
+/// Throws InputError, with the line, for a text that is not TOML.
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::filesystem::path& file);
 
 } // namespace dsc::scenes

@@ -108,7 +108,7 @@ void GridField::operator()(std::span<const Point<double>> positions, double time
         if (moment.after != moment.before) {
             velocity += moment.fraction * (on_grid(grid, moment.after, x, y) - velocity);
         }
-        // A position that is no number has no velocity.
+        // A position that is NaN has no velocity.
         velocities[i] = place.allFinite() ? velocity : Point<double>(place * NAN);
     }
 }
