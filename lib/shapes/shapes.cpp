@@ -14,7 +14,7 @@ namespace dsc::scenes {
 namespace {
 
 using std::numbers::pi;
-/// Nobody wants more vertices than this: they come from a wrong unit.
+/// More vertices than this are the result of a wrong unit.
 constexpr double most_vertices = 1e8;
 /// A side that is shorter is a point but for rounding. Relative to the size of the shape.
 constexpr double same_point = 1e-13;

@@ -17,8 +17,8 @@ namespace dsc {
 enum InterfaceFlag : std::uint8_t {
     /// Not an ordinary point of a curve: it has arms, and no previous and next vertex. Three phases
     /// meet here, two sheets of the interface touch, or a curve arrives at the domain boundary.
-    /// Where a pass of the application has just put an edge on the interface, the vertices beside it
-    /// count as junctions for one sub-step.
+    /// Where a pass of the application has just put an edge on the interface, the vertices beside
+    /// it count as junctions for one sub-step.
     interface_junction = 1U,
     interface_corner = 2U,   ///< is kept; its normal and curvature are not those of a smooth curve
     interface_boundary = 4U, ///< lies on the domain boundary, along which alone it can slide

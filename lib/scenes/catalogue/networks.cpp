@@ -57,7 +57,7 @@ Setup disc_between_half_planes(const Parameters& p) {
     setup.curvature = CurvatureMotion{.keeps = {disc, below}};
     setup.dt = s.dt;
     setup.steps = s.steps;
-    // On the way nobody knows the shape; it starts as a disc and ends as the lens.
+    // In between the shape is not known; it starts as a disc and ends as the lens.
     setup.exact = [](double time) {
         return time > 0 ? lens_shape({.centre = centre, .area = pi * radius * radius})
                         : exact_circle(centre, radius);

@@ -6,7 +6,7 @@
 //     path   = "M 0 0 L 1 0 ...", the attribute d of an SVG path
 //     circle = { ... } and the other shapes of outlines/named_shapes.h
 //
-// and, if it likes, `scale = [a, b]` and `move = [x, y]`: coordinates are multiplied first and then
+// and optionally `scale = [a, b]` and `move = [x, y]`: coordinates are multiplied first and then
 // moved. The y axis of SVG points downwards: there, b is negative. Curves of a path are flattened
 // to a hundredth of h.
 #pragma once
