@@ -20,7 +20,7 @@ SAID_ONCE = (  # what is the same wherever it stands
 
 
 def describe_file(lines):
-    """Line 1 names the licence; the comment goes on to the first line that is none."""
+    """Line 1 names the licence; the comment ends before the first line that is no comment."""
     lines[0] = r"/// \file"
     for i in range(1, len(lines)):
         if not lines[i].startswith("//"):
