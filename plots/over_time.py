@@ -18,7 +18,7 @@ import sys
 
 from matplotlib.ticker import MaxNLocator
 
-import style
+from look import style
 
 OPERATIONS = {"splits": (style.BLUE, "splits"), "collapses": (style.VERMILLION, "collapses"),
               "flips": (style.GREEN, "flips"), "smoothed": (style.ORANGE, "smoothed")}

@@ -6,9 +6,15 @@
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
-#include <cstdlib>
+#include <fstream>
 #include <string>
+#include <thread>
 
 namespace dsc::bench {
 
@@ -22,18 +28,58 @@ std::string compiler() {
 #endif
 }
 
+/// Seconds since the machine was started that its cores were at work, all of them together, and
+/// those of this process.
+struct Work {
+    double all = 0;
+    double own = 0;
+    std::chrono::steady_clock::time_point when;
+};
+
+Work work_so_far() {
+    Work work;
+    work.when = std::chrono::steady_clock::now();
+    // "cpu", then user, nice, system, idle, waiting, interrupts, soft interrupts, and what other
+    // virtual machines took.
+    std::ifstream stat("/proc/stat");
+    std::string cpu;
+    stat >> cpu;
+    double ticks = 0;
+    for (int i = 0; i < 8 && stat >> ticks; ++i) {
+        const bool at_rest = i == 3 || i == 4;
+        work.all += at_rest ? 0 : ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+    }
+    timespec own{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &own);
+    work.own = static_cast<double>(own.tv_sec) + 1e-9 * static_cast<double>(own.tv_nsec);
+    return work;
+}
+
 } // namespace
 
 std::uint32_t core_count() { return static_cast<std::uint32_t>(omp_get_num_procs()); }
 
-double load_average() {
-    double load = 0;
-    return getloadavg(&load, 1) == 1 ? load : 0.0;
+double other_load() {
+    // The kernel counts in hundredths of a second: shorter spans say nothing.
+    static constexpr auto shortest = std::chrono::milliseconds(300);
+    static Work before = [] {
+        const Work first = work_so_far();
+        std::this_thread::sleep_for(shortest);
+        return first;
+    }();
+    static double load = 0;
+    const Work now = work_so_far();
+    const std::chrono::duration<double> span = now.when - before.when;
+    if (span >= shortest) {
+        load = std::max(0.0, (now.all - before.all - now.own + before.own) / span.count());
+        before = now;
+    }
+    return load;
 }
 
 void add_context() {
     char load[32];
-    std::snprintf(load, sizeof load, "%.2f", load_average());
+    std::snprintf(load, sizeof load, "%.2f", other_load());
     benchmark::AddCustomContext("dsc_machine", scenes::machine());
     benchmark::AddCustomContext("dsc_commit", scenes::commit());
     benchmark::AddCustomContext("dsc_cores", std::to_string(core_count()));

@@ -9,8 +9,9 @@ namespace dsc::bench {
 /// Cores that this process may use; binding threads to cores does not change it.
 [[nodiscard]] std::uint32_t core_count();
 
-/// Processes that wanted to run, on average over the last minute; 0 where it cannot be known.
-[[nodiscard]] double load_average();
+/// Cores that other programs keep busy: since the last call, or of the last span of at least 0.3 s.
+/// Unlike the load average, it has forgotten a build as soon as that has ended. Not thread safe.
+[[nodiscard]] double other_load();
 
 /// Adds the dsc_* keys to the context of Google Benchmark's reports. Its own "library_build_type"
 /// is that of the installed libbenchmark and says nothing about us.

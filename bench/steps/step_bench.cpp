@@ -124,7 +124,7 @@ void measure(benchmark::State& state, const Case& c) {
     const Answer& expected = answer_of(c);
     for (auto _ : state) {
         Complex<double> complex = copy_with_room(start.complex);
-        const double load = load_average();
+        const double load = other_load();
         const PeakMemory memory;
         const StepRun run = run_steps(start, complex, run_options(c, c.threads));
         const double peak_mb = memory.mb() - starts_mb();
@@ -164,7 +164,7 @@ const ModelRun& account_of(const Case& c) {
 
 void measure_model(benchmark::State& state, const Case& c) {
     for (auto _ : state) {
-        const double load = load_average();
+        const double load = other_load();
         static const double fork_join = measure_fork_join(core_count());
         const ModelRun& account = account_of(c);
         const ModelTimes times = model(account, c.threads, fork_join);
@@ -213,7 +213,7 @@ void measure_reference(benchmark::State& state, const Case& c) {
     }
     for (auto _ : state) {
         reference::Complex literal = scenes::to_reference(complex);
-        const double load = load_average();
+        const double load = other_load();
         const StepRun run = run_reference(start, literal, first, reference_steps);
         const Answer answer = check_answer(start, scenes::from_reference(literal), run,
                                            first + reference_steps, reference_area_limit);

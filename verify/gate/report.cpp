@@ -66,6 +66,7 @@ std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Ru
     OrderedJson checks = OrderedJson::array();
     for (const Row& row : rows) {
         OrderedJson entry{{"check", row.check->name},
+                          {"description", row.check->description},
                           {"scene", row.scene},
                           {"measured", finite(row.measured)},
                           {"limit", row.limit},
@@ -77,6 +78,14 @@ std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Ru
             entry["failure"] = row.failure;
         }
         checks.push_back(std::move(entry));
+    }
+    OrderedJson not_run = OrderedJson::array();
+    for (const Check& check : all_checks()) {
+        if (std::ranges::none_of(rows, [&](const Row& row) { return row.check == &check; })) {
+            not_run.push_back({{"check", check.name},
+                               {"description", check.description},
+                               {"scenes", check.scenes}});
+        }
     }
     // Two runs of one scene are comparable only over the same bins, so each size is a scene.
     OrderedJson histograms = OrderedJson::array();
@@ -95,11 +104,9 @@ std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Ru
                                   {"counts", histogram->counts}});
         }
     }
-    const OrderedJson json{{"machine", scenes::machine()},
-                           {"commit", scenes::commit()},
-                           {"limits", limits.path()},
-                           {"checks", checks},
-                           {"histograms", histograms}};
+    const OrderedJson json{{"machine", scenes::machine()}, {"commit", scenes::commit()},
+                           {"limits", limits.path()},      {"checks", checks},
+                           {"not_run", not_run},           {"histograms", histograms}};
     return json.dump(1) + "\n";
 }
 

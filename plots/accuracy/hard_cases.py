@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""The table of hard cases: what was asked, what was measured, and what happened."""
+import json
+
+from results import load
+from page import document as page
+from look import style
+
+FIXED = ("name", "asked", "what_happened", "holds")
+ALWAYS = ("inverted", "unreached")
+
+
+def read(path):
+    """The list of dsc_hard: each case an object with name, asked, what_happened and holds."""
+    try:
+        with open(path, encoding="utf-8") as stream:
+            cases = json.load(stream)
+    except OSError as fault:
+        raise load.InputFault(f"{path} cannot be read: {fault.strerror}.") from fault
+    except ValueError as fault:
+        raise load.InputFault(f"{path} is not whole JSON ({fault}), so it may be "
+                              "truncated.") from fault
+    if not isinstance(cases, list):
+        raise load.InputFault(f"{path} holds a JSON {type(cases).__name__} where a list of cases "
+                              "is expected.")
+    for index, case in enumerate(cases):
+        for key in ("name", "asked", "what_happened"):
+            load.need(case, key, path, str, f"case {index}")
+        load.need(case, "holds", path, bool, f"case {index}")
+    return cases
+
+
+def _show(value):
+    if value is None:
+        return "–"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, int):
+        return style.whole(value)
+    return style.digits(value) if isinstance(value, float) else str(value)
+
+
+def _measured(case):
+    """'inverted 0, unreached 0, sub-steps 12': whatever else a case states, in its own order.
+    Counts of zero are left out, except those that must be zero."""
+    values = {k: v for k, v in case.items() if k not in FIXED + ("values", "error_is", "seconds")
+              and not isinstance(v, (dict, list))
+              and (k in ALWAYS or (v not in (None, "") and v != 0))}
+    if case.get("error_is") and "error" in values:
+        values[str(case["error_is"])] = values.pop("error")
+    more = case.get("values")
+    values.update(more if isinstance(more, dict) else {})
+    return ", ".join(f"{k.replace('_', ' ')} {_show(v)}" for k, v in values.items())
+
+
+def _happened(case):
+    failures = case.get("failures")
+    return "; ".join([case["what_happened"]] + [f"fails: {f}" for f in failures or []])
+
+
+def table(cases):
+    """The sentence and the table, or nothing."""
+    if not cases:
+        return ""
+    failed = [c["name"] for c in cases if not c["holds"]]
+    text = (f"{len(failed)} of {style.counted(len(cases), 'hard case')} "
+            f"{'does' if len(failed) == 1 else 'do'} not hold: {style.listing(failed)}."
+            if failed else f"All {style.counted(len(cases), 'hard case')} hold.")
+    rows = [[c["name"], c["asked"], _measured(c), _happened(c),
+             "✓ holds" if c["holds"] else "✗ fails"] for c in cases]
+    marks = {(r, 4): "good" if c["holds"] else "bad" for r, c in enumerate(cases)}
+    return page.paragraph(text) + page.table(
+        ["case", "asked", "measured", "what happened", "verdict"], rows, marks)

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: MIT
+"""Work against precision, a picture for each flow: the error on x, the CPU time on y, a line for
+each method and a point for each edge length, with other programs beside ours."""
+import math
+
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+from accuracy import precision_data as data
+from accuracy import precision_text
+from look import style
+
+# method -> (colour, marker); those of one panel differ in both.
+LOOKS = {
+    "default": (style.BLUE, "o"),
+    "euler": (style.ORANGE, "^"),
+    "centred": (style.GREEN, "s"),
+    "midpoint": (style.PURPLE, "v"),
+    "adaptive": (style.VERMILLION, "D"),
+    "linear insertion": (style.ORANGE, "^"),
+    "arc insertion": (style.SKY, "P"),
+    "coarsening by length": (style.GREEN, "s"),
+    "coarsening by area": (style.PURPLE, "v"),
+    "never coarsened": (style.VERMILLION, "D"),
+    "fourth order": (style.PURPLE, "p"),
+    "fourth order, coarsened": (style.VERMILLION, "D"),
+    "float": (style.SKY, "X"),
+    "thesis's choice": (style.GREEN, "h"),
+    "literal reference": (style.BLACK, "s"),
+}
+FLOOR_MARKERS = {"markers, linear": "1", "markers, cubic": "2",
+                 "markers, cubic, all kept": "3",
+                 "markers, read as cubic, all kept": "4"}
+PEER_MARKERS = {"official 2D DSC": "*", "Basilisk": "p", "isoAdvector": "<", "Gerris": "d",
+                "level set 512²": ">"}
+PANELS = {"other": "Against others", "time": "Steps in time",
+          "upkeep": "Insertion and coarsening\nof the interface"}
+MOMENTS = {"last": "at the end", "half": "half-way, where the shape is most stretched"}
+FLOOR_LINE = (0, (1, 1.5))
+
+
+def look(method):
+    return LOOKS.get(method, style.SPARE[sum(method.encode()) % len(style.SPARE)])
+
+
+def shown(lines, panel):
+    """The methods of a panel: the default is in each, bare markers where they are the limit."""
+    floors = {"other": set(FLOOR_MARKERS), "time": set(),
+              "upkeep": {"markers, linear", "markers, cubic", "markers, cubic, all kept"}}[panel]
+    return {m: line for m, line in lines.items()
+            if m == data.DEFAULT or line[0].group == panel or m in floors}
+
+
+def floor_style(method):
+    marker = FLOOR_MARKERS.get(method, "1")
+    return {"color": style.MUTED, "linewidth": 0.9, "linestyle": FLOOR_LINE, "marker": marker,
+            "markersize": 8, "markeredgewidth": 1.1, "markeredgecolor": style.MUTED}
+
+
+def _lines(axes, lines, moment):
+    for method, line in lines.items():
+        placed = data.points(line, moment)
+        if not placed:
+            continue
+        x, y, _ = zip(*placed)
+        if line[0].group == "markers":
+            axes.plot(x, y, zorder=2, **floor_style(method))
+            continue
+        colour, marker = look(method)
+        main = method == data.DEFAULT
+        axes.plot(x, y, color=colour, marker=marker, zorder=5 if main else 3,
+                  **{**style.solid(colour), "linewidth": 3.0 if main else 1.4,
+                     "markersize": 7.5 if main else 6})
+        for e, t, run in placed:
+            if not run.holds:
+                axes.plot([e], [t], marker="x", color=style.INK, markersize=11, zorder=6)
+
+
+def _lengths(axes, line, moment):
+    """Writes the edge length beside the points of the default, on the side where points of other
+    methods are rare, unless it would overlap the one before."""
+    low, high = (math.log(v) for v in axes.get_ylim())
+    last = None
+    for e, t, run in data.points(line, moment):
+        height = (math.log(t) - low) / (high - low)
+        if last is None or abs(height - last) > 0.06:
+            last = height
+            axes.annotate(f"h = {data.length(run.h)}", (e, t), (-7, -3),
+                          textcoords="offset points", ha="right", va="top", fontsize=7.4,
+                          color=style.BLUE, zorder=7)
+
+
+def _peers(axes, peers):
+    for peer in peers:
+        axes.plot(*zip(*peer.points), color=style.MUTED, linewidth=0.9, zorder=2,
+                  **style.other(PEER_MARKERS.get(peer.tool, "p")))
+
+
+def _marks(axes, marks):
+    """Errors without a time, as letters on the axis; the legend says what they are."""
+    if not marks:
+        return
+    low, high = axes.get_ylim()
+    axes.set_ylim(low / (high / low) ** 0.14, high)
+    place = axes.get_xaxis_transform()
+    for letter, mark in zip("abcdef", marks):
+        for error in mark.errors:
+            axes.plot([error, error], [0, 0.06], color=style.INK, linewidth=1.4, transform=place,
+                      zorder=4, solid_capstyle="butt")
+        middle = (min(mark.errors) * max(mark.errors)) ** 0.5
+        axes.text(middle, 0.07, letter, ha="center", va="bottom", fontsize=8.5, color=style.INK,
+                  fontweight="bold", transform=place, zorder=4)
+
+
+def seconds(value, _=None):
+    return style.tick(value * 1e6) if value > 0 else ""
+
+
+def logarithmic(axes):
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(LogLocator(numticks=8))
+        axis.set_minor_formatter(NullFormatter())
+
+
+def _keys(lines, peers, marks):
+    handles = []
+    for method, line in lines.items():
+        if line[0].group == "markers":
+            fashion = floor_style(method)
+            marking = {k: v for k, v in fashion.items() if k.startswith("marker")}
+            handles.append(style.key(method, style.MUTED, line=FLOOR_LINE, width=0.9,
+                                     marks=marking))
+        else:
+            handles.append(style.key(method, *look(method),
+                                     width=3.0 if method == data.DEFAULT else 1.4))
+    for peer in peers:
+        handles.append(style.key(peer.tool, style.MUTED, width=0.9,
+                                 marks=style.other(PEER_MARKERS.get(peer.tool, "p"))))
+    for letter, mark in zip("abcdef", marks):
+        marking = {"marker": "|", "markersize": 8, "markeredgecolor": style.INK,
+                   "markeredgewidth": 1.4}
+        handles.append(style.key(f"{letter}: {mark.label}", style.INK, line="none", marks=marking))
+    return handles
+
+
+def draw(runs, published):
+    """One Picture for each flow."""
+    return [_one(flow, lines, data.peers(flow, published), data.marks(flow, published))
+            for flow, lines in data.flows(runs).items()]
+
+
+def _one(flow, lines, peers, marks):
+    moments = [m for m in MOMENTS
+               if any(data.points(line, m) for line in lines.values())]
+    panels = [key for key in PANELS
+              if key == "other" or any(line[0].group == key for line in lines.values())]
+    fig, grid = style.figure(3.0 + 3.7 * len(moments), 1.6 + 2.9 * len(panels), len(panels),
+                             len(moments), sharex="row", sharey="row")
+    for row, panel in enumerate(panels):
+        some = shown(lines, panel)
+        beside = (peers, marks) if panel == "other" else ([], [])
+        for column, moment in enumerate(moments):
+            axes = grid[row][column]
+            logarithmic(axes)
+            _lines(axes, some, moment)
+            if moment == "last":
+                _peers(axes, beside[0])
+            axes.yaxis.set_major_formatter(FuncFormatter(seconds))
+            axes.margins(0.07)
+            if row == 0:
+                axes.set_title(MOMENTS[moment][0].upper() + MOMENTS[moment][1:])
+        grid[row][0].set_ylabel("CPU time")
+        _marks(grid[row][0], beside[1])
+        low, high = grid[row][0].get_xlim()
+        grid[row][0].set_xlim(low / (high / low) ** 0.13, high)  # room for the edge lengths
+        for axes, moment in zip(grid[row], moments):
+            if panel != "other":  # too full for words; the panels below have the same line
+                _lengths(axes, some.get(data.DEFAULT, []), moment)
+        legend = grid[row][-1].legend(
+            handles=_keys(some, *beside), loc="upper left", bbox_to_anchor=(1.03, 1.02),
+            borderaxespad=0, fontsize=8, handlelength=2.4, labelspacing=0.35,
+            title=PANELS[panel], title_fontproperties={"size": 9, "weight": "bold"})
+        legend.set_alignment("left")
+    for axes in grid[-1]:
+        axes.set_xlabel("error: symmetric difference over first area")
+    title = f"Error against time: {next(iter(lines.values()))[0].title}"
+    first = next(iter(lines.values()))[0]
+    style.finish(fig, title, style.caption_text(first.context, notes(lines, peers, marks)))
+    return style.Picture(f"precision_{flow}", title, precision_text.plain(lines, peers), fig,
+                         ["method", "h", "error at T", "error at T/2", "CPU s"],
+                         [[m, data.length(r.h), style.digits(r.error), style.digits(r.half),
+                           style.digits(r.seconds)] for m, line in lines.items() for r in line],
+                         precision_text.sentence(lines, peers))
+
+
+def notes(lines, peers, marks):
+    """What someone new needs to read the picture."""
+    text = ("Lower left is better. The default is RK4, cubic insertion, coarsening by deviation, "
+            "double precision; each other method changes what its name says. Where a method cannot "
+            "be seen, its line lies under that of the default. One thread, the shortest CPU time "
+            "of up to three runs.")
+    if any(not r.holds for line in lines.values() for r in line):
+        text += " Crossed out: some vertices did not reach their target."
+    if any(line[0].group == "markers" for line in lines.values()):
+        text += " Bare markers: the interface alone, without a mesh."
+    cells = [p.tool for p in peers if p.tool in ("Basilisk", "isoAdvector", "Gerris")]
+    if peers:
+        text += (" Grey: other programs, whose times come from another run, on a busy machine"
+                 + (f"; the error of {style.listing(cells)} is E1 or L1, sums over cells that are "
+                    "at most the symmetric difference" if cells else "") + ".")
+    if marks:
+        text += " Letters on the axis: errors stated without a time."
+    return text

@@ -1,0 +1,370 @@
+# SPDX-License-Identifier: MIT
+"""The common look of all pictures: palette, markers, layout bands, caption and saving.
+
+Colours are those of Okabe and Ito ("Color universal design", 2008), and every strategy has a
+marker of its own besides, so that no picture depends on colour alone.
+"""
+import io
+import math
+import os
+from dataclasses import dataclass, field
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+from matplotlib.lines import Line2D  # noqa: E402
+from PIL import Image  # noqa: E402  (matplotlib needs it as well)
+
+INK = "#22303A"
+MUTED = "#66737D"
+FAINT = "#C9D1D7"
+SHADE = "#F1F4F6"
+
+BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
+BLUE, VERMILLION, PURPLE = "#0072B2", "#D55E00", "#CC79A7"
+# Lines in the palette's yellow (#F0E442) cannot be seen on white; this is a darker one.
+DARK_YELLOW = "#A89400"
+
+# strategy -> (colour, marker); the order is the order of legends and tables.
+STRATEGIES = {
+    "reference": (BLACK, "s"),
+    "sequential": (BLUE, "o"),
+    "copy": (DARK_YELLOW, "h"),
+    "fixed": (ORANGE, "<"),
+    "counting": (SKY, "^"),
+    "active": (GREEN, "v"),
+    "blocks": (PURPLE, "p"),
+    "cells": (VERMILLION, "D"),
+}
+SPARE = [(MUTED, ">"), (INK, "d"), (GREEN, "H"), (PURPLE, "8")]
+
+PHASE_FILLS = ["#EDF1F4", "#A9D3EE", "#F7D99A", "#A6DCC6", "#E6C3D6", "#F3B48F", "#C8CDD2"]
+INTERFACE = "#C24E00"
+EDGE = "#93A1AC"
+
+PNG_DPI = 160
+RASTER_DPI = 220    # of what is an image inside vector formats
+PAGE_WIDTH = 1280   # pixels: a page is 1088 wide, and some screens show two for one
+MESH_QUALITY = 70   # of 100
+
+
+@dataclass
+class Picture:
+    """A figure with one plain sentence on what it shows, and what is folded beneath it: all that
+    its numbers say, and rows for a table if there are any."""
+
+    name: str
+    title: str
+    sentence: str
+    figure: object
+    header: list = field(default_factory=list)
+    rows: list = field(default_factory=list)
+    details: str = ""
+    is_mesh: bool = False  # of so many triangles that a vector format would be tens of megabytes
+
+
+def apply():
+    """Sets the defaults of matplotlib for this process."""
+    plt.rcParams.update({
+        "font.family": "DejaVu Sans",
+        "font.size": 9,
+        "text.color": INK,
+        "axes.edgecolor": MUTED,
+        "axes.labelcolor": INK,
+        "axes.titlesize": 9.5,
+        "axes.titlelocation": "left",
+        "axes.titlepad": 7,
+        "axes.labelsize": 9,
+        "axes.linewidth": 0.7,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.axisbelow": True,
+        "axes.grid": True,
+        "axes.grid.which": "major",
+        "grid.color": "#E3E8EC",
+        "grid.linewidth": 0.6,
+        "xtick.color": MUTED,
+        "ytick.color": MUTED,
+        "xtick.labelcolor": INK,
+        "ytick.labelcolor": INK,
+        "xtick.labelsize": 8.5,
+        "ytick.labelsize": 8.5,
+        "xtick.minor.size": 0,
+        "ytick.minor.size": 0,
+        "xtick.major.width": 0.7,
+        "ytick.major.width": 0.7,
+        "lines.linewidth": 1.6,
+        "lines.markersize": 6,
+        "legend.frameon": False,
+        "legend.fontsize": 8.5,
+        "figure.facecolor": "white",
+        "savefig.facecolor": "white",
+        "pdf.fonttype": 42,
+        "svg.hashsalt": "dsc",  # the same results give the same bytes
+    })
+
+
+def look(strategy):
+    """Colour and marker of a strategy; a strategy not known here gets a spare pair."""
+    if strategy in STRATEGIES:
+        return STRATEGIES[strategy]
+    return SPARE[sum(strategy.encode()) % len(SPARE)]
+
+
+def order(strategy):
+    """Sorting key: known strategies in the order of STRATEGIES, then others by name."""
+    names = list(STRATEGIES)
+    return (names.index(strategy) if strategy in names else len(names), strategy)
+
+
+DASHED = (0, (3.5, 2))  # what was modelled and not measured
+
+
+def hollow(colour):
+    """Marker keywords of a point that was modelled and not measured."""
+    return {"markerfacecolor": "white", "markeredgecolor": colour, "markeredgewidth": 1.3}
+
+
+def doubtful(colour):
+    """Marker keywords of a measured point that is less reliable than the others: half filled."""
+    return {"fillstyle": "left", "markerfacecolor": colour, "markerfacecoloralt": "white",
+            "markeredgecolor": colour, "markeredgewidth": 1.0}
+
+
+def solid(colour):
+    return {"markerfacecolor": colour, "markeredgecolor": "white", "markeredgewidth": 0.7}
+
+
+def other(marker):
+    """Marker keywords of other programs: grey with a thin white rim, larger for spiky markers."""
+    spiky = marker in ("*", "1", "2")
+    return {"marker": marker, "markersize": 10 if spiky else 7, "markerfacecolor": MUTED,
+            "markeredgecolor": MUTED if marker in ("1", "2") else "white",
+            "markeredgewidth": 1.1 if marker in ("1", "2") else 0.5}
+
+
+def key(label, colour, marker=None, line="-", marking=solid, width=1.6, marks=None):
+    """A legend entry; marking is solid, hollow or doubtful."""
+    marks = marks or {"marker": marker, **marking(colour)}
+    return Line2D([], [], color=colour, linestyle=line, label=label, linewidth=width, **marks)
+
+
+def square(label, colour):
+    """A legend entry of a filled area."""
+    handle = key(label, colour, "s", "none")
+    handle.set(markersize=8)
+    return handle
+
+
+def figure(width, height, rows=1, columns=1, **keywords):
+    """A figure and its axes (always a 2D array), laid out below a title and above a caption."""
+    apply()
+    return plt.subplots(rows, columns, figsize=(width, height), squeeze=False,
+                        layout="constrained", **keywords)
+
+
+def caption_text(context, conditions=""):
+    """Machine, commit and conditions of a result, as far as they are known."""
+    parts = []
+    if context is not None:
+        if context.machine:
+            parts.append(context.machine)
+        if context.cores:
+            parts.append(counted(context.cores, "core"))
+        if context.load not in (None, ""):
+            parts.append(f"other load {context.load}")
+        if context.compiler:
+            parts.append(context.compiler)
+        if context.build_type:
+            parts.append(context.build_type)
+        if context.commit:
+            parts.append(f"commit {context.commit[:12]}")
+    # Lines are broken between parts only.
+    parts = [part.replace(" ", "\N{NO-BREAK SPACE}") for part in parts]
+    first = "  ·  ".join(parts) if parts else "machine and commit not recorded"
+    return first + ("\n" + conditions if conditions else "")
+
+
+def _wrap(text, columns):
+    """Breaks lines that are too long for the figure, at spaces."""
+    lines = []
+    for line in text.split("\n"):
+        while len(line) > columns:
+            cut = line.rfind(" ", 0, columns)
+            cut = cut if cut > 0 else columns
+            lines.append(line[:cut].rstrip(" ·"))
+            line = line[cut:].lstrip(" ·")
+        lines.append(line)
+    return lines
+
+
+def _columns(labels, width):
+    """As many legend columns as fit, but not more than needed for the least number of rows.
+
+    A legend fills column by column, and its first columns take one entry more where the entries
+    do not divide.
+    """
+    for count in range(len(labels), 1, -1):
+        if count != math.ceil(len(labels) / math.ceil(len(labels) / count)):
+            continue
+        used, first = 0.0, 0
+        for column in range(count):
+            last = first + len(labels) // count + (column < len(labels) % count)
+            used += 0.58 + 0.07 * max(len(label) for label in labels[first:last])
+            first = last
+        if used <= width:
+            return count
+    return 1
+
+
+def finish(fig, title, caption, handles=()):
+    """Title and legend in a band above the axes, caption in a band below; sizes in inches."""
+    width, height = fig.get_size_inches()
+    left = 0.12 / width
+    lines = _wrap(caption, int(width * 18))
+    bottom = 0.16 + 0.165 * len(lines)
+    top = 0.42
+    fig.text(left, 1 - 0.12 / height, title, ha="left", va="top", fontsize=11.5,
+             fontweight="bold", color=INK)
+    handles = list(handles)
+    if handles:
+        columns = _columns([str(h.get_label()) for h in handles], width - 0.24)
+        rows = math.ceil(len(handles) / columns)
+        fig.legend(handles=handles, loc="upper left", ncol=columns,
+                   bbox_to_anchor=(left, 1 - 0.4 / height), borderaxespad=0, borderpad=0,
+                   handlelength=2.2, columnspacing=1.6, labelspacing=0.35)
+        top += 0.06 + 0.17 * rows
+    fig.text(left, 0.1 / height, "\n".join(lines), ha="left", va="bottom", fontsize=7.3,
+             color=MUTED, linespacing=1.35)
+    fig.get_layout_engine().set(rect=(0, bottom / height, 1, 1 - (bottom + top) / height),
+                                w_pad=0.08, h_pad=0.06, wspace=0.03, hspace=0.03)
+
+
+def _metadata(form):
+    return {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(form)
+
+
+def settle(fig):
+    """Lays the figure out once for all formats, to a millionth of its size: the last digits of
+    what the layout's solver finds hang on addresses in memory, and would get into the files."""
+    fig.draw_without_rendering()
+    fig.set_layout_engine("none")
+    for axes in fig.axes:
+        axes.set_position([round(value, 6) for value in axes.get_position(original=True).bounds])
+
+
+def png_bytes(fig):
+    buffer = io.BytesIO()
+    fig.savefig(buffer, format="png", dpi=PNG_DPI)
+    return buffer.getvalue()
+
+
+def for_page(png, is_mesh):
+    """(bytes, (width, height)): the picture as WebP and as large as a page shows it.
+
+    Flat drawings are smallest without loss, meshes of many triangles are not.
+    """
+    image = Image.open(io.BytesIO(png)).convert("RGB")
+    if image.width > PAGE_WIDTH:
+        height = round(image.height * PAGE_WIDTH / image.width)
+        image = image.resize((PAGE_WIDTH, height), Image.LANCZOS)
+    buffer = io.BytesIO()
+    image.save(buffer, format="WEBP", method=4,
+               **({"quality": MESH_QUALITY} if is_mesh else {"lossless": True}))
+    return buffer.getvalue(), image.size
+
+
+def write_bytes(path, data):
+    """Writes to another name and renames, so that nobody ever reads half a file."""
+    part = path + ".part"
+    try:
+        with open(part, "wb") as stream:
+            stream.write(data)
+        os.replace(part, path)
+    except OSError:
+        if os.path.exists(part):
+            os.remove(part)
+        raise
+
+
+def few_colours(png):
+    """The PNG with a palette, which is a third of its size."""
+    buffer = io.BytesIO()
+    Image.open(io.BytesIO(png)).convert("RGB").quantize(
+        256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(
+            buffer, format="PNG", optimize=True)
+    return buffer.getvalue()
+
+
+def save(fig, out, name, formats, shown=False):
+    """Writes the figure in every format and closes it; returns it as PNG with all its colours where
+    it is to be shown."""
+    settle(fig)
+    full = png_bytes(fig) if shown or "png" in formats else None
+    for form in formats:
+        if form == "png":
+            data = few_colours(full)
+        else:
+            buffer = io.BytesIO()
+            fig.savefig(buffer, format=form, dpi=RASTER_DPI, metadata=_metadata(form))
+            data = buffer.getvalue()
+        write_bytes(os.path.join(out, f"{name}.{form}"), data)
+    plt.close(fig)
+    return full
+
+
+def whole(value):
+    """28236 -> '28,236'."""
+    return f"{int(round(value)):,}"
+
+
+def digits(value, count=3):
+    """A number with `count` significant digits, without needless exponents."""
+    if value is None:
+        return "–"
+    if value == 0 or not math.isfinite(value):
+        return f"{value:g}"
+    size = abs(value)
+    if size >= 10 ** count:
+        return f"{value:,.0f}"
+    if size < 1e-3:
+        mantissa, exponent = f"{value:.{count - 1}e}".split("e")
+        return f"{mantissa}e{int(exponent)}"
+    return f"{value:.{max(0, count - 1 - math.floor(math.log10(size)))}f}"
+
+
+def duration(microseconds):
+    """A duration in the unit that suits it."""
+    for limit, scale, unit in ((1, 1e3, "ns"), (1e3, 1, "µs"), (1e6, 1e-3, "ms")):
+        if microseconds < limit:
+            return f"{digits(microseconds * scale)} {unit}"
+    return f"{digits(microseconds * 1e-6)} s"
+
+
+def tick(microseconds):
+    """A duration on an axis: 10 µs, not 10.0 µs."""
+    text, unit = duration(microseconds).split(" ")
+    return f"{float(text.replace(',', '')):g} {unit}"
+
+
+def size_label(triangles):
+    """Compact size for ticks: 28k, 2.8M."""
+    if triangles >= 1e6:
+        return f"{triangles / 1e6:.3g}M"
+    if triangles >= 1e3:
+        return f"{triangles / 1e3:.3g}k"
+    return f"{triangles:g}"
+
+
+def counted(number, word):
+    """'1 run', '2 runs'."""
+    return f"{whole(number)} {word}" + ("" if number == 1 else "s")
+
+
+def listing(words):
+    """'a', 'a and b', 'a, b and c'."""
+    words = [str(word) for word in words]
+    if len(words) < 2:
+        return "".join(words)
+    return ", ".join(words[:-1]) + " and " + words[-1]

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""Histograms of triangle area, quality and angle for each strategy (thesis, figures 10.13, 10.14
+and 10.17): a panel each, with the outline of the sequential run in all of them."""
+from itertools import accumulate
+
+import numpy
+
+from results import load
+from look import style
+
+AXES = {"area": "area of a triangle", "angle": "smallest angle of a triangle (degrees)",
+        "quality": r"quality of a triangle  $(2/\sqrt{3})\,\sin\,\theta_{\min}$"}
+FIGURES = {("speedup-scaling", "area"): "figure 10.13",
+           ("speedup-scaling", "quality"): "figure 10.14",
+           ("quality-varying", "area"): "figure 10.17"}
+# The others are in the results of the runs: three pictures for each scene would say little more.
+SHOWN = set(FIGURES) | {("speedup-scaling", "angle")}
+UNITS = {"angle": "°"}
+COLUMNS = 3
+
+
+def groups(scenes, verify):
+    """{(scene, quantity): {strategy: Histogram}}; a verify report counts before a scene's."""
+    result = {}
+    listed = list(verify.histograms) if verify else []
+    for item in listed + [h for scene in scenes for h in scene.histograms]:
+        if sum(item.counts) > 0:
+            result.setdefault((item.scene, item.quantity), {}).setdefault(item.strategy, item)
+    return {key: dict(sorted(found.items(), key=lambda pair: style.order(pair[0])))
+            for key, found in sorted(result.items())}
+
+
+def median(item):
+    """Median of the binned values, linear inside its bin."""
+    half = sum(item.counts) / 2
+    total = 0.0
+    for low, high, count in zip(item.edges, item.edges[1:], item.counts):
+        if count > 0 and total + count >= half:
+            return low + (high - low) * (half - total) / count
+        total += count
+    return item.edges[-1]
+
+
+def distance(one, other):
+    """Largest difference between the two cumulative curves, as a share of the triangles."""
+    a = numpy.array(list(accumulate(one.counts))) / sum(one.counts)
+    b = numpy.array(list(accumulate(other.counts))) / sum(other.counts)
+    return float(numpy.abs(a - b).max())
+
+
+def base_of(found):
+    return found.get("sequential") or next(iter(found.values()))
+
+
+def furthest(found):
+    """(largest distance from the base, strategy), or None where nothing can be compared."""
+    base = base_of(found)
+    return max(((distance(h, base), s) for s, h in found.items()
+                if h is not base and h.edges == base.edges), default=None)
+
+
+def plain(scene, quantity, found):
+    base = base_of(found)
+    text = (f"Half of the triangles of {scene} have "
+            f"{'an' if quantity[0] in 'aeiou' else 'a'} {quantity} of at least "
+            f"{style.digits(median(base))}{UNITS.get(quantity, '')} ({base.strategy})")
+    most = furthest(found)
+    if most:
+        text += (f"; no other way of running it moves more than {100 * most[0]:.1f} % of them "
+                 "past any value")
+    return text + "."
+
+
+def sentence(scene, quantity, found):
+    base = base_of(found)
+    unit = UNITS.get(quantity, "")
+    text = (f"In {scene} the median {quantity} is "
+            + style.listing(f"{style.digits(median(h))}{unit} ({s}, "
+                            f"{style.whole(sum(h.counts))} triangles)" for s, h in found.items()))
+    most = furthest(found)
+    if most:
+        text += (f"; the cumulative curves differ from that of {base.strategy} by at most "
+                 f"{100 * most[0]:.1f} % of the triangles ({most[1]})")
+    return text + "."
+
+
+def draw(scenes, verify, published, context=None):
+    """A Picture for each scene and quantity that the thesis shows."""
+    for (scene, quantity), found in groups(scenes, verify).items():
+        if (scene, quantity) in SHOWN:
+            yield _one(scene, quantity, found, published, context)
+
+
+def _one(scene, quantity, found, published, context):
+    base = base_of(found)
+    columns = min(COLUMNS, len(found))
+    lines = -(-len(found) // columns)
+    fig, grid = style.figure(max(5.2, 0.5 + 3.0 * columns), 1.15 + 2.35 * lines, lines, columns,
+                             sharex=True, sharey=True)
+    for axes in grid.flat[len(found):]:
+        axes.set_visible(False)
+    for axes, (strategy, item) in zip(grid.flat, found.items()):
+        colour, _ = style.look(strategy)
+        share = 100 * numpy.array(item.counts) / sum(item.counts)
+        axes.stairs(share, item.edges, fill=True, color=colour, alpha=0.4, linewidth=0)
+        axes.stairs(share, item.edges, color=colour, linewidth=0.9)
+        if item is not base and item.edges == base.edges:
+            outline = 100 * numpy.array(base.counts) / sum(base.counts)
+            axes.stairs(outline, base.edges, color=style.INK, linewidth=0.9,
+                        linestyle=(0, (2.5, 1.5)))
+        axes.axvline(median(item), color=style.INK, linewidth=0.8, linestyle=(0, (1, 1.5)))
+        axes.set_title(f"{strategy}, {style.whole(sum(item.counts))} triangles")
+    used = numpy.nonzero(sum(numpy.array(h.counts) for h in found.values()
+                             if h.edges == base.edges))[0]
+    low, high = base.edges[used[0]], base.edges[used[-1] + 1]
+    if all(h.edges == base.edges for h in found.values()):
+        slack = 0.03 * (high - low)
+        grid[0][0].set_xlim(low - slack, high + slack)
+    for index in range(len(found)):
+        if index + columns >= len(found):
+            axes = grid.flat[index]
+            axes.set_xlabel(AXES.get(quantity, quantity))
+            axes.tick_params(labelbottom=True)
+    for row in grid:
+        row[0].set_ylabel("triangles in a bin (%)")
+    if quantity == "area":
+        for axes in grid.flat:
+            axes.ticklabel_format(axis="x", style="sci", scilimits=(-2, 4), useMathText=True)
+    twin = FIGURES.get((scene, quantity))
+    conditions = "Dotted line: median. " + (
+        f"Dashed outline: the {base.strategy} run. " if len(found) > 1 else "")
+    theirs = load.entry(published, "thesis", "histogram_triangles_sequential")
+    if twin:
+        conditions += f"The thesis's {twin}"
+        conditions += (f" has {style.whole(theirs['value'])} triangles (sequential)."
+                       if theirs and scene == "speedup-scaling" else " shows the same.")
+    name = f"{quantity[0].upper()}{quantity[1:]} of the triangles: {scene}"
+    style.finish(fig, name, style.caption_text(context, conditions))
+    return style.Picture(f"histogram_{scene}_{quantity}", name, plain(scene, quantity, found),
+                         fig, details=sentence(scene, quantity, found))

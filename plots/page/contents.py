@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: MIT
+"""What stands on the page and in which order: what was found, then what is shown, then what can be
+looked up, which is folded."""
+import importlib
+import os
+import pathlib
+from functools import partial
+
+from accuracy import convergence, hard_cases, precision, precision_data
+from mesh import frames, histograms
+from page import document as page
+from page import drawing, findings, tables, verdicts
+from parallel import (breakdown, granularity, per_operation, series, speedup, step_cost,
+                      submeshes)
+from results import load
+
+PLOTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+
+def tasks(results):
+    """[(section, function that gives Pictures)]"""
+    bench, published = results["bench"], results["published"]
+    scenes, drawn_by = results["scenes"], _context_of_scenes(results)
+    found = [("frames", partial(frames.draw, [run], drawn_by)) for run in results["runs"]]
+    if bench:
+        found += [("steps", partial(step_cost.draw, bench, published)),
+                  ("speedup", partial(speedup.draw, bench, published)),
+                  ("breakdown", partial(breakdown.draw, bench)),
+                  ("granularity", partial(granularity.draw, bench)),
+                  ("operations", partial(per_operation.draw, bench, published))]
+    errors = results["precision"]
+    for flow in precision_data.flows(errors):
+        mine = [run for run in errors if run.flow == flow]
+        found.append(("precision", partial(precision.draw, mine, published)))
+    found.append(("convergence", partial(convergence.draw, errors)))
+    found += [("submeshes", partial(submeshes.draw, [one], drawn_by))
+              for one in results["divided"]]
+    found.append(("histograms", partial(histograms.draw, scenes, results["verify"], published,
+                                        context(results, of_meshes=True))))
+    return found
+
+
+def context(results, of_meshes=False):
+    """The machine that measured: that of the benchmarks, or of what else there is."""
+    bench, verify = results["bench"], results["verify"]
+    if bench and not of_meshes:
+        return bench.context
+    known = ([verify.context] if verify else []) + [s.context for s in results["scenes"]]
+    return next((c for c in known if c.machine), None)
+
+
+def _context_of_scenes(results):
+    return results["scenes"][0].context if results["scenes"] else None
+
+
+def gallery(results, out):
+    """The section of the room `gallery`, an HTML fragment, or nothing where there is no such room."""
+    if not os.path.isdir(os.path.join(PLOTS, "gallery")):
+        return ""
+    section = getattr(importlib.import_module("gallery"), "section", None)
+    return (section(results, pathlib.Path(out)) if section else None) or ""
+
+
+def _no_bench(bench):
+    return "The benchmarks were not run." if not bench else \
+        "The benchmarks were run without the rows that this picture shows."
+
+
+def _no_frames(results):
+    if results["runs"]:
+        return "No frame was written together with its submeshes."
+    if results["frames"]:
+        return "No frames were written."
+    return "The scenes were run without frames." if results["scenes"] else \
+        "The scenes were not run."
+
+
+class Contents:
+    """The sections, in the order in which they are added."""
+
+    def __init__(self, drawn):
+        self.drawn, self.links, self.body = drawn, [], ""
+
+    def pictures(self, *names):
+        return "".join(page.figure(d) for name in names for d in self.drawn.get(name, []))
+
+    def show(self, identifier, title, inside, missing=""):
+        if inside or missing:
+            self.links.append((identifier, title))
+            self.body += page.section(identifier, title,
+                                      inside or page.paragraph(missing, "note"))
+
+    def look_up(self, identifier, title, lead, inside, missing):
+        self.links.append((identifier, title))
+        self.body += page.part(identifier, title, lead,
+                               inside or page.paragraph(missing, "note"))
+
+
+def build(results, drawn, out):
+    """(links, body) of the page."""
+    bench, published, verify = results["bench"], results["published"], results["verify"]
+    contents = Contents(drawn)
+    header, rows, classes = verdicts.verdicts(results)
+    contents.show("found", "What was found",
+                  page.listed(findings.sentences(results), "found") + tables.refusals(bench)
+                  + page.table(header, rows, classes, "Verdicts"))
+    contents.show("frames", "The meshes", contents.pictures("frames"), _no_frames(results))
+    contents.show("thesis", "The thesis's figures", gallery(results, out))
+    contents.show("steps", "Time of a step", contents.pictures("steps"), _no_bench(bench))
+    contents.show("speedup", "Several threads", contents.pictures("speedup"), _no_bench(bench))
+    contents.show("precision", "Error against time", contents.pictures("precision", "convergence"),
+                  "Errors against times (dsc_precision) were not measured.")
+    _details(contents, results, out)
+    return contents.links, contents.body
+
+
+def _details(contents, results, out):
+    bench, published, verify = results["bench"], results["published"], results["verify"]
+    scenes, hard = results["scenes"], results["hard"]
+    contents.look_up(
+        "gate", "The gate", "every figure that is held to a limit",
+        tables.gate(verify) if verify else "", "The gate (dsc_verify) was not run.")
+    contents.look_up(
+        "scenes", "Scenes", "what each run measured",
+        tables.scenes(scenes, published) if scenes else "", "The scenes were not run.")
+    contents.look_up(
+        "hard", "Hard cases", "what happens far outside of ordinary use",
+        hard_cases.table(hard) if hard else "", "The hard cases (dsc_hard) were not run."
+        if hard is None else "The list of hard cases is empty, so it proves nothing.")
+    modelled = bench and series.modelled(bench)
+    contents.look_up(
+        "breakdown", "Where the time of a step goes", "on one thread, and modelled on more",
+        contents.pictures("breakdown"), _no_bench(bench) if modelled or not bench else
+        "The benchmarks were run without modelled rows.")
+    contents.look_up(
+        "granularity", "How much work threads need", "to pay for themselves",
+        contents.pictures("granularity"), _no_bench(bench))
+    contents.look_up(
+        "copies", "Copies of submeshes against work in place", "the thesis's way and ours",
+        tables.copied(bench), _no_bench(bench))
+    contents.look_up("submeshes", "Submeshes", "how the mesh is divided among threads",
+                     contents.pictures("submeshes"), _no_frames(results))
+    contents.look_up("operations", "Cost of an operation", "in nanoseconds",
+                     contents.pictures("operations"), _no_bench(bench))
+    contents.look_up(
+        "histograms", "Areas and qualities of the triangles", "the thesis's histograms",
+        contents.pictures("histograms"), "No run wrote histograms." if scenes or verify else
+        "Neither the scenes nor the gate were run, so there are no histograms.")
+    contents.look_up(
+        "sources", "What we compare with", "published figures and where they come from",
+        tables.sources(published) if published else "", "No published figures were given, so the "
+        "pictures show our own results only.")
+    contents.look_up("files", "Files", "the results as the programs wrote them",
+                     tables.files(results["files"], out), "No result file was given.")

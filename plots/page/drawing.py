@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""Draws the pictures of all sections, several at a time, and keeps of each what the page needs."""
+import multiprocessing
+import os
+from dataclasses import dataclass
+
+from look import style
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A picture that has been drawn and saved."""
+
+    name: str
+    title: str
+    sentence: str
+    details: str
+    header: list
+    rows: list
+    webp: bytes
+    size: tuple   # (width, height) in pixels
+    files: tuple  # names beside the page
+
+
+_work = []  # of draw_all while it runs: what its processes inherit
+
+
+def _draw(index):
+    """Pictures are drawn and saved one by one, so that no figure is open when the next is begun."""
+    draw, out, formats = _work[index]
+    result = []
+    for picture in draw():
+        kept = [form for form in formats if form == "png" or not picture.is_mesh]
+        png = style.save(picture.figure, out, picture.name, kept, shown=True)
+        webp, size = style.for_page(png, picture.is_mesh)
+        result.append(Drawn(picture.name, picture.title, picture.sentence, picture.details,
+                            picture.header, picture.rows, webp, size,
+                            tuple(f"{picture.name}.{form}" for form in kept)))
+    return result
+
+
+def cores():
+    return len(os.sched_getaffinity(0))
+
+
+def draw_all(tasks, out, formats, jobs):
+    """tasks: [(section, function without arguments that gives Pictures)]; the result is
+    {section: [Drawn]} in the order of the tasks, whatever the number of jobs."""
+    found = {}
+    _work[:] = [(draw, out, formats) for _, draw in tasks]
+    try:
+        if jobs > 1 and len(tasks) > 1:
+            with multiprocessing.get_context("fork").Pool(jobs) as pool:
+                drawn = pool.map(_draw, range(len(tasks)), chunksize=1)
+        else:
+            drawn = [_draw(index) for index in range(len(tasks))]
+    finally:
+        _work.clear()
+    for (section, _), pictures in zip(tasks, drawn):
+        found.setdefault(section, []).extend(pictures)
+    return found

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""The one table of verdicts at the top of the report: a row for each thing that is held to something,
+with the worst of its figures; what failed comes first, what was not run last."""
+from accuracy import precision_data
+from look import style
+from page.findings import lost
+from results import load
+
+PASS, FAIL, OPEN = "✓ pass", "✗ fail", "not run"
+CLASSES = {PASS: "good", FAIL: "bad", OPEN: "open"}
+HEADER = ["what", "worst result", "held to", "verdict"]
+
+
+def verdicts(results):
+    """(header, rows, classes) of the one table."""
+    rows = [_scene_row(results["scenes"])] + _gate_rows(results["verify"]) + [
+        _bench_row(results["bench"]), _precision_row(results["precision"]),
+        _hard_row(results["hard"])] + _gate_not_run(results["verify"])
+    order = {FAIL: 0, PASS: 1, OPEN: 2}
+    rows.sort(key=lambda row: order[row[3]])
+    return HEADER, rows, {(k, 3): CLASSES[row[3]] for k, row in enumerate(rows)}
+
+
+def _row(what, result, limit, good):
+    return [what, result, limit, PASS if good else FAIL]
+
+
+def _scene_row(scenes):
+    what = "No triangle turned over and every vertex at its target, in all runs of scenes"
+    if not scenes:
+        return [what, "–", "–", OPEN]
+    bad = sum(lost(s) for s in scenes)
+    return _row(what, f"{style.whole(bad)} in {style.counted(len(scenes), 'run')}", "0", bad == 0)
+
+
+def _share(check):
+    """How much of its limit a check takes up: 1 is all of it; a broken one comes first."""
+    value, limit = check["measured"], check["limit"]
+    if not load.passed(check) or not isinstance(value, (int, float)) or isinstance(value, bool):
+        return (not load.passed(check), 0.0)
+    low, high = (limit, value) if check.get("sense") == ">=" else (value, limit)
+    return (False, low / high if high else 0.0)
+
+
+def show(value):
+    if isinstance(value, bool) or value is None:
+        return "–" if value is None else str(value).lower()
+    return style.digits(value, 3) if isinstance(value, (int, float)) else str(value)
+
+
+def _gate_rows(verify):
+    groups = {}
+    for check in verify.checks if verify else []:
+        groups.setdefault(check["check"], []).append(check)
+    rows = []
+    for name, checks in groups.items():
+        worst = max(checks, key=_share)
+        what = checks[0].get("description") or name.replace("_", " ")
+        what = what[0].upper() + what[1:]
+        where = f" ({worst['scene']})" if worst["scene"] else ""
+        count = f", {len(checks)} scenes" if len(checks) > 1 else ""
+        sense = "at least " if worst.get("sense") == ">=" else "at most "
+        sense = sense if isinstance(worst["limit"], (int, float)) else ""
+        rows.append(_row(what + count, show(worst["measured"]) + where,
+                         sense + show(worst["limit"]), all(map(load.passed, checks))))
+    return rows
+
+
+def _gate_not_run(verify):
+    if not verify or not verify.checks:
+        return [["The limits that hold a release (dsc_verify run)", "–", "–", OPEN]]
+    names = [c["check"].replace("_", " ") for c in verify.not_run]
+    return [["Further checks of the gate: " + style.listing(names), "–", "–", OPEN]] if names else []
+
+
+def _bench_row(bench):
+    what = "Answers checked before they were timed"
+    if not bench:
+        return [what, "–", "–", OPEN]
+    refused = len(bench.refused)
+    count = style.counted(len(bench.measurements) + refused, "benchmark")
+    return _row(what, f"{refused} wrong of {count}", "0 wrong", not refused)
+
+
+def _precision_row(errors):
+    what = "The default method in flows whose exact result is known"
+    mine = [run for run in errors if run.method == precision_data.DEFAULT]
+    if not mine:
+        return [what, "–", "–", OPEN]
+    bad = sum(not run.holds for run in mine)
+    return _row(what, f"{bad} of {style.counted(len(mine), 'run')} lost a triangle or a vertex",
+                "0", not bad)
+
+
+def _hard_row(cases):
+    what = "Hard cases: huge steps, tiny and far coordinates, needles, NaN, contacts"
+    if not cases:
+        return [what, "–", "–", OPEN]
+    good = sum(case["holds"] for case in cases)
+    return _row(what, f"{good} of {len(cases)} hold", "all", good == len(cases))

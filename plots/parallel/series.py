@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: MIT
+"""Groups the rows of step benchmarks (FAMILY_step/strategy:S/triangles:N/...) into series, and
+computes S(n) = t_s / t_n and U(n) = S(n) / n (thesis, section 9.7) from medians.
+
+Rows come as two kinds that never mix: `rows` gives what was measured, `modelled` what the
+benchmark program modelled for more threads than the machine has."""
+import statistics
+from dataclasses import dataclass
+
+from look import style
+
+# Parts of a name in which two configurations never differ.
+STRUCTURAL = {"strategy", "triangles", "threads", "submeshes", "iterations", "repeats",
+              "min_time", "min_warmup_time", "warmup", "h", "steps", "modelled"}
+SERIAL = ("reference", "sequential")
+FAMILY_TITLES = {"scaling_step": "scaling of a circle", "four_circles_step": "four circles",
+                 "swirl_step": "swirl", "granularity_step": "scaling of a circle, many sizes"}
+MUCH = 0.25  # of all cores: from here on a measurement is marked
+GRANULARITY = "granularity_step"  # has a picture of its own
+
+
+@dataclass
+class Row:
+    """One configuration of one size: its times in microseconds per step."""
+
+    family: str
+    triangles: float
+    strategy: str
+    threads: int
+    submeshes: int
+    other: tuple        # parameters that tell configurations apart, sorted pairs
+    times: list
+    oversubscribed: bool
+    measurement: object
+    label: str = ""
+    modelled: bool = False  # computed for so many threads and not measured with them
+    loaded: bool = False    # measured while other programs kept MUCH of the cores busy
+
+    @property
+    def median(self):
+        return statistics.median(self.times)
+
+    @property
+    def doubtful(self):
+        return self.oversubscribed or self.loaded
+
+    def flags(self):
+        """Remarks to be printed beside the row's figures."""
+        words = ["oversubscribed"] if self.oversubscribed else []
+        return words + ([f"load {self.measurement.counter('load'):.1f}"] if self.loaded else [])
+
+
+@dataclass(frozen=True)
+class Point:
+    """S(n) of a row, the range over its repetitions, and what it was computed from."""
+
+    row: Row
+    base: Row
+    s: float
+    low: float
+    high: float
+
+    @property
+    def n(self):
+        return self.row.threads
+
+    @property
+    def u(self):
+        return self.s / self.row.threads
+
+    @property
+    def doubtful(self):
+        return self.row.doubtful or self.base.loaded
+
+    def flags(self):
+        """Remarks to be printed beside S(n), on the row and on the sequential run."""
+        return self.row.flags() + [f"sequential run: {w}" for w in self.base.flags()]
+
+
+def title(family):
+    if family in FAMILY_TITLES:
+        return FAMILY_TITLES[family]
+    return family[:-5].replace("_", " ") if family.endswith("_step") else family
+
+
+def rows(bench):
+    """All measured step rows; two rows of one label differ in threads or size only."""
+    return _labelled([r for r in _all(bench) if not r.modelled])
+
+
+def modelled(bench):
+    """The modelled step rows, of several numbers of submeshes the fastest for each n."""
+    fastest = {}
+    for row in _all(bench):
+        key = (row.family, row.triangles, row.strategy, row.other, row.threads)
+        if row.modelled and (key not in fastest or row.median < fastest[key].median):
+            fastest[key] = row
+    return _labelled(list(fastest.values()))
+
+
+def _all(bench):
+    found = []
+    for m in bench.measurements:
+        triangles = m.number("triangles")
+        if not m.family.endswith("_step") or not m.strategy or not triangles:
+            continue
+        times = m.step_us()
+        if min(times) <= 0:
+            continue
+        threads = int(m.number("threads") or 1) if m.strategy not in SERIAL else 1
+        cores = bench.context.cores
+        model = bool(m.number("modelled")) or bool(m.counter("modelled"))
+        found.append(Row(
+            m.family, triangles, m.strategy, threads,
+            int(m.number("submeshes") or 0),
+            tuple(sorted((k, v) for k, v in m.params.items() if k not in STRUCTURAL)), times,
+            not model and (bool(m.counter("oversubscribed")) or 0 < cores < threads), m,
+            modelled=model, loaded=0 < MUCH * cores < (m.counter("load") or 0)))
+    return found
+
+
+def _labelled(found):
+    for row in found:
+        kin = [r for r in found if r.family == row.family and r.strategy == row.strategy]
+        words = [f"{k} {v}" for k, v in row.other
+                 if len({dict(r.other).get(k) for r in kin}) > 1]
+        twins = [r for r in kin if r.triangles == row.triangles and r.other == row.other]
+        if any(len({t.submeshes for t in twins if t.threads == u.threads}) > 1 for u in twins):
+            words.insert(0, f"{row.submeshes} submeshes" if row.submeshes else "as many as pay")
+        row.label = row.strategy + (f" ({', '.join(words)})" if words else "")
+    found.sort(key=lambda r: (r.family, r.triangles, style.order(r.strategy), r.label, r.threads))
+    return found
+
+
+def families(found):
+    names = sorted({r.family for r in found})
+    known = [f for f in FAMILY_TITLES if f in names]
+    return known + [f for f in names if f not in known]
+
+
+def base_of(row, found):
+    """The sequential row that a parallel row is compared with, or None."""
+    mine = dict(row.other)
+    fitting = [r for r in found if r.strategy == "sequential" and not r.modelled
+               and r.family == row.family
+               and r.triangles == row.triangles
+               and all(mine.get(k, v) == v for k, v in r.other)]
+    # If several fit, the one that shares most parameters.
+    return max(fitting, key=lambda r: len(set(r.other) & set(row.other)), default=None)
+
+
+def speedups(found, bases=None):
+    """A Point for each parallel row that has a sequential run beside it (in `bases`, which for
+    modelled rows are the measured ones)."""
+    points = []
+    for row in found:
+        base = None
+        if row.strategy not in SERIAL:
+            base = base_of(row, found if bases is None else bases)
+        if base is not None:
+            points.append(Point(row, base, base.median / row.median,
+                                base.median / max(row.times), base.median / min(row.times)))
+    return points
+
+
+def strategy_of(label):
+    """'cells, 2 threads' or 'cells (real float)' -> 'cells'."""
+    return label.partition(",")[0].partition(" (")[0]
+
+
+def by_label(items, label=lambda item: item.label):
+    """{label: items} in the order of the strategies."""
+    groups = {}
+    for item in items:
+        groups.setdefault(label(item), []).append(item)
+    return dict(sorted(groups.items(), key=lambda pair: (
+        style.order(strategy_of(pair[0])), pair[0])))
+
+
+def looks(labels):
+    """{label: (colour, marker)}; labels of one strategy share its colour and differ in marker."""
+    chosen, used = {}, {}
+    for label in labels:
+        colour, marker = style.look(strategy_of(label))
+        turn = used.setdefault(colour, 0)
+        used[colour] += 1
+        chosen[label] = (colour, marker if turn == 0 else style.SPARE[(turn - 1) % 4][1])
+    return chosen
