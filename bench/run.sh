@@ -216,6 +216,17 @@ run_hard_cases() {
     tail -n 1 "$report/hard.txt"
 }
 
+# The figures of the thesis, which the page shows as a section.
+run_gallery() {
+    local options=()
+    if $quick; then
+        options=(--quick)
+    fi
+    say "the thesis's figures"
+    "$python" plots/gallery/make.py --scene "$scene" --out "$report/gallery" "${options[@]}" \
+        </dev/null || failed+=("the thesis's figures")
+}
+
 draw() {
     local scenes=("$report"/scenes/*.json) verify=("$report"/gate/*.json)
     local errors=("$report"/precision/*.json) cases=()
@@ -256,6 +267,9 @@ say "gate, and the literal method, beside the scenes"
 beside run_gate_and_reference
 run_hard_cases
 run_scenes
+if [[ -f plots/gallery/make.py ]]; then
+    run_gallery
+fi
 await_beside "gate or literal method"
 draw || failed+=("plots")
 rm -rf "$frames"

@@ -88,11 +88,11 @@ def build(options):
     except OSError as fault:
         raise load.InputFault(f"{options.out} cannot be made: {fault.strerror}.") from fault
     drawn = drawing.draw_all(contents.tasks(results), options.out, options.formats, options.jobs)
-    links, body = contents.build(results, drawn, options.out)
+    sections = contents.build(results, drawn, options.out)
     text = page.document(
         "Deformable simplicial complexes: speed against error",
         "How well and how fast moving interfaces are kept on this machine, beside the figures of "
-        "the thesis and of other programs.", _head(contents.context(results)), links, body)
+        "the thesis and of other programs.", _head(contents.context(results)), sections)
     style.write_bytes(os.path.join(options.out, "index.html"), text.encode("utf-8"))
 
 

@@ -92,6 +92,10 @@ if $all; then
     install_packages "${guide_packages[@]}"
 fi
 
+if $all; then
+    install_packages "${browser_packages[@]}"
+fi
+
 if $with_release; then
     preset=release
     targets=()

@@ -11,6 +11,8 @@ build_packages=(cmake g++ ninja-build git libeigen3-dev libmetis-dev libboost-de
 # For the tests that only `verify/run.sh --all` needs.
 guide_packages=(doxygen)
 plot_packages=(python3 python3-matplotlib)
+# A browser for the test of the report's page.
+browser_packages=(chromium chromium-driver python3-selenium)
 # The sanitizer's own runtime is only recommended by clang-14, so it is named.
 tsan_packages=(clang-14 libclang-rt-14-dev libomp-14-dev)
 

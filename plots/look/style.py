@@ -43,10 +43,11 @@ PHASE_FILLS = ["#EDF1F4", "#A9D3EE", "#F7D99A", "#A6DCC6", "#E6C3D6", "#F3B48F",
 INTERFACE = "#C24E00"
 EDGE = "#93A1AC"
 
-PNG_DPI = 160
+PNG_DPI = 120
+MESH_DPI = 160      # of what has no vector format beside it
 RASTER_DPI = 220    # of what is an image inside vector formats
-PAGE_WIDTH = 1280   # pixels: a page is 1088 wide, and some screens show two for one
-MESH_QUALITY = 70   # of 100
+PAGE_WIDTH = 1100   # pixels of a mesh: as wide as a page
+MESH_QUALITY = 60   # of 100
 
 
 @dataclass
@@ -254,19 +255,17 @@ def settle(fig):
         axes.set_position([round(value, 6) for value in axes.get_position(original=True).bounds])
 
 
-def png_bytes(fig):
+def png_bytes(fig, is_mesh=False):
     buffer = io.BytesIO()
-    fig.savefig(buffer, format="png", dpi=PNG_DPI)
+    fig.savefig(buffer, format="png", dpi=MESH_DPI if is_mesh else PNG_DPI)
     return buffer.getvalue()
 
 
 def for_page(png, is_mesh):
-    """(bytes, (width, height)): the picture as WebP and as large as a page shows it.
-
-    Flat drawings are smallest without loss, meshes of many triangles are not.
-    """
+    """(bytes, (width, height)): the picture as WebP. Flat drawings are smallest without loss and at
+    the size at which they were drawn, meshes of many triangles are not."""
     image = Image.open(io.BytesIO(png)).convert("RGB")
-    if image.width > PAGE_WIDTH:
+    if is_mesh and image.width > PAGE_WIDTH:
         height = round(image.height * PAGE_WIDTH / image.width)
         image = image.resize((PAGE_WIDTH, height), Image.LANCZOS)
     buffer = io.BytesIO()
@@ -297,11 +296,11 @@ def few_colours(png):
     return buffer.getvalue()
 
 
-def save(fig, out, name, formats, shown=False):
+def save(fig, out, name, formats, is_mesh=False, shown=False):
     """Writes the figure in every format and closes it; returns it as PNG with all its colours where
     it is to be shown."""
     settle(fig)
-    full = png_bytes(fig) if shown or "png" in formats else None
+    full = png_bytes(fig, is_mesh) if shown or "png" in formats else None
     for form in formats:
         if form == "png":
             data = few_colours(full)

@@ -7,6 +7,7 @@ import pathlib
 from functools import partial
 
 from accuracy import convergence, hard_cases, precision, precision_data
+from look import style
 from mesh import frames, histograms
 from page import document as page
 from page import drawing, findings, tables, verdicts
@@ -14,6 +15,7 @@ from parallel import (breakdown, granularity, per_operation, series, speedup, st
                       submeshes)
 from results import load
 
+FIRST = ("swirl", "drop-and-pool", "grains")  # the meshes that are shown before others
 PLOTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
@@ -21,7 +23,9 @@ def tasks(results):
     """[(section, function that gives Pictures)]"""
     bench, published = results["bench"], results["published"]
     scenes, drawn_by = results["scenes"], _context_of_scenes(results)
-    found = [("frames", partial(frames.draw, [run], drawn_by)) for run in results["runs"]]
+    runs = sorted(results["runs"], key=lambda run: (
+        FIRST.index(run[0]) if run[0] in FIRST else len(FIRST)))
+    found = [("frames", partial(frames.draw, [run], drawn_by)) for run in runs]
     if bench:
         found += [("steps", partial(step_cost.draw, bench, published)),
                   ("speedup", partial(speedup.draw, bench, published)),
@@ -79,39 +83,41 @@ class Contents:
     """The sections, in the order in which they are added."""
 
     def __init__(self, drawn):
-        self.drawn, self.links, self.body = drawn, [], ""
+        self.drawn, self.sections = drawn, []
 
-    def pictures(self, *names):
-        return "".join(page.figure(d) for name in names for d in self.drawn.get(name, []))
+    def pictures(self, name, shown=99):
+        """The first pictures of a section; the others are folded."""
+        found = [page.figure(d) for d in self.drawn.get(name, [])]
+        more = "".join(found[shown:])
+        return "".join(found[:shown]) + (page.fold(
+            f"{style.counted(len(found[shown:]), 'picture')} more", more) if more else "")
 
     def show(self, identifier, title, inside, missing=""):
         if inside or missing:
-            self.links.append((identifier, title))
-            self.body += page.section(identifier, title,
-                                      inside or page.paragraph(missing, "note"))
+            self.sections.append((identifier, title, inside or page.paragraph(missing, "note")))
 
     def look_up(self, identifier, title, lead, inside, missing):
-        self.links.append((identifier, title))
-        self.body += page.part(identifier, title, lead,
-                               inside or page.paragraph(missing, "note"))
+        self.sections.append((identifier, title, inside or page.paragraph(missing, "note"), lead))
 
 
 def build(results, drawn, out):
-    """(links, body) of the page."""
-    bench, published, verify = results["bench"], results["published"], results["verify"]
+    """The sections of the page, in order."""
+    bench = results["bench"]
     contents = Contents(drawn)
     header, rows, classes = verdicts.verdicts(results)
     contents.show("found", "What was found",
                   page.listed(findings.sentences(results), "found") + tables.refusals(bench)
                   + page.table(header, rows, classes, "Verdicts"))
-    contents.show("frames", "The meshes", contents.pictures("frames"), _no_frames(results))
+    contents.show("frames", "The meshes", contents.pictures("frames", len(FIRST)),
+                  _no_frames(results))
     contents.show("thesis", "The thesis's figures", gallery(results, out))
-    contents.show("steps", "Time of a step", contents.pictures("steps"), _no_bench(bench))
-    contents.show("speedup", "Several threads", contents.pictures("speedup"), _no_bench(bench))
-    contents.show("precision", "Error against time", contents.pictures("precision", "convergence"),
+    contents.show("steps", "Time of a step", contents.pictures("steps", 1), _no_bench(bench))
+    contents.show("speedup", "Several threads", contents.pictures("speedup", 1), _no_bench(bench))
+    contents.show("precision", "Error against time",
+                  contents.pictures("precision", 1) + contents.pictures("convergence"),
                   "Errors against times (dsc_precision) were not measured.")
     _details(contents, results, out)
-    return contents.links, contents.body
+    return contents.sections
 
 
 def _details(contents, results, out):

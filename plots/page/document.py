@@ -52,11 +52,12 @@ def table(header, rows, classes=None, name="table"):
     cells = [[str(cell) for cell in row] for row in rows]
     columns = [[row[k] for row in cells] for k in range(len(header))]
     values = [_values(column) for column in columns]
-    long = [any(len(text) > 60 for text in column) for column in columns]
+    most = [max((len(text) for text in column), default=0) for column in columns]
 
     def kinds(row, column):
-        words = ["n" if values[column] and all(len(t) < 24 for t in columns[column]) else "",
-                 "wide" if long[column] else "", classes.get((row, column), "")]
+        words = ["n" if values[column] and most[column] < 24 else "",
+                 "wide" if most[column] > 60 else "tight" if most[column] < 24 else "",
+                 classes.get((row, column), "")]
         words = " ".join(word for word in words if word)
         return f' class="{words}"' if words else ""
 
@@ -89,7 +90,7 @@ def figure(drawn):
     width, height = drawn.size
     title = escape(drawn.title)
     inside = (f'<figure><div class="picture" tabindex="0" role="region" aria-label="{title}">'
-              f'<img alt="{title}" width="{width}" height="{height}" decoding="async" '
+              f'<img alt="{title}" width="{width}" height="{height}" '
               f'src="data:image/webp;base64,{data}"></div>\n'
               f"<figcaption>{escape(drawn.sentence)}</figcaption></figure>\n")
     more = paragraph(drawn.details) if drawn.details else ""
@@ -106,12 +107,10 @@ def facts(pairs):
                             for k, v in pairs if v) + "</dl>"
 
 
-def section(identifier, title, inside):
-    return f'<section id="{identifier}"><h2>{escape(title)}</h2>\n{inside}</section>\n'
-
-
-def part(identifier, title, lead, inside):
-    """A section that is folded until somebody wants to know."""
+def _section(identifier, title, inside, lead=None):
+    """Where a lead says what is in it, the section is folded until somebody wants to know."""
+    if lead is None:
+        return f'<section id="{identifier}"><h2>{escape(title)}</h2>\n{inside}</section>\n'
     return (f'<details class="part" id="{identifier}"><summary>{escape(title)} '
             f"<small>{escape(lead)}</small></summary>\n{inside}</details>\n")
 
@@ -121,15 +120,16 @@ def _beside(name):
         return stream.read()
 
 
-def document(title, lead, head, links, body):
-    """links: [(identifier, title)]"""
-    found = "".join(f'<a href="#{i}">{escape(t)}</a>' for i, t in links)
+def document(title, lead, head, sections):
+    """sections: [(identifier, title, html)], with a fourth text for those that are folded."""
+    links = "".join(f'<a href="#{i}">{escape(t)}</a>' for i, t, *_ in sections)
+    body = "".join(_section(*words) for words in sections)
     return ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
             '<meta name="viewport" content="width=device-width, initial-scale=1">'
             f'<link rel="icon" href="data:,"><title>{escape(title)}</title>'
             f"<style>{_beside('page.css')}</style></head>\n<body>"
             f"<header><h1>{escape(title)}</h1>{paragraph(lead)}{head}</header>\n"
-            f'<nav aria-label="Sections">{found}</nav>\n<main>{body}</main>\n'
+            f'<nav aria-label="Sections">{links}</nav>\n<main>{body}</main>\n'
             "<footer>Every sentence and picture above is computed from the result files linked at "
             f"the end; the same files give the same page.</footer>\n"
             f"<script>{_beside('page.js')}</script></body></html>\n")

@@ -31,7 +31,8 @@ def _draw(index):
     result = []
     for picture in draw():
         kept = [form for form in formats if form == "png" or not picture.is_mesh]
-        png = style.save(picture.figure, out, picture.name, kept, shown=True)
+        png = style.save(picture.figure, out, picture.name, kept, picture.is_mesh,
+                         shown=True)
         webp, size = style.for_page(png, picture.is_mesh)
         result.append(Drawn(picture.name, picture.title, picture.sentence, picture.details,
                             picture.header, picture.rows, webp, size,

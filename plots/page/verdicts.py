@@ -8,7 +8,7 @@ from results import load
 
 PASS, FAIL, OPEN = "✓ pass", "✗ fail", "not run"
 CLASSES = {PASS: "good", FAIL: "bad", OPEN: "open"}
-HEADER = ["what", "worst result", "held to", "verdict"]
+HEADER = ["verdict", "what", "worst result", "held to"]
 
 
 def verdicts(results):
@@ -17,18 +17,22 @@ def verdicts(results):
         _bench_row(results["bench"]), _precision_row(results["precision"]),
         _hard_row(results["hard"])] + _gate_not_run(results["verify"])
     order = {FAIL: 0, PASS: 1, OPEN: 2}
-    rows.sort(key=lambda row: order[row[3]])
-    return HEADER, rows, {(k, 3): CLASSES[row[3]] for k, row in enumerate(rows)}
+    rows.sort(key=lambda row: order[row[0]])
+    return HEADER, rows, {(k, 0): CLASSES[row[0]] for k, row in enumerate(rows)}
 
 
 def _row(what, result, limit, good):
-    return [what, result, limit, PASS if good else FAIL]
+    return [PASS if good else FAIL, what, result, limit]
+
+
+def _not_run(what):
+    return [OPEN, what, "–", "–"]
 
 
 def _scene_row(scenes):
     what = "No triangle turned over and every vertex at its target, in all runs of scenes"
     if not scenes:
-        return [what, "–", "–", OPEN]
+        return _not_run(what)
     bad = sum(lost(s) for s in scenes)
     return _row(what, f"{style.whole(bad)} in {style.counted(len(scenes), 'run')}", "0", bad == 0)
 
@@ -45,7 +49,10 @@ def _share(check):
 def show(value):
     if isinstance(value, bool) or value is None:
         return "–" if value is None else str(value).lower()
-    return style.digits(value, 3) if isinstance(value, (int, float)) else str(value)
+    if not isinstance(value, (int, float)):
+        return str(value)
+    return style.whole(value) if value % 1 == 0 and abs(value) < 1e6 \
+        else style.digits(value, 3)
 
 
 def _gate_rows(verify):
@@ -59,8 +66,7 @@ def _gate_rows(verify):
         what = what[0].upper() + what[1:]
         where = f" ({worst['scene']})" if worst["scene"] else ""
         count = f", {len(checks)} scenes" if len(checks) > 1 else ""
-        sense = "at least " if worst.get("sense") == ">=" else "at most "
-        sense = sense if isinstance(worst["limit"], (int, float)) else ""
+        sense = {">=": "at least ", "<=": "at most "}.get(worst.get("sense"), "")
         rows.append(_row(what + count, show(worst["measured"]) + where,
                          sense + show(worst["limit"]), all(map(load.passed, checks))))
     return rows
@@ -68,15 +74,15 @@ def _gate_rows(verify):
 
 def _gate_not_run(verify):
     if not verify or not verify.checks:
-        return [["The limits that hold a release (dsc_verify run)", "–", "–", OPEN]]
+        return [_not_run("The limits that hold a release (dsc_verify run)")]
     names = [c["check"].replace("_", " ") for c in verify.not_run]
-    return [["Further checks of the gate: " + style.listing(names), "–", "–", OPEN]] if names else []
+    return [_not_run("Further checks of the gate: " + style.listing(names))] if names else []
 
 
 def _bench_row(bench):
     what = "Answers checked before they were timed"
     if not bench:
-        return [what, "–", "–", OPEN]
+        return _not_run(what)
     refused = len(bench.refused)
     count = style.counted(len(bench.measurements) + refused, "benchmark")
     return _row(what, f"{refused} wrong of {count}", "0 wrong", not refused)
@@ -86,7 +92,7 @@ def _precision_row(errors):
     what = "The default method in flows whose exact result is known"
     mine = [run for run in errors if run.method == precision_data.DEFAULT]
     if not mine:
-        return [what, "–", "–", OPEN]
+        return _not_run(what)
     bad = sum(not run.holds for run in mine)
     return _row(what, f"{bad} of {style.counted(len(mine), 'run')} lost a triangle or a vertex",
                 "0", not bad)
@@ -95,6 +101,6 @@ def _precision_row(errors):
 def _hard_row(cases):
     what = "Hard cases: huge steps, tiny and far coordinates, needles, NaN, contacts"
     if not cases:
-        return [what, "–", "–", OPEN]
+        return _not_run(what)
     good = sum(case["holds"] for case in cases)
     return _row(what, f"{good} of {len(cases)} hold", "all", good == len(cases))

@@ -93,7 +93,7 @@ def verify(verdict="pass"):
 
     return {"machine": "a machine", "commit": "c0ffee", "checks": [
         {"check": "area drift", "scene": "swirl", "measured": 1e-5, "limit": 1e-4,
-         "verdict": verdict, "unit": "1"},
+         "verdict": verdict, "unit": "1", "sense": "<="},
         {"check": "same bits", "scene": "swirl", "measured": True, "limit": True,
          "verdict": "pass", "unit": ""}],
         "histograms": [shape("sequential", [10, 60, 30]), shape("cells", [20, 50, 30])]}
@@ -102,9 +102,9 @@ def verify(verdict="pass"):
 class Case(unittest.TestCase):
     def setUp(self):
         # Nobody looks at these pictures.
-        dpi = style.PNG_DPI
-        style.PNG_DPI = 40
-        self.addCleanup(setattr, style, "PNG_DPI", dpi)
+        for name in ("PNG_DPI", "MESH_DPI"):
+            self.addCleanup(setattr, style, name, getattr(style, name))
+            setattr(style, name, 40)
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name

@@ -329,7 +329,7 @@ class Parallel(Case):
         self.assertIn("copy / cells", page)
         found = 0
         for line in re.findall(r"<tr>.*?</tr>", page):
-            if "<td>cells</td>" in line and re.search(r'<td class="n"[^>]*>(8|16)</td>', line):
+            if ">cells</td>" in line and re.search(r'<td class="n[^>]*>(8|16)</td>', line):
                 self.assertIn("modelled", line)
                 found += 1
         self.assertGreater(found, 0)

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+"""The page as a browser shows it: that of made-up results, or the one that DSC_REPORT names.
+
+Needs Chromium, its driver and python3-selenium. DSC_SCREENSHOTS names a folder for pictures of the
+page at all widths.
+"""
+import os
+import unittest
+
+from selenium.webdriver.common.keys import Keys
+
+from tests.browser import FOCUS, OVERFLOWS, UNREADABLE, Browser
+from tests.samples import Case
+
+WIDTHS = (400, 1000, 1600)
+
+
+class Page(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser(os.environ.get("DSC_CHROMEDRIVER", "chromedriver"),
+                              os.environ.get("DSC_CHROMIUM", "chromium"))
+        cls.addClassCleanup(cls.browser.close)
+
+    def setUp(self):
+        super().setUp()
+        self.page = os.environ.get("DSC_REPORT")
+        if not self.page:
+            status, errors, _ = self.run_report(*self.inputs(), "--formats", "png")
+            self.assertEqual((status, errors), (0, ""))
+            self.page = os.path.join(self.folder, "out", "index.html")
+        self.page = os.path.abspath(self.page)
+
+    def test_opens_from_disk_without_network_or_error(self):
+        self.browser.show(self.page)
+        self.browser.unfold()
+        pictures = self.browser.ask(
+            "return Array.from(document.images, (i) => [i.alt, i.complete && i.naturalWidth > 0]);")
+        self.assertGreater(len(pictures), 0)
+        self.assertEqual([alt for alt, loaded in pictures if not loaded], [])
+        self.assertEqual([alt for alt, _ in pictures if not alt], [])
+        others = self.browser.ask(
+            "return performance.getEntriesByType('resource').map((e) => e.name)"
+            ".filter((n) => !n.startsWith('data:'));")
+        self.assertEqual(others, [])
+        self.assertEqual(self.browser.errors(), [])
+
+    def test_every_link_leads_somewhere(self):
+        self.browser.show(self.page)
+        links = self.browser.ask(
+            "return Array.from(document.links, (a) => a.getAttribute('href'));")
+        self.assertGreater(len(links), 5)
+        for link in links:
+            if link.startswith("#"):
+                self.assertTrue(self.browser.ask(
+                    "return !!document.getElementById(arguments[0]);", link[1:]), link)
+            else:
+                self.assertTrue(os.path.isfile(os.path.join(os.path.dirname(self.page), link)),
+                                link)
+
+    def test_fits_and_can_be_read_at_every_width(self):
+        for width in WIDTHS:
+            for dark in (False, True):
+                with self.subTest(width=width, dark=dark):
+                    self.browser.show(self.page, width, dark)
+                    self.take_pictures(width, dark, "folded")
+                    self.assertEqual(self.browser.ask(OVERFLOWS), [])
+                    self.browser.unfold()
+                    self.take_pictures(width, dark, "unfolded")
+                    self.assertEqual(self.browser.ask(OVERFLOWS), [])
+                    self.assertEqual(self.browser.ask(UNREADABLE), [])
+
+    def take_pictures(self, width, dark, state):
+        folder = os.environ.get("DSC_SCREENSHOTS")
+        if folder:
+            tall = self.browser.ask("return document.documentElement.scrollHeight;")
+            name = f"{width}_{'dark' if dark else 'light'}_{state}.png"
+            self.browser.screenshot(os.path.join(folder, name), width, min(tall, 16000))
+
+    def test_dark_and_light_differ(self):
+        ground = "return getComputedStyle(document.body).backgroundColor;"
+        self.browser.show(self.page, dark=False)
+        light = self.browser.ask(ground)
+        self.browser.show(self.page, dark=True)
+        self.assertNotEqual(self.browser.ask(ground), light)
+
+    def test_the_keyboard_reaches_everything_in_order(self):
+        self.browser.show(self.page)
+        first = self.browser.tab()
+        self.assertEqual(first["place"], 0)
+        for place in range(1, min(first["count"], 120)):
+            now = self.browser.tab()
+            self.assertIsNotNone(now, f"no focus at {place}")
+            self.assertEqual(now["place"], place, now["name"])
+            self.assertTrue(now["seen"], f"the focus cannot be seen on {now['name']}")
+
+    def test_tables_sort_by_enter(self):
+        self.browser.show(self.page)
+        self.browser.unfold()
+        column = """
+            const head = Array.from(document.querySelectorAll("th.n")).find((h) => new Set(
+              Array.from(h.closest("table").tBodies[0].rows, (r) => r.cells[h.cellIndex].dataset.v)
+              ).size > 2);
+            window.head = head;
+            head.querySelector("button").focus();"""
+        values = ("return Array.from(head.closest('table').tBodies[0].rows, "
+                  "(r) => Number(r.cells[head.cellIndex].dataset.v)).filter((v) => !isNaN(v));")
+        sense = ("return Array.from(head.parentElement.cells, (h) => [h === head, "
+                 "h.getAttribute('aria-sort')]);")
+        self.browser.ask(column)
+        before = self.browser.ask(values)
+        for direction, backwards in (("ascending", False), ("descending", True)):
+            self.browser.press(Keys.ENTER)
+            self.assertEqual(self.browser.ask(values), sorted(before, reverse=backwards))
+            for mine, said in self.browser.ask(sense):
+                self.assertEqual(said, direction if mine else "none")
+        self.assertEqual(self.browser.ask(FOCUS)["name"].split()[0], "BUTTON")
+
+    def test_a_link_opens_the_part_it_leads_to(self):
+        closed = "return document.querySelector('details.part:not([open])').id;"
+        opened = "return document.getElementById(arguments[0]).open;"
+        self.browser.show(self.page)
+        part = self.browser.ask(closed)
+        self.browser.ask("document.querySelector(`nav a[href='#${arguments[0]}']`).focus();", part)
+        self.browser.press(Keys.ENTER)
+        self.assertTrue(self.browser.ask(opened, part))
+        self.browser.show(f"{self.page}#{part}")
+        self.assertTrue(self.browser.ask(opened, part))
+
+
+if __name__ == "__main__":
+    unittest.main()

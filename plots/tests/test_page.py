@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: MIT
+"""Tests of the page itself: what it says first, its verdicts, its tables, its parts."""
+import os
+import re
+import sys
+
+from page import contents, document, findings, verdicts
+from results import load
+from tests.samples import PUBLISHED, Case, bench, hard_cases, scene, verify
+
+
+class Words(Case):
+    def results(self, **change):
+        found = {"bench": None, "scenes": [], "precision": [], "hard": None, "verify": None,
+                 "published": load.read_published(PUBLISHED), "frames": None, "runs": [],
+                 "divided": [], "files": []}
+        return {**found, **change}
+
+    def scenes(self, *runs):
+        return [load.read_scene(self.write(f"s{k}.json", run)) for k, run in enumerate(runs)]
+
+    def verify(self, change=lambda data: None):
+        data = verify()
+        change(data)
+        return load.read_verify([self.write("verify.json", data)])
+
+    # Five sentences.
+
+    def test_without_results_each_sentence_says_so(self):
+        for text in findings.sentences(self.results()):
+            self.assertRegex(text, r"^(No|Nothing) .*\.$|^The .* was not run, so .*nothing.*\.$")
+        self.assertEqual(len(findings.sentences(self.results())), 5)
+
+    def test_lost_vertices_are_named_first(self):
+        good, bad = scene(0.01, 1e-3, 1), {**scene(0.01, 1e-3, 1), "scene": "t1", "unreached": 2}
+        self.assertIn("2 runs of 1 scene no triangle", findings.meshes(self.scenes(good, good)))
+        self.assertEqual(findings.meshes(self.scenes(good, bad)),
+                         "In 1 of 2 runs triangles were turned over or vertices did not arrive: t1.")
+
+    def test_the_swirl_with_the_finest_edges_is_told(self):
+        runs = self.scenes(scene(0.01, 1e-3, 1), {**scene(0.005, 2e-4, 2), "area_ratio": 1.002})
+        text = findings.shape(runs, self.results()["published"])
+        self.assertIn("ends with 0.20 % more area than it had, and 0.020 % of it in the wrong", text)
+        self.assertIn("in the thesis it ended with 0.51 % less", text)
+        self.assertIn("says nothing", findings.shape([], {}))
+
+    def test_a_step_beside_the_literal_method(self):
+        results = load.read_bench([self.write("b.json", bench())])
+        self.assertEqual(findings.step(results),
+                         "One time step of a mesh of 28,000 triangles takes 110 µs on one thread; "
+                         "the thesis's method, written down literally, takes 220 ms, 2,000 times "
+                         "as long.")
+
+    def test_threads_beside_the_thesis(self):
+        data = bench()
+        text = findings.threads(load.read_bench([self.write("b.json", data)]),
+                                self.results()["published"])
+        self.assertIn("2 threads make such a step 2.00 times as fast at 28,000 triangles", text)
+        self.assertIn("1.47", text)
+        self.assertNotIn("busy", text)
+        for row in data["benchmarks"]:
+            row["load"] = 1.5
+        self.assertIn("other programs were busy", findings.threads(
+            load.read_bench([self.write("b.json", data)]), {}))
+
+    def test_limits_that_break_are_named(self):
+        self.assertEqual(findings.limits(self.verify()),
+                         "All 2 figures that the gate compared with limits are within them.")
+        broken = self.verify(lambda data: data["checks"][0].update(verdict="fail"))
+        self.assertIn("1 of 2 figures", findings.limits(broken))
+        self.assertIn("area drift (swirl)", findings.limits(broken))
+        part = self.verify(lambda data: data.update(not_run=[{"check": "other"}]))
+        self.assertIn("; 1 check of the gate was not run.", findings.limits(part))
+
+    # The table of verdicts.
+
+    def table(self, **change):
+        header, rows, classes = verdicts.verdicts(self.results(**change))
+        return {row[header.index("what")]: row[0] for row in rows}, rows, classes
+
+    def test_what_was_not_run_has_no_verdict(self):
+        found, rows, classes = self.table()
+        self.assertEqual(set(found.values()), {"not run"})
+        self.assertEqual(set(classes.values()), {"open"})
+        self.assertGreaterEqual(len(rows), 5)
+
+    def test_failures_come_first(self):
+        bad = hard_cases()
+        bad[0]["holds"] = False
+        _, rows, _ = self.table(hard=bad, verify=self.verify())
+        self.assertEqual([row[0] for row in rows],
+                         ["✗ fail"] + ["✓ pass"] * 2 + ["not run"] * 3)
+        self.assertEqual(rows[0][2], "1 of 2 hold")
+
+    def test_a_row_shows_the_worst_of_its_scenes(self):
+        def more(data):
+            drift = data["checks"][0]
+            drift["description"] = "area against the exact one"
+            data["checks"] += [{**drift, "scene": "near", "measured": 9e-5},
+                               {**drift, "scene": "angle", "measured": 25, "limit": 20,
+                                "sense": ">=", "check": "least angle"}]
+        found, rows, _ = self.table(verify=self.verify(more))
+        self.assertIn("Area against the exact one, 2 scenes", found)
+        self.assertIn(["✓ pass", "Area against the exact one, 2 scenes", "9.00e-5 (near)",
+                       "at most 1.00e-4"], rows)
+        self.assertIn("at least 20", [row[3] for row in rows])
+
+    def test_a_broken_limit_is_the_worst_of_its_scenes(self):
+        def more(data):
+            data["checks"].append({**data["checks"][0], "scene": "t1", "measured": None,
+                                   "verdict": "fail"})
+        _, rows, _ = self.table(verify=self.verify(more))
+        self.assertEqual(rows[0][::2], ["✗ fail", "– (t1)"])
+
+    def test_a_refused_benchmark_fails(self):
+        found, _, _ = self.table(bench=load.read_bench([self.write("b.json", bench())]))
+        self.assertEqual(found["Answers checked before they were timed"], "✗ fail")
+
+    # Tables.
+
+    def test_cells_have_values_in_one_unit(self):
+        for text, value in (("117 µs", 117e-6), ("1.18 ms", 1.18e-3), ("2,800,000", 2.8e6),
+                            ("1/128", 1 / 128), ("-0.5 %", -0.5), ("+11.1 %", 11.1),
+                            ("2.5e-4", 2.5e-4), ("0 in 19 runs", 0), ("–", None),
+                            ("✓ pass", None), ("cells", None), ("swirl 2", None)):
+            found = document.value_of(text)
+            self.assertEqual(found is None, value is None, text)
+            if value is not None:
+                self.assertAlmostEqual(found, value, msg=text)
+
+    def test_columns_of_numbers_carry_values(self):
+        text = document.table(["name", "time", ""], [["a", "2.00 ms", "x"], ["b", "30 µs", ""],
+                                                     ["c", "–", "3"]])
+        self.assertEqual(re.findall(r'data-v="([^"]*)"', text), ["0.002", "3e-05", "NaN"])
+        self.assertEqual(text.count('aria-sort="none"><button type="button">'), 3)
+        self.assertIn(">remarks</button>", text)
+
+    def test_texts_are_escaped(self):
+        text = document.table(["<a>"], [["<b>"]], name='"c"') + document.paragraph("<d>")
+        for word in ("<a>", "<b>", '""c""', "<d>"):
+            self.assertNotIn(word, text)
+
+    # Parts.
+
+    def test_the_gallery_has_its_place(self):
+        os.makedirs(os.path.join(self.folder, "gallery"))
+        self.write("gallery/__init__.py", "def section(results, out):\n"
+                   "    return f'<p>{out.name}: {len(results[\"scenes\"])} scenes</p>'\n")
+        self.addCleanup(setattr, contents, "PLOTS", contents.PLOTS)
+        self.addCleanup(sys.path.remove, self.folder)
+        before = sys.modules.pop("gallery", None)
+        contents.PLOTS = self.folder
+        sys.path.insert(0, self.folder)
+        try:
+            found = contents.build(self.results(), {}, os.path.join(self.folder, "out"))
+        finally:
+            sys.modules.pop("gallery", None)
+            if before:
+                sys.modules["gallery"] = before
+        names = [words[0] for words in found]
+        self.assertEqual(names[:3], ["found", "frames", "thesis"])
+        self.assertEqual(found[2][2], "<p>out: 0 scenes</p>")
+        contents.PLOTS = os.path.join(self.folder, "none")
+        self.assertNotIn("thesis", [w[0] for w in contents.build(self.results(), {}, "out")])
+
+    def test_results_are_linked(self):
+        words = ["--hard", self.write("out/hard.json", hard_cases()),
+                 "--verify", self.write("elsewhere.json", verify()), "--formats", "png"]
+        page = self.run_report(*words)[2]
+        self.assertIn('<a href="hard.json">hard.json</a>', page)
+        self.assertNotIn('href="../', page)
+        self.assertIn("<li>elsewhere.json</li>", page)
