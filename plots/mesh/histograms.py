@@ -66,8 +66,8 @@ def plain(scene, quantity, found):
             f"{style.digits(median(base))}{UNITS.get(quantity, '')} ({base.strategy})")
     most = furthest(found)
     if most:
-        text += (f"; no other way of running it moves more than {100 * most[0]:.1f} % of them "
-                 "past any value")
+        text += (f"; the other ways of running it differ in at most {100 * most[0]:.1f} % of the "
+                 "triangles")
     return text + "."
 
 

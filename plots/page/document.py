@@ -90,7 +90,7 @@ def figure(drawn):
     width, height = drawn.size
     title = escape(drawn.title)
     inside = (f'<figure><div class="picture" tabindex="0" role="region" aria-label="{title}">'
-              f'<img alt="{title}" width="{width}" height="{height}" '
+              f'<img alt="{title}" width="{width}" height="{height}" style="max-width:{width}px" '
               f'src="data:image/webp;base64,{data}"></div>\n'
               f"<figcaption>{escape(drawn.sentence)}</figcaption></figure>\n")
     more = paragraph(drawn.details) if drawn.details else ""
@@ -99,7 +99,7 @@ def figure(drawn):
     if drawn.files:
         more += ("<p>The picture as " + ", ".join(
             link(name, name.rpartition(".")[2].upper()) for name in drawn.files) + ".</p>")
-    return inside + (fold("The numbers" if drawn.rows else "More", more) if more else "")
+    return inside + (fold("The numbers" if drawn.rows else "Details", more) if more else "")
 
 
 def facts(pairs):

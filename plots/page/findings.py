@@ -81,7 +81,7 @@ def step(bench):
         factor = literal[0].median / mine[size].median
         text += (f"; the thesis's method, written down literally, takes "
                  f"{style.duration(literal[0].median)}, {style.digits(factor)} times as long")
-    return text + "."
+    return text + _doubt(mine[size].doubtful) + "."
 
 
 def threads(bench, published):
@@ -93,16 +93,18 @@ def threads(bench, published):
     for p in points:
         if p.n == most and (p.row.triangles not in best or p.s > best[p.row.triangles].s):
             best[p.row.triangles] = p
-    text = f"{most} threads make such a step " + style.listing(
-        f"{p.s:.2f} times as fast at {style.whole(size)} triangles"
-        for size, p in sorted(best.items()))
+    text = f"With {most} threads such a step is " + style.listing(
+        (f"{p.s:.2f} times as fast" if p.s >= 1 else f"{1 / p.s:.2f} times as slow")
+        + f" at {style.whole(size)} triangles" for size, p in sorted(best.items()))
     table = load.entry(published, "speedup", "scaling_table_10_1")
     theirs = [row["S"] for row in (table or {"values": []})["values"] if row["n"] == most]
     if theirs:
-        text += f"; the thesis's took {theirs[0]:.2f} as its gain on a machine of its own"
-    if any(p.doubtful for p in best.values()):
-        text += "; other programs were busy meanwhile, so these figures may be off"
-    return text + "."
+        text += f"; the thesis measured {theirs[0]:.2f} on its own machine"
+    return text + _doubt(any(p.doubtful for p in best.values())) + "."
+
+
+def _doubt(is_doubtful):
+    return "; other programs were busy meanwhile, so this may be off" if is_doubtful else ""
 
 
 def limits(verify):

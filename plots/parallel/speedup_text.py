@@ -38,9 +38,9 @@ def plain(family):
     if not within:
         return f"In the {scene}, nothing was measured with several threads and a core for each."
     best = max([p for p in within if not p.doubtful] or within, key=lambda p: p.s)
-    return (f"In the {scene}, {style.counted(best.n, 'thread')} shorten a step of "
-            f"{style.whole(best.row.triangles)} triangles from {style.duration(best.base.median)} "
-            f"to {style.duration(best.row.median)}, {best.s:.2f} times as fast"
+    return (f"In the {scene}, a step of {style.whole(best.row.triangles)} triangles takes "
+            f"{style.duration(best.base.median)} on one thread and "
+            f"{style.duration(best.row.median)} on {best.n}"
             + ("; hollow points are modelled and not measured." if family.models else "."))
 
 
