@@ -50,6 +50,10 @@ class Gate(CommandLine):
         self.assertTrue(result["checks"])
         self.assertEqual({c["verdict"] for c in result["checks"]}, {"pass"})
         self.assertEqual({c["check"] for c in result["checks"]}, {self.with_reference})
+        self.assertTrue(all(c["description"] for c in result["checks"] + result["not_run"]))
+        others = {c["check"] for c in result["not_run"]}
+        self.assertIn(self.cheap, others)
+        self.assertNotIn(self.with_reference, others)
         strategies = {h["strategy"] for h in result["histograms"]}
         self.assertEqual(strategies, {"sequential", "reference"})
 
