@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: MIT
+"""Runs what the table of figures names, draws it, and gives one Block for each figure."""
+from gallery import animation, charts, compare, figures, layout, mesh, runs, times
+from gallery.shared import style
+
+PIXELS = 340           # of a frame
+MOVING_FRAMES = 40     # of an animation
+VECTORS = ("position", "velocity", "displacement", "size")  # never the value of section 9.5
+
+
+def value_of(frame):
+    """The attribute at the vertices; throws NotRun where a frame has none."""
+    named = [name for name in frame.values if name not in VECTORS]
+    if not named:
+        raise runs.NotRun("The frames carry no value at their vertices.")
+    return frame.values[named[0]]
+
+
+def fills_of(row):
+    """The function from a frame to the colours of its triangles."""
+    if row.look == "values":
+        return lambda frame: mesh.value_fills(frame, value_of(frame))
+    return mesh.phase_fills
+
+
+class Builder:
+    def __init__(self, program, facts, quick=False):
+        self.program, self.facts, self.quick = program, facts, quick
+        self.failures = []  # sentences; a scene that is not there yet is no failure
+
+    def blocks(self, table=figures.FIGURES):
+        return [self.block(figure) for figure in table]
+
+    def block(self, figure):
+        known = self.facts.figure(figure.number)
+        section = known.source.split("section ")[1].split(",")[0]
+        block = layout.Block(figure.number, section, known.title, known.shows, known.source,
+                             [], [], [])
+        for index, part in enumerate(figure.parts):
+            try:
+                {figures.Row: self.row, figures.Histogram: self.histogram,
+                 figures.Times: self.times}[type(part)](block, part, index)
+            except runs.NotRun as fault:
+                if not isinstance(fault, runs.Missing):
+                    self.failures.append(f"{layout.heading(block)}: {fault}")
+                if str(fault) not in block.ours:
+                    block.ours.append(str(fault))
+        return block
+
+    def row(self, block, row, index):
+        moves = row.moves and not self.quick
+        run = self.program.run(row.plan, row.steps, MOVING_FRAMES if moves else 0)
+        block.ours += [compare.sentence(run), compare.conditions(run)]
+        name = f"figure-{block.number}" + (f"-{'abcd'[index]}" if index else "")
+        shown = set()
+        for step in row.steps:
+            number, path = run.nearest(step)
+            if number in shown:
+                continue  # fewer frames were written than are wanted
+            shown.add(number)
+            frame = run.frame(path)
+            text = f"{row.label}, step {number}" if row.label else f"Step {number}"
+            if number != step:
+                text += f" (the frame nearest to step {step})"
+            text += f": {style.whole(len(frame.triangles))} triangles."
+            text = text[0].upper() + text[1:]
+            if row.look == "shaded":
+                data = charts.shaded(frame, value_of(frame), row.label)
+                block.pictures.append(layout.Picture(f"{name}-step-{number}.png", data, text))
+            else:
+                data = mesh.webp(mesh.draw(frame, PIXELS, fills_of(row)(frame)))
+                block.pictures.append(layout.Picture(f"{name}-step-{number}.webp", data, text))
+        block.rows += compare.rows_of(row, run, self.facts)
+        if moves:
+            self.moving(block, row, run, name)
+
+    def moving(self, block, row, run, name):
+        frames = [run.frame(path) for _, path in run.frames]
+        data = animation.animate(frames, fills_of(row))
+        if data is None:
+            return
+        half = mesh.webp(mesh.draw(frames[len(frames) // 2], animation.PIXELS,
+                                   fills_of(row)(frames[len(frames) // 2])))
+        count = len(animation.picked(len(frames), animation.MOST_FRAMES))
+        text = f"{run.plan.scene} in motion: {style.counted(count, 'frame')} of its " \
+               f"{style.counted(run.last_step, 'step')}."
+        block.pictures.append(layout.Picture(f"{name}-moving.webp", data, text, half))
+
+    def histogram(self, block, part, index):
+        found = [(label, self.program.run(plan)) for label, plan in part.runs]
+        shown = []
+        for label, run in found:
+            item = run.result.get("histograms", {}).get(part.quantity)
+            if item is None:
+                raise runs.NotRun(f"{run.plan.scene} wrote no histogram of {part.quantity}.")
+            shown.append((label, item))
+        base = shown[0][1]
+        middle = charts.median(base["edges"], base["counts"])
+        mean = charts.mean(base["edges"], base["counts"])
+        text = (f"{style.whole(sum(base['counts']))} triangles with a median {part.quantity} of "
+                f"{style.digits(middle)}, {style.digits(middle / mean)} times the mean")
+        if len(shown) > 1:
+            gap, label = max((charts.largest_gap(item, base), label) for label, item in shown[1:]
+                             if item["edges"] == base["edges"])
+            text += (f"; the other cumulative curves differ from it by at most {100 * gap:.1f} % "
+                     f"of the triangles ({label})")
+        else:
+            text += ", where an exponential distribution has 0.693"
+        block.ours += [text + ".", "Dotted: median; dashed: the sequential run. "
+                       + compare.conditions(found[0][1])]
+        block.pictures.append(layout.Picture(
+            f"figure-{block.number}.png", charts.histogram(part.quantity, shown),
+            f"Distribution of the {part.quantity} of the triangles after the last step.",
+            wide=True))
+        known = self.facts.value(part.triangles) if part.triangles else None
+        for label, item in shown:
+            count = sum(item["counts"])
+            rows = known if item is base else None
+            block.rows.append((f"triangles, {label}", style.whole(rows) if rows else compare.NONE,
+                               style.whole(count), compare.ratio(count, rows)))
+
+    def times(self, block, part, index):
+        text, rows = times.table(self.program, part, self.facts)
+        block.ours.append(text)
+        block.rows += rows
+        if index == 0:
+            block.ours.append(times.conditions())

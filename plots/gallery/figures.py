@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""The table of the gallery: for each figure of the thesis's section 10, what we run and show.
+
+A scene that the program does not know yet is said to be missing, and appears as soon as it does.
+Edge lengths are those that give the thesis's number of triangles (translation, vortex,
+interpolation) or the length of its first edges (the swirling circle: 48 on its polygon).
+"""
+from dataclasses import dataclass
+
+from gallery.runs import Plan
+
+LARGE = ("h", 0.0525)   # 858 triangles, where the thesis has 884 and 903
+SMALL = ("h", 0.02)
+SWIRL = ("h", 0.0196)
+LEGS = ("h", 0.01)      # thin legs need short edges
+
+
+@dataclass(frozen=True)
+class Row:
+    """Frames of one run."""
+
+    plan: Plan
+    steps: tuple              # frames to be shown
+    label: str = ""           # tells rows of one figure apart
+    look: str = "phases"      # phases, values (the thesis's reds) or shaded (Gouraud)
+    moves: bool = True        # an animation beside the frames
+    triangles: str = ""       # the thesis's counts of triangles: an entry of the published figures
+    area_ratio: str = ""      # the thesis's ratio of areas: such an entry
+
+
+@dataclass(frozen=True)
+class Histogram:
+    """The distribution of a quantity at the end of several runs."""
+
+    quantity: str             # area or quality
+    runs: tuple               # of (label, Plan); the first is what the others are compared with
+    triangles: str = ""       # the thesis's number of triangles of the first: such an entry
+
+
+@dataclass(frozen=True)
+class Times:
+    """Times of one scene by numbers of threads."""
+
+    scene: str
+    entry: str                # the thesis's times
+    label: str
+
+
+@dataclass(frozen=True)
+class Figure:
+    number: str               # as in the thesis
+    parts: tuple              # of Row, Histogram and Times
+
+
+SCALING = (("sequential", Plan("speedup-scaling")),
+           ("four slabs", Plan("speedup-scaling", strategy="fixed", submeshes=4)),
+           ("four submeshes, created and merged", Plan("speedup-scaling", strategy="copy", submeshes=4)))
+VARYING = Plan("quality-varying", (("steps", 100),))
+
+
+def rotation(scene):
+    return (Row(Plan(scene, (LARGE,)), (0, 45, 90, 360)),)
+
+
+def interpolation(edge, look, steps, **more):
+    return Row(Plan("interpolation", (edge, ("steps", 160))), steps, look=look, **more)
+
+
+def combination(name, number):
+    """One of the four panels of figure 10.15."""
+    plan = Plan("quality-combinations", (("combination", name), ("steps", 30)))
+    return Row(plan, (30,), label=number, moves=False)
+
+
+FIGURES = (
+    Figure("10.1", (Row(Plan("translation", (LARGE,)), (0, 120, 240, 360),
+                        triangles="translation_triangles"),)),
+    Figure("10.2", (Row(Plan("translation-phase", (LARGE,)), (0, 120, 240, 360)),)),
+    Figure("10.3", (Row(Plan("scaling", (LARGE, ("steps", 100))), (0, 25, 50, 100)),)),
+    Figure("10.4", rotation("rotation-rectangle")),
+    Figure("10.5", rotation("rotation-crescent")),
+    Figure("10.6", (Row(Plan("vortex-square", (LARGE,)), (0, 250, 500),
+                        triangles="vortex_triangles", area_ratio="vortex_area_ratio"),)),
+    Figure("10.7", (interpolation(LARGE, "values", (0, 60, 100, 160),
+                                  triangles="interpolation_triangles"),)),
+    Figure("10.8", (interpolation(SMALL, "values", (0, 60, 100, 160), moves=False),)),
+    Figure("10.9", (interpolation(LARGE, "shaded", (60,), label="large triangles", moves=False),
+                    interpolation(SMALL, "shaded", (60,), label="small triangles", moves=False))),
+    Figure("10.10", (Row(Plan("zalesak", (SWIRL,)), (0, 314, 628)),)),
+    Figure("10.11", (Row(Plan("swirl", (SWIRL, ("steps", 260))), (0, 260, 520),
+                         label="2 x 260 steps", area_ratio="swirl_260_area_ratio"),
+                     Row(Plan("swirl", (SWIRL, ("steps", 420))), (420, 840),
+                         label="2 x 420 steps", area_ratio="swirl_420_area_ratio"))),
+    Figure("10.12", (Row(Plan("swirl-zalesak", (LEGS, ("steps", 800), ("dt", 0.005))),
+                         (0, 400, 800)),)),
+    Figure("10.13", (Histogram("area", SCALING, "histogram_triangles_sequential"),)),
+    Figure("10.14", (Histogram("quality", SCALING, "histogram_triangles_sequential"),)),
+    Figure("10.15", (combination("coarse-coarse", "coarse inside and outside"),
+                     combination("coarse-fine", "coarse inside, fine outside"),
+                     combination("fine-coarse", "fine inside, coarse outside"),
+                     combination("fine-fine", "fine inside and outside"))),
+    Figure("10.16", (Row(VARYING, (0, 50, 100)),)),
+    Figure("10.17", (Histogram("area", (("sequential", VARYING),)),)),
+    Figure("Table 10.1", (Times("speedup-scaling", "scaling_table_10_1", "growing circle"),
+                          Times("speedup-four-circles", "four_circles", "four circles"))),
+)

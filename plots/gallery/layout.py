@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""The gallery as HTML: pictures embedded while they fit into a budget, tables, sentences."""
+import base64
+import pathlib
+from dataclasses import dataclass
+
+from gallery.shared import page
+
+BUDGET = 2_000_000  # characters of the whole fragment, pictures in base64 included
+GRID = ("display:grid;grid-template-columns:repeat(auto-fit,minmax(min(15rem,100%),1fr));"
+        "gap:0 1.2rem;align-items:start")
+TYPES = {".webp": "image/webp", ".png": "image/png"}
+
+
+@dataclass
+class Picture:
+    """A picture, its one sentence, and what stands in for it where nothing may move."""
+
+    name: str           # of the file beside the page
+    data: bytes
+    sentence: str       # also the alternative text
+    still: bytes = b""  # of an animation: its first choice where motion is unwelcome; WebP
+    wide: bool = False  # takes the whole width
+
+    @property
+    def size(self):
+        """Characters of the picture in a page."""
+        return sum(4 * -(-len(part) // 3) for part in (self.data, self.still))
+
+
+@dataclass
+class Block:
+    """One figure of the thesis and ours."""
+
+    number: str
+    section: str
+    title: str
+    shows: str          # the thesis's, in our words
+    source: str
+    ours: list          # sentences
+    pictures: list
+    rows: list          # of (what, thesis, ours, ratio)
+
+
+def heading(block):
+    return f"{block.number if block.number[0].isalpha() else 'Figure ' + block.number}: {block.title}"
+
+
+def embedded(blocks, budget=BUDGET):
+    """The names of the pictures that fit: still ones first, then animations, in order."""
+    left = budget - sum(2500 + sum(len(text) for text in (b.shows, *b.ours)) for b in blocks)
+    names = set()
+    pictures = [picture for block in blocks for picture in block.pictures]
+    for picture in sorted(pictures, key=lambda picture: bool(picture.still)):
+        if picture.size <= left:
+            left -= picture.size
+            names.add(picture.name)
+    return names
+
+
+def _uri(name, data):
+    kind = TYPES[pathlib.PurePath(name).suffix]
+    return f"data:{kind};base64,{base64.b64encode(data).decode('ascii')}"
+
+
+def _picture(picture, within, beside):
+    text = page.escape(picture.sentence)
+    style = ' style="grid-column:1/-1"' if picture.wide else ""
+    if not within:
+        link = page.escape(beside + picture.name)
+        return (f'<figure{style}><figcaption><a href="{link}">{text}</a> <small>Beside this '
+                "page.</small></figcaption></figure>")
+    image = f'<img alt="{text}" src="{_uri(picture.name, picture.still or picture.data)}">'
+    if picture.still:
+        image = ('<picture><source media="(prefers-reduced-motion: no-preference)" '
+                 f'srcset="{_uri(picture.name, picture.data)}">{image}</picture>')
+    return f"<figure{style}>{image}<figcaption>{text}</figcaption></figure>"
+
+
+def block_html(block, names, beside=""):
+    """names: of the pictures that are embedded; beside: the way from the page to the others."""
+    parts = [f'<h3 id="thesis-{block.number.replace(" ", "-").lower()}">'
+             f"{page.escape(heading(block))}</h3>",
+             f"<p><strong>The thesis.</strong> {page.escape(block.shows)} "
+             f"<small>{page.escape(block.source)}</small></p>"]
+    parts += [f"<p><strong>Ours.</strong> {page.escape(block.ours[0])}</p>"] if block.ours else []
+    parts += [page.paragraph(text, "note") for text in block.ours[1:]]
+    if block.pictures:
+        parts.append(f'<div style="{GRID}">'
+                     + "".join(_picture(p, p.name in names, beside) for p in block.pictures)
+                     + "</div>")
+    if block.rows:
+        parts.append(page.table(["what", "thesis", "ours", "ours / thesis"], block.rows))
+    return "\n".join(parts) + "\n"
+
+
+def fragment(blocks, beside="", budget=BUDGET):
+    """The gallery as a part of another page."""
+    names = embedded(blocks, budget)
+    return "".join(block_html(block, names, beside) for block in blocks)
+
+
+def document(blocks, head):
+    """The gallery as a page of its own."""
+    names = embedded(blocks)
+    sections = {}
+    for block in blocks:
+        sections.setdefault(block.section, []).append(block)
+    return page.document(
+        "The thesis's figures, and ours", "Each figure and table of section 10 of the thesis in "
+        "our own words, and what this library makes of the same experiment.", head,
+        [(f"section-{number.replace('.', '-')}", f"{number} {TITLES.get(number, '')}".strip(),
+          "".join(block_html(block, names) for block in inside))
+         for number, inside in sections.items()])
+
+
+TITLES = {"10.1": "Translation", "10.2": "Scaling", "10.3": "Rotation", "10.4": "Vortex",
+          "10.5": "Interpolation", "10.6": "Enright's tests", "10.7": "Speed-up",
+          "10.8": "Quality"}
