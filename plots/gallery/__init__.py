@@ -10,12 +10,12 @@ import tempfile
 
 from gallery import build, layout, thesis
 from gallery.runs import NotRun, Program
-from gallery.shared import style
+from gallery.shared import page, style
 
 PART = "section.html"
 
 
-def make(program, out, quick=False):
+def write(program, out, quick=False):
     """Runs and draws everything; writes pictures, gallery.html and the part for the report into
     `out`. Returns a sentence for each run that failed. Throws NotRun where the program cannot be
     run at all."""
@@ -26,7 +26,7 @@ def make(program, out, quick=False):
     for block in blocks:
         for picture in block.pictures:
             style.write_bytes(str(out / picture.name), picture.data)
-    head = ""
+    head = page.facts(builder.context)
     style.write_bytes(str(out / "gallery.html"), layout.document(blocks, head).encode("utf-8"))
     style.write_bytes(str(out / PART), layout.fragment(blocks, f"{out.name}/").encode("utf-8"))
     return builder.failures
@@ -40,5 +40,5 @@ def section(results, out):
     if not (folder / PART).is_file():
         if not results.get("scene"):
             return None
-        make(results["scene"], folder, bool(results.get("quick")))
+        write(results["scene"], folder, bool(results.get("quick")))
     return (folder / PART).read_text(encoding="utf-8")

@@ -4,13 +4,13 @@ import io
 
 from gallery import mesh
 
-PIXELS = 260
-MOST_FRAMES = 60
-LARGEST = 250_000  # bytes
-QUALITIES = (52, 38, 24, 12)  # the first one that is small enough
-BEAT = 90      # milliseconds a frame
+PIXELS = 230
+MOST_FRAMES = 30
+LARGEST = 50_000  # bytes: a dozen share a page
+QUALITIES = (48, 36, 26, 18, 12, 6)  # the first one that is small enough
+BEAT = 110    # milliseconds a frame
 PAUSE = 1200   # for the last one
-EDGE = "#B9C3CA"  # lighter than in a still picture, where nothing moves
+EDGES = ("#BAC4CB", "#D2D9DE")  # of coarse and fine meshes: lighter than where nothing moves
 
 
 def picked(count, most):
@@ -21,6 +21,12 @@ def picked(count, most):
     return sorted({round(k * (count - 1) / (most - 1)) for k in range(most)})
 
 
+def still(frames, fills=mesh.phase_fills):
+    """What is shown in its place where motion is unwelcome: the middle frame."""
+    frame = frames[len(frames) // 2]
+    return mesh.webp(mesh.draw(frame, PIXELS, fills(frame)), quality=40)
+
+
 def animate(frames, fills=mesh.phase_fills, largest=LARGEST):
     """The bytes of the animation, or None where it cannot be made small enough.
 
@@ -28,7 +34,8 @@ def animate(frames, fills=mesh.phase_fills, largest=LARGEST):
     chosen = [frames[k] for k in picked(len(frames), MOST_FRAMES)]
     if len(chosen) < 2:
         return None
-    images = [mesh.draw(f, PIXELS, fills(f), fine=2, edge=EDGE) for f in chosen]
+    edge = EDGES[len(chosen[0].triangles) > mesh.COARSE]
+    images = [mesh.draw(f, PIXELS, fills(f), fine=2, edge=edge) for f in chosen]
     pauses = [BEAT] * (len(images) - 1) + [PAUSE]
     for quality in QUALITIES:
         buffer = io.BytesIO()

@@ -3,8 +3,8 @@
 from gallery import animation, charts, compare, figures, layout, mesh, runs, times
 from gallery.shared import style
 
-PIXELS = 340           # of a frame
-MOVING_FRAMES = 40     # of an animation
+PIXELS = 300           # of a frame
+MOVING_FRAMES = 30     # of an animation
 VECTORS = ("position", "velocity", "displacement", "size")  # never the value of section 9.5
 
 
@@ -26,16 +26,17 @@ def fills_of(row):
 class Builder:
     def __init__(self, program, facts, quick=False):
         self.program, self.facts, self.quick = program, facts, quick
+        self.context = []   # of (name, text): where the runs were made
         self.failures = []  # sentences; a scene that is not there yet is no failure
 
-    def blocks(self, table=figures.FIGURES):
-        return [self.block(figure) for figure in table]
+    def blocks(self):
+        return [self.block(figure) for figure in figures.FIGURES]
 
     def block(self, figure):
         known = self.facts.figure(figure.number)
         section = known.source.split("section ")[1].split(",")[0]
         block = layout.Block(figure.number, section, known.title, known.shows, known.source,
-                             [], [], [])
+                             [], [], [], [])
         for index, part in enumerate(figure.parts):
             try:
                 {figures.Row: self.row, figures.Histogram: self.histogram,
@@ -50,7 +51,8 @@ class Builder:
     def row(self, block, row, index):
         moves = row.moves and not self.quick
         run = self.program.run(row.plan, row.steps, MOVING_FRAMES if moves else 0)
-        block.ours += [compare.sentence(run), compare.conditions(run)]
+        block.ours.append(compare.sentence(row, run, self.facts))
+        block.notes.append(compare.conditions(run))
         name = f"figure-{block.number}" + (f"-{'abcd'[index]}" if index else "")
         shown = set()
         for step in row.steps:
@@ -66,11 +68,19 @@ class Builder:
             text = text[0].upper() + text[1:]
             if row.look == "shaded":
                 data = charts.shaded(frame, value_of(frame), row.label)
-                block.pictures.append(layout.Picture(f"{name}-step-{number}.png", data, text))
+                block.pictures.append(layout.Picture(f"{name}-step-{number}.webp", data, text))
             else:
                 data = mesh.webp(mesh.draw(frame, PIXELS, fills_of(row)(frame)))
                 block.pictures.append(layout.Picture(f"{name}-step-{number}.webp", data, text))
+        if row.near:
+            step, path = run.nearest(row.steps[-1])
+            frame = run.frame(path)
+            data = mesh.webp(mesh.draw(frame, PIXELS, fills_of(row)(frame), row.near))
+            block.pictures.append(layout.Picture(
+                f"{name}-near.webp", data,
+                f"A part of step {step}, {row.near[2]:g} of the domain wide."))
         block.rows += compare.rows_of(row, run, self.facts)
+        self.context = self.context or compare.machine(run)
         if moves:
             self.moving(block, row, run, name)
 
@@ -79,12 +89,12 @@ class Builder:
         data = animation.animate(frames, fills_of(row))
         if data is None:
             return
-        half = mesh.webp(mesh.draw(frames[len(frames) // 2], animation.PIXELS,
-                                   fills_of(row)(frames[len(frames) // 2])))
         count = len(animation.picked(len(frames), animation.MOST_FRAMES))
-        text = f"{run.plan.scene} in motion: {style.counted(count, 'frame')} of its " \
-               f"{style.counted(run.last_step, 'step')}."
-        block.pictures.append(layout.Picture(f"{name}-moving.webp", data, text, half))
+        text = f"The run in motion, in {style.counted(count, 'frame')}."
+        if row.label:
+            text = f"{row.label}: {text[0].lower()}{text[1:]}"
+        block.pictures.append(layout.Picture(f"{name}-moving.webp", data, text,
+                                             animation.still(frames, fills_of(row))))
 
     def histogram(self, block, part, index):
         found = [(label, self.program.run(plan)) for label, plan in part.runs]
@@ -97,19 +107,22 @@ class Builder:
         base = shown[0][1]
         middle = charts.median(base["edges"], base["counts"])
         mean = charts.mean(base["edges"], base["counts"])
+        full = 100 * max(base["counts"]) / sum(base["counts"])
         text = (f"{style.whole(sum(base['counts']))} triangles with a median {part.quantity} of "
-                f"{style.digits(middle)}, {style.digits(middle / mean)} times the mean")
+                f"{compare.number(middle)}, {compare.number(middle / mean)} times the mean, and "
+                f"{full:.0f} % of them in the fullest bin")
         if len(shown) > 1:
             gap, label = max((charts.largest_gap(item, base), label) for label, item in shown[1:]
                              if item["edges"] == base["edges"])
             text += (f"; the other cumulative curves differ from it by at most {100 * gap:.1f} % "
                      f"of the triangles ({label})")
         else:
-            text += ", where an exponential distribution has 0.693"
-        block.ours += [text + ".", "Dotted: median; dashed: the sequential run. "
-                       + compare.conditions(found[0][1])]
+            text += "; the median of an exponential distribution is 0.693 times its mean"
+        block.ours.append(text + ".")
+        block.notes.append("Dotted: the median; dashed: the outline of the first panel. "
+                           + compare.conditions(found[0][1]))
         block.pictures.append(layout.Picture(
-            f"figure-{block.number}.png", charts.histogram(part.quantity, shown),
+            f"figure-{block.number}.webp", charts.histogram(part.quantity, shown),
             f"Distribution of the {part.quantity} of the triangles after the last step.",
             wide=True))
         known = self.facts.value(part.triangles) if part.triangles else None
@@ -124,4 +137,4 @@ class Builder:
         block.ours.append(text)
         block.rows += rows
         if index == 0:
-            block.ours.append(times.conditions())
+            block.notes.append(times.conditions())

@@ -4,6 +4,7 @@ import io
 from itertools import accumulate
 
 import numpy
+from PIL import Image
 
 from gallery import mesh
 from gallery.shared import style
@@ -14,11 +15,14 @@ COLOURS = (style.BLUE, style.ORANGE, style.VERMILLION)
 DPI = 110
 
 
-def _bytes(fig):
+def _bytes(fig, colours):
+    """The figure as lossless WebP of so many colours."""
     buffer = io.BytesIO()
     fig.savefig(buffer, format="png", dpi=DPI)
     style.plt.close(fig)
-    return buffer.getvalue()
+    image = Image.open(buffer).convert("RGB")
+    return mesh.webp(image.quantize(colours, dither=Image.Dither.NONE).convert("RGB"),
+                     lossless=True)
 
 
 def median(edges, counts):
@@ -42,7 +46,7 @@ def largest_gap(one, other):
 
 
 def histogram(quantity, shown):
-    """PNG of a panel for each of [(label, {"edges", "counts"})]; the first one's outline is drawn
+    """WebP of a panel for each of [(label, {"edges", "counts"})]; the first one's outline is drawn
     dashed in the others."""
     fig, grid = style.figure(0.4 + 3.0 * max(1.35, len(shown)), 2.75, 1, len(shown), sharex=True,
                              sharey=True)
@@ -65,11 +69,11 @@ def histogram(quantity, shown):
     low, high = base["edges"][used[0]], base["edges"][used[-1] + 1]
     grid[0][0].set_xlim(low - 0.03 * (high - low), high + 0.03 * (high - low))
     grid[0][0].set_ylabel("triangles in a bin (%)")
-    return _bytes(fig)
+    return _bytes(fig, 48)
 
 
 def shaded(frame, values, label):
-    """PNG of the values in Gouraud shading, blue by way of green and yellow to red; the interface
+    """WebP of the values in Gouraud shading, blue by way of green and yellow to red; the interface
     is black."""
     fig, grid = style.figure(4.1, 3.5)
     axes = grid[0][0]
@@ -83,4 +87,4 @@ def shaded(frame, values, label):
     axes.set_xlabel("x (domain units)")
     axes.set_ylabel("y (domain units)")
     fig.colorbar(colours, ax=axes, label="value at the vertices (no unit)")
-    return _bytes(fig)
+    return _bytes(fig, 250)

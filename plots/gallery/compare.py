@@ -14,43 +14,59 @@ def _named(label, text):
     return f"{label}: {text}" if label else text
 
 
+def number(value, count=3):
+    """A number in a sentence: its exponent does not move to the next line alone."""
+    return style.digits(value, count).replace("-", "\N{NON-BREAKING HYPHEN}")
+
+
+def off(result):
+    """The area between the shape and the exact one, as a part of the exact one's; or None."""
+    sd, area = result.get("sd_last"), result.get("area_exact_last")
+    return sd / area if sd is not None and area else None
+
+
 def rows_of(row, run, facts):
-    """The rows of the table for frames of a run; row: a figures.Row."""
+    """The rows of the table for frames of a run; none where the thesis gives no number.
+    row: a figures.Row."""
     theirs = facts.triangles(row.triangles) if row.triangles else {}
     rows = []
-    for step in row.steps:
+    for step, known in theirs.items():
         count = run.counts.get(step)
         if count is not None:
-            known = theirs.get(step)
-            rows.append((_named(row.label, f"triangles at step {step}"),
-                         style.whole(known) if known else NONE, style.whole(count),
-                         ratio(count, known)))
+            rows.append((_named(row.label, f"triangles at step {step}"), style.whole(known),
+                         style.whole(count), ratio(count, known)))
     area = run.result.get("area_ratio")
     if row.area_ratio and area is not None:
         known = facts.value(row.area_ratio)
-        rows.append((_named(row.label, "last area / first area"), f"{known:.7f}", f"{area:.7f}",
-                     ratio(area, known, 5)))
-        rows.append((_named(row.label, "area lost or gained, parts of the first"),
-                     style.digits(abs(known - 1)), style.digits(abs(area - 1)),
-                     ratio(abs(area - 1), abs(known - 1))))
-    for key, what in (("sd_rel_half", "symmetric difference half-way, parts of the first area"),
-                      ("sd_rel_last", "symmetric difference at the end, parts of the first area"),
-                      ("attribute_error_last", "largest error of the value")):
-        if run.result.get(key) is not None:
-            rows.append((_named(row.label, what), NONE, style.digits(run.result[key]), NONE))
+        rows += [(_named(row.label, "last area / first area"), f"{known:.7f}", f"{area:.7f}",
+                  ratio(area, known, 5)),
+                 (_named(row.label, "area lost or gained / first area"),
+                  style.digits(abs(known - 1)), style.digits(abs(area - 1)),
+                  ratio(abs(area - 1), abs(known - 1)))]
+        for key, when in (("sd_rel_half", "half-way"), ("sd_rel_last", "at the end")):
+            if run.result.get(key) is not None:
+                rows.append((_named(row.label, f"symmetric difference {when} / first area"), NONE,
+                             style.digits(run.result[key]), NONE))
     return rows
 
 
-def sentence(run):
+def sentence(row, run, facts):
     """What came out of a run."""
     result = run.result
-    text = (f"{run.plan.scene} goes from {style.whole(result['triangles_first'])} to "
+    text = (f"The scene {run.plan.scene} goes from {style.whole(result['triangles_first'])} to "
             f"{style.whole(result['triangles_last'])} triangles in "
             f"{style.counted(run.last_step, 'step')}")
-    sd = result.get("sd_rel_last")
-    if sd is not None:
-        text += (f" and ends with {style.digits(sd)} of its first area between its shape and the "
-                 "exact one")
+    if row.triangles:
+        counts = list(facts.triangles(row.triangles).values())
+        text += (f", {result['triangles_last'] / result['triangles_first']:.2f} times as many "
+                 f"(the thesis's: {counts[-1] / counts[0]:.2f} times)")
+    text = _named(row.label[:1].upper() + row.label[1:], text)
+    error = result.get("attribute_error_last")
+    if error is not None:
+        text += f"; its value is off by at most {number(error)}"
+    elif off(result) is not None:
+        text += (f"; its symmetric difference with the exact shape is {number(off(result))} of that "
+                 "shape's area at the end")
     bad = [f"{style.whole(result[key])} {what}" for key, what in (
         ("inverted", "inverted triangles"), ("unreached", "vertices that did not arrive"))
         if result.get(key)]
@@ -58,10 +74,14 @@ def sentence(run):
                    "; no triangle was inverted and every vertex arrived.")
 
 
+def machine(run):
+    return [("machine", str(run.result.get("machine") or "")),
+            ("commit", str(run.result.get("commit") or ""))]
+
+
 def conditions(run):
-    """How a run is repeated, and where it was made."""
+    """How a run is repeated."""
     result, p = run.result, run.result["parameters"]
     words = [f"h = {p['h']:g}", f"dt = {p['dt']:.4g}", str(p.get("integrator", "")),
-             f"{p.get('insertion', '')} insertion", str(p.get("real", "")), result["strategy"],
-             str(result.get("machine") or ""), f"commit {str(result.get('commit') or '')[:10]}"]
+             f"{p.get('insertion', '')} insertion", str(p.get("real", "")), result["strategy"]]
     return f"dsc_scene {run.plan}: " + ", ".join(w for w in words if w.strip()) + "."

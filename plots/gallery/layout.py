@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The gallery as HTML: pictures embedded while they fit into a budget, tables, sentences."""
 import base64
-import pathlib
 from dataclasses import dataclass
 
 from gallery.shared import page
 
 BUDGET = 2_000_000  # characters of the whole fragment, pictures in base64 included
-GRID = ("display:grid;grid-template-columns:repeat(auto-fit,minmax(min(15rem,100%),1fr));"
-        "gap:0 1.2rem;align-items:start")
-TYPES = {".webp": "image/webp", ".png": "image/png"}
+GRID = ("display:grid;grid-template-columns:repeat(auto-fill,minmax(min({}rem,100%),1fr));"
+        "gap:1rem 1.2rem;align-items:start")
 
 
 @dataclass
@@ -17,9 +15,9 @@ class Picture:
     """A picture, its one sentence, and what stands in for it where nothing may move."""
 
     name: str           # of the file beside the page
-    data: bytes
+    data: bytes         # WebP
     sentence: str       # also the alternative text
-    still: bytes = b""  # of an animation: its first choice where motion is unwelcome; WebP
+    still: bytes = b""  # of an animation: its first choice where motion is unwelcome
     wide: bool = False  # takes the whole width
 
     @property
@@ -37,7 +35,8 @@ class Block:
     title: str
     shows: str          # the thesis's, in our words
     source: str
-    ours: list          # sentences
+    ours: list          # sentences: what came out
+    notes: list         # sentences: conditions
     pictures: list
     rows: list          # of (what, thesis, ours, ratio)
 
@@ -48,7 +47,7 @@ def heading(block):
 
 def embedded(blocks, budget=BUDGET):
     """The names of the pictures that fit: still ones first, then animations, in order."""
-    left = budget - sum(2500 + sum(len(text) for text in (b.shows, *b.ours)) for b in blocks)
+    left = budget - sum(2500 + sum(len(text) for text in (b.shows, *b.ours, *b.notes)) for b in blocks)
     names = set()
     pictures = [picture for block in blocks for picture in block.pictures]
     for picture in sorted(pictures, key=lambda picture: bool(picture.still)):
@@ -58,22 +57,21 @@ def embedded(blocks, budget=BUDGET):
     return names
 
 
-def _uri(name, data):
-    kind = TYPES[pathlib.PurePath(name).suffix]
-    return f"data:{kind};base64,{base64.b64encode(data).decode('ascii')}"
+def _uri(data):
+    return f"data:image/webp;base64,{base64.b64encode(data).decode('ascii')}"
 
 
 def _picture(picture, within, beside):
     text = page.escape(picture.sentence)
-    style = ' style="grid-column:1/-1"' if picture.wide else ""
+    style = f' style="margin:0{";grid-column:1/-1" if picture.wide else ""}"'
     if not within:
         link = page.escape(beside + picture.name)
         return (f'<figure{style}><figcaption><a href="{link}">{text}</a> <small>Beside this '
                 "page.</small></figcaption></figure>")
-    image = f'<img alt="{text}" src="{_uri(picture.name, picture.still or picture.data)}">'
+    image = f'<img alt="{text}" src="{_uri(picture.still or picture.data)}">'
     if picture.still:
         image = ('<picture><source media="(prefers-reduced-motion: no-preference)" '
-                 f'srcset="{_uri(picture.name, picture.data)}">{image}</picture>')
+                 f'srcset="{_uri(picture.data)}">{image}</picture>')
     return f"<figure{style}>{image}<figcaption>{text}</figcaption></figure>"
 
 
@@ -83,10 +81,12 @@ def block_html(block, names, beside=""):
              f"{page.escape(heading(block))}</h3>",
              f"<p><strong>The thesis.</strong> {page.escape(block.shows)} "
              f"<small>{page.escape(block.source)}</small></p>"]
-    parts += [f"<p><strong>Ours.</strong> {page.escape(block.ours[0])}</p>"] if block.ours else []
-    parts += [page.paragraph(text, "note") for text in block.ours[1:]]
+    parts += [f"<p><strong>{'' if k else 'Ours. '}</strong>{page.escape(text)}</p>"
+              for k, text in enumerate(block.ours)]
+    parts += [page.paragraph(text, "note") for text in block.notes]
     if block.pictures:
-        parts.append(f'<div style="{GRID}">'
+        # Five come to stand in one row where there is room.
+        parts.append(f'<div style="{GRID.format(11.5 if len(block.pictures) == 5 else 13)}">'
                      + "".join(_picture(p, p.name in names, beside) for p in block.pictures)
                      + "</div>")
     if block.rows:

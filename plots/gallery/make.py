@@ -23,7 +23,7 @@ def main(argv):
     parser.add_argument("--quick", action="store_true", help="no animations")
     options = parser.parse_args(argv)
     try:
-        failures = gallery.make(options.scene, pathlib.Path(options.out), options.quick)
+        failures = gallery.write(options.scene, pathlib.Path(options.out), options.quick)
     except gallery.NotRun as fault:
         sys.stderr.write(f"make.py: {fault}\n")
         return 2

@@ -9,7 +9,8 @@ from PIL import Image, ImageDraw
 from gallery.shared import style
 
 FINE = 3  # drawn so many times as large, then shrunk: this is what smooths the lines
-QUALITY = 74  # of WebP, 0 to 100
+QUALITY = 58  # of WebP, 0 to 100
+COARSE = 2_500  # up to so many triangles edges are darker: there is room between them
 
 
 def interface(frame):
@@ -34,33 +35,43 @@ def phase_fills(frame):
 def value_fills(frame, values):
     """The thesis's colours of section 10.5: pure red whose lightness is the mean of the corners'
     values, from black (0) by way of red to white (1)."""
-    table = [tuple(round(255 * c) for c in colorsys.hls_to_rgb(0, step / 255, 1))
+    table = ["#%02x%02x%02x" % tuple(round(255 * c) for c in colorsys.hls_to_rgb(0, step / 255, 1))
              for step in range(256)]
     mean = values[frame.triangles].mean(axis=1)
     return [table[k] for k in numpy.clip(numpy.round(255 * mean), 0, 255).astype(int).tolist()]
 
 
-def draw(frame, pixels, fills=None, fine=FINE, edge=style.EDGE):
-    """An RGB picture of the whole domain, `pixels` wide; fills: a colour for each triangle in place
-    of that of its phase; edge: the colour of edges, None for none."""
+def draw(frame, pixels, fills=None, window=None, fine=FINE, edge=None):
+    """An RGB picture, `pixels` wide.
+
+    fills: a colour for each triangle in place of that of its phase; window: (low x, low y, width)
+    of the square that is shown in place of the whole domain; edge: the colour of edges in place of
+    that for their number."""
     low, high = frame.points.min(axis=0), frame.points.max(axis=0)
+    if window:
+        low = numpy.array(window[:2])
+        high = low + window[2]
+    fills = numpy.array(phase_fills(frame) if fills is None else fills, dtype=object)
+    corners = frame.points[frame.triangles]
+    inside = ((corners.max(axis=1) >= low) & (corners.min(axis=1) <= high)).all(axis=1)
     scale = (pixels * fine - 1) / (high[0] - low[0])
     height = max(1, round(pixels * (high[1] - low[1]) / (high[0] - low[0])))
     image = Image.new("RGB", (pixels * fine, height * fine), "white")
     pen = ImageDraw.Draw(image)
     places = numpy.column_stack([frame.points[:, 0] - low[0], high[1] - frame.points[:, 1]]) * scale
     places = numpy.rint(places).astype(int)
-    fills = phase_fills(frame) if fills is None else fills
-    for corners, fill in zip(places[frame.triangles].reshape(-1, 6).tolist(), fills):
-        pen.polygon(corners, fill=fill, outline=edge or fill)
-    width = max(2, round(1.9 * fine * pixels / 340))
+    edge = edge or (style.MUTED if inside.sum() <= COARSE else style.EDGE)
+    for three, fill in zip(places[frame.triangles[inside]].reshape(-1, 6).tolist(),
+                           fills[inside].tolist()):
+        pen.polygon(three, fill=fill, outline=edge)
+    width = max(2, round((1.9 if inside.sum() <= COARSE else 1.3) * fine * pixels / 340))
     for ends in places[interface(frame)].reshape(-1, 4).tolist():
         pen.line(ends, fill=style.INTERFACE, width=width)
     return image.resize((pixels, height), Image.Resampling.BOX)
 
 
-def webp(image, quality=QUALITY):
-    """The bytes of a picture as WebP."""
+def webp(image, quality=QUALITY, lossless=False):
+    """The bytes of a picture as WebP; lossless for lines and letters of few colours."""
     buffer = io.BytesIO()
-    image.save(buffer, "WEBP", quality=quality, method=4)
+    image.save(buffer, "WEBP", quality=quality, method=4, lossless=lossless)
     return buffer.getvalue()

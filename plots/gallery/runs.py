@@ -148,4 +148,4 @@ def _times(end, steps, more):
     wanted = {min(step, last) for step in steps}
     wanted |= {round(k * last / (more - 1)) for k in range(more)} if more > 1 else set()
     return ",".join(repr((step - 0.5) * float(end["time"]) / last)
-                    for step in sorted(wanted) if step)
+                    for step in sorted(wanted - {0} or {last}))
