@@ -1,16 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""A flow as an animated WebP that loops: the frames of one run at equal times."""
+"""A flow as an animated WebP that loops: the frames of one run at equal times.
+
+The pictures have few colours and are stored without loss: at this size that is sharper than loss,
+which leaves traces where something has moved.
+"""
 import io
+
+from PIL import Image
 
 from gallery import mesh
 
-PIXELS = 230
-MOST_FRAMES = 30
-LARGEST = 50_000  # bytes: a dozen share a page
-QUALITIES = (48, 36, 26, 18, 12, 6)  # the first one that is small enough
-BEAT = 110    # milliseconds a frame
-PAUSE = 1200   # for the last one
-EDGES = ("#BAC4CB", "#D2D9DE")  # of coarse and fine meshes: lighter than where nothing moves
+PIXELS = 220
+FRAMES = (24, 16, 10)  # at most so many; fewer where the result would be too large
+LARGEST = 80_000       # bytes: a dozen share a page
+COLOURS = 8
+BEAT = 120             # milliseconds a frame
+PAUSE = 1200           # for the last one
+EDGE = "#C9D2D8"       # of a coarse mesh; those of a fine one would be a haze
 
 
 def picked(count, most):
@@ -21,27 +27,33 @@ def picked(count, most):
     return sorted({round(k * (count - 1) / (most - 1)) for k in range(most)})
 
 
-def still(frames, fills=mesh.phase_fills):
-    """What is shown in its place where motion is unwelcome: the middle frame."""
-    frame = frames[len(frames) // 2]
-    return mesh.webp(mesh.draw(frame, PIXELS, fills(frame)), quality=40)
+def drawn(frames, fills, colours):
+    """A picture of each frame, all in the same few colours."""
+    coarse = len(frames[0].triangles) <= mesh.COARSE
+    images = [mesh.draw(f, PIXELS, fills(f), fine=1 if coarse else 2,
+                        edge=EDGE if coarse else mesh.NO_EDGE) for f in frames]
+    sample = Image.new("RGB", (PIXELS, 3 * images[0].height))
+    for k in range(3):
+        sample.paste(images[k * (len(images) - 1) // 2], (0, k * images[0].height))
+    palette = sample.quantize(colours, dither=Image.Dither.NONE)
+    return [image.quantize(palette=palette, dither=Image.Dither.NONE).convert("RGB")
+            for image in images]
 
 
-def animate(frames, fills=mesh.phase_fills, largest=LARGEST):
-    """The bytes of the animation, or None where it cannot be made small enough.
+def animate(frames, fills=mesh.phase_fills, colours=COLOURS, largest=LARGEST):
+    """(animation, still picture to stand in for it, number of frames), the first two as bytes, or
+    None where it cannot be made small enough.
 
     frames: in order of time; fills: the colours of the triangles of a frame."""
-    chosen = [frames[k] for k in picked(len(frames), MOST_FRAMES)]
-    if len(chosen) < 2:
-        return None
-    edge = EDGES[len(chosen[0].triangles) > mesh.COARSE]
-    images = [mesh.draw(f, PIXELS, fills(f), fine=2, edge=edge) for f in chosen]
-    pauses = [BEAT] * (len(images) - 1) + [PAUSE]
-    for quality in QUALITIES:
+    for most in FRAMES:
+        chosen = [frames[k] for k in picked(len(frames), most)]
+        if len(chosen) < 2:
+            return None
+        images = drawn(chosen, fills, colours)
         buffer = io.BytesIO()
-        images[0].save(buffer, "WEBP", save_all=True, append_images=images[1:], duration=pauses,
-                       loop=0, quality=quality, method=3, minimize_size=False,
-                       kmin=0, kmax=1 << 20)
+        images[0].save(buffer, "WEBP", save_all=True, append_images=images[1:], loop=0,
+                       duration=[BEAT] * (len(images) - 1) + [PAUSE], lossless=True, quality=70,
+                       method=4, kmin=0, kmax=1 << 20)
         if buffer.tell() <= largest:
-            return buffer.getvalue()
+            return buffer.getvalue(), mesh.webp(images[len(images) // 2], lossless=True), len(images)
     return None

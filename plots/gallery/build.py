@@ -4,16 +4,17 @@ from gallery import animation, charts, compare, figures, layout, mesh, runs, tim
 from gallery.shared import style
 
 PIXELS = 300           # of a frame
-MOVING_FRAMES = 30     # of an animation
-VECTORS = ("position", "velocity", "displacement", "size")  # never the value of section 9.5
+UNITS = {"area": " domain units²", "quality": ""}
+MEANING = {"area": "areas", "quality": "qualities, 2/√3 times the sine of the smallest angle,"}
+MOVING_FRAMES = 24     # of an animation
+VALUE_COLOURS = 24     # of an animation of values
 
 
 def value_of(frame):
     """The attribute at the vertices; throws NotRun where a frame has none."""
-    named = [name for name in frame.values if name not in VECTORS]
-    if not named:
+    if not frame.values:
         raise runs.NotRun("The frames carry no value at their vertices.")
-    return frame.values[named[0]]
+    return next(iter(frame.values.values()))
 
 
 def fills_of(row):
@@ -68,33 +69,35 @@ class Builder:
             text = text[0].upper() + text[1:]
             if row.look == "shaded":
                 data = charts.shaded(frame, value_of(frame), row.label)
-                block.pictures.append(layout.Picture(f"{name}-step-{number}.webp", data, text))
+                block.pictures.append(layout.Picture(f"{name}-step-{number}.webp", data, text,
+                                                     row=index))
             else:
                 data = mesh.webp(mesh.draw(frame, PIXELS, fills_of(row)(frame)))
-                block.pictures.append(layout.Picture(f"{name}-step-{number}.webp", data, text))
+                block.pictures.append(layout.Picture(f"{name}-step-{number}.webp", data, text,
+                                                     row=index))
         if row.near:
             step, path = run.nearest(row.steps[-1])
             frame = run.frame(path)
             data = mesh.webp(mesh.draw(frame, PIXELS, fills_of(row)(frame), row.near))
             block.pictures.append(layout.Picture(
                 f"{name}-near.webp", data,
-                f"A part of step {step}, {row.near[2]:g} of the domain wide."))
+                f"A part of step {step}, {row.near[2]:g} of the domain wide.", row=index))
         block.rows += compare.rows_of(row, run, self.facts)
         self.context = self.context or compare.machine(run)
         if moves:
-            self.moving(block, row, run, name)
+            self.moving(block, row, index, run, name)
 
-    def moving(self, block, row, run, name):
+    def moving(self, block, row, index, run, name):
         frames = [run.frame(path) for _, path in run.frames]
-        data = animation.animate(frames, fills_of(row))
-        if data is None:
+        made = animation.animate(frames, fills_of(row),
+                                 VALUE_COLOURS if row.look == "values" else animation.COLOURS)
+        if made is None:
             return
-        count = len(animation.picked(len(frames), animation.MOST_FRAMES))
+        data, still, count = made
         text = f"The run in motion, in {style.counted(count, 'frame')}."
         if row.label:
             text = f"{row.label}: {text[0].lower()}{text[1:]}"
-        block.pictures.append(layout.Picture(f"{name}-moving.webp", data, text,
-                                             animation.still(frames, fills_of(row))))
+        block.pictures.append(layout.Picture(f"{name}-moving.webp", data, text, still, row=index))
 
     def histogram(self, block, part, index):
         found = [(label, self.program.run(plan)) for label, plan in part.runs]
@@ -108,13 +111,14 @@ class Builder:
         middle = charts.median(base["edges"], base["counts"])
         mean = charts.mean(base["edges"], base["counts"])
         full = 100 * max(base["counts"]) / sum(base["counts"])
-        text = (f"{style.whole(sum(base['counts']))} triangles with a median {part.quantity} of "
-                f"{compare.number(middle)}, {compare.number(middle / mean)} times the mean, and "
-                f"{full:.0f} % of them in the fullest bin")
+        text = (f"There are {style.whole(sum(base['counts']))} triangles. Their median "
+                f"{part.quantity} is {compare.number(middle)}{UNITS[part.quantity]}, "
+                f"{compare.number(middle / mean)} times the mean; {full:.0f}\N{NO-BREAK SPACE}% of them lie in the "
+                "fullest bin")
         if len(shown) > 1:
             gap, label = max((charts.largest_gap(item, base), label) for label, item in shown[1:]
                              if item["edges"] == base["edges"])
-            text += (f"; the other cumulative curves differ from it by at most {100 * gap:.1f} % "
+            text += (f"; the other cumulative curves differ from it by at most {100 * gap:.1f}\N{NO-BREAK SPACE}% "
                      f"of the triangles ({label})")
         else:
             text += "; the median of an exponential distribution is 0.693 times its mean"
@@ -123,7 +127,7 @@ class Builder:
                            + compare.conditions(found[0][1]))
         block.pictures.append(layout.Picture(
             f"figure-{block.number}.webp", charts.histogram(part.quantity, shown),
-            f"Distribution of the {part.quantity} of the triangles after the last step.",
+            f"The {MEANING[part.quantity]} of the triangles after the last step.",
             wide=True))
         known = self.facts.value(part.triangles) if part.triangles else None
         for label, item in shown:
@@ -133,8 +137,8 @@ class Builder:
                                style.whole(count), compare.ratio(count, rows)))
 
     def times(self, block, part, index):
-        text, rows = times.table(self.program, part, self.facts)
+        text, note, rows = times.table(self.program, part, self.facts)
         block.ours.append(text)
         block.rows += rows
         if index == 0:
-            block.notes.append(times.conditions())
+            block.notes.append(note)

@@ -7,7 +7,7 @@ from gallery.shared import page
 
 BUDGET = 2_000_000  # characters of the whole fragment, pictures in base64 included
 GRID = ("display:grid;grid-template-columns:repeat(auto-fill,minmax(min({}rem,100%),1fr));"
-        "gap:1rem 1.2rem;align-items:start")
+        "gap:1rem 1.2rem;align-items:start;margin:1rem 0")
 
 
 @dataclass
@@ -19,6 +19,7 @@ class Picture:
     sentence: str       # also the alternative text
     still: bytes = b""  # of an animation: its first choice where motion is unwelcome
     wide: bool = False  # takes the whole width
+    row: int = 0        # pictures of one row stand together
 
     @property
     def size(self):
@@ -83,12 +84,12 @@ def block_html(block, names, beside=""):
              f"<small>{page.escape(block.source)}</small></p>"]
     parts += [f"<p><strong>{'' if k else 'Ours. '}</strong>{page.escape(text)}</p>"
               for k, text in enumerate(block.ours)]
-    parts += [page.paragraph(text, "note") for text in block.notes]
-    if block.pictures:
-        # Five come to stand in one row where there is room.
-        parts.append(f'<div style="{GRID.format(11.5 if len(block.pictures) == 5 else 13)}">'
-                     + "".join(_picture(p, p.name in names, beside) for p in block.pictures)
-                     + "</div>")
+    parts += ['<p class="note">' + "<br>".join(map(page.escape, block.notes)) + "</p>"]
+    for row in sorted({picture.row for picture in block.pictures}):
+        inside = [picture for picture in block.pictures if picture.row == row]
+        # Five come to stand side by side where there is room.
+        parts.append(f'<div style="{GRID.format(11.5 if len(inside) == 5 else 13)}">'
+                     + "".join(_picture(p, p.name in names, beside) for p in inside) + "</div>")
     if block.rows:
         parts.append(page.table(["what", "thesis", "ours", "ours / thesis"], block.rows))
     return "\n".join(parts) + "\n"

@@ -4,6 +4,7 @@ import csv
 import functools
 import json
 import math
+import os
 import pathlib
 import re
 import subprocess
@@ -93,7 +94,7 @@ class Program:
         """The Run of a plan, with frames at the steps and at `more` equal times where the program
         takes times of frames, else at the program's own. Throws NotRun."""
         if plan.scene not in self.scenes:
-            raise Missing(f"The scene {plan.scene} is missing: `dsc_scene list` does not name it.")
+            raise Missing(f"The scene {plan.scene} is missing: dsc_scene does not know it yet.")
         kept = self._kept.get(plan)
         if kept is None or (steps and not kept.frames):
             kept = self._kept[plan] = self._run(plan, steps, more)
@@ -124,16 +125,16 @@ class Program:
 
     def _call(self, words):
         try:
-            done = subprocess.run([self.path, *words], capture_output=True, text=True,
-                                  timeout=TIME_LIMIT, check=False)
+            done = subprocess.run([self.path, *words], capture_output=True, text=True, check=False,
+                                  timeout=TIME_LIMIT, env={"OMP_PROC_BIND": "true", **os.environ})
         except OSError as fault:
             raise NotRun(f"{self.path} cannot be run: {fault.strerror}.") from fault
         except subprocess.TimeoutExpired as fault:
-            raise NotRun(f"`dsc_scene {' '.join(words)}` was stopped after {TIME_LIMIT} s."
+            raise NotRun(f"dsc_scene {' '.join(words[:2])} was stopped after {TIME_LIMIT} s."
                          ) from fault
         if done.returncode != 0:
             said = (done.stderr.strip().splitlines() or ["no message"])[0]
-            raise NotRun(f"`dsc_scene {' '.join(words)}` ended with {done.returncode}: {said}")
+            raise NotRun(f"dsc_scene {' '.join(words[:2])} ended with {done.returncode}: {said}")
         return done.stdout
 
 
@@ -147,5 +148,5 @@ def _times(end, steps, more):
     last = int(end["step"])
     wanted = {min(step, last) for step in steps}
     wanted |= {round(k * last / (more - 1)) for k in range(more)} if more > 1 else set()
-    return ",".join(repr((step - 0.5) * float(end["time"]) / last)
-                    for step in sorted(wanted - {0} or {last}))
+    return ",".join(repr(max(0.0, step - 0.5) * float(end["time"]) / last)
+                    for step in sorted(wanted))

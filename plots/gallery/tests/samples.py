@@ -94,7 +94,7 @@ if "--frames" in words:
     os.makedirs(given("--frames"))
     numbers = [0, 4, 10]
     if "--at" in words:
-        numbers = [0] + [next(k for k in range(steps + 1) if k * dt >= float(t))
+        numbers = [next(k for k in range(steps + 1) if k * dt >= float(t))
                          for t in given("--at").split(",")]
     for k in numbers:
         shutil.copy({frame!r}, os.path.join(given("--frames"), f"{{scene}}_sequential_{{k:05d}}.vtu"))

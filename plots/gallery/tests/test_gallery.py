@@ -131,7 +131,7 @@ class Built(InFolder):
         part = Histogram("area", (("one", Plan("swirl")),), "histogram_triangles_sequential")
         block = self.builder().block(Figure("10.13", (part,)))
         self.assertEqual(block.rows, [("triangles, one", "28,236", "4", "1.42e-4")])
-        self.assertIn("a median area of 1.50, 0.923 times the mean, and 50 %", block.ours[0])
+        self.assertIn("median area is 1.50 domain units², 0.923 times the mean; 50", block.ours[0])
 
     def test_equal_plans_are_run_once(self):
         builder = self.builder()

@@ -92,15 +92,25 @@ class Pictures(unittest.TestCase):
         self.assertEqual(mesh.value_fills(self.frame, numpy.full(5, 2.0)), ["#ffffff"] * 4)
 
     def test_animations_loop_and_are_small(self):
-        other = vtu.Frame(self.frame.points, self.frame.triangles, 1 - self.frame.phases.astype(int),
-                          {})
-        data = animation.animate([self.frame, other] * 30)
+        frames = []
+        for k in range(60):
+            points = self.frame.points.copy()
+            points[4] = 0.5, 0.2 + 0.01 * k
+            frames.append(vtu.Frame(points, self.frame.triangles, self.frame.phases, {}))
+        data, still, count = animation.animate(frames)
         self.assertLessEqual(len(data), animation.LARGEST)
         with Image.open(io.BytesIO(data)) as image:
             self.assertEqual((image.info["loop"], image.format), (0, "WEBP"))
-            self.assertLessEqual(image.n_frames, animation.MOST_FRAMES)
-            self.assertGreater(image.n_frames, 1)
-        self.assertIsNone(animation.animate([self.frame, other], largest=10))
+            self.assertEqual((image.n_frames, count), (24, 24))
+            image.seek(23)
+            last = image.convert("RGB")
+        self.assertTrue(self.near(last, 0.85, 0.5, style.PHASE_FILLS[1]))
+        self.assertTrue(self.near(last, 0.5, 0.79, style.INTERFACE))
+        with Image.open(io.BytesIO(still)) as image:
+            self.assertEqual((image.size, image.n_frames), ((220, 220), 1))
+        self.assertIsNone(animation.animate(frames, largest=10))
+        few = animation.animate(frames, largest=len(data) - 1)
+        self.assertLess(few[2], count)
         self.assertIsNone(animation.animate([self.frame]))
 
     def test_both_ends_are_among_the_frames_picked(self):
