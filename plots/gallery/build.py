@@ -7,7 +7,6 @@ PIXELS = 300           # of a frame
 UNITS = {"area": " domain units²", "quality": ""}
 MEANING = {"area": "areas", "quality": "qualities, 2/√3 times the sine of the smallest angle,"}
 MOVING_FRAMES = 24     # of an animation
-VALUE_COLOURS = 24     # of an animation of values
 
 
 def value_of(frame):
@@ -17,11 +16,12 @@ def value_of(frame):
     return next(iter(frame.values.values()))
 
 
-def fills_of(row):
-    """The function from a frame to the colours of its triangles."""
+def look_of(row):
+    """The function from a frame to what mesh.draw is told about it."""
     if row.look == "values":
-        return lambda frame: mesh.value_fills(frame, value_of(frame))
-    return mesh.phase_fills
+        return lambda frame: {"fills": mesh.value_fills(frame, value_of(frame)),
+                              "edge": mesh.NO_EDGE, "line": style.SKY}
+    return lambda frame: {}
 
 
 class Builder:
@@ -70,15 +70,15 @@ class Builder:
             if row.look == "shaded":
                 data = charts.shaded(frame, value_of(frame), row.label)
                 block.pictures.append(layout.Picture(f"{name}-step-{number}.webp", data, text,
-                                                     row=index))
+                                                     wide=row.look == "shaded", row=index))
             else:
-                data = mesh.webp(mesh.draw(frame, PIXELS, fills_of(row)(frame)))
+                data = mesh.webp(mesh.draw(frame, PIXELS, **look_of(row)(frame)))
                 block.pictures.append(layout.Picture(f"{name}-step-{number}.webp", data, text,
-                                                     row=index))
+                                                     wide=row.look == "shaded", row=index))
         if row.near:
             step, path = run.nearest(row.steps[-1])
             frame = run.frame(path)
-            data = mesh.webp(mesh.draw(frame, PIXELS, fills_of(row)(frame), row.near))
+            data = mesh.webp(mesh.draw(frame, PIXELS, window=row.near, **look_of(row)(frame)))
             block.pictures.append(layout.Picture(
                 f"{name}-near.webp", data,
                 f"A part of step {step}, {row.near[2]:g} of the domain wide.", row=index))
@@ -89,8 +89,7 @@ class Builder:
 
     def moving(self, block, row, index, run, name):
         frames = [run.frame(path) for _, path in run.frames]
-        made = animation.animate(frames, fills_of(row),
-                                 VALUE_COLOURS if row.look == "values" else animation.COLOURS)
+        made = animation.animate(frames, look_of(row))
         if made is None:
             return
         data, still, count = made
@@ -100,35 +99,39 @@ class Builder:
         block.pictures.append(layout.Picture(f"{name}-moving.webp", data, text, still, row=index))
 
     def histogram(self, block, part, index):
-        found = [(label, self.program.run(plan)) for label, plan in part.runs]
+        found = [(label, self.program.run(plan, (part.frame,) if part.frame else ()))
+                 for label, plan in part.runs]
         shown = []
         for label, run in found:
             item = run.result.get("histograms", {}).get(part.quantity)
+            if part.frame:
+                item = charts.areas(run.frame(run.nearest(run.last_step)[1]))
             if item is None:
                 raise runs.NotRun(f"{run.plan.scene} wrote no histogram of {part.quantity}.")
             shown.append((label, item))
         base = shown[0][1]
         middle = charts.median(base["edges"], base["counts"])
         mean = charts.mean(base["edges"], base["counts"])
-        full = 100 * max(base["counts"]) / sum(base["counts"])
+        full = max(base["counts"]) / sum(base["counts"])
         text = (f"There are {style.whole(sum(base['counts']))} triangles. Their median "
                 f"{part.quantity} is {compare.number(middle)}{UNITS[part.quantity]}, "
-                f"{compare.number(middle / mean)} times the mean; {full:.0f}\N{NO-BREAK SPACE}% of them lie in the "
-                "fullest bin")
+                f"{compare.number(middle / mean)} times the mean; "
+                f"{compare.percent(full, 0)} of them lie in the fullest bin")
         if len(shown) > 1:
             gap, label = max((charts.largest_gap(item, base), label) for label, item in shown[1:]
                              if item["edges"] == base["edges"])
-            text += (f"; the other cumulative curves differ from it by at most {100 * gap:.1f}\N{NO-BREAK SPACE}% "
-                     f"of the triangles ({label})")
+            text += ("; the other cumulative curves differ from it by at most "
+                     f"{compare.percent(gap, 1)} of the triangles ({label})")
         else:
             text += "; the median of an exponential distribution is 0.693 times its mean"
         block.ours.append(text + ".")
-        block.notes.append("Dotted: the median; dashed: the outline of the first panel. "
+        block.notes.append("Dotted: the median" + ("; dashed: the first panel's outline. "
+                                                   if len(shown) > 1 else ". ")
                            + compare.conditions(found[0][1]))
         block.pictures.append(layout.Picture(
             f"figure-{block.number}.webp", charts.histogram(part.quantity, shown),
             f"The {MEANING[part.quantity]} of the triangles after the last step.",
-            wide=True))
+            wide=2))
         known = self.facts.value(part.triangles) if part.triangles else None
         for label, item in shown:
             count = sum(item["counts"])

@@ -33,6 +33,14 @@ def median(edges, counts):
     return edges[k] + (edges[k + 1] - edges[k]) * inside
 
 
+def areas(frame, bins=60):
+    """The distribution of the triangles' areas, as dsc_scene writes others."""
+    a, b, c = (frame.points[frame.triangles[:, k]] for k in range(3))
+    twice = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
+    counts, edges = numpy.histogram(twice / 2, bins=bins, range=(0, float(twice.max()) / 2))
+    return {"edges": edges.tolist(), "counts": counts.tolist()}
+
+
 def mean(edges, counts):
     """Mean of binned values, each taken as the middle of its bin."""
     middles = (numpy.array(edges[:-1]) + numpy.array(edges[1:])) / 2
@@ -48,8 +56,7 @@ def largest_gap(one, other):
 def histogram(quantity, shown):
     """WebP of a panel for each of [(label, {"edges", "counts"})]; the first one's outline is drawn
     dashed in the others."""
-    fig, grid = style.figure(0.4 + 3.0 * max(1.35, len(shown)), 2.75, 1, len(shown), sharex=True,
-                             sharey=True)
+    fig, grid = style.figure(9.4, 2.75, 1, len(shown), sharex=True, sharey=True)
     base = shown[0][1]
     for axes, (label, item), colour in zip(grid[0], shown, COLOURS):
         share = 100 * numpy.array(item["counts"]) / sum(item["counts"])
@@ -78,7 +85,7 @@ def shaded(frame, values, label):
     fig, grid = style.figure(4.1, 3.5)
     axes = grid[0][0]
     colours = axes.tripcolor(*frame.points.T, frame.triangles, values, shading="gouraud",
-                             cmap="turbo", vmin=0, vmax=1)
+                             cmap="turbo", vmin=0, vmax=max(float(values.max()), 1e-9))
     for ends in frame.points[mesh.interface(frame)]:
         axes.plot(*ends.T, color="black", linewidth=1.1, solid_capstyle="round")
     axes.set_aspect("equal")

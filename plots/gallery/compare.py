@@ -19,6 +19,10 @@ def number(value, count=3):
     return style.digits(value, count).replace("-", "\N{NON-BREAKING HYPHEN}")
 
 
+def percent(share, digits):
+    return f"{100 * share:.{digits}f}\N{NO-BREAK SPACE}%"
+
+
 def off(result):
     """The area between the shape and the exact one, as a part of the exact one's; or None."""
     sd, area = result.get("sd_last"), result.get("area_exact_last")
@@ -63,10 +67,10 @@ def sentence(row, run, facts):
     text = _named(row.label[:1].upper() + row.label[1:], text)
     error = result.get("attribute_error_last")
     if error is not None:
-        text += f"; its value is off by at most {number(error)}"
+        text += f"; its value, from 0 to 1, is off by at most {number(error)} at the end"
     elif off(result) is not None:
-        text += (f"; its symmetric difference with the exact shape is {number(off(result))} of that "
-                 "shape's area at the end")
+        text += (f"; its symmetric difference with the exact shape is {number(off(result))} of "
+                 "that shape's area at the end")
     bad = [f"{style.whole(result[key])} {what}" for key, what in (
         ("inverted", "inverted triangles"), ("unreached", "vertices that did not arrive"))
         if result.get(key)]

@@ -40,6 +40,7 @@ class Histogram:
     quantity: str             # area or quality
     runs: tuple               # of (label, Plan); the first is what the others are compared with
     triangles: str = ""       # the thesis's number of triangles of the first: such an entry
+    frame: int = 0            # the step whose frame is measured, for the program's bins end too early
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,7 @@ class Figure:
 SCALING = (("sequential", Plan("speedup-scaling")),
            ("four slabs", Plan("speedup-scaling", strategy="fixed", submeshes=4)),
            ("four submeshes, created and merged", Plan("speedup-scaling", strategy="copy", submeshes=4)))
-VARYING = Plan("quality-varying", (("steps", 100),))
+VARYING = Plan("quality-varying", (SMALL, ("steps", 100)))
 
 
 def rotation(scene):
@@ -68,13 +69,15 @@ def rotation(scene):
 
 
 def interpolation(edge, look, steps, **more):
-    return Row(Plan("interpolation", (edge, ("steps", 160))), steps, look=look, **more)
+    """The value rises with the radius in a straight line, as the thesis's does."""
+    return Row(Plan("interpolation", (edge, ("steps", 160), ("ramp", "linear"))), steps, look=look,
+               **more)
 
 
-def combination(name, number):
+def combination(inside, outside):
     """One of the four panels of figure 10.15."""
-    plan = Plan("quality-combinations", (("combination", name), ("steps", 30)))
-    return Row(plan, (30,), label=number, moves=False)
+    return Row(Plan("quality-combinations", (("inside", inside), ("outside", outside))), (30,),
+               label=f"{inside} inside, {outside} outside", moves=False)
 
 
 FIGURES = (
@@ -102,14 +105,12 @@ FIGURES = (
                          area_ratio="swirl_260_area_ratio", near=TOP))),
     Figure("10.12", (Row(Plan("swirl-zalesak", (LEGS, ("steps", 800), ("dt", 0.005))),
                          (0, 400, 800), near=(0.42, 0.14, 0.06)),)),
-    Figure("10.13", (Histogram("area", SCALING, "histogram_triangles_sequential"),)),
-    Figure("10.14", (Histogram("quality", SCALING, "histogram_triangles_sequential"),)),
-    Figure("10.15", (combination("coarse-coarse", "coarse inside and outside"),
-                     combination("coarse-fine", "coarse inside, fine outside"),
-                     combination("fine-coarse", "fine inside, coarse outside"),
-                     combination("fine-fine", "fine inside and outside"))),
-    Figure("10.16", (Row(VARYING, (0, 50, 100)),)),
-    Figure("10.17", (Histogram("area", (("sequential", VARYING),)),)),
     Figure("Table 10.1", (Times("speedup-scaling", "scaling_table_10_1", "growing circle"),
                           Times("speedup-four-circles", "four_circles", "four circles"))),
+    Figure("10.13", (Histogram("area", SCALING, "histogram_triangles_sequential"),)),
+    Figure("10.14", (Histogram("quality", SCALING, "histogram_triangles_sequential"),)),
+    Figure("10.15", tuple(combination(inside, outside) for inside in ("coarse", "fine")
+                           for outside in ("coarse", "fine"))),
+    Figure("10.16", (Row(VARYING, (0, 50, 100)),)),
+    Figure("10.17", (Histogram("area", (("step 100", VARYING),), frame=100),)),
 )

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from gallery.shared import page
 
 BUDGET = 2_000_000  # characters of the whole fragment, pictures in base64 included
-GRID = ("display:grid;grid-template-columns:repeat(auto-fill,minmax(min({}rem,100%),1fr));"
+GRID = ("display:grid;grid-template-columns:repeat(auto-fill,minmax(min({}rem,45%),1fr));"
         "gap:1rem 1.2rem;align-items:start;margin:1rem 0")
 
 
@@ -18,7 +18,7 @@ class Picture:
     data: bytes         # WebP
     sentence: str       # also the alternative text
     still: bytes = b""  # of an animation: its first choice where motion is unwelcome
-    wide: bool = False  # takes the whole width
+    wide: int = 0       # 1: half of the width at least, for axes; 2: all of it
     row: int = 0        # pictures of one row stand together
 
     @property
@@ -58,13 +58,22 @@ def embedded(blocks, budget=BUDGET):
     return names
 
 
+def grids(pictures):
+    """The pictures by rows; rows of one picture each are one."""
+    rows = {}
+    for picture in pictures:
+        rows.setdefault(picture.row, []).append(picture)
+    rows = list(rows.values())
+    return [sum(rows, [])] if all(len(row) == 1 for row in rows) and rows else rows
+
+
 def _uri(data):
     return f"data:image/webp;base64,{base64.b64encode(data).decode('ascii')}"
 
 
 def _picture(picture, within, beside):
     text = page.escape(picture.sentence)
-    style = f' style="margin:0{";grid-column:1/-1" if picture.wide else ""}"'
+    style = f' style="margin:0{";grid-column:1/-1" if picture.wide > 1 else ""}"'
     if not within:
         link = page.escape(beside + picture.name)
         return (f'<figure{style}><figcaption><a href="{link}">{text}</a> <small>Beside this '
@@ -85,10 +94,10 @@ def block_html(block, names, beside=""):
     parts += [f"<p><strong>{'' if k else 'Ours. '}</strong>{page.escape(text)}</p>"
               for k, text in enumerate(block.ours)]
     parts += ['<p class="note">' + "<br>".join(map(page.escape, block.notes)) + "</p>"]
-    for row in sorted({picture.row for picture in block.pictures}):
-        inside = [picture for picture in block.pictures if picture.row == row]
+    for inside in grids(block.pictures):
         # Five come to stand side by side where there is room.
-        parts.append(f'<div style="{GRID.format(11.5 if len(inside) == 5 else 13)}">'
+        least = 24 if inside[0].wide else 11.5 if len(inside) == 5 else 13
+        parts.append(f'<div style="{GRID.format(least)}">'
                      + "".join(_picture(p, p.name in names, beside) for p in inside) + "</div>")
     if block.rows:
         parts.append(page.table(["what", "thesis", "ours", "ours / thesis"], block.rows))

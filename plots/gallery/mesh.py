@@ -11,7 +11,7 @@ from gallery.shared import style
 FINE = 3  # drawn so many times as large, then shrunk: this is what smooths the lines
 QUALITY = 58  # of WebP, 0 to 100
 NO_EDGE = "none"
-COARSE = 2_500  # up to so many triangles edges are darker: there is room between them
+COARSE = 3_000  # up to so many triangles edges are darker: there is room between them
 
 
 def interface(frame):
@@ -42,12 +42,12 @@ def value_fills(frame, values):
     return [table[k] for k in numpy.clip(numpy.round(255 * mean), 0, 255).astype(int).tolist()]
 
 
-def draw(frame, pixels, fills=None, window=None, fine=FINE, edge=None):
+def draw(frame, pixels, fills=None, window=None, fine=FINE, edge=None, line=style.INTERFACE):
     """An RGB picture, `pixels` wide.
 
     fills: a colour for each triangle in place of that of its phase; window: (low x, low y, width)
     of the square that is shown in place of the whole domain; edge: the colour of edges in place of
-    that for their number, or NO_EDGE."""
+    that for their number, or NO_EDGE; line: the colour of the interface."""
     low, high = frame.points.min(axis=0), frame.points.max(axis=0)
     if window:
         low = numpy.array(window[:2])
@@ -67,7 +67,7 @@ def draw(frame, pixels, fills=None, window=None, fine=FINE, edge=None):
         pen.polygon(three, fill=fill, outline=fill if edge == NO_EDGE else edge)
     width = max(2, round((1.9 if inside.sum() <= COARSE else 1.3) * fine * pixels / 340))
     for ends in places[interface(frame)].reshape(-1, 4).tolist():
-        pen.line(ends, fill=style.INTERFACE, width=width)
+        pen.line(ends, fill=line, width=width)
     return image.resize((pixels, height), Image.Resampling.BOX)
 
 

@@ -52,7 +52,8 @@ class FactsOfTheThesis(unittest.TestCase):
     facts = thesis.Facts()
 
     def test_every_figure_has_a_place_in_the_thesis_s_order(self):
-        numbers = [f"10.{k}" for k in range(1, 18)] + ["Table 10.1"]
+        numbers = [f"10.{k}" for k in range(1, 18)]
+        numbers.insert(12, "Table 10.1")
         self.assertEqual(self.facts.numbers(), numbers)
         self.assertEqual([figure.number for figure in figures.FIGURES], numbers)
         for number in numbers:

@@ -122,6 +122,8 @@ class Pictures(unittest.TestCase):
         # 1 in [0, 1), 2 in [1, 2), 1 in [2, 4)
         one = {"edges": [0, 1, 2, 4], "counts": [1, 2, 1]}
         self.assertAlmostEqual(charts.median(**one), 1.5)
+        self.assertEqual(charts.areas(self.frame, bins=2),
+                         {"edges": [0, 0.125, 0.25], "counts": [0, 4]})
         self.assertAlmostEqual(charts.mean(**one), (0.5 + 3 + 3) / 4)
         other = {"edges": [0, 1, 2, 4], "counts": [2, 1, 1]}
         self.assertAlmostEqual(charts.largest_gap(one, other), 0.25)
