@@ -2,6 +2,7 @@
 // The whole library, in reading order.
 #pragma once
 
+#include "dsc/base/archive.h"
 #include "dsc/base/error.h"
 #include "dsc/base/types.h"
 #include "dsc/base/verdict.h"
@@ -73,5 +74,6 @@
 #include "dsc/parallel/parallel.h"
 
 #include "dsc/io/edit_file.h"
+#include "dsc/io/sealed_file.h"
 #include "dsc/io/svg.h"
 #include "dsc/io/vtu.h"

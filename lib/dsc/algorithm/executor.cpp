@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/executor.h"
 
+#include "dsc/base/error.h"
 #include "dsc/passes/interface_list.h"
 #include "dsc/passes/readers.h"
+#include "dsc/passes/work_archive.h"
 
 #include <algorithm>
 #include <utility>
@@ -200,6 +202,19 @@ OperationCounts SequentialExecutor<Real>::take_counts() {
     return std::exchange(work_.log.counts, {});
 }
 
+template <class Real>
+void SequentialExecutor<Real>::archive(Archive& archive) {
+    archive(work_, epoch_, steps_);
+}
+
+template <class Real>
+void Executor<Real>::archive(Archive& /*archive*/) {
+    throw InputError({.what = "this executor keeps no checkpoints",
+                      .where = "Executor::archive",
+                      .value = "an executor of the application",
+                      .allowed = "one that overrides it, or one of the library"});
+}
+
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::uint32_t run_motion(Work<Real>&, const std::vector<Pass<Real>>&,                 \
                                       std::uint32_t&);                                             \
@@ -211,6 +226,7 @@ OperationCounts SequentialExecutor<Real>::take_counts() {
     template Reach<Real> aim_whole_again(Work<Real>&, InterfaceSight<Real>&, const Flow<Real>&,    \
                                          Real, Real);                                              \
     template void absorb_edits(Work<Real>&, std::span<const Edit>);                                \
+    template void Executor<Real>::archive(Archive&);                                               \
     template class SequentialExecutor<Real>;
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -70,6 +70,11 @@ public:
     virtual void append_interface(std::vector<std::uint32_t>& list) const = 0;
     /// The edits counted since the last call.
     [[nodiscard]] virtual OperationCounts take_counts() = 0;
+
+    /// Between two steps: writes what the next one depends on, or reads it back into an executor
+    /// that was made in the same way, after its complex has been read (base/archive.h). Without an
+    /// override it throws InputError: a simulation by this executor has no checkpoints.
+    virtual void archive(Archive& archive);
 };
 
 /// True once a vertex has missed its target three times in a row: something is in its way, and
@@ -149,6 +154,7 @@ public:
     [[nodiscard]] std::size_t interface_size() const override { return work_.interface.size(); }
     void append_interface(std::vector<std::uint32_t>& list) const override;
     [[nodiscard]] OperationCounts take_counts() override;
+    void archive(Archive& archive) override;
 
 private:
     Options<Real> options_;

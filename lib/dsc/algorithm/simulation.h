@@ -105,6 +105,15 @@ public:
         return step_along(motion, time, dt);
     }
 
+    /// Between two steps: writes all that the next one depends on, or reads it back into a
+    /// simulation that was made in the same way, of a complex that began as the other did, with the
+    /// same options and executor; the steps that follow are then the same to the bit. Listeners are
+    /// not part of it. O(n). Throws FileError if the bytes are of another version of the complex's
+    /// attributes, of the other scalar type, or hold no valid complex: the simulation is of no use
+    /// then. Throws InputError where the executor, the partition or an attribute is the
+    /// application's own and has no such function. A file of them: io/sealed_file.h.
+    void archive(Archive& archive);
+
     /// To be called when the flow has changed abruptly: integrators with a memory start afresh.
     /// O(interface vertices) for those, O(1) for all others.
     void forget();

@@ -11,6 +11,7 @@
 // derives a class from `AttributeBase`.
 #pragma once
 
+#include "dsc/base/archive.h"
 #include "dsc/base/types.h"
 #include "dsc/complex/corner.h"
 
@@ -74,6 +75,9 @@ public:
     virtual void append(const AttributeBase& from, const std::vector<std::uint32_t>& order) = 0;
     /// Swaps the entries, and nothing else, with an attribute of the same class.
     virtual void swap_entries(AttributeBase& other) noexcept = 0;
+    /// Writes the entries, or reads them back (base/archive.h). Without an override it throws
+    /// InputError: an attribute of this class cannot be part of a checkpoint.
+    virtual void archive(Archive& archive);
 
     // --- edits of any kind of simplex
     /// The simplex `to` inherits from `from`.
@@ -170,6 +174,13 @@ public:
     }
     void swap_entries(AttributeBase& other) noexcept override {
         data_.swap(static_cast<Attribute&>(other).data_);
+    }
+    void archive(Archive& archive) override {
+        if constexpr (Archivable<T> && std::is_default_constructible_v<T>) {
+            archive(data_);
+        } else {
+            AttributeBase::archive(archive);
+        }
     }
     void copy(std::uint32_t to, std::uint32_t from) override { data_[to] = data_[from]; }
     void reset(std::uint32_t to) override { data_[to] = initial_; }

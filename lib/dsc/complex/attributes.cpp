@@ -7,6 +7,13 @@
 
 namespace dsc {
 
+void AttributeBase::archive(Archive& /*archive*/) {
+    throw InputError({.what = "attribute cannot be part of a checkpoint",
+                      .where = "archive",
+                      .value = "'" + name_ + "'",
+                      .allowed = "entries of a type that has an archive function"});
+}
+
 AttributeSet::AttributeSet(const AttributeSet& other)
     : counts_(other.counts_), vertex_bound_(other.vertex_bound_),
       triangle_bound_(other.triangle_bound_) {
@@ -135,6 +142,21 @@ void AttributeSet::swap_entries(AttributeSet& other) noexcept {
     }
     std::swap(vertex_bound_, other.vertex_bound_);
     std::swap(triangle_bound_, other.triangle_bound_);
+}
+
+void AttributeSet::archive(Archive& archive) {
+    std::uint64_t count = list_.size();
+    archive(count, vertex_bound_, triangle_bound_);
+    archive.expect(count == list_.size(), "holds other attributes");
+    for (const auto& attribute : list_) {
+        std::string name = attribute->name();
+        SimplexKind kind = attribute->kind();
+        archive(name);
+        archive.choice(kind, 3);
+        archive.expect(name == attribute->name() && kind == attribute->kind(),
+                       "holds other attributes");
+        attribute->archive(archive);
+    }
 }
 
 void AttributeSet::refuse(const std::string& name, const char* problem) {

@@ -117,6 +117,10 @@ public:
     /// Swaps the entries; references to the attributes of either set stay valid.
     void swap_entries(AttributeSet& other) noexcept;
 
+    /// Writes the entries of all attributes, or reads them back into a set that has the same ones.
+    /// Throws FileError where it has others, InputError for one that cannot be archived.
+    void archive(Archive& archive);
+
 private:
     static constexpr std::size_t index(SimplexKind kind) { return static_cast<std::size_t>(kind); }
 

@@ -100,8 +100,12 @@ PartFile& PartFile::fixed(double value, int digits) {
     return *this << std::string_view();
 }
 
-void PartFile::commit() {
+void PartFile::commit(Until until) {
     write_block();
+    // Some file systems cannot; then the rename is as safe as it gets.
+    if (until == Until::on_disk && ::fsync(descriptor_) != 0 && errno != EINVAL) {
+        fail("writing failed", errno);
+    }
     const int closed = ::close(descriptor_);
     descriptor_ = -1;
     if (closed != 0) {

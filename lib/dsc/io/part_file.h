@@ -35,8 +35,13 @@ public:
     /// With so many digits after the point.
     PartFile& fixed(double value, int digits);
 
+    /// How far a file has come when it takes its place.
+    enum class Until : std::uint8_t {
+        written, ///< it survives the end of the program
+        on_disk, ///< and of the machine; takes milliseconds
+    };
     /// Flushes, closes and renames. Nothing may be written after it.
-    void commit();
+    void commit(Until until = Until::written);
 
 private:
     void write_block();

@@ -75,6 +75,12 @@ struct FanRay {
     FanState state = FanState::none; ///< where the vertex is on its way
 };
 
+template <class Real>
+void archive(Archive& archive, FanRay<Real>& ray) {
+    archive(ray.source, ray.direction, ray.start, ray.to_first, ray.to_last);
+    archive.choice(ray.state, 5);
+}
+
 /// Whether both start from one corner.
 template <class Real>
 [[nodiscard]] bool belong_together(const FanRay<Real>& a, const FanRay<Real>& b) {

@@ -3,6 +3,7 @@
 // evaluated in one call, so that a field pays its overhead once and can use all lanes.
 #pragma once
 
+#include "dsc/base/archive.h"
 #include "dsc/base/enum_table.h"
 #include "dsc/base/types.h"
 
@@ -48,6 +49,11 @@ struct Past {
     Point<Real> way = Point<Real>::Zero(); ///< to its last target
     Real dt = 0;                           ///< in this time; 0: it has no past yet
 };
+
+template <class Real>
+void archive(Archive& archive, Past<Real>& past) {
+    archive(past.way, past.dt);
+}
 
 /// Arrays that an integrator needs; kept from step to step so that nothing is allocated.
 template <class Real>

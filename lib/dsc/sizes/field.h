@@ -20,6 +20,11 @@ struct VertexSize {
 
 /// The attribute that holds the targets.
 template <class Real>
+void archive(Archive& archive, VertexSize<Real>& size) {
+    archive(size.length, size.distance);
+}
+
+template <class Real>
 using SizeField = VertexAttribute<VertexSize<Real>>;
 
 /// The attribute, created if there is none yet.

@@ -4,6 +4,7 @@
 #include "dsc/base/require.h"
 #include "dsc/parallel/timer.h"
 #include "dsc/passes/interface_list.h"
+#include "dsc/passes/work_archive.h"
 
 #include <algorithm>
 #include <utility>
@@ -314,6 +315,11 @@ OperationCounts CopyExecutor<Real>::take_counts() {
         total += std::exchange(task->work.log.counts, {});
     }
     return total;
+}
+
+template <class Real>
+void CopyExecutor<Real>::archive(Archive& archive) {
+    archive(whole_, epoch_, costs_.steps, costs_.rounds);
 }
 
 template class CopyExecutor<double>;

@@ -70,6 +70,8 @@ public:
     [[nodiscard]] std::size_t interface_size() const override { return whole_.interface.size(); }
     void append_interface(std::vector<std::uint32_t>& list) const override;
     [[nodiscard]] OperationCounts take_counts() override;
+    /// Submeshes are made anew in each step, so that there is nothing of them to keep.
+    void archive(Archive& archive) override;
 
     /// What it has cost so far.
     [[nodiscard]] const CopyCosts& costs() const { return costs_; }

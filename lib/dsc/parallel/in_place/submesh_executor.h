@@ -55,6 +55,7 @@ public:
     [[nodiscard]] std::size_t interface_size() const override;
     void append_interface(std::vector<std::uint32_t>& list) const override;
     [[nodiscard]] OperationCounts take_counts() override;
+    void archive(Archive& archive) override;
 
     /// The partition in force, for drawing.
     [[nodiscard]] const Partition& partition() const { return partition_; }
@@ -100,6 +101,7 @@ private:
     void collect_changes();
     void change_interface(std::span<const std::uint32_t> changed);
     void forget_ids();
+    void expect_pools(const Archive& archive) const; // submesh_archive.cpp
     // Flows that see the interface: submesh_sight.cpp.
     AimReport<Real> aim_by_sight(const Flow<Real>& flow, Real time, Real dt);
     Reach<Real> aim_again_by_sight(const Flow<Real>& flow, Real time, Real dt);

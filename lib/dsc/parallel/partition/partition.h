@@ -95,6 +95,8 @@ public:
     [[nodiscard]] virtual Recut is_due(const PartitionStatus& status) const = 0;
     /// Divides; regions may point to what the partitioner holds. Must not depend on threads.
     virtual void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) = 0;
+    /// What it remembers from one division to the next (base/archive.h); nothing by default.
+    virtual void archive(Archive& /*archive*/) {}
 };
 
 } // namespace dsc

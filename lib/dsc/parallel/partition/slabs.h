@@ -72,6 +72,7 @@ public:
     /// Both colours every `recut` steps.
     [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
     void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
+    void archive(Archive& archive) override { archive(extent_of_, low_, high_, corners_); }
 
 private:
     void find_extent(const Complex<Real>& complex, const Point<double>& normal);

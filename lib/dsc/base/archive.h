@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// State as bytes: one function says what belongs to a value, and is used both to write it and to
+// read it back, so that the two cannot drift apart:
+//
+//     void archive(Archive& archive, Ball& ball) { archive(ball.place, ball.radius); }
+//
+// Little endian, whatever the machine; numbers keep their bits. What is read is not trusted: a
+// length beyond the end, a flag that is neither 0 nor 1, a choice that does not exist are refused.
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace dsc {
+
+/// Bytes that grow as values are written, or shrink as they are read back in the same order.
+class Archive {
+public:
+    /// Writes.
+    Archive() = default;
+    /// Reads. `name` is what errors call these bytes: the path of their file.
+    Archive(std::string bytes, std::string name)
+        : bytes_(std::move(bytes)), name_(std::move(name)), is_reading_(true) {}
+
+    [[nodiscard]] bool is_reading() const { return is_reading_; }
+    /// What has been written; of one that reads, all it was given.
+    [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+    /// Writes the values in their order, or reads them. Throws FileError as `refuse` does.
+    template <class... Values>
+    void operator()(Values&... values) {
+        (visit(values), ...);
+    }
+    /// An enum or a number that counts choices, of which there are `count`: 0 to count - 1.
+    template <class Choice>
+    void choice(Choice& value, std::uint32_t count) {
+        auto number = static_cast<std::uint32_t>(value);
+        raw(&number, sizeof number);
+        expect(number < count, "names a choice that does not exist");
+        value = static_cast<Choice>(number);
+    }
+    /// Records without padding, as they lie in memory. O(list), and fast.
+    template <class Record>
+    void records(std::vector<Record>& list) {
+        static_assert(std::is_trivially_copyable_v<Record>);
+        const std::uint64_t count = length(list.size(), sizeof(Record));
+        if (is_reading_) {
+            list.resize(count);
+        }
+        if (count > 0) {
+            raw(list.data(), count * sizeof(Record));
+        }
+    }
+    /// The length of a list whose entries take `least` bytes or more: writes `size`, or returns
+    /// what has been read.
+    [[nodiscard]] std::uint64_t length(std::uint64_t size, std::size_t least);
+    void raw(void* data, std::size_t size);
+
+    /// Refuses what has been read unless the condition holds.
+    void expect(bool condition, const char* problem) const {
+        if (!condition) {
+            refuse(problem);
+        }
+    }
+    /// Throws FileError: the bytes are not what was written, or belong to something else.
+    [[noreturn]] void refuse(const std::string& problem) const;
+    /// To be called after the last value has been read: nothing may be left.
+    void expect_end() const;
+
+private:
+    template <class Value>
+    void visit(Value& value) {
+        constexpr int deepest = 64; // a file must not be able to exhaust the stack
+        expect(++depth_ < deepest, "is nested too deeply");
+        archive(*this, value);
+        --depth_;
+    }
+
+    std::string bytes_;
+    std::string name_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+    bool is_reading_ = false;
+};
+
+/// What an archive can hold.
+template <class Value>
+concept Archivable = requires(Archive& bytes, Value& value) {
+    archive(bytes, value);
+};
+
+template <class Number>
+requires(std::is_arithmetic_v<Number> &&
+         !std::is_same_v<Number, bool>) void archive(Archive& archive, Number& value) {
+    archive.raw(&value, sizeof value);
+}
+
+inline void archive(Archive& archive, bool& value) {
+    std::uint8_t byte = value ? 1 : 0;
+    archive.choice(byte, 2);
+    value = byte == 1;
+}
+
+template <class Tag>
+void archive(Archive& archive, Handle<Tag>& handle) {
+    archive(handle.id);
+}
+
+template <class Real>
+void archive(Archive& archive, Eigen::Matrix<Real, 2, 1>& point) {
+    archive(point.x(), point.y());
+}
+
+void archive(Archive& archive, std::string& text);
+
+template <class First, class Second>
+void archive(Archive& archive, std::pair<First, Second>& pair) {
+    archive(pair.first, pair.second);
+}
+
+template <class Value, std::size_t n>
+requires Archivable<Value>
+void archive(Archive& archive, std::array<Value, n>& list) {
+    for (Value& value : list) {
+        archive(value);
+    }
+}
+
+template <class Value>
+requires Archivable<Value>
+void archive(Archive& archive, std::vector<Value>& list) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+        archive.records(list);
+    } else {
+        const std::uint64_t count = archive.length(list.size(), 1);
+        if (archive.is_reading()) {
+            list.clear(); // and filled one by one: the length is only what the file says
+        }
+        for (std::uint64_t i = 0; i < count; ++i) {
+            if (archive.is_reading()) {
+                list.emplace_back();
+            }
+            archive(list[i]);
+        }
+    }
+}
+
+template <class Value>
+requires Archivable<Value>
+void archive(Archive& archive, std::optional<Value>& value) {
+    bool has_value = value.has_value();
+    archive(has_value);
+    if (archive.is_reading()) {
+        value.reset();
+        if (has_value) {
+            value.emplace();
+        }
+    }
+    if (has_value) {
+        archive(*value);
+    }
+}
+
+template <class Key, class Value>
+void archive(Archive& archive, std::map<Key, Value>& map) {
+    std::vector<std::pair<Key, Value>> list(map.begin(), map.end());
+    archive(list);
+    map = {list.begin(), list.end()};
+}
+
+template <class... Kinds>
+void archive(Archive& archive, std::variant<Kinds...>& value) {
+    std::size_t kind = value.index();
+    archive.choice(kind, sizeof...(Kinds));
+    if (archive.is_reading()) {
+        std::size_t number = 0;
+        ((number++ == kind ? static_cast<void>(value.template emplace<Kinds>()) : void()), ...);
+    }
+    std::visit([&](auto& one) { archive(one); }, value);
+}
+
+} // namespace dsc

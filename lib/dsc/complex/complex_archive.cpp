@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/complex/complex_archive.h"
+
+#include <algorithm>
+#include <string>
+
+namespace dsc {
+
+void archive(Archive& archive, Edit& edit) {
+    archive.choice(edit.kind, edit_kind_count);
+    archive.choice(edit.reason, 5);
+    archive(edit.on_interface, edit.corner, edit.vertex, edit.ends, edit.apexes, edit.made, edit.x,
+            edit.y);
+}
+
+void archive(Archive& archive, OperationCounts& counts) {
+    archive(counts.moves, counts.flips, counts.interface_splits, counts.interface_collapses,
+            counts.splits, counts.collapses, counts.smoothed, counts.subdivisions,
+            counts.retriangulations, counts.relabelled, counts.examined);
+}
+
+void archive(Archive& archive, IdPool& pool) { archive(pool.vertices, pool.triangles); }
+
+namespace {
+
+// Ids of simplices that may have vanished since, but not of any that have never been.
+template <class Real>
+void expect_edit(const Archive& archive, const Complex<Real>& complex, const Edit& edit) {
+    const auto expect = [&](std::uint32_t id, std::uint32_t bound) {
+        archive.expect(id == no_id || id < bound, "names a simplex that does not exist");
+    };
+    for (const Vertex v :
+         {edit.vertex, edit.ends[0], edit.ends[1], edit.apexes[0], edit.apexes[1]}) {
+        expect(v.id, complex.vertex_bound());
+    }
+    expect(edit.corner == no_id ? no_id : triangle_of(edit.corner), complex.triangle_bound());
+    if (edit.kind == EditKind::split) {
+        expect(edit.made[0], complex.triangle_bound());
+        expect(edit.made[1], complex.triangle_bound());
+    }
+}
+
+} // namespace
+
+template <class Real>
+void expect_vertices(const Archive& archive, const Complex<Real>& complex,
+                     std::span<const std::uint32_t> list) {
+    const bool exist =
+        std::ranges::all_of(list, [&](std::uint32_t v) { return v < complex.vertex_bound(); });
+    archive.expect(exist, "names a vertex that does not exist");
+}
+
+template <class Real>
+void archive(Archive& archive, Complex<Real>& complex) {
+    std::uint32_t size = sizeof(Real);
+    archive(size);
+    if (size != sizeof(Real)) {
+        archive.refuse(size == sizeof(float)    ? "holds a complex of float, not of double"
+                       : size == sizeof(double) ? "holds a complex of double, not of float"
+                                                : "holds a complex of an unknown scalar type");
+    }
+    archive.records(complex.vertices);
+    archive.records(complex.triangles);
+    archive.expect(!complex.triangles.empty() && complex.vertices.size() < no_id &&
+                       complex.triangles.size() < no_id / 4,
+                   "holds no complex");
+    archive(complex.ids, complex.lent_vertices, complex.lent_triangles);
+    complex.attributes.archive(archive);
+    archive(complex.journal.counts, complex.journal.records);
+    for (const Edit& edit : complex.journal.records) {
+        expect_edit(archive, complex, edit);
+    }
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template void archive(Archive&, Complex<Real>&);                                               \
+    template void expect_vertices(const Archive&, const Complex<Real>&,                            \
+                                  std::span<const std::uint32_t>);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc
