@@ -6,7 +6,7 @@
 project_root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project_root" || exit 2
 
-build_packages=(cmake g++ ninja-build git libeigen3-dev libmetis-dev libboost-dev nlohmann-json3-dev
+build_packages=(cmake g++ ninja-build git libeigen3-dev libmetis-dev libboost-dev zlib1g-dev nlohmann-json3-dev
     libtomlplusplus-dev libcli11-dev googletest libgtest-dev libbenchmark-dev)
 # For the tests that only `verify/run.sh --all` needs.
 guide_packages=(doxygen)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy
 
 from results.load import InputFault, need, read_json
+from results.vtk_arrays import read_array
 
 
 @dataclass
@@ -55,7 +56,7 @@ def _xml(path):
 
 
 def read_frame(path):
-    """Points, triangles and phases of one VTU file (ascii, triangles only)."""
+    """Points, triangles and phases of one VTU file (triangles only)."""
     root = _xml(path)
 
     def array(place, name, kind):
@@ -63,13 +64,10 @@ def read_frame(path):
                  if name is None or a.get("Name") == name]
         if not found:
             raise InputFault(f"{path} has no data array '{name or 'of points'}' in {place}.")
-        if found[0].get("format", "ascii") != "ascii":
-            raise InputFault(f"{path} holds {found[0].get('format')} data in {place}, where ascii "
-                             "is expected.")
         try:
-            return numpy.array((found[0].text or "").split(), dtype=float).astype(kind)
+            return read_array(root, found[0]).astype(kind)
         except ValueError as fault:
-            raise InputFault(f"{path} holds something other than numbers in {place}.") from fault
+            raise InputFault(f"{path} holds {fault} in {place}.") from fault
 
     points = array("Points", None, float)
     corners = array("Cells", "connectivity", int)

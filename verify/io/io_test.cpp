@@ -5,10 +5,12 @@
 #include "dsc/io/vtu.h"
 
 #include "support/small_meshes.h"
+#include "support/vtu_testing.h"
 
 #include "dsc/algebra/algebra.h"
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
+#include "dsc/quality/measures.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <regex>
 #include <sstream>
 
@@ -88,19 +91,6 @@ void expect_well_formed(const std::string& text) {
     }
     EXPECT_TRUE(open.empty());
     EXPECT_EQ(angles, count(text, "<")) << "something in angle brackets is no tag";
-}
-
-// What stands between the tags of the DataArray of that name.
-std::vector<double> data_array(const std::string& text, const std::string& name) {
-    const auto tag = text.find("Name=\"" + name + "\"");
-    EXPECT_NE(tag, std::string::npos) << name;
-    const auto begin = text.find('>', tag) + 1;
-    std::istringstream body(text.substr(begin, text.find("</DataArray>", begin) - begin));
-    std::vector<double> values;
-    for (std::string word; body >> word;) {
-        values.push_back(std::stod(word));
-    }
-    return values;
 }
 
 template <class Real>
@@ -175,65 +165,99 @@ TYPED_TEST(Io, SvgOptions) {
 }
 
 TYPED_TEST(Io, VtuReadsBackBitByBit) {
-    auto complex = scene<TypeParam>();
-    auto& heat = complex.attributes.template add<Vertex, double>("heat <K>");
-    auto& load = complex.attributes.template add<Triangle, double>("load");
-    complex.attributes.template add<Vertex, int>("count");
-    complex.attributes.template add<Edge, double>("side");
-    for (std::size_t i = 0; i < heat.data().size(); ++i) {
-        heat.data()[i] = 1.0 / (1.0 + static_cast<double>(i));
+    using Real = TypeParam;
+    auto complex = grid<Real>(60, 0.15, 2, 2);           // its arrays take several blocks
+    remove(complex, SimplexSet({}, {}, {Triangle{40}})); // free ids: numbers differ from ids
+    auto& attributes = complex.attributes;
+    auto& heat = attributes.template add<Vertex, double>("heat <K>");
+    auto& wind = attributes.template add<Vertex>("wind", Point<float>(0, 0));
+    auto& count = attributes.template add<Vertex, std::int64_t>("count");
+    auto& load = attributes.template add<Triangle, float>("load");
+    auto& small = attributes.template add<Triangle, std::uint8_t>("small");
+    attributes.template add<Edge, double>("side");
+    attributes.template add<Vertex, std::string>("word");
+    for (std::uint32_t i = 0; i < complex.vertex_bound(); ++i) {
+        heat.data()[i] = 1.0 / (1.0 + i);
+        wind.data()[i] = {1.0F / (2.0F + static_cast<float>(i)), -static_cast<float>(i)};
+        count.data()[i] = -(std::int64_t{1} << 40U) - i;
     }
-    for (std::size_t i = 0; i < load.data().size(); ++i) {
-        load.data()[i] = -1e-300 * static_cast<double>(i);
+    for (std::uint32_t i = 0; i < complex.triangle_bound(); ++i) {
+        load.data()[i] = -1e-30F * static_cast<float>(i);
+        small.data()[i] = static_cast<std::uint8_t>(i);
     }
+    std::vector<std::int32_t> owners(complex.triangle_bound());
+    std::iota(owners.begin(), owners.end(), -1);
+    std::vector<double> ways(2 * std::size_t{complex.vertex_bound()});
+    std::iota(ways.begin(), ways.end(), 0.1);
+    const std::vector<VtuArray> more{{"owner", SimplexKind::triangle, 1, owners},
+                                     {"way", SimplexKind::vertex, 2, ways}};
     const std::string file = this->path("mesh.vtu");
-    write_vtu(complex, file);
+    write_vtu(complex, file, more);
     EXPECT_EQ(this->files(), 1U);
-    const std::string text = read(file);
-    expect_well_formed(text);
-    EXPECT_NE(text.find("NumberOfPoints=\"" + std::to_string(complex.vertex_count()) + "\""),
+    const test::VtuText vtu{read(file)};
+    expect_well_formed(vtu.text);
+    EXPECT_NE(vtu.text.find("NumberOfPoints=\"" + std::to_string(complex.vertex_count()) + "\""),
               std::string::npos);
-    EXPECT_NE(text.find("NumberOfCells=\"" + std::to_string(complex.triangle_count()) + "\""),
+    EXPECT_NE(vtu.text.find("NumberOfCells=\"" + std::to_string(complex.triangle_count()) + "\""),
               std::string::npos);
-    EXPECT_NE(
-        text.find(sizeof(TypeParam) == 8 ? "Float64\" Name=\"Points" : "Float32\" Name=\"Points"),
-        std::string::npos);
-    const auto points = data_array(text, "Points");
-    const auto cells = data_array(text, "connectivity");
-    const auto offsets = data_array(text, "offsets");
-    const auto types = data_array(text, "types");
-    const auto phase = data_array(text, "phase");
-    const auto heats = data_array(text, "heat &lt;K&gt;");
-    const auto loads = data_array(text, "load");
-    ASSERT_EQ(points.size(), 3 * std::size_t{complex.vertex_count()});
-    ASSERT_EQ(cells.size(), 3 * std::size_t{complex.triangle_count()});
-    ASSERT_EQ(phase.size(), complex.triangle_count());
-    ASSERT_EQ(heats.size(), complex.vertex_count());
-    ASSERT_EQ(loads.size(), complex.triangle_count());
-    EXPECT_EQ(types, std::vector<double>(complex.triangle_count(), 5));
-    EXPECT_EQ(text.find("\"count\""), std::string::npos) << "only attributes of type double";
-    EXPECT_EQ(text.find("\"side\""), std::string::npos);
+    EXPECT_EQ(vtu.tag("side"), "");
+    EXPECT_EQ(vtu.tag("word"), "");
+    const std::string real = sizeof(Real) == 8 ? "Float64" : "Float32";
+    const auto points = vtu.numbers<Real>("Points", real);
+    EXPECT_EQ(points, vtu.numbers<Real>("position", real));
+    const auto cells = vtu.numbers<std::int64_t>("connectivity", "Int64");
+    const auto offsets = vtu.numbers<std::int64_t>("offsets", "Int64");
+    const auto types = vtu.numbers<std::uint8_t>("types", "UInt8");
+    const auto phase = vtu.numbers<Phase>("phase", "UInt32");
+    const auto good = vtu.numbers<Real>("quality", real);
+    const auto heats = vtu.numbers<double>("heat &lt;K&gt;", "Float64");
+    const auto winds = vtu.numbers<float>("wind", "Float32");
+    const auto counts = vtu.numbers<std::int64_t>("count", "Int64");
+    const auto loads = vtu.numbers<float>("load", "Float32");
+    const auto smalls = vtu.numbers<std::uint8_t>("small", "UInt8");
+    const auto owner = vtu.numbers<std::int32_t>("owner", "Int32");
+    const auto way = vtu.numbers<double>("way", "Float64");
     const SimplexSet all = all_simplices(complex);
+    for (const std::size_t size : {points.size(), winds.size(), way.size()}) {
+        ASSERT_EQ(size, 3 * all.vertices().size());
+    }
+    ASSERT_EQ(heats.size(), all.vertices().size());
+    ASSERT_EQ(counts.size(), all.vertices().size());
+    for (const std::size_t size : {cells.size() / 3, offsets.size(), types.size(), phase.size(),
+                                   good.size(), loads.size(), smalls.size(), owner.size()}) {
+        ASSERT_EQ(size, all.triangles().size());
+    }
     for (std::size_t i = 0; i < all.vertices().size(); ++i) {
         const Vertex v = all.vertices()[i];
-        EXPECT_EQ(static_cast<TypeParam>(points[3 * i]), complex.position(v).x());
-        EXPECT_EQ(static_cast<TypeParam>(points[3 * i + 1]), complex.position(v).y());
+        EXPECT_EQ(Point<Real>(points[3 * i], points[3 * i + 1]), complex.position(v));
+        EXPECT_EQ(Point<float>(winds[3 * i], winds[3 * i + 1]), wind[v]);
+        EXPECT_EQ(way[3 * i], ways[2 * v.id]);
+        EXPECT_EQ(way[3 * i + 1], ways[2 * v.id + 1]);
         EXPECT_EQ(points[3 * i + 2], 0);
+        EXPECT_EQ(winds[3 * i + 2], 0);
+        EXPECT_EQ(way[3 * i + 2], 0);
         EXPECT_EQ(heats[i], heat[v]);
+        EXPECT_EQ(counts[i], count[v]);
     }
     for (std::size_t i = 0; i < all.triangles().size(); ++i) {
         const Triangle t = all.triangles()[i];
         EXPECT_EQ(phase[i], complex.phase(t));
+        EXPECT_EQ(good[i], quality(complex, t));
         EXPECT_EQ(loads[i], load[t]);
-        EXPECT_EQ(offsets[i], static_cast<double>(3 * (i + 1)));
+        EXPECT_EQ(smalls[i], small[t]);
+        EXPECT_EQ(owner[i], owners[t.id]);
+        EXPECT_EQ(types[i], 5);
+        EXPECT_EQ(offsets[i], static_cast<std::int64_t>(3 * (i + 1)));
         for (std::size_t k = 0; k < 3; ++k) {
             const auto number = static_cast<std::size_t>(cells[3 * i + k]);
             ASSERT_LT(number, all.vertices().size());
             EXPECT_EQ(all.vertices()[number], complex.vertices_of(t)[k]);
         }
     }
-    write_vtu(Complex<TypeParam>(), file);
+    write_vtu(Complex<Real>(), file);
     expect_well_formed(read(file));
+    const std::vector<VtuArray> short_one{{"way", SimplexKind::vertex, 2, std::vector<double>(7)}};
+    EXPECT_THROW(write_vtu(complex, file, short_one), InputError);
 }
 
 TYPED_TEST(Io, PvdNamesFilesAndTimes) {

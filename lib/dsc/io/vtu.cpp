@@ -1,116 +1,238 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/io/vtu.h"
 
+#include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/geometry/triangle.h"
+#include "dsc/io/appended_data.h"
 #include "dsc/io/part_file.h"
 
+#include <algorithm>
+#include <set>
 #include <type_traits>
-#include <vector>
 
 namespace dsc {
 
 namespace {
 
+template <class Number>
+constexpr std::string_view vtk_type() {
+    if constexpr (std::is_floating_point_v<Number>) {
+        return sizeof(Number) == 8 ? "Float64" : "Float32";
+    } else {
+        constexpr std::array<std::string_view, 9> signed_types{"", "Int8", "Int16", "",     "Int32",
+                                                               "", "",     "",      "Int64"};
+        constexpr std::array<std::string_view, 9> unsigned_types{
+            "", "UInt8", "UInt16", "", "UInt32", "", "", "", "UInt64"};
+        return std::is_signed_v<Number> ? signed_types[sizeof(Number)]
+                                        : unsigned_types[sizeof(Number)];
+    }
+}
+
 // VTK counts without gaps: the living vertices and triangles, numbered in the order of their ids.
+// Tags and data are collected first, since a tag names the place of its data.
 template <class Real>
-struct Numbers {
-    explicit Numbers(const Complex<Real>& complex) : vertex_number(complex.vertex_bound(), no_id) {
+class VtuWriter {
+public:
+    explicit VtuWriter(const Complex<Real>& complex) : complex_(complex) {
         for (const Vertex v : dsc::vertices(complex)) {
-            vertex_number[v.id] = static_cast<std::uint32_t>(vertices.size());
-            vertices.push_back(v.id);
+            vertices_.push_back(v.id);
         }
         for (const Triangle t : dsc::triangles(complex)) {
-            triangles.push_back(t.id);
+            triangles_.push_back(t.id);
         }
     }
 
-    std::vector<std::uint32_t> vertex_number;
-    std::vector<std::uint32_t> vertices;
-    std::vector<std::uint32_t> triangles;
-};
-
-void begin_array(PartFile& file, std::string_view type, std::string_view name,
-                 std::string_view more = {}) {
-    file << "<DataArray type=\"" << type << "\" Name=\"" << name << "\"" << more
-         << " format=\"ascii\">\n";
-}
-
-void end_array(PartFile& file) { file << "</DataArray>\n"; }
-
-template <class Real>
-void write_points(PartFile& file, const Complex<Real>& complex, const Numbers<Real>& numbers) {
-    file << "<Points>\n";
-    begin_array(file, std::is_same_v<Real, double> ? "Float64" : "Float32", "Points",
-                " NumberOfComponents=\"3\"");
-    for (const std::uint32_t v : numbers.vertices) {
-        file << complex.vertices[v].x << ' ' << complex.vertices[v].y << " 0\n";
+    void write(PartFile& file, std::span<const VtuArray> more) {
+        file << "<?xml version=\"1.0\"?>\n"
+             << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+                "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
+             << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << std::uint64_t{vertices_.size()}
+             << "\" NumberOfCells=\"" << std::uint64_t{triangles_.size()} << "\">\n<PointData>\n";
+        add_vectors<Real>("position", vertices_, 2, positions());
+        add_all<Vertex>(more);
+        file << take_tags() << "</PointData>\n<CellData Scalars=\"phase\">\n";
+        add("phase", 1, each<Phase>([&](std::uint32_t t) { return complex_.triangles[t].phase; }));
+        add("quality", 1, each<Real>([&](std::uint32_t t) {
+                const auto v = complex_.vertices_of(Triangle{t});
+                return quality<Real>(complex_.position(v[0]), complex_.position(v[1]),
+                                     complex_.position(v[2]));
+            }));
+        add_all<Triangle>(more);
+        file << take_tags() << "</CellData>\n<Points>\n";
+        // The same numbers, which are there once.
+        file << tag<Real>("Points", 3, 0) << "</Points>\n<Cells>\n";
+        add_cells();
+        file << take_tags() << "</Cells>\n</Piece>\n</UnstructuredGrid>\n"
+             << "<AppendedData encoding=\"base64\">\n_" << data_.text()
+             << "\n</AppendedData>\n</VTKFile>\n";
     }
-    end_array(file);
-    file << "</Points>\n";
-}
 
-template <class Real>
-void write_cells(PartFile& file, const Complex<Real>& complex, const Numbers<Real>& numbers) {
-    file << "<Cells>\n";
-    begin_array(file, "Int64", "connectivity");
-    for (const std::uint32_t t : numbers.triangles) {
-        const auto& v = complex.triangles[t].v;
-        file << numbers.vertex_number[v[0]] << ' ' << numbers.vertex_number[v[1]] << ' '
-             << numbers.vertex_number[v[2]] << '\n';
-    }
-    end_array(file);
-    begin_array(file, "Int64", "offsets");
-    for (std::uint64_t i = 1; i <= numbers.triangles.size(); ++i) {
-        file << 3 * i << '\n';
-    }
-    end_array(file);
-    begin_array(file, "UInt8", "types");
-    for (std::size_t i = 0; i < numbers.triangles.size(); ++i) {
-        file << "5\n"; // VTK_TRIANGLE
-    }
-    end_array(file);
-    file << "</Cells>\n";
-}
-
-template <SimplexHandle Simplex>
-void write_attributes(PartFile& file, const AttributeSet& attributes,
-                      const std::vector<std::uint32_t>& ids) {
-    for (const auto& attribute : attributes.list()) {
-        const auto* typed = dynamic_cast<const Attribute<double, Simplex>*>(attribute.get());
-        if (typed == nullptr) {
-            continue;
+private:
+    template <class Number>
+    static std::string tag(const std::string& name, int components, std::size_t offset) {
+        std::string text = "<DataArray type=\"";
+        text += vtk_type<Number>();
+        text += "\" Name=\"" + escape_xml(name) + "\"";
+        if (components > 1) {
+            text += " NumberOfComponents=\"" + std::to_string(components) + "\"";
         }
-        begin_array(file, "Float64", escape_xml(typed->name()));
+        return text + " format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
+    }
+    template <class Number>
+    void add(const std::string& name, int components, const std::vector<Number>& numbers) {
+        tags_ += tag<Number>(name, components, data_.add(numbers));
+        names_.insert(name);
+    }
+    std::string take_tags() {
+        names_.clear();
+        return std::exchange(tags_, {});
+    }
+
+    template <class Number, class Value>
+    std::vector<Number> each(Value value) const {
+        std::vector<Number> numbers;
+        numbers.reserve(triangles_.size());
+        for (const std::uint32_t t : triangles_) {
+            numbers.push_back(value(t));
+        }
+        return numbers;
+    }
+    std::vector<Real> positions() const {
+        std::vector<Real> numbers;
+        numbers.reserve(2 * std::size_t{complex_.vertex_bound()});
+        for (const auto& vertex : complex_.vertices) {
+            numbers.insert(numbers.end(), {vertex.x, vertex.y});
+        }
+        return numbers;
+    }
+
+    // Those of the ids listed; vectors of the plane get a third component.
+    template <class Number>
+    void add_vectors(const std::string& name, const std::vector<std::uint32_t>& ids,
+                     std::size_t components, const std::vector<Number>& by_id) {
+        std::vector<Number> numbers;
+        numbers.reserve(ids.size() * (components == 2 ? 3 : components));
         for (const std::uint32_t id : ids) {
-            file << typed->data()[id] << '\n';
+            for (std::size_t k = 0; k < components; ++k) {
+                numbers.push_back(by_id[id * components + k]);
+            }
+            if (components == 2) {
+                numbers.push_back(0);
+            }
         }
-        end_array(file);
+        add(name, components == 2 ? 3 : 1, numbers);
     }
-}
+
+    template <class Simplex>
+    [[nodiscard]] const std::vector<std::uint32_t>& ids() const {
+        if constexpr (std::same_as<Simplex, Vertex>) {
+            return vertices_;
+        } else {
+            return triangles_;
+        }
+    }
+
+    template <class Simplex>
+    void add_all(std::span<const VtuArray> more) {
+        constexpr SimplexKind kind = kind_of<Simplex>;
+        const std::size_t bound =
+            kind == SimplexKind::vertex ? complex_.vertex_bound() : complex_.triangle_bound();
+        for (const VtuArray& array : more) {
+            if (array.kind != kind) {
+                continue;
+            }
+            std::visit(
+                [&](const auto& values) {
+                    if (array.components < 1 || array.components > 2 ||
+                        values.size() != bound * array.components) {
+                        refuse(array, values.size(), bound);
+                    }
+                    add_vectors(array.name, ids<Simplex>(), array.components, values);
+                },
+                array.values);
+        }
+        for (const auto& attribute : complex_.attributes.list()) {
+            if (attribute->kind() == kind && !names_.contains(attribute->name())) {
+                (void)(add_numbers<Simplex, double, float, std::int8_t, std::uint8_t, std::int16_t,
+                                   std::uint16_t, std::int32_t, std::uint32_t, std::int64_t,
+                                   std::uint64_t>(*attribute) ||
+                       add_points<Simplex, double, float>(*attribute));
+            }
+        }
+    }
+
+    template <class Simplex, class... Numbers>
+    bool add_numbers(const AttributeBase& attribute) {
+        const auto add_one = [&]<class Number>(Number) {
+            const auto* typed = dynamic_cast<const Attribute<Number, Simplex>*>(&attribute);
+            if (typed != nullptr) {
+                add_vectors(typed->name(), ids<Simplex>(), 1, typed->data());
+            }
+            return typed != nullptr;
+        };
+        return (add_one(Numbers{}) || ...);
+    }
+
+    template <class Simplex, class... Numbers>
+    bool add_points(const AttributeBase& attribute) {
+        const auto add_one = [&]<class Number>(Number) {
+            const auto* typed = dynamic_cast<const Attribute<Point<Number>, Simplex>*>(&attribute);
+            if (typed != nullptr) {
+                std::vector<Number> numbers;
+                numbers.reserve(2 * typed->data().size());
+                for (const Point<Number>& p : typed->data()) {
+                    numbers.insert(numbers.end(), {p.x(), p.y()});
+                }
+                add_vectors(typed->name(), ids<Simplex>(), 2, numbers);
+            }
+            return typed != nullptr;
+        };
+        return (add_one(Numbers{}) || ...);
+    }
+
+    void add_cells() {
+        std::vector<std::int64_t> number(complex_.vertex_bound(), -1);
+        for (std::size_t i = 0; i < vertices_.size(); ++i) {
+            number[vertices_[i]] = static_cast<std::int64_t>(i);
+        }
+        std::vector<std::int64_t> corners;
+        std::vector<std::int64_t> ends;
+        for (const std::uint32_t t : triangles_) {
+            for (const std::uint32_t v : complex_.triangles[t].v) {
+                corners.push_back(number[v]);
+            }
+            ends.push_back(static_cast<std::int64_t>(corners.size()));
+        }
+        add("connectivity", 1, corners);
+        add("offsets", 1, ends);
+        add("types", 1, std::vector<std::uint8_t>(triangles_.size(), 5)); // VTK_TRIANGLE
+    }
+
+    [[noreturn]] static void refuse(const VtuArray& array, std::size_t size, std::size_t bound) {
+        throw InputError(
+            {.what = "array '" + array.name + "' has a wrong length",
+             .where = "write_vtu",
+             .value = std::to_string(size) + " numbers of " + std::to_string(array.components) +
+                      " components",
+             .allowed = "1 or 2 components for each of " + std::to_string(bound) + " ids"});
+    }
+
+    const Complex<Real>& complex_;
+    std::vector<std::uint32_t> vertices_;
+    std::vector<std::uint32_t> triangles_;
+    AppendedData data_;
+    std::string tags_;
+    std::set<std::string> names_; ///< in the present section
+};
 
 } // namespace
 
 template <class Real>
-void write_vtu(const Complex<Real>& complex, const std::string& path) {
-    const Numbers<Real> numbers(complex);
+void write_vtu(const Complex<Real>& complex, const std::string& path,
+               std::span<const VtuArray> more) {
     PartFile file(path);
-    file << "<?xml version=\"1.0\"?>\n"
-         << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-         << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << std::uint64_t{numbers.vertices.size()}
-         << "\" NumberOfCells=\"" << std::uint64_t{numbers.triangles.size()} << "\">\n";
-    file << "<PointData>\n";
-    write_attributes<Vertex>(file, complex.attributes, numbers.vertices);
-    file << "</PointData>\n<CellData Scalars=\"phase\">\n";
-    begin_array(file, "UInt32", "phase");
-    for (const std::uint32_t t : numbers.triangles) {
-        file << complex.triangles[t].phase << '\n';
-    }
-    end_array(file);
-    write_attributes<Triangle>(file, complex.attributes, numbers.triangles);
-    file << "</CellData>\n";
-    write_points(file, complex, numbers);
-    write_cells(file, complex, numbers);
-    file << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    VtuWriter<Real>(complex).write(file, more);
     file.commit();
 }
 
@@ -126,7 +248,7 @@ void write_pvd(std::span<const PvdEntry> entries, const std::string& path) {
     file.commit();
 }
 
-template void write_vtu(const Complex<double>&, const std::string&);
-template void write_vtu(const Complex<float>&, const std::string&);
+template void write_vtu(const Complex<double>&, const std::string&, std::span<const VtuArray>);
+template void write_vtu(const Complex<float>&, const std::string&, std::span<const VtuArray>);
 
 } // namespace dsc
