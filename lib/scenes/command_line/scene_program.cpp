@@ -6,7 +6,9 @@
 #include "scenes/command_line/command_line.h"
 #include "scenes/file/describe.h"
 #include "scenes/file/scene_file.h"
+#include "scenes/file/text_file.h"
 #include "scenes/output/event_lines.h"
+#include "scenes/output/machine.h"
 #include "scenes/output/write_file.h"
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"
@@ -29,18 +31,26 @@ namespace {
 
 std::atomic<bool> interrupted{false};
 
-void on_interrupt(int) { interrupted.store(true); }
+// A second signal ends the program at once.
+void on_interrupt(int number) {
+    interrupted.store(true);
+    std::signal(number, SIG_DFL);
+}
 
 struct Arguments {
-    std::string scene;
+    std::optional<std::string> scene;
     std::vector<std::string> settings;
     std::string strategy = "sequential";
     std::string angle = "0";
     RunOptions run;
+    std::optional<std::uint32_t> threads;
     std::optional<std::string> events;
     std::optional<std::string> json;
     std::optional<std::string> series;
-    int every = 1;
+    std::optional<std::string> outlines;
+    std::optional<std::string> checkpoint;
+    std::optional<std::string> resume;
+    std::optional<int> every;
 };
 
 void list_scenes(const std::vector<Scene>& scenes) {
@@ -127,13 +137,38 @@ std::string names_of_strategies() {
     return names;
 }
 
-// One of the list, or from a file.
-SceneFile scene_called(const std::string& name, const std::vector<Scene>& scenes) {
+std::string text_of(const std::string& name, const std::vector<Scene>& scenes) {
     if (!is_scene_file(name)) {
-        return {.scene = find_scene(name, scenes)};
+        (void)find_scene(name, scenes);
+        return {};
     }
+    return read_text_file(name);
+}
+
+// What the command line asks for, or what it asked for when the checkpoint was written.
+RunOrigin origin_of(const Arguments& arguments, const std::vector<Scene>& scenes) {
+    RunOrigin origin{.scene = *arguments.scene,
+                     .text = text_of(*arguments.scene, scenes),
+                     .settings = arguments.settings,
+                     .strategy = parse_strategy(arguments.strategy),
+                     .submeshing = arguments.run.submeshing,
+                     .commit = {}};
+    parse_angle(arguments.angle, origin.submeshing);
+    return origin;
+}
+
+SceneFile scene_of(const RunOrigin& origin, const std::vector<Scene>& scenes) {
+    if (!is_scene_file(origin.scene)) {
+        return {.scene = find_scene(origin.scene, scenes)};
+    }
+    return read_scene_text(origin.text, origin.scene, scenes);
+}
+
+// A file that cannot be read is bad usage here: its name may be a scene's with an error in it.
+template <class Read>
+auto read_or_refuse(const std::string& name, const std::vector<Scene>& scenes, Read read) {
     try {
-        return read_scene_file(name, scenes);
+        return read();
     } catch (const FileError& error) {
         std::string names;
         for (const Scene& scene : scenes) {
@@ -154,26 +189,66 @@ Parameters with_settings(const Scene& scene, const std::vector<std::string>& set
     return parameters;
 }
 
+void check_usage(const Arguments& arguments) {
+    const auto refuse = [](const char* what, const char* where, const char* value,
+                           const char* allowed) {
+        throw InputError({.what = what, .where = where, .value = value, .allowed = allowed});
+    };
+    if (arguments.scene.has_value() == arguments.resume.has_value()) {
+        refuse("one scene or one checkpoint is run", "run", arguments.resume ? "both" : "neither",
+               "run SCENE, or run --resume FILE");
+    }
+    if (arguments.every && !arguments.series && !arguments.checkpoint &&
+        arguments.run.frames.folder.empty()) {
+        refuse("nothing is written in between", "--every", "it alone",
+               "with --series, --frames or --checkpoint");
+    }
+    if (!arguments.run.frames.times.empty() && arguments.run.frames.folder.empty()) {
+        refuse("nothing is written at these times", "--at", "it alone", "with --frames");
+    }
+    const auto check = [](const auto& path, const char* option) {
+        if (path) {
+            check_writable(*path, option);
+        }
+    };
+    check(arguments.json, "--json");
+    check(arguments.events, "--events");
+    check(arguments.series, "--series");
+    check(arguments.outlines, "--outlines");
+    check(arguments.checkpoint, "--checkpoint");
+}
+
 int run(const std::string& program, const std::vector<Scene>& scenes, const Arguments& arguments) {
-    const SceneFile file = scene_called(arguments.scene, scenes);
+    check_usage(arguments);
+    const std::optional<Checkpoint> checkpoint =
+        arguments.resume ? std::optional(read_checkpoint(*arguments.resume)) : std::nullopt;
+    const std::string& name = checkpoint ? checkpoint->origin.scene : *arguments.scene;
+    RunOrigin origin =
+        checkpoint ? checkpoint->origin
+                   : read_or_refuse(name, scenes, [&] { return origin_of(arguments, scenes); });
+    if (checkpoint && origin.commit != commit()) {
+        std::cerr << program << ": " << checkpoint->path << " was written by commit "
+                  << origin.commit << ", this is " << commit()
+                  << ": the result may differ in its last bits\n";
+    }
+    origin.commit = commit();
+    origin.submeshing.threads = arguments.threads.value_or(origin.submeshing.threads);
+    const SceneFile file = read_or_refuse(name, scenes, [&] { return scene_of(origin, scenes); });
     const Scene& scene = file.scene;
-    const Parameters parameters = with_settings(scene, arguments.settings);
+    const Parameters parameters = with_settings(scene, origin.settings);
     RunOptions options = arguments.run;
     options.measure_shape = file.measures_shape;
-    options.strategy = parse_strategy(arguments.strategy);
-    parse_angle(arguments.angle, options.submeshing);
+    options.strategy = origin.strategy;
+    options.submeshing = origin.submeshing;
     options.progress = isatty(STDERR_FILENO) != 0;
     options.interrupted = &interrupted;
-    if (arguments.json) {
-        check_writable(*arguments.json, "--json");
-    }
-    if (arguments.events) {
-        check_writable(*arguments.events, "--events");
-    }
-    if (arguments.series) {
-        check_writable(*arguments.series, "--series");
-        options.series_every = arguments.every;
-    }
+    options.series_every = arguments.series ? arguments.every.value_or(1) : 0;
+    options.outlines = arguments.outlines.value_or("");
+    options.frames.every = arguments.every.value_or(0);
+    options.checkpoint = {.path = arguments.checkpoint.value_or(""),
+                          .every = arguments.every.value_or(0),
+                          .origin = origin};
+    options.resume = checkpoint ? &*checkpoint : nullptr;
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
 
@@ -196,7 +271,11 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
                   << " times a vertex was held, for its velocity was not finite\n";
     }
     if (result.interrupted) {
-        std::cerr << program << ": interrupted after step " << result.steps << '\n';
+        std::cerr << program << ": interrupted after step " << result.steps;
+        if (arguments.checkpoint) {
+            std::cerr << "; to go on: " << program << " run --resume " << *arguments.checkpoint;
+        }
+        std::cerr << '\n';
     }
     return result.holds() && !result.interrupted ? 0 : 1;
 }
@@ -211,34 +290,59 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
     auto* run_command = app.add_subcommand("run", "run one scene");
     run_command->footer(details());
     Arguments arguments;
-    run_command
-        ->add_option("scene", arguments.scene,
-                     "a name from the list, or a scene file: with a slash or ending in .toml")
-        ->required();
-    run_command->add_option("--set", arguments.settings, "key=value; may be repeated")
-        ->allow_extra_args(false);
-    run_command->add_option("--strategy", arguments.strategy,
-                            names_of_strategies() + " (default sequential)");
-    run_command
-        ->add_option("--submeshes", arguments.run.submeshing.submeshes,
-                     "default: 8 slabs, 16 blocks, or as many cells as pay")
-        ->check(CLI::Range(1, 65536));
     run_command->add_option(
+        "scene", arguments.scene,
+        "a name from the list, or a scene file: with a slash or ending in .toml");
+    auto* settings =
+        run_command->add_option("--set", arguments.settings, "key=value; may be repeated")
+            ->allow_extra_args(false);
+    auto* strategy = run_command->add_option("--strategy", arguments.strategy,
+                                             names_of_strategies() + " (default sequential)");
+    auto* submeshes = run_command
+                          ->add_option("--submeshes", arguments.run.submeshing.submeshes,
+                                       "default: 8 slabs, 16 blocks, or as many cells as pay")
+                          ->check(CLI::Range(1, 65536));
+    auto* angle = run_command->add_option(
         "--angle", arguments.angle,
         "slabs are cut across this direction, in degrees from the x axis (default 0); "
         "shape: across the direction of the interface");
-    run_command->add_option("--threads", arguments.run.submeshing.threads, "threads (default 1)")
+    run_command->add_option("--threads", arguments.threads, "threads (default 1)")
         ->check(CLI::Range(1, 1024));
-    run_command->add_option("--frames", arguments.run.frames, "folder for .vtu and .pvd files");
+    run_command->add_option("--frames", arguments.run.frames.folder,
+                            "folder for .vtu and .pvd files: about nine frames, unless --every or "
+                            "--at says which");
+    run_command
+        ->add_option("--at", arguments.run.frames.times,
+                     "times of frames, with commas between them: each is written after the first "
+                     "step that reaches it")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    run_command->add_option("--outlines", arguments.outlines,
+                            "file for the phases at the end, as polygons in GeoJSON");
     run_command->add_option("--json", arguments.json, "file for the result");
     run_command->add_option("--events", arguments.events,
                             "file for the changes of topology, one JSON object a line");
-    auto* series = run_command->add_option(
+    run_command->add_option(
         "--series", arguments.series,
         "file for the run over time: areas, errors, quality, operations, as CSV");
-    run_command->add_option("--every", arguments.every, "steps between the rows of --series (1)")
-        ->needs(series)
+    run_command
+        ->add_option("--every", arguments.every,
+                     "steps between the rows of --series (default 1), between frames, and between "
+                     "checkpoints (default: only when the run ends)")
         ->check(CLI::Range(1, 1000000000));
+    run_command->add_option("--checkpoint", arguments.checkpoint,
+                            "file from which --resume goes on; written when the run ends or is "
+                            "interrupted");
+    run_command
+        ->add_option("--stop-after", arguments.run.stop_after,
+                     "break the run off after this step, as an interruption does")
+        ->check(CLI::Range(1, 1000000000));
+    run_command
+        ->add_option("--resume", arguments.resume,
+                     "a checkpoint, in place of a scene: goes on to the same bits. It knows the "
+                     "scene, its keys and the strategy; files that a scene file names are read "
+                     "again. What else is to be written has to be asked for again")
+        ->excludes(settings, strategy, submeshes, angle);
     auto* describe_command =
         app.add_subcommand("describe", "print one scene as a file that can be changed and run");
     describe_command->add_option("scene", arguments.scene, "a name from the list")->required();
@@ -249,7 +353,7 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         return 0;
     };
     const auto describe_one = [&] {
-        const Scene& scene = find_scene(arguments.scene, scenes);
+        const Scene& scene = find_scene(*arguments.scene, scenes);
         std::cout << describe(scene, with_settings(scene, arguments.settings));
         return 0;
     };

@@ -2,65 +2,102 @@
 #include "scenes/output/frames.h"
 
 #include "dsc/base/error.h"
+#include "scenes/digits.h"
 #include "scenes/output/event_lines.h"
 #include "scenes/output/write_file.h"
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
 
 namespace dsc::scenes {
 
-Frames::Frames(std::string folder, std::string name, int count, int steps, std::optional<int> half)
-    : folder_(std::move(folder)), name_(std::move(name)), count_(std::max(count, 2)),
-      steps_(std::max(steps, 1)), half_(half) {
-    if (folder_.empty()) {
+namespace {
+
+/// Times of steps are products, those asked for have been rounded when they were written down.
+constexpr double time_slack = 1e-9; // of a step
+
+int step_that_reaches(double time, double dt) {
+    return static_cast<int>(std::ceil(std::max(time, 0.0) / dt - time_slack));
+}
+
+} // namespace
+
+void check_times(const FramePlan& plan, const FrameSchedule& schedule) {
+    const double end = schedule.steps * schedule.dt;
+    for (const double time : plan.times) {
+        if (!(time >= 0 && step_that_reaches(time, schedule.dt) <= schedule.steps)) {
+            throw InputError({.what = "no such time in this run",
+                              .where = "--at",
+                              .value = shortest_digits(time),
+                              .allowed = "0 to " + shortest_digits(end)});
+        }
+    }
+}
+
+bool is_frame_due(const FramePlan& plan, const FrameSchedule& schedule, int step) {
+    if (plan.folder.empty()) {
+        return false;
+    }
+    const bool is_asked_for = std::ranges::any_of(
+        plan.times, [&](double time) { return step_that_reaches(time, schedule.dt) == step; });
+    if (is_asked_for || (plan.every <= 0 && !plan.times.empty())) {
+        return is_asked_for;
+    }
+    if (step == 0 || step == schedule.steps) {
+        return true;
+    }
+    if (plan.every > 0) {
+        return step % plan.every == 0;
+    }
+    const auto slot = [&](int s) {
+        return static_cast<long long>(s) * (std::max(plan.count, 2) - 1) /
+               std::max(schedule.steps, 1);
+    };
+    return (schedule.half && step == *schedule.half) || slot(step) != slot(step - 1);
+}
+
+Frames::Frames(FramePlan plan, std::string name, const FrameSchedule& schedule)
+    : plan_(std::move(plan)), schedule_(schedule), name_(std::move(name)) {
+    if (plan_.folder.empty()) {
         return;
     }
+    check_times(plan_, schedule);
     std::error_code error;
-    std::filesystem::create_directories(folder_, error);
-    if (error || access(folder_.c_str(), W_OK) != 0) {
+    std::filesystem::create_directories(plan_.folder, error);
+    if (error || access(plan_.folder.c_str(), W_OK) != 0) {
         throw InputError(
             {.what = "cannot write to this folder",
              .where = "--frames",
-             .value = "'" + folder_ + "'",
+             .value = "'" + plan_.folder + "'",
              .allowed = "a folder that exists or can be made, with permission to write"});
     }
 }
 
-bool Frames::is_due(int step) const {
-    if (folder_.empty()) {
-        return false;
-    }
-    if (step == 0 || step == steps_ || (half_ && step == *half_)) {
-        return true;
-    }
-    const auto slot = [&](int s) { return static_cast<long long>(s) * (count_ - 1) / steps_; };
-    return slot(step) != slot(step - 1);
+std::string Frames::path_of(int step) const {
+    char number[16];
+    std::snprintf(number, sizeof number, "_%05d", step);
+    return (std::filesystem::path(plan_.folder) / (name_ + number)).string();
 }
 
 template <class Real>
-std::string Frames::write(int step, double time, const Complex<Real>& complex) {
-    if (!is_due(step)) {
-        return {};
-    }
-    char number[16];
-    std::snprintf(number, sizeof number, "%05d", step);
-    const std::string file = name_ + "_" + number + ".vtu";
-    std::string path = (std::filesystem::path(folder_) / file).string();
-    write_vtu(complex, path);
-    entries_.push_back({time, file});
+std::string Frames::write(int step, double time, const Complex<Real>& complex,
+                          std::span<const VtuArray> more) {
+    std::string path = path_of(step) + ".vtu";
+    write_vtu(complex, path, more);
+    entries_.push_back({time, std::filesystem::path(path).filename().string()});
     return path;
 }
 
 void Frames::finish(std::span<const Event> events) const {
-    if (folder_.empty()) {
+    if (plan_.folder.empty()) {
         return;
     }
-    const std::filesystem::path path = std::filesystem::path(folder_) / name_;
+    const std::filesystem::path path = std::filesystem::path(plan_.folder) / name_;
     write_pvd(entries_, path.string() + ".pvd");
     const std::string list = path.string() + ".events.jsonl";
     if (events.empty()) {
@@ -70,7 +107,23 @@ void Frames::finish(std::span<const Event> events) const {
     }
 }
 
-template std::string Frames::write(int, double, const Complex<double>&);
-template std::string Frames::write(int, double, const Complex<float>&);
+void Frames::archive(Archive& archive) {
+    std::vector<std::pair<double, std::string>> entries;
+    for (const PvdEntry& entry : entries_) {
+        entries.emplace_back(entry.time, entry.file);
+    }
+    archive(entries);
+    entries_.clear();
+    for (const auto& [time, file] : entries) {
+        entries_.push_back({time, file});
+    }
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template std::string Frames::write(int, double, const Complex<Real>&,                          \
+                                       std::span<const VtuArray>);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
 
 } // namespace dsc::scenes

@@ -2,6 +2,7 @@
 // Meshes of a run as a series of files that ParaView and plots/mesh/frames.py can read.
 #pragma once
 
+#include "dsc/base/archive.h"
 #include "dsc/complex/complex.h"
 #include "dsc/io/vtu.h"
 #include "dsc/topology/events.h"
@@ -13,27 +14,52 @@
 
 namespace dsc::scenes {
 
+/// Which steps have a frame: those of `every` and of `times` together; where neither is given,
+/// about `count`, evenly spread, and the step half-way. With `times` alone only they have one;
+/// otherwise the first and the last step do as well.
+struct FramePlan {
+    std::string folder; ///< empty: no frames
+    int count = 9;
+    int every = 0;             ///< steps; 0: not by steps
+    std::vector<double> times; ///< each at the first step that reaches it
+};
+
+/// The run that the frames are of.
+struct FrameSchedule {
+    int steps = 0;
+    double dt = 0;
+    std::optional<int> half;
+};
+
+/// Throws InputError for a time that is not within the run.
+void check_times(const FramePlan& plan, const FrameSchedule& schedule);
+
+/// True if the step has a frame; step 0 is the start. O(times).
+[[nodiscard]] bool is_frame_due(const FramePlan& plan, const FrameSchedule& schedule, int step);
+
 class Frames {
 public:
-    /// An empty folder name: no frames. Creates the folder; throws InputError, before anything has
-    /// run, if it is not writable.
-    Frames(std::string folder, std::string name, int count, int steps, std::optional<int> half);
+    /// Creates the folder; throws InputError, before anything has run, if it is not writable, or
+    /// where check_times does.
+    Frames(FramePlan plan, std::string name, const FrameSchedule& schedule);
 
-    /// Writes a frame if this step has one, and returns its path; otherwise returns an empty path.
-    /// Throws FileError.
+    [[nodiscard]] bool is_due(int step) const { return is_frame_due(plan_, schedule_, step); }
+    /// The path of a step's frame, without the ending.
+    [[nodiscard]] std::string path_of(int step) const;
+    /// Writes the mesh, with these arrays beside its own, and returns its path. Throws FileError.
     template <class Real>
-    std::string write(int step, double time, const Complex<Real>& complex);
+    std::string write(int step, double time, const Complex<Real>& complex,
+                      std::span<const VtuArray> more = {});
     /// Writes the collection, and the events beside it if there are any.
     void finish(std::span<const Event> events) const;
 
-private:
-    [[nodiscard]] bool is_due(int step) const;
+    /// The frames so far, for a run that goes on from a checkpoint.
+    void archive(Archive& archive);
 
-    std::string folder_;
+private:
+    FramePlan plan_;
+    FrameSchedule schedule_;
     std::string name_;
-    int count_;
-    int steps_;
-    std::optional<int> half_;
     std::vector<PvdEntry> entries_;
 };
 

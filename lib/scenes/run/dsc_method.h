@@ -8,6 +8,7 @@
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/passes/growth_corners.h"
 #include "scenes/output/submesh_map.h"
+#include "scenes/run/frame_arrays.h"
 #include "scenes/run/run.h"
 #include "scenes/run/start.h"
 
@@ -57,7 +58,7 @@ public:
         : complex_(first_complex<Real>(setup, parameters)),
           options_(scene_options<Real>(setup, parameters)) {
         Submeshing submeshing = run.submeshing;
-        submeshing.profile = !run.frames.empty(); // the submeshes are drawn by their work
+        submeshing.profile = !run.frames.folder.empty(); // the submeshes are drawn by their work
         std::optional<Algorithm<Real>> algorithm;
         if (setup.curvature) {
             by_curvature_ = curvature_flow<Real>(curvature_of(*setup.curvature));
@@ -90,9 +91,35 @@ public:
             dsc::growth<Real>(growth_of(growth, [way](const Growth&, double) { return way; }));
         take(simulation_->step(flow, static_cast<Real>(time), static_cast<Real>(dt)), time, result);
     }
+    /// Everything that the next step depends on; `leg`: the velocity of the step before, if there
+    /// was one, null where the flow is none.
+    void archive(Archive& archive, const Velocity* leg) {
+        simulation_->archive(archive);
+        archive(vertex_steps_);
+        leg_ = leg;
+    }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
+    /// To be called before a step after which there is a frame...
+    void begin_frame() { begin_displacements(complex_); }
+    /// ...for its arrays. `velocity`: null where the flow is none.
+    std::vector<VtuArray> end_frame(const Velocity* velocity, double time, double dt) {
+        FrameView<Real> view{.time = static_cast<Real>(time),
+                             .dt = static_cast<Real>(dt),
+                             .edge_length = options_.edge_length,
+                             .is_uniform = options_.sizes.is_uniform(),
+                             .partition =
+                                 submeshes_ == nullptr ? nullptr : &submeshes_->partition()};
+        dsc::Velocity<Real> field;
+        if (velocity != nullptr) {
+            field = velocity_in<Real>(*velocity);
+            view.velocity = &field;
+        }
+        std::vector<VtuArray> arrays = frame_arrays(complex_, view);
+        end_displacements(complex_);
+        return arrays;
+    }
     /// The submeshes as a file next to a frame, if there are any.
     void map_submeshes(const std::string& frame) const {
         if (submeshes_ != nullptr && !submeshes_->partition().colours.empty() && !frame.empty()) {

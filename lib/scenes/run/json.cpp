@@ -112,6 +112,7 @@ std::string to_json(const RunResult& r) {
         {"parameters", parameters_json(r.parameters)},
         {"steps", r.steps},
         {"interrupted", r.interrupted},
+        {"partial", r.is_partial()},
         {"gave_up", r.gave_up.empty() ? Json(nullptr) : Json(r.gave_up)},
         {"triangles_first", r.triangles_first},
         {"triangles_last", r.triangles_last},

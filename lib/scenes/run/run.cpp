@@ -5,11 +5,13 @@
 #include "dsc/queries/hash.h"
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"
-#include "scenes/output/frames.h"
+#include "scenes/output/outlines_file.h"
 #include "scenes/output/progress.h"
+#include "scenes/output/write_file.h"
 #include "scenes/run/clock.h"
 #include "scenes/run/dsc_method.h"
 #include "scenes/run/reference_run.h"
+#include "scenes/run/result_archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,43 +30,63 @@ template <class Method>
 class Runner {
 public:
     Runner(const Setup& setup, const RunOptions& options, Method& method, RunResult& result)
-        : setup_(setup), options_(options), method_(method), result_(result) {}
+        : setup_(setup), options_(options), method_(method), result_(result),
+          frames_(options.frames, result.scene + "_" + to_string(options.strategy),
+                  {setup.steps, setup.dt, setup.half_step}),
+          identity_(identity_of(result, options.submeshing)),
+          hash_first_(options.checkpoint.path.empty() && options.resume == nullptr
+                          ? 0
+                          : mesh_hash(method.complex())) {}
 
     void run() {
-        first();
-        Frames frames(options_.frames, result_.scene + "_" + to_string(options_.strategy),
-                      options_.frame_count, setup_.steps, setup_.half_step);
-        Progress progress(options_.progress, result_.scene, setup_.steps);
-        frames.write(0, 0.0, complex());
-        std::vector<double> step_us;
-        for (int step = 1; step <= setup_.steps; ++step) {
-            if (options_.interrupted != nullptr && options_.interrupted->load()) {
+        if (options_.resume != nullptr) {
+            go_on();
+        } else {
+            first();
+            frame(0);
+        }
+        Progress progress(options_.progress, result_.scene, result_.steps, setup_.steps);
+        for (int step = result_.steps + 1; step <= setup_.steps && result_.gave_up.empty();
+             ++step) {
+            if (is_interrupted()) {
                 result_.interrupted = true;
                 break;
             }
             // Multiplied, not summed: the last step ends where the scene ends.
             const double begin = (step - 1) * setup_.dt;
             const double end = step * setup_.dt;
+            begin_frame(step);
             const Stopwatch watch;
             advance(begin, end);
-            step_us.push_back(watch.wall() * 1e6);
+            step_us_.push_back(watch.wall() * 1e6);
             result_.wall_s += watch.wall();
             result_.cpu_s += watch.cpu();
             result_.steps = step;
             time_ = end;
             after(step);
-            map_submeshes(frames.write(step, time_, complex()));
-            progress.show(step, complex().triangle_count());
-            if (!result_.gave_up.empty()) {
-                break;
+            frame(step);
+            const int every = options_.checkpoint.every;
+            if (every > 0 && step % every == 0 && step < setup_.steps) {
+                save();
             }
+            progress.show(step, complex().triangle_count(),
+                          [this] { return measure_quality(complex()).min_angle_deg; });
         }
-        frames.finish(result_.events);
-        last(step_us);
+        save();
+        frames_.finish(result_.events);
+        if (!options_.outlines.empty()) {
+            write_file(options_.outlines, outlines_to_geojson(complex()));
+        }
+        last(step_us_);
     }
 
 private:
     const auto& complex() { return method_.complex(); }
+
+    [[nodiscard]] bool is_interrupted() const {
+        return (options_.interrupted != nullptr && options_.interrupted->load()) ||
+               (options_.stop_after > 0 && result_.steps >= options_.stop_after);
+    }
 
     void advance(double begin, double end) {
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
@@ -88,10 +110,88 @@ private:
         }
     }
 
-    void map_submeshes(const std::string& frame) {
+    void begin_frame(int step) {
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
-            method_.map_submeshes(frame);
+            if (frames_.is_due(step)) {
+                method_.begin_frame();
+            }
         }
+    }
+
+    void frame(int step) {
+        if (!frames_.is_due(step)) {
+            return;
+        }
+        if constexpr (std::is_same_v<Method, ReferenceMethod>) {
+            frames_.write(step, time_, complex());
+        } else {
+            const auto arrays =
+                method_.end_frame(leg_before(std::max(step, 1)), time_, step > 0 ? setup_.dt : 0);
+            const std::string path = frames_.write(step, time_, complex(), arrays);
+            if (step > 0) { // nothing has been divided before
+                method_.map_submeshes(path);
+            }
+        }
+    }
+
+    // All that the next step, its figures and its frames depend on.
+    void archive([[maybe_unused]] Archive& archive) {
+        if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
+            expect_the_same(archive);
+            archive(result_, step_us_, told_);
+            expect_figures(archive);
+            frames_.archive(archive);
+            time_ = result_.steps * setup_.dt;
+            method_.archive(archive, leg_before(result_.steps));
+        }
+    }
+
+    // Another run, or one that began with another mesh, cannot be continued.
+    void expect_the_same(Archive& archive) const {
+        std::string identity = identity_;
+        std::uint64_t hash_first = hash_first_;
+        archive(identity);
+        if (identity != identity_) {
+            archive.refuse("was written by another run: " + identity + "; this one is " +
+                           identity_);
+        }
+        archive(hash_first);
+        archive.expect(hash_first == hash_first_,
+                       "began with another mesh: a file of the scene or the program has changed");
+    }
+
+    // What is used without another look.
+    void expect_figures(const Archive& archive) const {
+        archive.expect(result_.steps >= 0 && result_.steps <= setup_.steps,
+                       "has gone on for longer than this run");
+        archive.expect(result_.quality_sampled_every >= 1, "never looks at the quality");
+        bool are_complete = !result_.half || result_.half->size() == options_.measures.size();
+        for (const SeriesRow& row : result_.series) {
+            are_complete = are_complete && row.figures.size() == series_measures_.size();
+        }
+        archive.expect(are_complete, "holds other figures");
+    }
+
+    // The velocity of a step that has been done.
+    [[nodiscard]] const Velocity* leg_before(int step) const {
+        return step == 0 || setup_.sees_interface()
+                   ? nullptr
+                   : &velocity_of_step(setup_.flow, (step - 1) * setup_.dt, step * setup_.dt);
+    }
+
+    void save() {
+        if (options_.checkpoint.path.empty()) {
+            return;
+        }
+        Archive state;
+        archive(state);
+        write_checkpoint(options_.checkpoint, state.bytes());
+    }
+
+    void go_on() {
+        Archive state(options_.resume->state, options_.resume->path);
+        archive(state);
+        state.expect_end();
     }
 
     // The interface as interpolated by the scene.
@@ -209,7 +309,11 @@ private:
     const RunOptions& options_;
     Method& method_;
     RunResult& result_;
+    Frames frames_;
     double time_ = 0;
+    std::vector<double> step_us_;
+    std::string identity_;
+    std::uint64_t hash_first_; ///< of the mesh before the first step
     std::vector<Measure> series_measures_ = series_measures();
     SeriesRow told_; ///< sums over all rows
 };
@@ -241,6 +345,12 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
     result.submeshes = submeshes_of(options.strategy, submeshing);
     result.threads = submeshing.threads;
     if (options.strategy == Strategy::reference) {
+        if (!options.checkpoint.path.empty() || options.resume != nullptr) {
+            throw InputError({.what = "the reference keeps no checkpoints",
+                              .where = "--strategy",
+                              .value = "'reference'",
+                              .allowed = "another strategy"});
+        }
         if (parameters.real != RealType::double_precision) {
             throw InputError({.what = "the reference is written for double",
                               .where = "--set real",

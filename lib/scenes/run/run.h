@@ -7,7 +7,9 @@
 #include "measures/junctions.h"
 #include "measures/measures.h"
 #include "measures/phases.h"
+#include "scenes/output/frames.h"
 #include "scenes/output/series.h"
+#include "scenes/run/checkpoint.h"
 #include "scenes/run/strategy.h"
 #include "scenes/scene.h"
 
@@ -21,8 +23,8 @@ namespace dsc::scenes {
 struct RunOptions {
     Strategy strategy = Strategy::sequential;
     Submeshing submeshing; ///< of the parallel strategies
-    std::string frames;    ///< folder for frames (.vtu, .pvd); empty: none
-    int frame_count = 9;   ///< approximate number, evenly spread, with the first and the last
+    FramePlan frames;      ///< .vtu and .pvd
+    std::string outlines;  ///< file for the outlines at the end, as GeoJSON; empty: none
     int series_every = 0;  ///< steps between rows of the time series; 0: none
     bool progress = false; ///< a line on stderr
     /// What is measured at the end, and when a reversing flow is farthest out.
@@ -31,6 +33,11 @@ struct RunOptions {
     /// computing it takes longer than a run on a coarse mesh.
     bool measure_shape = true;
     const std::atomic<bool>* interrupted = nullptr; ///< ends the run after the current step
+    int stop_after = 0; ///< ends the run after this step as an interruption does; 0: not
+    CheckpointPlan checkpoint;
+    /// The run goes on from here; null: from the start. The scene, its parameters and the strategy
+    /// must be those of the run that wrote it.
+    const Checkpoint* resume = nullptr;
     /// Called after each step (0: before the first) with the double complex; for tests. Not called
     /// by float runs or by the reference.
     std::function<void(int step, const Complex<double>& complex)> observer;
@@ -45,6 +52,8 @@ struct RunResult {
     int steps = 0; ///< done; fewer than asked for if `interrupted` or `gave_up`
     bool interrupted = false;
     std::string gave_up; ///< empty, or the reason
+    /// Not all steps have been done: the figures are those of the last one that was.
+    [[nodiscard]] bool is_partial() const { return interrupted || !gave_up.empty(); }
 
     std::uint64_t triangles_first = 0;
     std::uint64_t triangles_last = 0;
@@ -81,7 +90,9 @@ struct RunResult {
     [[nodiscard]] bool holds() const { return inverted == 0 && unreached == 0 && gave_up.empty(); }
 };
 
-/// Throws InputError before anything has run; FileError if a frame cannot be written.
+/// Throws InputError before anything has run; FileError if a frame or a checkpoint cannot be
+/// written, or if `resume` is damaged or was written by another run. A run that is broken off and
+/// resumed ends with the same bits and counts as one that is not: all but times.
 RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunOptions& options);
 
 } // namespace dsc::scenes

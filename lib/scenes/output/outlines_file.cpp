@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/output/outlines_file.h"
+
+#include "dsc/queries/components.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace dsc::scenes {
+
+namespace {
+
+using Ring = std::vector<Point<double>>;
+
+double enclosed_by(const Ring& ring) {
+    double doubled = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point<double> a = ring[i] - ring[0]; // far from the origin, digits would be lost
+        const Point<double> b = ring[(i + 1) % ring.size()] - ring[0];
+        doubled += a.x() * b.y() - a.y() * b.x();
+    }
+    return doubled / 2;
+}
+
+nlohmann::ordered_json positions_of(const Ring& ring) {
+    auto list = nlohmann::ordered_json::array();
+    for (const Point<double>& p : ring) {
+        list.push_back({p.x(), p.y()});
+    }
+    list.push_back(list.front());
+    return list;
+}
+
+} // namespace
+
+template <class Real>
+std::string outlines_to_geojson(const Complex<Real>& complex) {
+    using Json = nlohmann::ordered_json;
+    const Components parts = components(complex);
+    std::vector<std::vector<Ring>> rings(parts.list.size());
+    for_each_outline(complex, [&](std::span<const Corner> corners) {
+        Ring ring;
+        for (const Corner c : corners) {
+            ring.push_back(
+                complex.position(Vertex{complex.vertex(next(c))}).template cast<double>());
+        }
+        rings[parts.of[triangle_of(corners.front())]].push_back(std::move(ring));
+    });
+    Json features = Json::array();
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        if (parts.list[i].phase == exterior_phase) {
+            continue;
+        }
+        // The one around the component, which encloses it; holes are negative.
+        const auto outer = std::ranges::max_element(rings[i], {}, enclosed_by);
+        std::iter_swap(rings[i].begin(), outer);
+        Json lines = Json::array();
+        for (const Ring& ring : rings[i]) {
+            lines.push_back(positions_of(ring));
+        }
+        features.push_back(
+            {{"type", "Feature"},
+             {"properties", {{"phase", parts.list[i].phase}, {"area", parts.list[i].area}}},
+             {"geometry", {{"type", "Polygon"}, {"coordinates", std::move(lines)}}}});
+    }
+    return Json{{"type", "FeatureCollection"}, {"features", std::move(features)}}.dump() + "\n";
+}
+
+template std::string outlines_to_geojson(const Complex<double>&);
+template std::string outlines_to_geojson(const Complex<float>&);
+
+} // namespace dsc::scenes

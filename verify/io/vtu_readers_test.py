@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""Frames as other programs read them: VTK and meshio, where they are installed, find the same numbers
+as a reader of a few lines (plots/results/vtk_arrays.py), bit by bit.
+
+The environment names the program (DSC_SCENE) and this project's plots (DSC_PLOTS).
+"""
+import importlib.util
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+
+import numpy
+
+sys.path.insert(0, os.environ["DSC_PLOTS"])
+from results import vtk_arrays  # noqa: E402
+
+POINT_ARRAYS = {"position", "velocity", "displacement"}
+CELL_ARRAYS = {"phase", "quality", "size", "submesh"}
+
+
+def has(module):
+    return importlib.util.find_spec(module) is not None
+
+
+class Own:
+    """Points, triangles and data of one file by the few lines."""
+
+    def __init__(self, path):
+        root = xml.parse(path).getroot()
+        piece = root.find("UnstructuredGrid/Piece")
+
+        def arrays(place):
+            return {tag.get("Name"): vtk_arrays.read_array(root, tag).reshape(
+                -1, int(tag.get("NumberOfComponents", 1))) for tag in piece.find(place)}
+
+        self.points = arrays("Points")["Points"]
+        self.cells = arrays("Cells")["connectivity"].reshape(-1, 3)
+        self.point_data, self.cell_data = arrays("PointData"), arrays("CellData")
+        assert len(self.points) == int(piece.get("NumberOfPoints"))
+        assert len(self.cells) == int(piece.get("NumberOfCells"))
+
+
+class Readers(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.paths = []
+        for name, more in (("double", ["--strategy", "cells"]),
+                           ("float", ["--set", "real=float", "--set", "grade=1.4"])):
+            frames = os.path.join(folder.name, name)
+            subprocess.run([os.environ["DSC_SCENE"], "run", "swirl", "--set", "h=0.02", "--set",
+                            "steps=4", *more, "--frames", frames, "--every", "4"], check=True,
+                           stdout=subprocess.DEVNULL, timeout=120)
+            cls.paths += [os.path.join(frames, file) for file in sorted(os.listdir(frames))
+                          if file.endswith(".vtu")]
+            cls.collection = [os.path.join(frames, file) for file in os.listdir(frames)
+                              if file.endswith(".pvd")][0]
+
+    def expect_same(self, found, expected, name):
+        found = numpy.asarray(found).reshape(expected.shape)
+        self.assertEqual(found.dtype.newbyteorder("<"), expected.dtype, name)
+        self.assertEqual(found.tobytes(), expected.tobytes(), name)
+
+    def test_by_a_few_lines(self):
+        self.assertEqual(len(self.paths), 6)
+        for path in self.paths:
+            own = Own(path)
+            self.assertEqual(set(own.point_data), POINT_ARRAYS)
+            self.assertEqual(set(own.cell_data), CELL_ARRAYS)
+            self.expect_same(own.point_data["position"], own.points, "position")
+            self.assertEqual(set(own.cell_data["phase"].ravel()), {0, 1})
+            corners = own.points[own.cells].astype(float)
+            a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+            self.assertTrue((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > 0).all())
+            # The swirl at its inside is fast; its corners are at rest.
+            speeds = numpy.linalg.norm(own.point_data["velocity"], axis=1)
+            self.assertGreater(speeds.max(), 0.5)
+            self.assertLess(speeds[(own.points == 0).all(axis=1)].max(), 1e-6)
+            ways = numpy.linalg.norm(own.point_data["displacement"], axis=1)
+            self.assertEqual(ways.max() > 0, not path.endswith("_00000.vtu"))
+        graded = Own(self.paths[-1]).cell_data["size"]
+        self.assertTrue(0.0199 < graded.min() < 0.021)
+        self.assertGreater(graded.max(), 0.06)
+        divided = Own(self.paths[2]).cell_data["submesh"]
+        self.assertGreaterEqual(divided.max(), 1)
+
+    @unittest.skipUnless(has("vtk"), "python3-vtk9 is not installed")
+    def test_by_vtk(self):
+        from vtk import vtkXMLUnstructuredGridReader
+        from vtk.util.numpy_support import vtk_to_numpy
+        for path in self.paths:
+            own = Own(path)
+            reader = vtkXMLUnstructuredGridReader()
+            reader.SetFileName(path)
+            reader.Update()
+            self.assertEqual(reader.GetErrorCode(), 0)
+            grid = reader.GetOutput()
+            self.expect_same(vtk_to_numpy(grid.GetPoints().GetData()), own.points, "points")
+            cells = grid.GetCells()
+            self.expect_same(vtk_to_numpy(cells.GetConnectivityArray()), own.cells, "cells")
+            self.assertEqual({grid.GetCellType(i) for i in range(grid.GetNumberOfCells())}, {5})
+            for data, expected in ((grid.GetPointData(), own.point_data),
+                                   (grid.GetCellData(), own.cell_data)):
+                self.assertEqual(data.GetNumberOfArrays(), len(expected))
+                for name, numbers in expected.items():
+                    self.expect_same(vtk_to_numpy(data.GetArray(name)), numbers, name)
+
+    @unittest.skipUnless(has("meshio"), "python3-meshio is not installed")
+    def test_by_meshio(self):
+        import meshio
+        for path in self.paths:
+            own = Own(path)
+            mesh = meshio.read(path)
+            self.expect_same(mesh.points, own.points, "points")
+            self.assertEqual([block.type for block in mesh.cells], ["triangle"])
+            self.expect_same(mesh.cells[0].data, own.cells, "cells")
+            self.assertEqual(set(mesh.point_data), set(own.point_data))
+            self.assertEqual(set(mesh.cell_data), set(own.cell_data))
+            for name, numbers in own.point_data.items():
+                self.expect_same(mesh.point_data[name], numbers, name)
+            for name, numbers in own.cell_data.items():
+                self.expect_same(mesh.cell_data[name][0], numbers, name)
+
+    def test_the_collection_names_its_files(self):
+        root = xml.parse(self.collection).getroot()
+        files = [tag.get("file") for tag in root.iter("DataSet")]
+        self.assertEqual(files, [os.path.basename(path) for path in self.paths[3:]])
+
+
+if __name__ == "__main__":
+    unittest.main()

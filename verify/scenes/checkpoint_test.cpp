@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+// A run that is broken off and resumed ends with the same bits, counts and figures as one that is
+// not; and a checkpoint that is damaged, or belongs to something else, is refused.
+//
+//   DSC_CHECKPOINTS=long    many more runs, broken off at many more places
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/run/json.h"
+#include "scenes/run/run.h"
+#include "scenes/run/start.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/base/error.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace dsc::scenes {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_long() {
+    const char* asked = std::getenv("DSC_CHECKPOINTS");
+    return asked != nullptr && std::string(asked) == "long";
+}
+
+struct Broken {
+    std::string scene;
+    Strategy strategy;
+    std::vector<std::string> settings;
+    int stop_after;
+};
+
+void PrintTo(const Broken& run, std::ostream* out) {
+    *out << run.scene << ", " << to_string(run.strategy) << ", stopped after " << run.stop_after;
+    for (const std::string& setting : run.settings) {
+        *out << ", " << setting;
+    }
+}
+
+class Checkpoints : public testing::Test {
+protected:
+    void SetUp() override {
+        folder = fs::temp_directory_path() / ("dsc_checkpoints_" + std::to_string(getpid()));
+        fs::create_directories(folder);
+        path = folder / "run.checkpoint";
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    fs::path folder;
+    std::string path;
+};
+
+Parameters parameters_of(const Broken& run, const Scene& scene) {
+    Parameters parameters = scene.defaults;
+    for (const std::string& setting : run.settings) {
+        apply_setting(parameters, scene.keys, setting);
+    }
+    return parameters;
+}
+
+RunOptions options_of(const Broken& run) {
+    RunOptions options;
+    options.strategy = run.strategy;
+    options.submeshing.always_all_threads = true;
+    options.submeshing.threads = is_parallel(run.strategy) ? 2 : 1;
+    options.measure_shape = false;
+    options.series_every = 4;
+    return options;
+}
+
+// All but times, in the result and in its rows.
+nlohmann::json figures_of(RunResult result) {
+    auto json = nlohmann::json::parse(to_json(result));
+    for (const char* time : {"cpu_s", "wall_s", "step_us_median", "us_per_vertex_step",
+                             "peak_memory_mb", "threads", "machine", "commit"}) {
+        json.erase(time);
+    }
+    for (SeriesRow& row : result.series) {
+        row.wall_s = 0;
+    }
+    json["series"] = series_to_csv(result.series);
+    json["events_told"] = result.events.size();
+    return json;
+}
+
+void expect_same_when_broken(const Broken& run, const std::string& path) {
+    SCOPED_TRACE(testing::PrintToString(run));
+    const Scene scene = find_scene(run.scene);
+    const Parameters parameters = parameters_of(run, scene);
+    const RunResult whole = run_scene(scene, parameters, options_of(run));
+
+    RunOptions first = options_of(run);
+    first.stop_after = run.stop_after;
+    first.checkpoint.path = path;
+    const RunResult begun = run_scene(scene, parameters, first);
+    ASSERT_TRUE(begun.interrupted);
+    ASSERT_EQ(begun.steps, run.stop_after);
+
+    const Checkpoint checkpoint = read_checkpoint(path);
+    RunOptions second = options_of(run);
+    second.submeshing.threads = 1; // on which no bit depends
+    second.resume = &checkpoint;
+    const RunResult resumed = run_scene(scene, parameters, second);
+    EXPECT_FALSE(resumed.interrupted);
+    EXPECT_EQ(resumed.mesh_hash, whole.mesh_hash);
+    EXPECT_EQ(figures_of(resumed), figures_of(whole));
+    EXPECT_NE(begun.mesh_hash, whole.mesh_hash) << "nothing happens after the break";
+}
+
+// Coarse, and only as many steps as it takes.
+const std::vector<Broken>& quick_runs() {
+    using enum Strategy;
+    static const std::vector<Broken> runs{
+        {"swirl", sequential, {"h=0.04", "steps=14", "integrator=centred"}, 9},
+        {"swirl", cells, {"h=0.02", "steps=40"}, 37},
+        {"single-vortex", active, {"h=0.04", "period=0.8", "integrator=adaptive"}, 13},
+        {"drop-and-pool", cells, {"h=0.03", "steps=40", "grade=1.3"}, 23},
+        {"grow-shrink", blocks, {"h=0.03"}, 5},
+        {"curvature-circle", copy, {"h=0.05", "steps=12", "real=float"}, 7},
+        {"grains", fixed, {"h=0.04", "grains=30", "steps=20"}, 11},
+        {"zalesak", counting, {"h=0.03", "steps=12", "seed=7", "real=float"}, 4},
+    };
+    return runs;
+}
+
+TEST_F(Checkpoints, ARunThatIsBrokenOffEndsWithTheSameBits) {
+    for (const Broken& run : quick_runs()) {
+        expect_same_when_broken(run, path);
+    }
+}
+
+// Every scene, a strategy and a precision by lot, broken off anywhere.
+TEST_F(Checkpoints, AnyRunBrokenOffAnywhere) {
+    if (!is_long()) {
+        GTEST_SKIP() << "DSC_CHECKPOINTS=long";
+    }
+    std::mt19937 lot(2026);
+    const auto below = [&](std::size_t n) { return static_cast<int>(lot() % n); };
+    const std::vector<Strategy> strategies{
+        Strategy::sequential, Strategy::fixed, Strategy::counting, Strategy::active,
+        Strategy::blocks,     Strategy::cells, Strategy::copy};
+    int runs = 0;
+    for (const Scene& scene : catalogue()) {
+        for (int round = 0; round < 2; ++round) {
+            const int steps = 24;
+            Broken run{
+                scene.name, strategies[static_cast<std::size_t>(below(strategies.size()))], {}, 0};
+            run.settings = {std::string("real=") + (below(3) == 0 ? "float" : "double"),
+                            std::string("topology=") + (below(2) == 0 ? "keep" : "change")};
+            if (below(3) == 0) {
+                run.settings.emplace_back("grade=1.3");
+            }
+            const Parameters parameters = parameters_of(run, scene);
+            const scenes::Setup setup = scene.prepare(parameters);
+            run.settings.push_back("dt=" + std::to_string(setup.dt));
+            run.settings.push_back("steps=" +
+                                   std::to_string(scene.counts_steps_each_way ? steps / 2 : steps));
+            run.stop_after = 1 + below(steps - 2);
+            if (scene.prepare(parameters_of(run, scene)).steps > run.stop_after) {
+                expect_same_when_broken(run, path);
+                ++runs;
+            }
+        }
+    }
+    EXPECT_GE(runs, 20);
+}
+
+// --- what is refused -----------------------------------------------------------------------------
+
+std::string read(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write(const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+const Broken small{"drop-and-pool", Strategy::cells, {"h=0.06", "steps=6", "grade=1.3"}, 0};
+
+void run_small(const Broken& run, const std::string& to, const Checkpoint* from) {
+    const Scene scene = find_scene(run.scene);
+    RunOptions options = options_of(run);
+    options.submeshing.threads = 1;
+    options.stop_after = run.stop_after;
+    options.checkpoint.path = to;
+    options.resume = from;
+    (void)run_scene(scene, parameters_of(run, scene), options);
+}
+
+// The sentence with which a checkpoint of `small` is refused by another run.
+std::string refusal(const Broken& other, const std::string& path) {
+    run_small(small, path, nullptr);
+    const Checkpoint checkpoint = read_checkpoint(path);
+    try {
+        run_small(other, "", &checkpoint);
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.path(), path);
+        return error.what();
+    }
+    return "nothing was refused";
+}
+
+TEST_F(Checkpoints, AnotherRunIsRefused) {
+    Broken other = small;
+    other.settings[0] = "h=0.05";
+    EXPECT_NE(refusal(other, path).find("another run"), std::string::npos);
+    other = small;
+    other.strategy = Strategy::blocks;
+    EXPECT_NE(refusal(other, path).find("strategy=cells"), std::string::npos);
+    other = small;
+    other.settings.emplace_back("real=float");
+    EXPECT_NE(refusal(other, path).find("real=double"), std::string::npos);
+}
+
+TEST_F(Checkpoints, TheScalarTypeIsTold) {
+    const Scene scene = find_scene("swirl");
+    Parameters parameters = scene.defaults;
+    parameters.h = 0.1;
+    const scenes::Setup setup = scene.prepare(parameters);
+    auto in_double = first_complex<double>(setup, parameters);
+    auto in_float = first_complex<float>(setup, parameters);
+    Simulation<double> one(in_double, scene_options<double>(parameters));
+    Simulation<float> other(in_float, scene_options<float>(parameters));
+    Archive archive;
+    one.archive(archive);
+    Archive again(archive.bytes(), "here");
+    try {
+        other.archive(again);
+        FAIL() << "nothing was refused";
+    } catch (const FileError& error) {
+        EXPECT_STREQ(error.what(), "here: holds a complex of double, not of float");
+    }
+}
+
+TEST_F(Checkpoints, AFileThatIsCutOffOrChangedIsRefused) {
+    run_small(small, path, nullptr);
+    const std::string bytes = read(path);
+    const auto expect_refused = [&](const std::string& damaged, const char* word) {
+        write(path, damaged);
+        try {
+            (void)read_checkpoint(path);
+            ADD_FAILURE() << "nothing was refused: " << word;
+        } catch (const FileError& error) {
+            EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+        }
+    };
+    expect_refused("", "too short");
+    expect_refused(bytes.substr(0, 31), "too short");
+    expect_refused(bytes.substr(0, bytes.size() - 1), "incomplete");
+    expect_refused(bytes + "x", "incomplete");
+    expect_refused("{" + bytes.substr(1), "no file of kind");
+    const auto changed = [&](std::size_t at) {
+        std::string other = bytes;
+        other[at] = static_cast<char>(other[at] ^ 4);
+        return other;
+    };
+    expect_refused(changed(8), "version");
+    expect_refused(changed(12), "damaged");
+    expect_refused(changed(24), "damaged");
+    expect_refused(changed(32), "damaged");
+    expect_refused(changed(bytes.size() - 1), "damaged");
+    std::mt19937 lot(5);
+    for (int i = 0; i < (is_long() ? 3000 : 30); ++i) {
+        const std::size_t at = lot() % bytes.size();
+        expect_refused(bytes.substr(0, at), at < 32 ? "too short" : "incomplete");
+        write(path, changed(at));
+        EXPECT_THROW((void)read_checkpoint(path), FileError);
+    }
+    write(path, bytes);
+    EXPECT_NO_THROW((void)read_checkpoint(path));
+}
+
+// With a checksum that fits: whoever wrote it, it is refused or read, and nothing is touched that
+// is not there. What has been read is measured, so that it is looked at.
+TEST_F(Checkpoints, WhatCannotBeTrueIsRefused) {
+    run_small(small, path, nullptr);
+    const Checkpoint whole = read_checkpoint(path);
+    std::mt19937 lot(7);
+    int refused = 0;
+    const int trials = is_long() ? 2000 : 20;
+    for (int i = 0; i < trials; ++i) {
+        Checkpoint damaged = whole;
+        std::string& state = damaged.state;
+        if (i % 4 == 0) {
+            state.resize(lot() % state.size());
+        } else {
+            const std::size_t at = lot() % (i % 2 == 0 ? 2000 : state.size());
+            state[at] = static_cast<char>(state[at] ^ static_cast<char>(1U << (lot() % 8U)));
+        }
+        try {
+            run_small(small, "", &damaged);
+        } catch (const FileError&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, trials / 4);
+    EXPECT_NO_THROW(run_small(small, "", &whole));
+}
+
+// What a program that is killed while it writes leaves behind: part of a file beside the old one.
+TEST_F(Checkpoints, AnInterruptedWriteKeepsTheOldOne) {
+    run_small(small, path, nullptr);
+    const std::string bytes = read(path);
+    write(path + ".part", bytes.substr(0, bytes.size() / 2));
+    const Checkpoint checkpoint = read_checkpoint(path);
+    EXPECT_NO_THROW(run_small(small, "", &checkpoint));
+    run_small(small, path, nullptr);
+    EXPECT_FALSE(fs::exists(path + ".part"));
+}
+
+} // namespace
+} // namespace dsc::scenes
