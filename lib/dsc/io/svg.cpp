@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace dsc {
@@ -97,32 +98,67 @@ const std::string& colour_of(Phase phase, const SvgOptions& options) {
     return list[1 + (phase - 1) % (list.size() - 1)];
 }
 
-// All triangles of a phase are one path: a third of the bytes of polygons.
+// All triangles of a colour are one path: a third of the bytes of polygons.
+template <class Real>
+void write_path(PartFile& file, const Complex<Real>& complex, const View& view,
+                const SvgOptions& options, const std::string& name, const std::string& colour,
+                std::span<const Triangle> members) {
+    file << "<path class=\"" << escape_xml(name) << "\" fill=\"" << escape_xml(colour)
+         << "\" stroke=\"";
+    if (options.edge_width_px > 0) {
+        file << escape_xml(options.edge_colour) << "\" stroke-width=\"" << options.edge_width_px;
+    } else {
+        // Hides the seams that anti-aliasing leaves between triangles.
+        file << escape_xml(colour) << "\" stroke-width=\"0.5";
+    }
+    file << "\" d=\"";
+    for (const Triangle t : members) {
+        char command = 'M';
+        for (const Vertex v : complex.vertices_of(t)) {
+            file << command;
+            view.put(file, complex.position(v));
+            command = 'L';
+        }
+        file << "Z\n";
+    }
+    file << "\"/>\n";
+}
+
 template <class Real>
 void write_triangles(PartFile& file, const Complex<Real>& complex, const View& view,
                      const SvgOptions& options) {
-    const auto present = phases(complex);
-    for (const Phase phase : present) {
-        file << "<path class=\"phase-" << phase << "\" fill=\""
-             << escape_xml(colour_of(phase, options)) << "\" stroke=\"";
-        if (options.edge_width_px > 0) {
-            file << escape_xml(options.edge_colour) << "\" stroke-width=\""
-                 << options.edge_width_px;
-        } else {
-            // Hides the seams that anti-aliasing leaves between triangles.
-            file << escape_xml(colour_of(phase, options)) << "\" stroke-width=\"0.5";
+    if (!options.fill) {
+        for (const Phase phase : phases(complex)) {
+            std::vector<Triangle> members;
+            std::ranges::copy(triangles(complex, phase), std::back_inserter(members));
+            write_path(file, complex, view, options, "phase-" + std::to_string(phase),
+                       colour_of(phase, options), members);
         }
-        file << "\" d=\"";
-        for (const Triangle t : triangles(complex, phase)) {
-            char command = 'M';
-            for (const Vertex v : complex.vertices_of(t)) {
-                file << command;
-                view.put(file, complex.position(v));
-                command = 'L';
-            }
-            file << "Z\n";
+        return;
+    }
+    const SvgFill& fill = *options.fill;
+    std::vector<std::vector<Triangle>> members(fill.colours.size() + 1);
+    for (const Triangle t : triangles(complex)) {
+        members[std::min<std::size_t>(fill.of[t.id], fill.colours.size())].push_back(t);
+    }
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        if (!members[i].empty()) {
+            const bool is_none = i == fill.colours.size();
+            write_path(file, complex, view, options,
+                       fill.name + '-' + (is_none ? "none" : std::to_string(i)),
+                       is_none ? "#bbbbbb" : fill.colours[i], members[i]);
         }
-        file << "\"/>\n";
+    }
+}
+
+void write_marks(PartFile& file, const View& view, const SvgOptions& options) {
+    for (const SvgMark& mark : options.marks) {
+        file << "<path class=\"mark\" fill=\"none\" stroke=\"" << escape_xml(options.mark_colour)
+             << "\" stroke-width=\"3\" d=\"M";
+        view.put(file, Point<double>(mark.x, mark.y));
+        // A ring of 12 pixels around it, from its leftmost point.
+        file << "m-12 0a12 12 0 1 0 24 0a12 12 0 1 0 -24 0\"><title>" << escape_xml(mark.text)
+             << "</title></path>\n";
     }
 }
 
@@ -149,6 +185,13 @@ void write_interface(PartFile& file, const Complex<Real>& complex, const View& v
 template <class Real>
 void write_svg(const Complex<Real>& complex, const std::string& path, const SvgOptions& options) {
     check(options);
+    if (options.fill && options.fill->of.size() != complex.triangle_bound()) {
+        throw InputError(
+            {.what = "not a colour for each triangle",
+             .where = "write_svg",
+             .value = std::to_string(options.fill->of.size()) + " entries",
+             .allowed = std::to_string(complex.triangle_bound()) + ", one for each id"});
+    }
     const View view(options.view ? *options.view : box_of(complex), options);
     PartFile file(path);
     file << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -164,6 +207,7 @@ void write_svg(const Complex<Real>& complex, const std::string& path, const SvgO
     if (options.interface_width_px > 0) {
         write_interface(file, complex, view, options);
     }
+    write_marks(file, view, options);
     file << "</svg>\n";
     file.commit();
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Pictures of a complex as SVG (thesis, section 8.11): triangles coloured by phase, the interface
-// bold.
+// Pictures of a complex as SVG (thesis, section 8.11): triangles coloured by phase or by something
+// else, the interface bold, places marked.
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/io/svg_fill.h"
 
 #include <optional>
 #include <string>
@@ -17,6 +18,13 @@ struct SvgBox {
     double low_y = 0;
     double high_x = 1; ///< the corner of the largest coordinates
     double high_y = 1;
+};
+
+/// A place that is pointed out by a ring.
+struct SvgMark {
+    double x = 0;
+    double y = 0;
+    std::string text{}; ///< shown where the picture is pointed at
 };
 
 /// How a picture looks.
@@ -35,6 +43,10 @@ struct SvgOptions {
     /// fixed one.
     std::optional<SvgBox> view{};
     std::string title{}; ///< empty: none
+    /// In place of the colours of phases. An entry for each triangle id.
+    std::optional<SvgFill> fill{};
+    std::vector<SvgMark> marks{}; ///< on top of everything else
+    std::string mark_colour = "#d55e00";
 };
 
 /// Writes the picture, y upwards. The file exists as a whole or not at all. O(n).
