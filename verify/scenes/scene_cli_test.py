@@ -270,6 +270,19 @@ class Frames(CommandLine):
         self.expect_refusal("run", "swirl", *SHORT, "--at", "1", words=["--frames"])
         self.expect_refusal("run", "swirl", *SHORT, "--frames", "f", "--at=x", words=["--at"])
 
+    def test_pictures(self):
+        done = self.call("run", "swirl", *SHORT, "--frames", "f", "--every", "4", "--pictures",
+                         "quality,interface")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        pictures = [name for name in self.files() if name.endswith(".svg")]
+        self.assertEqual(len(pictures), 3)
+        root = xml.parse(os.path.join(self.folder, "f", pictures[0])).getroot()
+        self.assertTrue(root.tag.endswith("svg"))
+        for layers in ("", "x", "phases,quality"):
+            self.expect_refusal("run", "swirl", *SHORT, "--frames", "f", f"--pictures={layers}",
+                                words=["--pictures"])
+        self.expect_refusal("run", "swirl", *SHORT, "--pictures", "edges", words=["--frames"])
+
     def test_outlines(self):
         done = self.call("run", "swirl", *SHORT, "--outlines", "o.geojson")
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -4,9 +4,8 @@
 #include "dsc/base/error.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/command_line/command_line.h"
+#include "scenes/command_line/scene_source.h"
 #include "scenes/file/describe.h"
-#include "scenes/file/scene_file.h"
-#include "scenes/file/text_file.h"
 #include "scenes/output/event_lines.h"
 #include "scenes/output/machine.h"
 #include "scenes/output/write_file.h"
@@ -48,6 +47,7 @@ struct Arguments {
     std::optional<std::string> json;
     std::optional<std::string> series;
     std::optional<std::string> outlines;
+    std::optional<std::string> pictures;
     std::optional<std::string> checkpoint;
     std::optional<std::string> resume;
     std::optional<int> every;
@@ -137,48 +137,16 @@ std::string names_of_strategies() {
     return names;
 }
 
-std::string text_of(const std::string& name, const std::vector<Scene>& scenes) {
-    if (!is_scene_file(name)) {
-        (void)find_scene(name, scenes);
-        return {};
-    }
-    return read_text_file(name);
-}
-
-// What the command line asks for, or what it asked for when the checkpoint was written.
+// What the command line asks for.
 RunOrigin origin_of(const Arguments& arguments, const std::vector<Scene>& scenes) {
     RunOrigin origin{.scene = *arguments.scene,
-                     .text = text_of(*arguments.scene, scenes),
+                     .text = text_of_scene(*arguments.scene, scenes),
                      .settings = arguments.settings,
                      .strategy = parse_strategy(arguments.strategy),
                      .submeshing = arguments.run.submeshing,
                      .commit = {}};
     parse_angle(arguments.angle, origin.submeshing);
     return origin;
-}
-
-SceneFile scene_of(const RunOrigin& origin, const std::vector<Scene>& scenes) {
-    if (!is_scene_file(origin.scene)) {
-        return {.scene = find_scene(origin.scene, scenes)};
-    }
-    return read_scene_text(origin.text, origin.scene, scenes);
-}
-
-// A file that cannot be read is bad usage here: its name may be a scene's with an error in it.
-template <class Read>
-auto read_or_refuse(const std::string& name, const std::vector<Scene>& scenes, Read read) {
-    try {
-        return read();
-    } catch (const FileError& error) {
-        std::string names;
-        for (const Scene& scene : scenes) {
-            names += (names.empty() ? "" : ", ") + scene.name;
-        }
-        throw InputError({.what = error.what(),
-                          .where = "run",
-                          .value = "'" + name + "'",
-                          .allowed = "a scene file that can be read, or one of " + names});
-    }
 }
 
 Parameters with_settings(const Scene& scene, const std::vector<std::string>& settings) {
@@ -203,6 +171,9 @@ void check_usage(const Arguments& arguments) {
         refuse("nothing is written in between", "--every", "it alone",
                "with --series, --frames or --checkpoint");
     }
+    if (arguments.pictures && arguments.run.frames.folder.empty()) {
+        refuse("there are no frames to draw", "--pictures", "it alone", "with --frames");
+    }
     if (!arguments.run.frames.times.empty() && arguments.run.frames.folder.empty()) {
         refuse("nothing is written at these times", "--at", "it alone", "with --frames");
     }
@@ -222,10 +193,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     check_usage(arguments);
     const std::optional<Checkpoint> checkpoint =
         arguments.resume ? std::optional(read_checkpoint(*arguments.resume)) : std::nullopt;
-    const std::string& name = checkpoint ? checkpoint->origin.scene : *arguments.scene;
-    RunOrigin origin =
-        checkpoint ? checkpoint->origin
-                   : read_or_refuse(name, scenes, [&] { return origin_of(arguments, scenes); });
+    RunOrigin origin = checkpoint ? checkpoint->origin : origin_of(arguments, scenes);
     if (checkpoint && origin.commit != commit()) {
         std::cerr << program << ": " << checkpoint->path << " was written by commit "
                   << origin.commit << ", this is " << commit()
@@ -233,7 +201,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     }
     origin.commit = commit();
     origin.submeshing.threads = arguments.threads.value_or(origin.submeshing.threads);
-    const SceneFile file = read_or_refuse(name, scenes, [&] { return scene_of(origin, scenes); });
+    const SceneFile file = scene_of(origin, scenes);
     const Scene& scene = file.scene;
     const Parameters parameters = with_settings(scene, origin.settings);
     RunOptions options = arguments.run;
@@ -244,6 +212,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     options.interrupted = &interrupted;
     options.series_every = arguments.series ? arguments.every.value_or(1) : 0;
     options.outlines = arguments.outlines.value_or("");
+    options.frames.layers = arguments.pictures ? parse_layers(*arguments.pictures) : Layers{};
     options.frames.every = arguments.every.value_or(0);
     options.checkpoint = {.path = arguments.checkpoint.value_or(""),
                           .every = arguments.every.value_or(0),
@@ -317,6 +286,9 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
                      "step that reaches it")
         ->delimiter(',')
         ->allow_extra_args(false);
+    run_command->add_option("--pictures", arguments.pictures,
+                            "draw each frame (.svg): layers with commas between them, of phases, "
+                            "quality, targets or submeshes, and of edges, interface, events");
     run_command->add_option("--outlines", arguments.outlines,
                             "file for the phases at the end, as polygons in GeoJSON");
     run_command->add_option("--json", arguments.json, "file for the result");

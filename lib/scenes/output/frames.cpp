@@ -86,9 +86,18 @@ std::string Frames::path_of(int step) const {
 
 template <class Real>
 std::string Frames::write(int step, double time, const Complex<Real>& complex,
-                          std::span<const VtuArray> more) {
+                          std::span<const VtuArray> more, std::span<const Event> events) {
     std::string path = path_of(step) + ".vtu";
     write_vtu(complex, path, more);
+    if (!plan_.layers.empty()) {
+        std::size_t told = 0; // up to the frame before; events come in the order of time
+        while (!entries_.empty() && told < events.size() &&
+               events[told].time <= entries_.back().time) {
+            ++told;
+        }
+        write_picture(complex, plan_.layers, more, events.subspan(told),
+                      name_ + ", time " + shortest_digits(time), path_of(step) + ".svg");
+    }
     entries_.push_back({time, std::filesystem::path(path).filename().string()});
     return path;
 }
@@ -121,7 +130,7 @@ void Frames::archive(Archive& archive) {
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::string Frames::write(int, double, const Complex<Real>&,                          \
-                                       std::span<const VtuArray>);
+                                       std::span<const VtuArray>, std::span<const Event>);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

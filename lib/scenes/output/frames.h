@@ -6,6 +6,7 @@
 #include "dsc/complex/complex.h"
 #include "dsc/io/vtu.h"
 #include "dsc/topology/events.h"
+#include "scenes/output/pictures.h"
 
 #include <optional>
 #include <span>
@@ -18,10 +19,11 @@ namespace dsc::scenes {
 /// about `count`, evenly spread, and the step half-way. With `times` alone only they have one;
 /// otherwise the first and the last step do as well.
 struct FramePlan {
-    std::string folder; ///< empty: no frames
+    std::string folder{}; ///< empty: no frames
     int count = 9;
-    int every = 0;             ///< steps; 0: not by steps
-    std::vector<double> times; ///< each at the first step that reaches it
+    int every = 0;               ///< steps; 0: not by steps
+    std::vector<double> times{}; ///< each at the first step that reaches it
+    Layers layers{};             ///< of the pictures (.svg) beside them; empty: none
 };
 
 /// The run that the frames are of.
@@ -46,10 +48,12 @@ public:
     [[nodiscard]] bool is_due(int step) const { return is_frame_due(plan_, schedule_, step); }
     /// The path of a step's frame, without the ending.
     [[nodiscard]] std::string path_of(int step) const;
-    /// Writes the mesh, with these arrays beside its own, and returns its path. Throws FileError.
+    /// Writes the mesh, with these arrays beside its own, and its picture, if pictures are asked
+    /// for, with those of the events that came after the frame before. Returns the path of the
+    /// mesh. Throws FileError.
     template <class Real>
     std::string write(int step, double time, const Complex<Real>& complex,
-                      std::span<const VtuArray> more = {});
+                      std::span<const VtuArray> more, std::span<const Event> events);
     /// Writes the collection, and the events beside it if there are any.
     void finish(std::span<const Event> events) const;
 

@@ -123,11 +123,11 @@ private:
             return;
         }
         if constexpr (std::is_same_v<Method, ReferenceMethod>) {
-            frames_.write(step, time_, complex());
+            frames_.write(step, time_, complex(), {}, result_.events);
         } else {
             const auto arrays =
                 method_.end_frame(leg_before(std::max(step, 1)), time_, step > 0 ? setup_.dt : 0);
-            const std::string path = frames_.write(step, time_, complex(), arrays);
+            const std::string path = frames_.write(step, time_, complex(), arrays, result_.events);
             if (step > 0) { // nothing has been divided before
                 method_.map_submeshes(path);
             }

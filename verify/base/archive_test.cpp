@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// State as bytes: everything reads back as it was, and nothing that cannot be true is believed.
+#include "dsc/base/archive.h"
+
+#include "dsc/base/error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace dsc {
+namespace {
+
+enum class Colour : std::uint8_t { red, green, blue };
+
+struct Ball {
+    Point<float> place{0, 0};
+    Vertex vertex{};
+    Colour colour = Colour::red;
+    std::optional<double> weight{};
+    std::vector<Ball> inside{};
+};
+
+void archive(Archive& archive, Ball& ball) {
+    archive(ball.place, ball.vertex);
+    archive.choice(ball.colour, 3);
+    archive(ball.weight, ball.inside);
+}
+
+struct Everything {
+    bool flag = false;
+    std::int8_t small = 0;
+    double number = 0;
+    std::string text{};
+    std::array<std::uint16_t, 3> triple{};
+    std::map<std::string, std::uint64_t> counts{};
+    std::variant<double, std::string> either{};
+    std::vector<float> list{};
+    Ball ball{};
+};
+
+void archive(Archive& archive, Everything& all) {
+    archive(all.flag, all.small, all.number, all.text, all.triple, all.counts, all.either, all.list,
+            all.ball);
+}
+
+Everything example() {
+    return {.flag = true,
+            .small = -5,
+            .number = -std::numeric_limits<double>::denorm_min(),
+            .text = std::string("a\0b", 3),
+            .triple = {1, 2, 65535},
+            .counts = {{"flips", 7}, {"splits", UINT64_MAX}},
+            .either = "word",
+            .list = {0.1F, -0.0F},
+            .ball = {.place = {1, 2},
+                     .vertex = Vertex{3},
+                     .colour = Colour::blue,
+                     .weight = 0.3,
+                     .inside = {Ball{}, Ball{.vertex = Vertex{9}}}}};
+}
+
+std::string bytes_of(Everything value) {
+    Archive archive;
+    archive(value);
+    return archive.bytes();
+}
+
+TEST(Archives, ReadBackWhatWasWritten) {
+    const std::string bytes = bytes_of(example());
+    Archive archive(bytes, "here");
+    Everything read;
+    archive(read);
+    archive.expect_end();
+    EXPECT_TRUE(read.flag);
+    EXPECT_EQ(read.small, -5);
+    EXPECT_EQ(read.number, example().number);
+    EXPECT_EQ(read.text.size(), 3U);
+    EXPECT_EQ(read.counts, example().counts);
+    EXPECT_EQ(read.either, example().either);
+    EXPECT_TRUE(std::signbit(read.list[1]));
+    ASSERT_EQ(read.ball.inside.size(), 2U);
+    EXPECT_EQ(read.ball.inside[1].vertex, Vertex{9});
+    EXPECT_EQ(read.ball.weight, 0.3);
+    EXPECT_EQ(read.ball.colour, Colour::blue);
+    EXPECT_EQ(bytes_of(read), bytes);
+}
+
+TEST(Archives, RefuseWhatIsCutOff) {
+    const std::string bytes = bytes_of(example());
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        Archive archive(bytes.substr(0, size), "here");
+        Everything read;
+        EXPECT_THROW(archive(read), FileError) << size;
+    }
+    Archive longer(bytes + 'x', "here");
+    Everything read;
+    longer(read);
+    EXPECT_THROW(longer.expect_end(), FileError);
+}
+
+template <class Value>
+std::string refusal_of(Value written, auto read_as) {
+    Archive out;
+    out(written);
+    Archive in(out.bytes(), "here");
+    try {
+        in(read_as);
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return "nothing was refused";
+}
+
+TEST(Archives, RefuseWhatCannotBe) {
+    EXPECT_EQ(refusal_of(std::uint32_t{2}, bool{}), "here: names a choice that does not exist");
+    EXPECT_EQ(refusal_of(std::uint64_t{1} << 60U, std::vector<double>{}), "here: ends too early");
+    EXPECT_EQ(refusal_of(std::uint64_t{1} << 60U, std::string{}), "here: ends too early");
+    EXPECT_EQ(refusal_of(std::uint32_t{2}, std::variant<double, std::string>{}),
+              "here: names a choice that does not exist");
+    // A ball in a ball in a ball...
+    Ball ball;
+    for (int depth = 0; depth < 100; ++depth) {
+        ball = Ball{.inside = {ball}};
+    }
+    Archive archive;
+    EXPECT_THROW(archive(ball), FileError);
+}
+
+} // namespace
+} // namespace dsc
