@@ -2,6 +2,7 @@
 #include "dsc/algorithm/executor.h"
 
 #include "dsc/base/error.h"
+#include "dsc/passes/carried.h"
 #include "dsc/passes/interface_list.h"
 #include "dsc/passes/readers.h"
 #include "dsc/passes/work_archive.h"
@@ -64,7 +65,7 @@ std::uint64_t move_missed_of(Work<Real>& work, const std::vector<Pass<Real>>& pa
                              std::uint32_t& next_epoch) {
     const std::size_t missed = work.missed.size();
     std::erase_if(work.missed, [&](const Mover<Real>& mover) {
-        return on_interface<Real>(work.complex, {&mover.vertex, 1}).empty();
+        return moved_among<Real>(work.complex, work.options, {&mover.vertex, 1}).empty();
     });
     if (work.missed.empty()) {
         return missed;
@@ -115,11 +116,11 @@ void absorb_edits(Work<Real>& work, std::span<const Edit> edits) {
     if (after.size() != edits.size()) {
         work.active.clear();
         work.resized.clear(); // all is measured anew
-        work.interface = collect_interface(complex, work.options.shuffle_seed);
+        work.interface = collect_moved(complex, work.options);
     }
     const std::vector<std::uint32_t> changed = interface_changes(after);
     take_off(work.interface, changed);
-    const std::vector<std::uint32_t> on = on_interface(complex, changed);
+    const std::vector<std::uint32_t> on = moved_among(complex, work.options, changed);
     work.interface.insert(work.interface.end(), on.begin(), on.end());
     wake(work, after);
 }
@@ -138,7 +139,7 @@ SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Optio
         epoch_ = std::max(epoch_, vertex.stamp);
     }
     work_.epoch = ++epoch_;
-    work_.interface = collect_interface(complex, options.shuffle_seed);
+    work_.interface = collect_moved(complex, options);
     // The first splits should not copy the whole mesh to make room for a few ids.
     const std::size_t room = 64 + 2 * work_.interface.size();
     complex.reserve(complex.vertex_bound() + room, complex.triangle_bound() + 2 * room);
@@ -146,8 +147,12 @@ SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Optio
 
 template <class Real>
 void SequentialExecutor<Real>::set_options(const Options<Real>& options) {
+    const bool relists = options.carried_phases != options_.carried_phases;
     options_ = options;
     work_.find_past();
+    if (relists) {
+        work_.interface = collect_moved(work_.complex, options_);
+    }
 }
 
 template <class Real>

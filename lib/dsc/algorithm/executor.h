@@ -59,7 +59,7 @@ public:
     /// Movement and mesh update, until all vertices are at their targets or make no more progress.
     virtual MoveReport move() = 0;
     /// Tries those that did not arrive once more, after a change of the topology, which may have
-    /// set them free. Returns how many have arrived now, or are no longer on the interface.
+    /// set them free. Returns how many have arrived now, or are no longer to be moved.
     [[nodiscard]] virtual std::uint64_t move_missed() { return 0; }
     /// Called after the last sub-step, also where something threw.
     virtual void end_step() {}

@@ -197,6 +197,12 @@ void Simulation<Real>::forget_vertex(Vertex v) {
 
 template <class Real>
 std::vector<std::uint32_t> Simulation<Real>::interface() const {
+    return options_.carried_phases.empty() ? moved() : on_interface(complex_, moved());
+}
+
+// The vertices that the flow moves.
+template <class Real>
+std::vector<std::uint32_t> Simulation<Real>::moved() const {
     std::vector<std::uint32_t> list;
     list.reserve(executor_->interface_size());
     executor_->append_interface(list);
@@ -210,6 +216,12 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
                           .where = "Simulation::step",
                           .value = std::to_string(dt),
                           .allowed = "a finite time and a step of 0 or more"});
+    }
+    if (!options_.carried_phases.empty() && flow.velocity() == nullptr) {
+        throw InputError({.what = "a flow that is not known inside a phase",
+                          .where = "Simulation::step",
+                          .value = "carried_phases, and a flow that sees the interface",
+                          .allowed = "a velocity of positions where phases are carried"});
     }
     StepReport report;
     absorb(By::application, time);
@@ -240,7 +252,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     tell_what_was_done(); // a sub-step that gives up has done its upkeep
     report.operations = executor_->take_counts();
     report.reached = static_cast<double>(time);
-    report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());
+    report.interface_vertices = static_cast<std::uint32_t>(interface_size());
     return report;
 }
 
@@ -331,7 +343,7 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
 template <class Real>
 void Simulation<Real>::find_fastest(const Flow<Real>& flow, Real time, Real dt,
                                     StepReport& report) const {
-    const std::vector<std::uint32_t> list = interface();
+    const std::vector<std::uint32_t> list = moved();
     std::vector<Point<Real>> positions;
     for (const std::uint32_t v : list) {
         positions.push_back(complex_.position(Vertex{v}));
@@ -380,7 +392,7 @@ void Simulation<Real>::forget() {
     most_dt_ = std::numeric_limits<Real>::infinity();
     if (options_.integrator == Integrator::centred) {
         auto& past = past_of(complex_);
-        for (const std::uint32_t v : interface()) {
+        for (const std::uint32_t v : moved()) {
             past[Vertex{v}] = {};
         }
     }

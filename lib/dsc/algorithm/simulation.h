@@ -120,8 +120,10 @@ public:
 
     /// The vertices of the interface, roughly in the order of the curve. O(their number).
     [[nodiscard]] std::vector<std::uint32_t> interface() const;
-    /// The number of interface vertices. O(submeshes).
-    [[nodiscard]] std::size_t interface_size() const { return executor_->interface_size(); }
+    /// Their number. O(submeshes); as much as `interface` where phases are carried.
+    [[nodiscard]] std::size_t interface_size() const {
+        return options_.carried_phases.empty() ? executor_->interface_size() : interface().size();
+    }
 
 private:
     StepReport step_along(const Flow<Real>& flow, Real time, Real dt);
@@ -134,6 +136,7 @@ private:
     enum class By : std::uint8_t { application, topology };
     void absorb(By by, Real time);
     bool change_topology(Real time, StepReport& report);
+    [[nodiscard]] std::vector<std::uint32_t> moved() const;
     void forget_vertex(Vertex v);
     [[nodiscard]] Options<Real> completed() const;
     void measure(Real time);

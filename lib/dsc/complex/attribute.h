@@ -57,6 +57,11 @@ public:
     [[nodiscard]] const std::string& name() const { return name_; }
     /// Of the simplices that it belongs to.
     [[nodiscard]] SimplexKind kind() const { return kind_; }
+    /// Whether the values of vertices are samples of a field in the plane: a vertex that smoothing
+    /// moves then takes the value of its new place, blended in its star. Otherwise, and by default,
+    /// it keeps its own.
+    [[nodiscard]] bool is_field() const { return is_field_; }
+    void set_field(bool is_field) { is_field_ = is_field; }
 
     // --- storage
     /// The number of entries.
@@ -107,6 +112,7 @@ public:
 private:
     std::string name_;
     SimplexKind kind_;
+    bool is_field_ = false;
 };
 
 /// The interpolator of a vertex attribute (thesis, section 8.9): the value at a + fraction (b - a).

@@ -20,6 +20,7 @@ AttributeSet::AttributeSet(const AttributeSet& other)
     list_.reserve(other.list_.size());
     for (const auto& attribute : other.list_) {
         list_.push_back(attribute->clone());
+        list_.back()->set_field(attribute->is_field());
     }
 }
 
@@ -45,6 +46,12 @@ void AttributeSet::insert(std::unique_ptr<AttributeBase> attribute) {
     }
     list_.push_back(std::move(attribute));
     ++counts_[index(list_.back()->kind())];
+}
+
+bool AttributeSet::has_fields() const {
+    return std::ranges::any_of(list_, [](const auto& attribute) {
+        return attribute->kind() == SimplexKind::vertex && attribute->is_field();
+    });
 }
 
 AttributeBase* AttributeSet::find(const std::string& name) const {
@@ -118,6 +125,7 @@ AttributeSet AttributeSet::clone_empty() const {
     other.list_.reserve(list_.size());
     for (const auto& attribute : list_) {
         other.list_.push_back(attribute->clone_empty());
+        other.list_.back()->set_field(attribute->is_field());
     }
     return other;
 }

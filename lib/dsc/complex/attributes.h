@@ -67,6 +67,8 @@ public:
     [[nodiscard]] bool empty() const { return list_.empty(); }
     /// Whether there are none of that kind.
     [[nodiscard]] bool empty(SimplexKind kind) const { return counts_[index(kind)] == 0; }
+    /// Whether an attribute of the vertices is a field (`AttributeBase::is_field`). O(attributes).
+    [[nodiscard]] bool has_fields() const;
     /// All of them, in the order in which they were added.
     [[nodiscard]] const std::vector<std::unique_ptr<AttributeBase>>& list() const { return list_; }
 
@@ -80,6 +82,14 @@ public:
     /// Vertex `to` is new, at a + fraction (b - a). See AttributeBase, as for the following ones.
     void blend_vertex(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
         tell(SimplexKind::vertex, [&](AttributeBase& each) { each.blend(to, a, b, fraction); });
+    }
+    /// Moves vertex v by this fraction of the way to `b`: only the fields are told.
+    void move_fields(std::uint32_t v, std::uint32_t b, double fraction) {
+        tell(SimplexKind::vertex, [&](AttributeBase& each) {
+            if (each.is_field()) {
+                each.blend(v, v, b, fraction);
+            }
+        });
     }
     /// Vertex `to` is new.
     void reset_vertex(std::uint32_t to) { reset(SimplexKind::vertex, to); }

@@ -9,6 +9,7 @@
 
 #include "dsc/complex/complex.h"
 #include "dsc/complex/interface_pair.h"
+#include "dsc/complex/resample.h"
 #include "dsc/complex/shared.h"
 #include "dsc/geometry/triangle.h"
 
@@ -245,11 +246,16 @@ void collapse(Complex<Real>& complex, EditLog& log, Corner c, Vanishing end, IdP
     complex.give_vertex(pool, v);
 }
 
-/// Moves a vertex; another submesh may be reading its position.
+/// Moves a vertex; another submesh may be reading its position. Smoothing moves it within its star,
+/// and gives its fields the values at the new place.
 template <class Real>
 void move(Complex<Real>& complex, EditLog& log, std::uint32_t v, Real x, Real y,
           MoveReason reason) {
     auto& record = complex.vertices[v];
+    if (reason == MoveReason::smoothing && !complex.attributes.empty(SimplexKind::vertex))
+        [[unlikely]] {
+        resample_fields<Real>(complex, Vertex{v}, {x, y});
+    }
     write_shared(record.x, x);
     write_shared(record.y, y);
     if (reason == MoveReason::flow) {

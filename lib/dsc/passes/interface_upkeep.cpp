@@ -8,6 +8,7 @@
 #include "dsc/passes/interface_curve.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
+#include "dsc/sizes/field.h"
 #include "dsc/topology/suspicion.h"
 
 #include <cmath>
@@ -31,6 +32,7 @@ public:
               static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
           contact_(largest_contact(work.options.topology, work.options.edge_length)),
+          sizes_(work.options.sizes, work.options.edge_length),
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
           // A wall edge ahead that is shorter than a sub-step blocks the motion. A poor triangle
           // for a while is better than one that cannot move.
@@ -49,6 +51,23 @@ private:
     Real square(double relative) const {
         const Real value = static_cast<Real>(relative) * work_.options.edge_length;
         return value * value;
+    }
+
+    // The square of the target of interface edges at a place, over that of the edge length.
+    Real stretch(const Point<Real>& place) const {
+        if (!work_.options.sizes.on_interface) {
+            return 1;
+        }
+        const Real ratio = sizes_.on_interface(place, work_.time) / work_.options.edge_length;
+        return ratio * ratio;
+    }
+
+    // How long an interface edge may be, squared; `local` is what the shape at one end allows.
+    Real allowed(Real local, const Point<Real>& from, const Point<Real>& to) const {
+        const bool is_uniform = !work_.options.sizes.on_interface;
+        const Real here =
+            is_uniform ? longest_squared_ : longest_squared_ * stretch(midpoint<Real>(from, to));
+        return local < longest_squared_ ? std::min(local, here) : here;
     }
 
     void visit(std::uint32_t v) {
@@ -71,8 +90,11 @@ private:
                 work_.deferred.upkeep(v);
             }
             work_.interface_next.push_back(v);
-        } else if (spokes.count != 0 &&
-                   !(should_collapse(ring, spokes) && try_collapse(ring, spokes)) &&
+        } else if (spokes.count == 0) {
+            if (ring.one_phase && ring.closed && work_.options.carries(ring.phase[0])) {
+                work_.interface_next.push_back(v);
+            }
+        } else if (!(should_collapse(ring, spokes) && try_collapse(ring, spokes)) &&
                    !(wants_wall_upkeep(ring) && keep_wall(v, ring))) {
             refine(v, ring, spokes);
         }
@@ -87,11 +109,10 @@ private:
     void suspect(const Ring<Real>& ring, const Spokes& spokes) {
         constexpr Real sharp = Real(0.7);
         const bool is_thin = has_thin_triangle(ring, contact_ * contact_);
-        const bool is_sharp =
-            spokes.count > 2 ||
-            (spokes.count == 2 && !turns_less<Real>(link_point(ring, spokes.first),
-                                                    {ring.x0, ring.y0},
-                                                    link_point(ring, spokes.second), sharp));
+        const bool is_sharp = spokes.count > 2 ||
+                              (spokes.count == 2 &&
+                               !turns_less<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
+                                                 link_point(ring, spokes.second), sharp));
         if (is_thin || is_sharp) {
             work_.topology_suspects.push_back({ring.vertex, ring.x0, ring.y0, is_thin, is_sharp});
         }
@@ -140,16 +161,18 @@ private:
             return x * x + y * y;
         };
         const Real nearest = std::min(squared(p, a), squared(p, b));
-        if (nearest >= shortest_squared_ || squared(a, b) >= longest_squared(ring, spokes)) {
+        const Real here = stretch(p);
+        if (nearest >= here * shortest_squared_ ||
+            squared(a, b) >= allowed(longest_squared(ring, spokes), a, b)) {
             return false;
         }
-        if (nearest < degenerate_squared_ &&
+        if (nearest < here * degenerate_squared_ &&
             !turns_less<Real>(a, p, b, std::numbers::sqrt2_v<Real> / 2)) {
             return true;
         }
         return turns_less<Real>(a, p, b, Real(0)) &&
                (thresholds_.coarsening != Coarsening::deviation ||
-                squared_deviation(ring, spokes) < deviation_squared_);
+                squared_deviation(ring, spokes) < here * deviation_squared_);
     }
 
     // Squared distance of the centre from the curve as it would be without it; 0 if only another
@@ -215,9 +238,7 @@ private:
         return false;
     }
 
-    // Finds the place of a, the survivor of the edge from p to a, at which the areas on either side
-    // of the polyline b, p, a, c stay the same without p: above the middle of p and a, at the
-    // height over the chord from b to c that preserves them. False if a may not move, or cannot be
+    // The place of the survivor of the edge from p to a. False if it may not move, or cannot be
     // seen.
     bool keeps_area(const Ring<Real>& ring, std::uint32_t survivor, std::uint32_t other,
                     Point<Real>& place) {
@@ -240,16 +261,9 @@ private:
         }
         const bool first_is_p = beyond.link[spokes.first] == ring.vertex;
         const Point<Real> c = link_point(beyond, first_is_p ? spokes.second : spokes.first);
-        const Point<Real> chord = c - b;
-        const Real square = chord.squaredNorm();
-        if (!(square > 0)) {
-            return false;
-        }
-        const Real doubled_area = cross<Real>(p - b, a - b) + cross<Real>(a - b, chord);
-        const Point<Real> middle = midpoint<Real>(p, a);
-        const Real missing = doubled_area - cross<Real>(middle - b, chord);
-        place = middle + missing / square * Point<Real>(chord.y(), -chord.x());
-        return (place - middle).squaredNorm() < shortest_squared_ && owns_point(place);
+        return area_keeping_place(b, p, a, c, place) &&
+               (place - midpoint<Real>(p, a)).squaredNorm() < shortest_squared_ &&
+               owns_point(place);
     }
 
     void move_survivor(std::uint32_t v, const Point<Real>& place) {
@@ -262,7 +276,7 @@ private:
     }
 
     // --- refinement ---------------------------------------------------------------------------
-    // How long an interface edge at the centre may be, squared.
+    // How long an interface edge at the centre may be, squared, as the shape there requires.
     Real longest_squared(const Ring<Real>& ring, const Spokes& spokes) const {
         if (!follows_shape_ || spokes.count != 2) {
             return longest_squared_;
@@ -296,9 +310,9 @@ private:
             const Real x = ring.link_x(i) - ring.x0;
             const Real y = ring.link_y(i) - ring.y0;
             const Real squared = x * x + y * y;
-            const Real allowed =
-                after > before ? longest_squared_ : std::numeric_limits<Real>::infinity();
-            if (squared > std::min(local < longest_squared_ ? local : allowed, allowed) &&
+            const bool is_found_here = after > before || local < longest_squared_;
+            if (is_found_here &&
+                squared > allowed(local, {ring.x0, ring.y0}, link_point(ring, i)) &&
                 squared > longest) {
                 found = i;
                 longest = squared;
@@ -376,6 +390,7 @@ private:
     Real turn_squared_;
     Real gap_squared_;
     Real contact_; // where the topology may change; 0: nowhere
+    SizeRule<Real> sizes_;
     bool follows_shape_;
     WallLimits<Real> wall_;
     std::uint32_t newest_ = no_id;

@@ -6,6 +6,7 @@
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/collapse_choice.h"
 #include "dsc/passes/size_upkeep.h"
+#include "dsc/passes/waiting.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/delaunay.h"
 
@@ -26,7 +27,7 @@ public:
         : work_(work), complex_(work.complex), ring_(work.ring), sizes_(work),
           grading_squared_(
               static_cast<Real>(work.options.interface.grading * work.options.interface.grading)),
-          needle_(squared_needle_quality(grading_squared_)) {}
+          needle_(grading_squared_ > 0 ? squared_quality_of_needle(grading_squared_) : Real(0)) {}
 
     void run() {
         activate_resized(work_);
@@ -59,6 +60,10 @@ private:
         Real length = 0; // the target, followed once in a visit
         for (int turn = 0; turn < max_turns; ++turn) {
             if (!gather_star(v)) {
+                return;
+            }
+            if (waiting_.applies() && waits(work_, waiting_, ring_)) {
+                put_off(work_, v);
                 return;
             }
             ++work_.log.counts.examined;
@@ -161,8 +166,9 @@ private:
             if (is_delaunay<Real>(at(c), at(next(c)), apex(o), at(prev(c)))) {
                 continue;
             }
-            if (!owns(complex_, region, complex_.vertex(o))) {
-                work_.deferred.star(complex_.vertex(next(c)));
+            if (!owns(complex_, region, complex_.vertex(o)) ||
+                (waiting_.applies() && waits_around(work_, waiting_, c))) {
+                put_off(work_, complex_.vertex(next(c)));
                 continue;
             }
             // All four vertices are owned: the region need not be consulted.
@@ -341,7 +347,7 @@ private:
         // edge is short only temporarily: a vertex made now would be removed in the next pass or
         // colour, and made again.
         if (!work_.submesh.region.is_whole() &&
-            (is_waiting(ring_.vertex) || is_waiting(ring_.link[base]))) {
+            (is_waiting(complex_, ring_.vertex) || is_waiting(complex_, ring_.link[base]))) {
             work_.deferred.star(ring_.vertex);
             return false;
         }
@@ -350,12 +356,6 @@ private:
         Ring<Real>& beyond = work_.other_ring;
         return gather(complex_, work_.submesh.region, ring_.link[spoke], beyond) &&
                beyond.one_phase && split_spoke(spoke);
-    }
-
-    /// Whether a vertex has yet to arrive. A vertex in contact may never arrive.
-    bool is_waiting(std::uint32_t vertex) const {
-        const std::uint32_t flags = complex_.vertices[vertex].flags;
-        return (flags & vertex_on_way) != 0 && (flags & vertex_contact) != vertex_contact;
     }
 
     bool split_spoke(std::uint32_t spoke) {
@@ -373,17 +373,14 @@ private:
         return result.verdict == Verdict::legal;
     }
 
-    /// Of a triangle with a base of 1 and legs of the grading; squared.
-    static Real squared_needle_quality(Real grading_squared) {
-        return grading_squared > 0 ? squared_quality_of_needle(grading_squared) : Real(0);
-    }
-
     Work<Real>& work_;
     Complex<Real>& complex_;
     Ring<Real>& ring_;
     SizeUpkeep<Real> sizes_;
     Real grading_squared_;
-    Real needle_; // squared quality of a needle that the grading just allows; 0: none are split
+    // Squared quality of a needle with a base of 1 and legs of the grading; 0: none are split.
+    Real needle_;
+    WaitingRule waiting_ = waiting_rule(work_);
 };
 
 } // namespace

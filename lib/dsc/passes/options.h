@@ -10,6 +10,7 @@
 #include "dsc/sizes/options.h"
 #include "dsc/topology/options.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace dsc {
@@ -87,6 +88,11 @@ struct Options {
 
     TopologyOptions<Real> topology = {}; ///< kept, unless asked for
 
+    /// Phases whose inside moves with the flow as well, not only the interface around it (thesis,
+    /// section 9.1): a phase that moves as a rigid body keeps its triangles. Only for flows that
+    /// are velocities. Without such phases there is no cost.
+    std::vector<Phase> carried_phases = {};
+
     Integrator integrator = Integrator::rk4; ///< how targets are found from velocities
     double tolerance = 1e-4;                ///< of `adaptive`: error of a sub-step, in edge lengths
     Insertion insertion = Insertion::cubic; ///< where new interface vertices go
@@ -103,6 +109,9 @@ struct Options {
     /// The thresholds that hold for a phase. O(1).
     [[nodiscard]] const PhaseThresholds& thresholds(Phase phase) const {
         return phase < per_phase.size() ? per_phase[phase] : phases;
+    }
+    [[nodiscard]] bool carries(Phase phase) const {
+        return std::ranges::find(carried_phases, phase) != carried_phases.end();
     }
 };
 

@@ -2,6 +2,7 @@
 #include "dsc/passes/readers.h"
 
 #include "dsc/algebra/mesh_functions.h"
+#include "dsc/passes/carried.h"
 
 #include <algorithm>
 
@@ -159,7 +160,8 @@ private:
 
 template <class Real>
 void run_pass(Work<Real>& work, const Pass<Real>& pass) {
-    if (pass.attends) {
+    const bool carries = !work.options.carried_phases.empty();
+    if (pass.attends && !carries) {
         pass.run(work);
         return;
     }
@@ -168,13 +170,15 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
     if (reading.edits().empty()) {
         return;
     }
-    wake(work, reading.edits());
+    if (!pass.attends) {
+        wake(work, reading.edits());
+    }
     const std::vector<std::uint32_t> changed = interface_changes(reading.edits());
     if (changed.empty()) {
         return;
     }
     take_off(work.interface, changed);
-    const std::vector<std::uint32_t> on = on_interface(work.complex, changed);
+    const std::vector<std::uint32_t> on = moved_among(work.complex, work.options, changed);
     work.interface.insert(work.interface.end(), on.begin(), on.end());
     work.changed_interface.insert(work.changed_interface.end(), changed.begin(), changed.end());
 }

@@ -54,7 +54,7 @@ struct Work {
     std::vector<std::uint32_t> active;    ///< vertices whose star must be looked at; no duplicates
     std::uint32_t epoch = 0;              ///< a vertex with this stamp is in `active` already
     /// Vertices to be looked at in the next mesh update because the target length of edges changes
-    /// there; with duplicates. Empty if all edges are of one length.
+    /// there, or because vertices had yet to arrive (waiting.h); with duplicates.
     std::vector<std::uint32_t> resized;
 
     Real time = 0; ///< at the start of the sub-step

@@ -70,15 +70,23 @@ public:
                     least, at_least(options_.by_place({ring.x0, ring.y0}, time, ring.phase[i])));
             }
         }
+        if (options_.on_interface && is_on_interface(ring)) {
+            least = std::min(least, on_interface({ring.x0, ring.y0}, time));
+        }
         if (needs_distance()) {
             least = std::min(least, at_least(options_.by_distance(distance)));
         }
         return least;
     }
 
+    /// The target of the interface's own edges at a place; only where there is one.
+    [[nodiscard]] Real on_interface(const Point<Real>& place, Real time) const {
+        return at_least(options_.on_interface(place, time));
+    }
+
     /// Whether all that matters at the centre is that it is on the interface. O(1).
     [[nodiscard]] bool is_finest(const Ring<Real>& ring) const {
-        return !options_.by_place && is_on_interface(ring);
+        return !options_.by_place && !options_.on_interface && is_on_interface(ring);
     }
 
     /// The same with regard to its neighbours. `distances` is read only if it is needed. O(degree).

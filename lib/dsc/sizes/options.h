@@ -16,6 +16,8 @@ template <class Real>
 struct SizeOptions {
     /// A length by place, time and phase.
     using ByPlace = std::function<Real(const Point<Real>&, Real time, Phase)>;
+    /// A length by place and time, on the interface.
+    using OnInterface = std::function<Real(const Point<Real>&, Real time)>;
     /// A length by the distance to the interface.
     using ByDistance = std::function<Real(Real distance)>;
 
@@ -27,7 +29,12 @@ struct SizeOptions {
     /// A target by place, time and phase; where phases meet the shortest counts. It holds for edges
     /// that end on the interface too, but not for those that are part of it. Empty: none.
     ByPlace by_place = {};
-    bool changes_in_time = false; ///< `by_place` does: the whole mesh is looked at in each step
+    /// A target for the edges of the interface itself, by place and time: their thresholds are
+    /// relative to it, and edges beside them are no longer than it lets them be. Empty: the edge
+    /// length.
+    OnInterface on_interface = {};
+    /// `by_place` or `on_interface` does: the whole mesh is looked at in each step.
+    bool changes_in_time = false;
     /// A target by the distance to the interface. Empty: none.
     ByDistance by_distance = {};
 
@@ -47,6 +54,12 @@ SizeOptions<Real> sizes_in(const SizeOptions<From>& sizes) {
                                                       Phase phase) {
             return static_cast<Real>(
                 by_place(p.template cast<From>(), static_cast<From>(time), phase));
+        };
+    }
+    if (sizes.on_interface) {
+        result.on_interface = [on_interface = sizes.on_interface](const Point<Real>& p, Real time) {
+            return static_cast<Real>(
+                on_interface(p.template cast<From>(), static_cast<From>(time)));
         };
     }
     if (sizes.by_distance) {

@@ -3,7 +3,7 @@
 
 #include "dsc/base/require.h"
 #include "dsc/parallel/timer.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/carried.h"
 #include "dsc/passes/work_archive.h"
 
 #include <algorithm>
@@ -41,12 +41,16 @@ CopyExecutor<Real>::CopyExecutor(Complex<Real>& complex, const Options<Real>& op
         epoch_ = std::max(epoch_, vertex.stamp);
     }
     whole_.epoch = ++epoch_;
-    whole_.interface = collect_interface(complex, options.shuffle_seed);
+    whole_.interface = collect_moved(complex, options);
 }
 
 template <class Real>
 void CopyExecutor<Real>::set_options(const Options<Real>& options) {
+    const bool relists = options.carried_phases != options_.carried_phases;
     options_ = options;
+    if (relists) {
+        whole_.interface = collect_moved(complex_, options_);
+    }
     whole_.find_past();
     for (const auto& task : tasks_) {
         task->work.find_past();
@@ -268,7 +272,7 @@ bool CopyExecutor<Real>::take_back() {
 template <class Real>
 void CopyExecutor<Real>::take_interface_back(bool is_as_given) {
     if (!is_as_given) {
-        whole_.interface = collect_interface(complex_, options_.shuffle_seed);
+        whole_.interface = collect_moved(complex_, options_);
         return;
     }
     for (std::uint32_t& v : whole_.interface) {
@@ -291,7 +295,7 @@ void CopyExecutor<Real>::recover() {
             whole_.activate(v);
         }
     }
-    whole_.interface = collect_interface(complex_, options_.shuffle_seed);
+    whole_.interface = collect_moved(complex_, options_);
     under_way_ = false;
 }
 

@@ -2,7 +2,7 @@
 // Edits in both directions: what the submeshes did, for listeners; and what the application did
 // between two steps, for the submeshes.
 #include "dsc/parallel/in_place/submesh_part.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/carried.h"
 #include "dsc/passes/readers.h"
 
 #include <algorithm>
@@ -12,7 +12,14 @@ namespace dsc {
 
 template <class Real>
 void SubmeshExecutor<Real>::set_options(const Options<Real>& options) {
+    const bool relists = options.carried_phases != options_.carried_phases;
     options_ = options;
+    if (relists) {
+        for (const auto& part : parts_) {
+            part->work.interface.clear();
+        }
+        hand_out(collect_moved(complex_, options_));
+    }
     whole_.find_past();
     for (const auto& part : parts_) {
         part->work.find_past();
@@ -105,7 +112,7 @@ void SubmeshExecutor<Real>::change_interface(std::span<const std::uint32_t> chan
         take_off(parts_[i]->work.interface, changed);
     }
     take_off(whole_.interface, changed);
-    for (const std::uint32_t v : on_interface(complex_, changed)) {
+    for (const std::uint32_t v : moved_among(complex_, options_, changed)) {
         (parts_.empty() ? whole_ : owner_of(v).work).interface.push_back(v);
     }
 }
@@ -124,7 +131,7 @@ void SubmeshExecutor<Real>::forget_ids() {
     whole_.active.clear();
     whole_.resized.clear();
     whole_.interface.clear();
-    std::vector<std::uint32_t> list = collect_interface(complex_, options_.shuffle_seed);
+    std::vector<std::uint32_t> list = collect_moved(complex_, options_);
     if (parts_.empty()) {
         whole_.interface = std::move(list);
     } else {

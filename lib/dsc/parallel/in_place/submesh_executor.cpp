@@ -2,6 +2,7 @@
 #include "dsc/parallel/in_place/submesh_part.h"
 
 #include "dsc/base/require.h"
+#include "dsc/passes/carried.h"
 #include "dsc/passes/interface_list.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
         epoch_ = std::max(epoch_, vertex.stamp);
     }
     // Until the first division all of the interface is in this list.
-    whole_.interface = collect_interface(complex, options.shuffle_seed);
+    whole_.interface = collect_moved(complex, options);
     // Everything that takes longer in a large mesh is done here rather than in a step: dividing it
     // for the first time, making room, lending ids, and starting threads.
     divide();
@@ -319,7 +320,7 @@ void SubmeshExecutor<Real>::recover() {
     whole_.active.clear();
     whole_.resized.clear();
     whole_.deferred.clear();
-    hand_out(collect_interface(complex_, options_.shuffle_seed));
+    hand_out(collect_moved(complex_, options_));
     under_way_ = false;
 }
 

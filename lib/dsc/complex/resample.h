@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The vertex attributes that are samples of a field, where smoothing moves a vertex (thesis,
+// section 5.5: "new values will have to be created").
+#pragma once
+
+#include "dsc/complex/circulate.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dsc {
+
+/// Gives the fields at `v` the values at `place`, a point of its star: linear in the triangle that
+/// holds it. To be called before `v` moves; the others keep their values. O(degree).
+template <class Real>
+[[gnu::noinline]] void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place) {
+    if (!complex.attributes.has_fields()) {
+        return;
+    }
+    const Point<Real> centre = complex.position(v);
+    const Point<Real> way = place - centre;
+    const auto cross = [](const Point<Real>& a, const Point<Real>& b) {
+        return a.x() * b.y() - a.y() * b.x();
+    };
+    Vertex best_a;
+    Vertex best_b;
+    Real share_a = 0;
+    Real share_b = 0;
+    Real best = -std::numeric_limits<Real>::infinity();
+    for_each_corner(complex, v, [&](Corner c) {
+        const Vertex a{complex.vertex(next(c))};
+        const Vertex b{complex.vertex(prev(c))};
+        const Point<Real> to_a = complex.position(a) - centre;
+        const Point<Real> to_b = complex.position(b) - centre;
+        const Real area = cross(to_a, to_b);
+        const Real of_a = cross(way, to_b) / area;
+        const Real of_b = cross(to_a, way) / area;
+        // Neither is negative in the triangle that the way leads into.
+        if (const Real least = std::min(of_a, of_b); least > best) {
+            best = least;
+            best_a = a;
+            best_b = b;
+            share_a = of_a;
+            share_b = of_b;
+        }
+    });
+    share_b = std::clamp(share_b, Real(0), Real(1));
+    share_a = std::clamp(share_a, Real(0), 1 - share_b);
+    // Two blends make one of three values: of a in what b leaves over, then of b in the whole.
+    if (share_b < 1) {
+        complex.attributes.move_fields(v.id, best_a.id,
+                                       static_cast<double>(share_a / (1 - share_b)));
+    }
+    complex.attributes.move_fields(v.id, best_b.id, static_cast<double>(share_b));
+}
+
+} // namespace dsc

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Vertices that have yet to arrive, because another submesh has to move something first or others
+// are in their way: what lies around them is out of shape only for the moment. Where that matters
+// it is left to a later colour or pass.
+#pragma once
+
+#include "dsc/passes/work.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+/// Whether a vertex has yet to arrive. A vertex in contact may never arrive.
+template <class Real>
+bool is_waiting(const Complex<Real>& complex, std::uint32_t vertex) {
+    const std::uint32_t flags = complex.vertices[vertex].flags;
+    return (flags & vertex_on_way) != 0 && (flags & vertex_contact) != vertex_contact;
+}
+
+/// Where stars are left as they are while one of their vertices has yet to arrive.
+struct WaitingRule {
+    bool in_carried_phases = false; ///< their triangles are to stay what they are
+    bool everywhere = false;        ///< fields have values of two times there
+
+    [[nodiscard]] bool applies() const { return in_carried_phases || everywhere; }
+};
+
+/// Of a work. Alone on the complex, stars wait as long as vertices make progress. O(attributes).
+template <class Real>
+WaitingRule waiting_rule(const Work<Real>& work) {
+    if (work.submesh.region.is_whole() && work.progressed == 0) {
+        return {};
+    }
+    return {!work.options.carried_phases.empty(), work.complex.attributes.has_fields()};
+}
+
+/// Whether an owned star is one of these. O(degree).
+template <class Real>
+bool waits(const Work<Real>& work, const WaitingRule& rule, const Ring<Real>& ring) {
+    const auto carries = [&](Phase phase) { return work.options.carries(phase); };
+    const auto is_late = [&](std::uint32_t v) { return is_waiting(work.complex, v); };
+    return (rule.everywhere ||
+            std::any_of(ring.phase.begin(), ring.phase.begin() + ring.size, carries)) &&
+           (is_late(ring.vertex) ||
+            std::any_of(ring.link.begin(), ring.link.begin() + ring.link_size(), is_late));
+}
+
+/// The same for the two triangles at the edge opposite to `c`, all of whose vertices are owned.
+template <class Real>
+bool waits_around(const Work<Real>& work, const WaitingRule& rule, Corner c) {
+    const Complex<Real>& complex = work.complex;
+    if (!rule.everywhere && !work.options.carries(complex.phase_at(c))) {
+        return false;
+    }
+    const auto is_late = [&](Corner at) { return is_waiting(complex, complex.vertex(at)); };
+    return is_late(c) || is_late(next(c)) || is_late(prev(c)) || is_late(complex.twin(c));
+}
+
+/// Leaves a star to a later colour; alone on the complex, to the next pass.
+template <class Real>
+void put_off(Work<Real>& work, std::uint32_t vertex) {
+    if (work.submesh.region.is_whole()) {
+        work.resized.push_back(vertex);
+    } else {
+        work.deferred.star(vertex);
+    }
+}
+
+} // namespace dsc

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Phases whose inside moves with the flow: a rigid motion leaves their triangles as they are, in
+// each of the ways to run.
+#include "support/courses.h"
+#include "support/simulation_testing.h"
+
+#include "dsc/base/error.h"
+#include "dsc/complex/numbering.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/passes/carried.h"
+#include "dsc/queries/hash.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace dsc {
+namespace {
+
+using test::Course;
+
+constexpr double h_of_disc = 0.03;
+
+Complex<double> disc_to_carry() { return test::disc_complex<double>(h_of_disc, {0.4, 0.5}, 0.2); }
+
+// Whatever shape the triangles of phase 1 have at the start is good enough.
+Options<double> carrying() {
+    Options<double> options = test::options_for<double>(h_of_disc);
+    options.carried_phases = {1};
+    options.per_phase = {{}, {.collapse_quality = 0, .smooth_quality = 0}};
+    return options;
+}
+
+const Velocity<double> drift = test::constant<double>(0.8, 0.3);
+
+void run_carried(Simulation<double>& simulation, const Velocity<double>& velocity, int steps) {
+    constexpr double dt = 0.1 * h_of_disc;
+    for (int step = 0; step < steps; ++step) {
+        EXPECT_EQ(simulation.step(velocity, step * dt, dt).unreached, 0U);
+    }
+}
+
+using TriangleMap = std::map<std::uint32_t, std::array<std::uint32_t, 3>>;
+
+TriangleMap triangles_inside(const Complex<double>& complex) {
+    TriangleMap all;
+    for (const Triangle t : triangles(complex, 1)) {
+        all[t.id] = complex.triangles[t.id].v;
+    }
+    return all;
+}
+
+class CarriedPhase : public testing::TestWithParam<Course> {};
+
+TEST_P(CarriedPhase, KeepsItsTrianglesInARigidMotion) {
+    Complex<double> complex = disc_to_carry();
+    auto& first = complex.attributes.add<Vertex, Point<double>>("first", Point<double>(0, 0));
+    for (const Vertex v : vertices(complex)) {
+        first[v] = complex.position(v);
+    }
+    auto simulation = make_simulation(complex, carrying(), GetParam());
+    const TriangleMap before = triangles_inside(complex);
+    const std::size_t on_curve = simulation->interface_size();
+    run_carried(*simulation, drift, 60);
+    test::expect_whole(complex, *simulation);
+    EXPECT_EQ(simulation->interface_size(), on_curve);
+    // Create and merge gives everything new ids, as the thesis does.
+    if (GetParam().division != Division::copy) {
+        EXPECT_EQ(triangles_inside(complex), before);
+    }
+    EXPECT_EQ(triangles_inside(complex).size(), before.size());
+    const Point<double> way = 60 * 0.1 * h_of_disc * Point<double>(0.8, 0.3);
+    for (const Triangle t : triangles(complex, 1)) {
+        for (const Vertex v : complex.vertices_of(t)) {
+            EXPECT_LT((complex.position(v) - first[v] - way).norm(), 1e-13);
+        }
+    }
+}
+
+TEST_P(CarriedPhase, GivesTheSameBitsForAnyNumberOfThreads) {
+    std::array<std::vector<std::uint64_t>, 2> hashes;
+    for (const std::uint32_t threads : {1U, 2U}) {
+        Complex<double> complex = disc_to_carry();
+        Course course = GetParam();
+        course.threads = threads;
+        auto simulation = make_simulation(complex, carrying(), course);
+        for (int step = 0; step < 20; ++step) {
+            simulation->step(test::swirl, 0.01 * step, 0.01);
+            hashes[threads - 1].push_back(mesh_hash(complex));
+        }
+        EXPECT_EQ(validate(complex).problem, "");
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+// Vertices that are inserted inside move from then on; those that were removed do no harm. In a
+// field that is linear in the place every vertex knows where it has to be.
+TEST_P(CarriedPhase, MovesTheVerticesThatAreNewInside) {
+    Complex<double> complex = test::disc_complex<double>(h_of_disc, {0.5, 0.5}, 0.1);
+    auto& first = complex.attributes.add<Vertex, Point<double>>("first", Point<double>(0, 0));
+    for (const Vertex v : vertices(complex)) {
+        first[v] = complex.position(v);
+    }
+    const Point<double> centre(0.5, 0.5);
+    const auto stretching = test::pointwise<double>([&](const Point<double>& p, double) {
+        return Point<double>(p.x() - centre.x(), centre.y() - p.y());
+    });
+    Options<double> options = carrying();
+    options.insertion = Insertion::linear;
+    options.interface.deviation = 0; // collapses are exact in no linear field
+    auto simulation = make_simulation(complex, options, GetParam());
+    const std::size_t before = triangles_inside(complex).size();
+    constexpr double dt = 0.01;
+    for (int step = 0; step < 120; ++step) {
+        simulation->step(stretching, step * dt, dt);
+    }
+    test::expect_whole(complex, *simulation);
+    EXPECT_GT(triangles_inside(complex).size(), before + 5);
+    const double grown = std::exp(120 * dt);
+    for (const Vertex v : vertices(complex)) {
+        if (is_carried<double>(complex, options.carried_phases, v)) {
+            const Point<double> from = first[v] - centre;
+            const Point<double> there = centre + Point<double>(grown * from.x(), from.y() / grown);
+            EXPECT_LT((complex.position(v) - there).norm(), 1e-6) << "vertex " << v.id;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Passes, CarriedPhase, testing::ValuesIn(test::all_courses),
+                         test::course_name);
+
+// The test above would be in vain if the inside never changed.
+TEST(CarriedPhases, ChangeInsideWhereTheyAreNotCarried) {
+    Complex<double> complex = disc_to_carry();
+    const Options<double> options = test::options_for<double>(h_of_disc);
+    Simulation<double> simulation(complex, options);
+    const TriangleMap before = triangles_inside(complex);
+    run_carried(simulation, drift, 60);
+    EXPECT_NE(triangles_inside(complex), before);
+}
+
+TEST(CarriedPhases, CanBeChosenBetweenTwoSteps) {
+    Complex<double> complex = disc_to_carry();
+    const Options<double> options = test::options_for<double>(h_of_disc);
+    Simulation<double> simulation(complex, options);
+    run_carried(simulation, drift, 10);
+    simulation.set_options(carrying());
+    run_carried(simulation, drift, 1); // flips that were due
+    const TriangleMap before = triangles_inside(complex);
+    run_carried(simulation, drift, 20);
+    EXPECT_EQ(triangles_inside(complex), before);
+    renumber(complex);
+    run_carried(simulation, drift, 1);
+    const TriangleMap renumbered = triangles_inside(complex);
+    run_carried(simulation, drift, 10);
+    EXPECT_EQ(triangles_inside(complex), renumbered);
+    simulation.set_options(options);
+    run_carried(simulation, drift, 20);
+    test::expect_whole(complex, simulation);
+    EXPECT_NE(triangles_inside(complex), renumbered);
+}
+
+TEST(CarriedPhases, RefuseAFlowThatIsNotKnownInside) {
+    Complex<double> complex = disc_to_carry();
+    Simulation<double> simulation(complex, carrying());
+    const auto outwards = vertex_flow<double>(
+        [](const auto& view, std::size_t i, double) { return normal(view, i); });
+    EXPECT_THROW(simulation.step(outwards, 0, 0.001), InputError);
+    EXPECT_EQ(simulation.step(drift, 0, 0.001).unreached, 0U);
+}
+
+} // namespace
+} // namespace dsc
