@@ -16,6 +16,8 @@ SAID_ONCE = (  # what is the same wherever it stands
     (re.compile(r"inline constexpr std::array \w+_names\{"), "The values with their names."),
     (re.compile(r".*constexpr std::string_view to_string\(\w+ \w+\) \{"), "The name of a value."),
     (re.compile(r"\s+\w+& operator\+=\(const \w+& other\)[;{ ]*"), "Adds what another one holds."),
+    (re.compile(r".*void archive\(Archive& archive, .*& \w+\)[;{ ]*"),
+     "Writes the value into an archive, or reads it back."),
 )
 
 
@@ -53,8 +55,12 @@ def leave_out(lines):
 def say_once(lines):
     for i in range(1, len(lines)):
         for pattern, comment in SAID_ONCE:
-            if pattern.fullmatch(lines[i]) and not lines[i - 1].strip().startswith("///"):
-                lines[i] = f"/** {comment} */ {lines[i]}"
+            begin = i
+            while pattern.fullmatch(lines[i]) and lines[begin - 1].startswith(
+                    ("template", "requires")):
+                begin -= 1
+            if pattern.fullmatch(lines[i]) and not lines[begin - 1].strip().startswith("///"):
+                lines[begin] = f"/** {comment} */ {lines[begin]}"
 
 
 def share_comments(lines):

@@ -32,6 +32,7 @@ public:
     Archive(std::string bytes, std::string name)
         : bytes_(std::move(bytes)), name_(std::move(name)), is_reading_(true) {}
 
+    /// Whether values are read back rather than written.
     [[nodiscard]] bool is_reading() const { return is_reading_; }
     /// What has been written; of one that reads, all it was given.
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
@@ -64,6 +65,7 @@ public:
     /// The length of a list whose entries take `least` bytes or more: writes `size`, or returns
     /// what has been read.
     [[nodiscard]] std::uint64_t length(std::uint64_t size, std::size_t least);
+    /// So many bytes as they lie in memory.
     void raw(void* data, std::size_t size);
 
     /// Refuses what has been read unless the condition holds.

@@ -61,6 +61,7 @@ public:
     /// moves then takes the value of its new place, blended in its star. Otherwise, and by default,
     /// it keeps its own.
     [[nodiscard]] bool is_field() const { return is_field_; }
+    /// Makes them samples of a field, or not.
     void set_field(bool is_field) { is_field_ = is_field; }
 
     // --- storage

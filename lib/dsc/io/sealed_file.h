@@ -19,8 +19,8 @@ namespace dsc {
 
 /// What a file holds, and in which form.
 struct SealedKind {
-    std::string name; ///< at most 8 bytes, the rest of which are 0 in the file
-    std::uint32_t version = 1;
+    std::string name;          ///< at most 8 bytes, the rest of which are 0 in the file
+    std::uint32_t version = 1; ///< of the form of the bytes; files of another one are refused
 };
 
 /// Written beside its place, brought to the disk and renamed: whatever happens in between, the file

@@ -22,7 +22,7 @@ struct SvgBox {
 
 /// A place that is pointed out by a ring.
 struct SvgMark {
-    double x = 0;
+    double x = 0; ///< in units of the domain
     double y = 0;
     std::string text{}; ///< shown where the picture is pointed at
 };
@@ -45,8 +45,8 @@ struct SvgOptions {
     std::string title{}; ///< empty: none
     /// In place of the colours of phases. An entry for each triangle id.
     std::optional<SvgFill> fill{};
-    std::vector<SvgMark> marks{}; ///< on top of everything else
-    std::string mark_colour = "#d55e00";
+    std::vector<SvgMark> marks{};        ///< on top of everything else
+    std::string mark_colour = "#d55e00"; ///< of the rings
 };
 
 /// Writes the picture, y upwards. The file exists as a whole or not at all. O(n).

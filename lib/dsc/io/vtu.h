@@ -16,7 +16,7 @@ namespace dsc {
 
 /// Numbers that are written beside those that a complex has itself.
 struct VtuArray {
-    std::string name;
+    std::string name;                       ///< in the file
     SimplexKind kind = SimplexKind::vertex; ///< or triangle; the format has no data of edges
     std::uint32_t components = 1;           ///< 1, or 2 for vectors of the plane
     /// By id: those of id i begin at i * components. Entries of free ids are left out.

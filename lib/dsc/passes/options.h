@@ -110,6 +110,7 @@ struct Options {
     [[nodiscard]] const PhaseThresholds& thresholds(Phase phase) const {
         return phase < per_phase.size() ? per_phase[phase] : phases;
     }
+    /// Whether the inside of a phase moves with the flow. O(carried phases).
     [[nodiscard]] bool carries(Phase phase) const {
         return std::ranges::find(carried_phases, phase) != carried_phases.end();
     }

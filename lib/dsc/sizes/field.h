@@ -18,12 +18,12 @@ struct VertexSize {
     Real distance = std::numeric_limits<Real>::infinity(); ///< to the interface; kept if needed
 };
 
-/// The attribute that holds the targets.
 template <class Real>
 void archive(Archive& archive, VertexSize<Real>& size) {
     archive(size.length, size.distance);
 }
 
+/// The attribute that holds the targets.
 template <class Real>
 using SizeField = VertexAttribute<VertexSize<Real>>;
 
