@@ -93,7 +93,9 @@ def briefly(words):
     program, *rest = words.split()
     program = os.path.basename(program)
     if program == "dsc_scene" and rest:
-        return f"{words} --set h=0.03 --set steps=2" if rest[0] == "run" else words
+        if rest[0] == "run" and "--resume" not in rest:
+            return f"{words} --set h=0.03 --set steps=2"
+        return words
     if program == "dsc_bench" and rest:
         return f"{words} --benchmark_list_tests=true"
     if program == "dsc_verify" and len(rest) > 1:
