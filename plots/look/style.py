@@ -171,7 +171,7 @@ def caption_text(context, conditions=""):
     if context is not None:
         if context.machine:
             parts.append(context.machine)
-        if context.cores:
+        if context.cores and "core" not in context.machine:
             parts.append(counted(context.cores, "core"))
         if context.load not in (None, ""):
             parts.append(f"other load {context.load}")

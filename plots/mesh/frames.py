@@ -94,6 +94,16 @@ def _change(first, last):
     return "unchanged to 0.001 %" if float(percent) == 0 else f"{percent} %"
 
 
+def _grown(first, last):
+    """'0.045 % larger', in words for somebody who reads one sentence only."""
+    if _change(first, last).startswith("unchanged"):
+        return "the same to 0.001 %"
+    if last > 2 * first:
+        return f"{style.digits(last / first)} times as large"
+    return (f"{style.digits(100 * abs(last / first - 1), 2)} % "
+            f"{'larger' if last > first else 'smaller'}")
+
+
 def _counted(events):
     """'2 merge, 1 split'"""
     kinds = [event.kind for event in events]
@@ -109,9 +119,7 @@ def plain(scene, shown, events=()):
     if len(phases) > MANY:
         text += f" and {sum(p in last for p in phases)} of {len(phases)} phases left"
     elif len(phases) == 1 and len(shown) > 1:
-        change = _change(first[phases[0]], last.get(phases[0], 0.0))
-        text += ("; its area is unchanged to 0.001 %" if change.startswith("unchanged")
-                 else f"; its area has changed by {change}")
+        text += f"; at the end its area is {_grown(first[phases[0]], last.get(phases[0], 0.0))}"
     if events:
         text += f"; phases met or parted {style.counted(len(events), 'time')}"
     return text + "."

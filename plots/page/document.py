@@ -56,7 +56,7 @@ def table(header, rows, classes=None, name="table"):
 
     def kinds(row, column):
         words = ["n" if values[column] and most[column] < 24 else "",
-                 "wide" if most[column] > 60 else "tight" if most[column] < 24 else "",
+                 "wide" if most[column] > 60 else "tight" if most[column] < 24 else "some",
                  classes.get((row, column), "")]
         words = " ".join(word for word in words if word)
         return f' class="{words}"' if words else ""

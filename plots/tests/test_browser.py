@@ -45,6 +45,13 @@ class Page(Case):
         self.assertEqual(others, [])
         self.assertEqual(self.browser.errors(), [])
 
+    def test_can_be_sent_on(self):
+        self.assertLess(os.path.getsize(self.page), 5e6)
+        folder = os.path.dirname(self.page)
+        sizes = [os.path.getsize(os.path.join(place, name))
+                 for place, _, names in os.walk(folder) for name in names]
+        self.assertLess(sum(sizes), 25e6)
+
     def test_every_link_leads_somewhere(self):
         self.browser.show(self.page)
         links = self.browser.ask(

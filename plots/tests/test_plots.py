@@ -231,6 +231,11 @@ class Plots(Case):
         text = frames.sentence("swirl", "sequential", [(0, None, frame),
                                                        (7, None, load_frames.read_frame(later))])
         self.assertIn("4 and 4 triangles in frames 0 and 7", text)
+        shown = [(0, None, frame), (7, None, load_frames.read_frame(later))]
+        self.assertEqual(frames.plain("swirl", shown), "swirl at the beginning and at the end, with "
+                         "4 triangles; at the end its area is 50 % smaller.")
+        self.assertIn("its area is 100 % larger", frames.plain("swirl", shown[::-1]))
+        self.assertIn("its area is the same to 0.001 %", frames.plain("swirl", shown[:1] * 2))
         self.assertIn("from 1.0000 to 0.50000 (-50.000 %)", text)
 
     def test_events_are_drawn_with_the_frame_after_them(self):
