@@ -100,13 +100,14 @@ class Words(Case):
             drift = data["checks"][0]
             drift["description"] = "area against the exact one"
             data["checks"] += [{**drift, "scene": "near", "measured": 9e-5},
-                               {**drift, "scene": "angle", "measured": 25, "limit": 20,
-                                "sense": ">=", "check": "least angle"}]
+                               *({**drift, "scene": scene, "measured": value, "limit": 20,
+                                  "sense": ">=", "check": "least angle"}
+                                 for scene, value in (("a", 40), ("b", 25), ("c", 30)))]
         found, rows, _ = self.table(verify=self.verify(more))
         self.assertIn("Area against the exact one, 2 scenes", found)
         self.assertIn(["✓ pass", "Area against the exact one, 2 scenes", "9.00e-5 (near)",
                        "at most 1.00e-4"], rows)
-        self.assertIn("at least 20", [row[3] for row in rows])
+        self.assertIn(["25 (b)", "at least 20"], [row[2:] for row in rows])
 
     def test_a_broken_limit_is_the_worst_of_its_scenes(self):
         def more(data):

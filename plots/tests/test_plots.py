@@ -45,6 +45,7 @@ class Plots(Case):
         files = self.files()
         for name in names:
             self.assertTrue(files[f"{name}.png"].startswith(b"\x89PNG"), name)
+            self.assertEqual(files[f"{name}.png"][25], 3, f"{name}.png has no palette")
         self.assertEqual(page.count("data:image/webp;base64,"), len(names))
         self.assertEqual([n for n in files if n.endswith(".part")], [])
         self.assertIn("the mesh is not valid", page)
@@ -237,6 +238,19 @@ class Plots(Case):
         self.assertIn("its area is 100 % larger", frames.plain("swirl", shown[::-1]))
         self.assertIn("its area is the same to 0.001 %", frames.plain("swirl", shown[:1] * 2))
         self.assertIn("from 1.0000 to 0.50000 (-50.000 %)", text)
+
+    def test_of_several_strategies_one_mesh_is_drawn(self):
+        for name in ("swirl_cells", "swirl_sequential", "t1_cells"):
+            self.write(f"frames/{name}_00000.vtu", VTU.format(x=1))
+        runs = frames.read(os.path.join(self.folder, "frames"))
+        self.assertEqual([run[:2] for run in runs], [("swirl", "sequential"), ("t1", "cells")])
+
+    def test_histograms_are_those_of_the_thesis(self):
+        data = verify()
+        data["histograms"] += [{**h, "scene": "swirl"} for h in data["histograms"]]
+        found = load.read_verify([self.write("v.json", data)])
+        self.assertEqual([p.name for p in histograms.draw([], found, {})],
+                         ["histogram_speedup-scaling_area"])
 
     def test_events_are_drawn_with_the_frame_after_them(self):
         self.write("frames/swirl_sequential_00000.vtu", VTU.format(x=1))
