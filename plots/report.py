@@ -100,7 +100,8 @@ def _head(context):
     if not context:
         return page.paragraph("No result names its machine.")
     return page.facts([
-        ("machine", context.machine), ("cores", str(context.cores or "") if "core" not in context.machine else ""),
+        ("machine", context.machine),
+        ("cores", "" if "core" in context.machine else str(context.cores or "")),
         ("busy with other work", f"{context.load} cores, as the measurement began"
          if context.load else ""), ("compiler", context.compiler),
         ("build", context.build_type), ("commit", context.commit), ("date", context.date)])

@@ -58,7 +58,7 @@ def _context_of_scenes(results):
 
 
 def gallery(results, out):
-    """The section of the room `gallery`, an HTML fragment, or nothing where there is no such room."""
+    """The section of the room `gallery` as HTML, or nothing where there is no such room."""
     if not os.path.isdir(os.path.join(PLOTS, "gallery")):
         return ""
     section = getattr(importlib.import_module("gallery"), "section", None)

@@ -10,7 +10,7 @@ import re
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 UNITS = {"ns": 1e-9, "µs": 1e-6, "ms": 1e-3, "s": 1.0}
-NUMBER = re.compile(r"[✓✗] *|(?P<sign>[-+])?(?P<number>\d[\d,]*(\.\d+)?(e-?\d+)?)(/(?P<below>\d+))?"
+NUMBER = re.compile(r"(?P<sign>[-+])?(?P<number>\d[\d,]*(\.\d+)?(e-?\d+)?)(/(?P<below>\d+))?"
                     r"( ?(?P<unit>ns|µs|ms|s|%|°))?( .*)?")
 NOTHING = ("", "–")
 
@@ -30,7 +30,7 @@ def listed(sentences, kind):
 def value_of(text):
     """The number by which a cell sorts, in one unit for all durations; None if it has none."""
     found = NUMBER.fullmatch(text)
-    if not found or not found["number"]:
+    if not found:
         return None
     value = float(found["number"].replace(",", "")) * UNITS.get(found["unit"], 1.0)
     return (-value if found["sign"] == "-" else value) / float(found["below"] or 1)

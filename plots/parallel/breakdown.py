@@ -70,8 +70,8 @@ def plain(family, rows):
     row = max(found, key=lambda r: (r.triangles, r.strategy == STRATEGIES[0]))
     values = parts(row)
     key, name, _ = max(PARTS, key=lambda part: values[part[0]])
-    return (f"In the {series.title(family)}, at {style.whole(row.triangles)} triangles, the largest "
-            f"part of a step on one thread is the {name}, with "
+    return (f"In the {series.title(family)}, at {style.whole(row.triangles)} triangles, the "
+            f"largest part of a step on one thread is the {name}, with "
             f"{100 * values[key] / sum(values.values()):.0f} % of the time.")
 
 
