@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The gallery: each figure and table of the thesis's section 10 in our own words, and ours.
 
-Reading order: figures (what is run for which figure), thesis (its facts), runs (dsc_scene), vtu
-(frames), mesh, animation, charts (pictures), compare and times (numbers), build (all of them in
-one), layout (HTML), make.py (the command).
+Reading order: vtu (frames), runs (dsc_scene), thesis (its facts), figures (what is run for which
+figure); mesh, animation, charts (pictures); compare, distribution, busy, times (numbers); layout
+(HTML); build (all of these for each figure); make.py (the command).
 """
 import pathlib
 import tempfile

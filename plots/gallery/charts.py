@@ -15,14 +15,11 @@ COLOURS = (style.BLUE, style.ORANGE, style.VERMILLION)
 DPI = 110
 
 
-def _bytes(fig, colours):
-    """The figure as lossless WebP of so many colours."""
+def _image(fig):
     buffer = io.BytesIO()
     fig.savefig(buffer, format="png", dpi=DPI)
     style.plt.close(fig)
-    image = Image.open(buffer).convert("RGB")
-    return mesh.webp(image.quantize(colours, dither=Image.Dither.NONE).convert("RGB"),
-                     lossless=True)
+    return Image.open(buffer).convert("RGB")
 
 
 def median(edges, counts):
@@ -76,7 +73,8 @@ def histogram(quantity, shown):
     low, high = base["edges"][used[0]], base["edges"][used[-1] + 1]
     grid[0][0].set_xlim(low - 0.03 * (high - low), high + 0.03 * (high - low))
     grid[0][0].set_ylabel("triangles in a bin (%)")
-    return _bytes(fig, 48)
+    few = _image(fig).quantize(48, dither=Image.Dither.NONE)
+    return mesh.webp(few.convert("RGB"), lossless=True)
 
 
 def shaded(frame, values, label):
@@ -94,4 +92,4 @@ def shaded(frame, values, label):
     axes.set_xlabel("x (domain units)")
     axes.set_ylabel("y (domain units)")
     fig.colorbar(colours, ax=axes, label="value at the vertices (no unit)")
-    return _bytes(fig, 250)
+    return mesh.webp(_image(fig), quality=82)  # as many colours as there are

@@ -57,7 +57,8 @@ def rows_of(row, run, facts):
 def sentence(row, run, facts):
     """What came out of a run."""
     result = run.result
-    text = (f"{'the' if row.label else 'The'} scene {run.plan.scene} goes from {style.whole(result['triangles_first'])} to "
+    text = (f"{'the' if row.label else 'The'} scene {run.plan.scene} goes from "
+            f"{style.whole(result['triangles_first'])} to "
             f"{style.whole(result['triangles_last'])} triangles in "
             f"{style.counted(run.last_step, 'step')}")
     if row.triangles:

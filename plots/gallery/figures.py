@@ -40,7 +40,7 @@ class Histogram:
     quantity: str             # area or quality
     runs: tuple               # of (label, Plan); the first is what the others are compared with
     triangles: str = ""       # the thesis's number of triangles of the first: such an entry
-    frame: int = 0            # the step whose frame is measured, for the program's bins end too early
+    frame: int = 0            # the step whose frame is measured, where the program's bins end early
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,8 @@ class Figure:
 
 SCALING = (("sequential", Plan("speedup-scaling")),
            ("four slabs", Plan("speedup-scaling", strategy="fixed", submeshes=4)),
-           ("four submeshes, created and merged", Plan("speedup-scaling", strategy="copy", submeshes=4)))
+           ("four submeshes, created and merged",
+            Plan("speedup-scaling", strategy="copy", submeshes=4)))
 VARYING = Plan("quality-varying", (SMALL, ("steps", 100)))
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from gallery.shared import page
 
 BUDGET = 2_000_000  # characters of the whole fragment, pictures in base64 included
+TAGS = 300  # at most so many characters around a picture, its words left aside
 GRID = ("display:grid;grid-template-columns:repeat(auto-fill,minmax(min({}rem,45%),1fr));"
         "gap:1rem 1.2rem;align-items:start;margin:1rem 0")
 
@@ -43,17 +44,18 @@ class Block:
 
 
 def heading(block):
-    return f"{block.number if block.number[0].isalpha() else 'Figure ' + block.number}: {block.title}"
+    kind = "" if block.number[0].isalpha() else "Figure "
+    return f"{kind}{block.number}: {block.title}"
 
 
 def embedded(blocks, budget=BUDGET):
     """The names of the pictures that fit: still ones first, then animations, in order."""
-    left = budget - sum(2500 + sum(len(text) for text in (b.shows, *b.ours, *b.notes)) for b in blocks)
+    left = budget - sum(len(block_html(block, ())) for block in blocks)
     names = set()
     pictures = [picture for block in blocks for picture in block.pictures]
     for picture in sorted(pictures, key=lambda picture: bool(picture.still)):
-        if picture.size <= left:
-            left -= picture.size
+        if picture.size + TAGS <= left:
+            left -= picture.size + TAGS
             names.add(picture.name)
     return names
 

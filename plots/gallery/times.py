@@ -2,7 +2,7 @@
 """Times by numbers of threads beside the thesis's (table 10.1): whole runs, the best of a few."""
 import os
 
-from gallery import load
+from gallery import busy
 from gallery.compare import NONE, ratio
 from gallery.runs import Plan
 from gallery.shared import style
@@ -21,8 +21,8 @@ def measure(program, scene, threads, key):
 def table(program, part, facts):
     """(sentence, note, rows) for one scene."""
     entry, cores = facts.entry(part.entry), os.cpu_count() or 1
-    busy = load.busy_share()
-    quiet = busy is not None and busy < load.BUSY
+    share = busy.share()
+    quiet = share is not None and share < busy.BUSY
     own = measure(program, part.scene, 0, "cpu_s")
     rows = [(f"{part.label}: t_s, sequential", f"{entry['t_s']} s", f"{1e3 * own:.3g} ms",
              ratio(own, entry["t_s"]))]
@@ -36,18 +36,18 @@ def table(program, part, facts):
                      f"{speedup:.2f}" if speedup else NONE, ratio(speedup, item["S"])))
         if speedup and n > 1:
             text += f"; {n} threads are {speedup:.2f} times as fast"
-    return text + ".", note(busy, quiet, cores), rows
+    return text + ".", note(share, quiet, cores), rows
 
 
-def note(busy, quiet, cores):
+def note(share, quiet, cores):
     """The conditions of the times."""
     text = f"The least of {REPEATS} runs, here with the strategy cells"
     if not quiet:
         text += "; threads were not timed, because " + (
-            "how busy the machine is was not known" if busy is None else
-            f"others used {100 * busy:.0f}\N{NO-BREAK SPACE}% of its cores")
+            "how busy the machine is was not known" if share is None else
+            f"others used {100 * share:.0f}\N{NO-BREAK SPACE}% of its cores")
     else:
         text += (f", on {style.counted(cores, 'core')}; more threads than cores are not timed. The "
                  "report models them")
-    return text + (". The thesis's times are of four cores of an Intel Core i5-3570K, and of a number "
-                   "of steps that it does not state.")
+    return text + (". The thesis's times are of four cores of an Intel Core i5-3570K, and of a "
+                   "number of steps that it does not state.")

@@ -54,7 +54,7 @@ class _Reader:
             tag_end = data.index(b">", begin) + 1
             tag = data[begin:tag_end - 1].rstrip(b"/") + b"/>"
             self.encoding = xml.fromstring(tag).get("encoding", "base64")
-            self.appended = data[data.index(b"_", tag_end) + 1:]
+            self.appended = data[data.index(b"_", tag_end) + 1:data.rindex(b"</AppendedData>")]
             if b"</VTKFile>" not in data[-200:]:
                 raise ValueError("its end is missing")
             data = data[:begin] + b"</VTKFile>"

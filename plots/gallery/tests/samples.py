@@ -58,7 +58,8 @@ def vtu(form="ascii", encoding="raw", compressed=False, header="Q", arrays=ARRAY
     start = (f'<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" byte_order="LittleEndian"'
              f"{kinds}><UnstructuredGrid><Piece>{inside}</Piece></UnstructuredGrid>").encode()
     if form == "appended":
-        start += f'<AppendedData encoding="{encoding}">\n_'.encode() + appended + b"\n</AppendedData>"
+        start += f'<AppendedData encoding="{encoding}">\n_'.encode() + appended
+        start += b"\n</AppendedData>"
     return start + b"</VTKFile>\n"
 
 
@@ -80,7 +81,7 @@ steps, dt = 10, 0.1
 with open(given("--json", os.devnull), "w") as file:
     json.dump({{"scene": scene, "steps": steps, "strategy": "sequential", "triangles_first": 4,
                "triangles_last": 6, "area_ratio": 0.99, "sd_last": 0.01, "area_exact_last": 0.5,
-               "sd_rel_last": 0.02, "inverted": 0, "unreached": 0, "wall_s": 0.25,
+               "sd_rel_last": 0.02, "inverted": 0, "unreached": 0, "wall_s": 0.25, "cpu_s": 0.2,
                "machine": "a machine", "commit": "c0ffee",
                "parameters": {{"h": 0.5, "dt": dt, "integrator": "rk4"}},
                "histograms": {{"area": {{"edges": [0, 1, 2, 4], "counts": [1, 2, 1]}}}}}}, file)
@@ -97,7 +98,8 @@ if "--frames" in words:
         numbers = [next(k for k in range(steps + 1) if k * dt >= float(t))
                          for t in given("--at").split(",")]
     for k in numbers:
-        shutil.copy({frame!r}, os.path.join(given("--frames"), f"{{scene}}_sequential_{{k:05d}}.vtu"))
+        name = f"{{scene}}_sequential_{{k:05d}}.vtu"
+        shutil.copy({frame!r}, os.path.join(given("--frames"), name))
 '''
 
 

@@ -6,9 +6,10 @@ import io
 import pathlib
 import tempfile
 import unittest
+from unittest import mock
 
 import gallery
-from gallery import build, compare, figures, layout, make, runs, thesis
+from gallery import build, busy, compare, figures, layout, make, runs, thesis
 from gallery.figures import Figure, Histogram, Row
 from gallery.runs import Plan
 from gallery.tests import samples
@@ -24,7 +25,8 @@ class Page(html.parser.HTMLParser):
         self.close()
 
     def handle_starttag(self, tag, attrs):
-        {"img": self.images, "source": self.sources, "a": self.links}.get(tag, []).append(dict(attrs))
+        kept = {"img": self.images, "source": self.sources, "a": self.links}
+        kept.get(tag, []).append(dict(attrs))
         if tag not in ("img", "source", "meta"):
             self.open.append(tag)
 
@@ -133,6 +135,18 @@ class Built(InFolder):
         block = self.builder().block(Figure("10.13", (part,)))
         self.assertEqual(block.rows, [("triangles, one", "28,236", "4", "1.42e-4")])
         self.assertIn("median area is 1.50 domain units², 0.923 times the mean; 50", block.ours[0])
+
+    def test_threads_are_timed_where_nobody_else_uses_the_cores(self):
+        part = figures.Times("swirl", "four_circles", "four")
+        for share, cores, ours in ((0.0, 4, ("3.69", "1.00", "0.271")),
+                                   (0.9, 4, ("3.69", "–", "–")), (0.0, 2, ("3.69", "–", "–"))):
+            with mock.patch("gallery.busy.share", return_value=share), \
+                    mock.patch("os.cpu_count", return_value=cores):
+                block = self.builder().block(Figure("Table 10.1", (part,)))
+            self.assertEqual(block.rows[0], ("four: t_s, sequential", "225 s", "200 ms", "8.89e-4"))
+            self.assertEqual(block.rows[1], ("four: S(4) = t_s / t_4", *ours))
+            self.assertEqual("others used 90" in block.notes[0], share > 0)
+        self.assertTrue(0 <= busy.share(0.01) <= 1)
 
     def test_equal_plans_are_run_once(self):
         builder = self.builder()

@@ -2,6 +2,7 @@
 """Reading frames, and drawing them."""
 import io
 import os
+import struct
 import tempfile
 import unittest
 
@@ -55,6 +56,15 @@ class Files(unittest.TestCase):
         packed = samples.vtu("appended", compressed=True)
         with self.assertRaisesRegex(vtu.BadFrame, "vtkLZ4"):
             self.read(packed.replace(b"vtkZLib", b"vtkLZ4"))
+        sizes = struct.pack("<3Q", 2, 24, 16)  # of the values: 24 and 16 bytes
+        self.assertIn(sizes, packed)
+        with self.assertRaisesRegex(vtu.BadFrame, "length that it names"):
+            self.read(packed.replace(sizes, struct.pack("<3Q", 2, 24, 8)))
+        for form in ({}, {"compressed": True}, {"encoding": "base64"}):
+            whole = samples.vtu("appended", **form)
+            with self.assertRaisesRegex(vtu.BadFrame, "ends too early|Incorrect padding"):
+                self.read(whole[:whole.index(b"\n</App") - 2]
+                          + b"</AppendedData></VTKFile>\n")
         with self.assertRaisesRegex(vtu.BadFrame, "cannot be read"):
             vtu.read(self.path + "x")
 
@@ -83,7 +93,9 @@ class Pictures(unittest.TestCase):
     def test_a_window_shows_a_part(self):
         image = mesh.draw(self.frame, 60, window=(0.8, 0.4, 0.2))
         self.assertTrue(self.near(image, 0.5, 0.5, style.PHASE_FILLS[1]))
-        self.assertTrue(self.near(image, 0.1, 0.9, style.PHASE_FILLS[1]))
+        self.assertEqual(image.size, (60, 60))
+        image = mesh.draw(self.frame, 60, window=(0.1, 0.4, 0.2))
+        self.assertTrue(self.near(image, 0.95, 0.5, style.PHASE_FILLS[0]))
 
     def test_values_are_the_lightness_of_red(self):
         fills = mesh.value_fills(self.frame, numpy.array([0.5, 0.5, 1, 1, 0.5]))

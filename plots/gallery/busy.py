@@ -13,7 +13,7 @@ def _counters():
     return ticks[3] + ticks[4], sum(ticks[:8])
 
 
-def busy_share(seconds=0.5):
+def share(seconds=0.5):
     """The share of all cores that was used over this time, 0 to 1; None where it is not known."""
     try:
         before = _counters()
