@@ -6,7 +6,11 @@ from dataclasses import dataclass
 from gallery.shared import page
 
 BUDGET = 2_000_000  # characters of the whole fragment, pictures in base64 included
-TAGS = 300  # at most so many characters around a picture, its words left aside
+IMAGE = ("display:block;width:100%;height:auto;padding:.5rem;background:#fff;"
+         "border:1px solid var(--line);border-radius:8px")
+# On a narrow screen a wide picture keeps a size at which its words can be read, and is scrolled.
+WIDE = "min-width:40rem;"
+TAGS = 600  # at most so many characters around a picture, its words left aside
 GRID = ("display:grid;grid-template-columns:repeat(auto-fill,minmax(min({}rem,45%),1fr));"
         "gap:1rem 1.2rem;align-items:start;margin:1rem 0")
 
@@ -80,10 +84,15 @@ def _picture(picture, within, beside):
         link = page.escape(beside + picture.name)
         return (f'<figure{style}><figcaption><a href="{link}">{text}</a> <small>Beside this '
                 "page.</small></figcaption></figure>")
-    image = f'<img alt="{text}" src="{_uri(picture.still or picture.data)}">'
+    least = WIDE if picture.wide > 1 else ""
+    image = (f'<img alt="{text}" style="{least}{IMAGE}" '
+             f'src="{_uri(picture.still or picture.data)}">')
     if picture.still:
         image = ('<picture><source media="(prefers-reduced-motion: no-preference)" '
                  f'srcset="{_uri(picture.data)}">{image}</picture>')
+    if picture.wide > 1:
+        image = (f'<div style="overflow-x:auto" tabindex="0" role="region" aria-label="{text}">'
+                 f"{image}</div>")
     return f"<figure{style}>{image}<figcaption>{text}</figcaption></figure>"
 
 

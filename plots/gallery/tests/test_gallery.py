@@ -27,7 +27,7 @@ class Page(html.parser.HTMLParser):
     def handle_starttag(self, tag, attrs):
         kept = {"img": self.images, "source": self.sources, "a": self.links}
         kept.get(tag, []).append(dict(attrs))
-        if tag not in ("img", "source", "meta"):
+        if tag not in ("img", "source", "meta", "link", "br"):
             self.open.append(tag)
 
     def handle_endtag(self, tag):
