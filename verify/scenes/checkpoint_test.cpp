@@ -121,14 +121,17 @@ void expect_same_when_broken(const Broken& run, const std::string& path) {
 const std::vector<Broken>& quick_runs() {
     using enum Strategy;
     static const std::vector<Broken> runs{
-        {"swirl", sequential, {"h=0.04", "steps=14", "integrator=centred"}, 9},
+        {"swirl", sequential, {"h=0.04", "steps=14", "integrator=centred", "seed=7"}, 9},
         {"swirl", cells, {"h=0.02", "steps=40"}, 37},
-        {"single-vortex", active, {"h=0.04", "period=0.8", "integrator=adaptive"}, 13},
+        {"single-vortex",
+         active,
+         {"h=0.04", "period=0.8", "integrator=adaptive", "tolerance=1e-7"},
+         13},
         {"drop-and-pool", cells, {"h=0.03", "steps=40", "grade=1.3"}, 23},
         {"grow-shrink", blocks, {"h=0.03"}, 5},
         {"curvature-circle", copy, {"h=0.05", "steps=12", "real=float"}, 7},
         {"grains", fixed, {"h=0.04", "grains=30", "steps=20"}, 11},
-        {"zalesak", counting, {"h=0.03", "steps=12", "seed=7", "real=float"}, 4},
+        {"zalesak", counting, {"h=0.03", "steps=12", "real=float"}, 4},
     };
     return runs;
 }
