@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -243,6 +244,38 @@ TEST_F(Checkpoints, TheScalarTypeIsTold) {
         FAIL() << "nothing was refused";
     } catch (const FileError& error) {
         EXPECT_STREQ(error.what(), "here: holds a complex of double, not of float");
+    }
+}
+
+TEST_F(Checkpoints, WhatIsNoComplexIsRefused) {
+    const Scene scene = find_scene("swirl");
+    Parameters parameters = scene.defaults;
+    parameters.h = 0.1;
+    const scenes::Setup setup = scene.prepare(parameters);
+    const auto read_after = [&](auto damage) -> std::string {
+        auto complex = first_complex<double>(setup, parameters);
+        auto other = complex;
+        Simulation<double> simulation(complex, scene_options<double>(parameters));
+        Simulation<double> reader(other, scene_options<double>(parameters));
+        damage(complex);
+        Archive archive;
+        simulation.archive(archive);
+        Archive again(archive.bytes(), "here");
+        try {
+            reader.archive(again);
+        } catch (const FileError& error) {
+            return error.what();
+        }
+        return "read";
+    };
+    EXPECT_EQ(read_after([](auto&) {}), "read");
+    for (const std::string& said :
+         {read_after([](auto& complex) { complex.triangles[7].v[1] = 1'000'000; }),
+          read_after([](auto& complex) { complex.triangles[7].n[2] = 1'000'000; }),
+          read_after([](auto& complex) { complex.vertices[9].x = NAN; }),
+          read_after([](auto& complex) { complex.ids.vertices.push_back(3); }),
+          read_after([](auto& complex) { complex.lent_vertices = 1; })}) {
+        EXPECT_TRUE(said.starts_with("here: holds no valid complex: ")) << said;
     }
 }
 

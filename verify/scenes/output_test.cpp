@@ -167,8 +167,9 @@ TEST(Frames, AreDueAtStepsAndTimes) {
     };
     EXPECT_EQ(due({.count = 3}), (std::vector<int>{0, 5, 10}));
     EXPECT_EQ(due({.every = 4}), (std::vector<int>{0, 4, 8, 10}));
-    // 0.3 is less than three steps of 0.1 by a rounding, and is reached by the third.
     EXPECT_EQ(due({.times = {0.3, 0.31, 0.7, 1.0}}), (std::vector<int>{3, 4, 7, 10}));
+    // 2.1 / 0.7 is more than 3 by a rounding, and reached by the third step all the same.
+    EXPECT_TRUE(is_frame_due({.folder = "f", .times = {2.1}}, {20, 0.7, {}}, 3));
     EXPECT_EQ(due({.every = 5, .times = {0.05}}), (std::vector<int>{0, 1, 5, 10}));
     EXPECT_FALSE(is_frame_due({}, schedule, 0));
     EXPECT_THROW(check_times({.times = {1.05}}, schedule), InputError);
