@@ -83,17 +83,13 @@ run_sanitizer() { # run_sanitizer PRESET [COMMAND PREFIX...]
     fi
 }
 
+if $all; then
+    install_packages "${guide_packages[@]}" "${browser_packages[@]}" "${reader_packages[@]}"
+fi
 if $with_sanitizers; then
     set_up tsan
 else
     set_up plain
-fi
-if $all; then
-    install_packages "${guide_packages[@]}"
-fi
-
-if $all; then
-    install_packages "${browser_packages[@]}"
 fi
 
 if $with_release; then

@@ -6,13 +6,14 @@
 project_root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project_root" || exit 2
 
-build_packages=(cmake g++ ninja-build git libeigen3-dev libmetis-dev libboost-dev zlib1g-dev nlohmann-json3-dev
-    libtomlplusplus-dev libcli11-dev googletest libgtest-dev libbenchmark-dev)
-# For the tests that only `verify/run.sh --all` needs.
-guide_packages=(doxygen)
+build_packages=(cmake g++ ninja-build git libeigen3-dev libmetis-dev libboost-dev zlib1g-dev
+    nlohmann-json3-dev libtomlplusplus-dev libcli11-dev googletest libgtest-dev libbenchmark-dev)
 plot_packages=(python3 python3-matplotlib)
-# A browser for the test of the report's page.
+# For the tests that only `verify/run.sh --all` needs: the reference pages, a browser for the page of
+# the report, and programs that read frames.
+guide_packages=(doxygen)
 browser_packages=(chromium chromium-driver python3-selenium)
+reader_packages=(python3-vtk9 python3-meshio)
 # The sanitizer's own runtime is only recommended by clang-14, so it is named.
 tsan_packages=(clang-14 libclang-rt-14-dev libomp-14-dev)
 
