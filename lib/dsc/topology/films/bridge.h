@@ -26,8 +26,8 @@ template <class Real>
 [[nodiscard]] bool faces(const Complex<Real>& complex, Corner one, Corner other);
 
 /// Both half-edges lie on a seam. Where a bridge has opened, the two ends of its seam face each
-/// other as well, and what is between them is as thin as the film was. It is no film, unless they
-/// hold up each other. O(1).
+/// other as well, and what is between them is as thin as the film was. That is not a film, unless
+/// they hold up each other. O(1).
 template <class Real>
 [[nodiscard]] bool are_ends_of_seam(const Complex<Real>& complex, Corner one, Corner other);
 

@@ -91,7 +91,7 @@ private:
     }
     bool is_seam(std::uint32_t v) const { return (complex_.vertices[v].flags & vertex_seam) != 0; }
 
-    // A small piece with a seam about it is no film that goes on, unless the flow squeezes it.
+    // A small piece with a seam about it is not part of a film, unless the flow squeezes it.
     bool goes_on(const Chord<Real>& chord, const Connection& connection) const {
         return work_.options.opening == Opening::squeezed
                    ? is_squeezed(complex_, suspects_, {chord.sheet, chord.ray.opposite})

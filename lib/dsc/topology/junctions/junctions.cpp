@@ -82,8 +82,8 @@ private:
         return true;
     }
 
-    // What stays two has perhaps lost triangles in vain: then the sectors at v are found again, in
-    // the same order.
+    // If the two do not become one, vertices may have been removed to make room for nothing: then
+    // the sectors at v are found again, in the same order.
     Vertex merge_ends_of_here(Vertex v, Vertex w, bool either) {
         const std::uint32_t size = complex_.triangle_count();
         const Vertex left = merge_ends(work_, v, w, either);
