@@ -19,6 +19,7 @@
 #include <charconv>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -217,6 +218,9 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     options.checkpoint = {.path = arguments.checkpoint.value_or(""),
                           .every = arguments.every.value_or(0),
                           .origin = origin};
+    if (is_scene_file(origin.scene)) { // what it names is found from anywhere
+        options.checkpoint.origin.scene = std::filesystem::absolute(origin.scene).string();
+    }
     options.resume = checkpoint ? &*checkpoint : nullptr;
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
