@@ -307,7 +307,7 @@ TEST_F(Checkpoints, AFileThatIsCutOffOrChangedIsRefused) {
     expect_refused(changed(32), "damaged");
     expect_refused(changed(bytes.size() - 1), "damaged");
     std::mt19937 lot(5);
-    for (int i = 0; i < (is_long() ? 3000 : 30); ++i) {
+    for (int i = 0; i < (is_long() ? 3000 : 100); ++i) {
         const std::size_t at = lot() % bytes.size();
         expect_refused(bytes.substr(0, at), at < 32 ? "too short" : "incomplete");
         write(path, changed(at));
@@ -324,7 +324,7 @@ TEST_F(Checkpoints, WhatCannotBeTrueIsRefused) {
     const Checkpoint whole = read_checkpoint(path);
     std::mt19937 lot(7);
     int refused = 0;
-    const int trials = is_long() ? 2000 : 20;
+    const int trials = is_long() ? 2000 : 100;
     for (int i = 0; i < trials; ++i) {
         Checkpoint damaged = whole;
         std::string& state = damaged.state;
