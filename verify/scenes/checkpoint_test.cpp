@@ -128,7 +128,7 @@ const std::vector<Broken>& quick_runs() {
          active,
          {"h=0.04", "period=0.8", "integrator=adaptive", "tolerance=1e-7"},
          13},
-        {"drop-and-pool", cells, {"h=0.03", "steps=40", "grade=1.3"}, 23},
+        {"drop-and-pool", cells, {"h=0.03", "steps=40", "grade=1.3"}, 40},
         {"grow-shrink", blocks, {"h=0.03"}, 5},
         {"curvature-circle", copy, {"h=0.05", "steps=12", "real=float"}, 7},
         {"grains", fixed, {"h=0.04", "grains=30", "steps=20"}, 11},
