@@ -82,6 +82,12 @@ std::vector<Key> make_keys() {
         for_some_scenes(number(
             "grains", 4, 1'000'000, "a whole number from 4 to 1000000",
             [](auto& p) -> auto& { return p.grains; })),
+        for_some_scenes(choice(
+            "inside", fineness_names, [](auto& p) -> auto& { return p.inside; })),
+        for_some_scenes(choice(
+            "outside", fineness_names, [](auto& p) -> auto& { return p.outside; })),
+        for_some_scenes(choice(
+            "ramp", ramp_names, [](auto& p) -> auto& { return p.ramp; })),
         choice(
             "integrator", integrator_names, [](auto& p) -> auto& { return p.integrator; }),
         number(

@@ -19,6 +19,25 @@ inline constexpr std::array real_type_names{
     return name_in(real_type_names, real);
 }
 
+/// Triangles of one phase.
+enum class Fineness : std::uint8_t { fine, coarse };
+
+inline constexpr std::array fineness_names{
+    Named{Fineness::fine, "fine"},
+    Named{Fineness::coarse, "coarse"},
+};
+
+/// How a value rises from 0 to 1.
+enum class Ramp : std::uint8_t {
+    quadratic, ///< without a kink where it begins: linear interpolation is of second order
+    linear,    ///< as in the thesis: of first order at the kink
+};
+
+inline constexpr std::array ramp_names{
+    Named{Ramp::quadratic, "quadratic"},
+    Named{Ramp::linear, "linear"},
+};
+
 inline constexpr std::array no_or_yes{Named{false, "no"}, Named{true, "yes"}};
 
 struct Parameters {
@@ -28,13 +47,16 @@ struct Parameters {
     double period = 0; ///< time from start to return of a reversing flow; 0: none
     double angle = 0;  ///< of the rays of four sectors against the x axis, in degrees
     int grains = 0;    ///< grains or bubbles at the start; 0: as many as fit
+    Fineness inside = Fineness::fine;  ///< triangles of the shape
+    Fineness outside = Fineness::fine; ///< of the exterior
+    Ramp ramp = Ramp::quadratic;       ///< of a value from the first radius to the last
     Integrator integrator = Integrator::rk4;
     double tolerance = Options<double>{}.tolerance; ///< of `adaptive`, in edge lengths
     Insertion insertion = Insertion::cubic;
     InterfaceThresholds interface {};
     Topology topology = Topology::keep; ///< of all pairs of phases
     double contact = 0; ///< thickness at which a film opens, a length; 0: the library's default
-    double grade = 0;    ///< how much longer edges grow, from one to the next; 0: all of one length
+    double grade = 0;   ///< how much longer edges grow, from one to the next; 0: all of one length
     bool gives_back = false; ///< area that changes of topology take
     RealType real = RealType::double_precision;
     std::uint64_t seed = 0; ///< shuffles the order in which the interface is worked through; 0: not

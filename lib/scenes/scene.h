@@ -5,11 +5,13 @@
 
 #include "dsc/initial/initial_complex.h"
 #include "dsc/motion/curvature_flow.h"
+#include "dsc/motion/interpolation.h"
 #include "flows/velocity.h"
 #include "scenes/keys.h"
 #include "shapes/exact_shape.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -38,6 +40,76 @@ struct EdgesToInterface {
     double operator()(double distance) const { return std::max(finest, distance / number); }
 };
 
+/// Edges that get longer or shorter from the left end of a growing circle to its right end, and
+/// moves with these ends; beyond them, as at the nearer end. For triangles and the interface.
+struct LengthAcross {
+    double centre = 0.5; ///< of the circle, its x
+    double radius = 0;   ///< at the start
+    double speed = 0;    ///< at which it grows
+    double left = 0;     ///< length at the left end
+    double right = 0;    ///< length at the right end
+
+    double operator()(const Point<double>& p, double time) const {
+        const double now = radius + speed * time;
+        const double share = (p.x() - (centre - now)) / (2 * now);
+        return left + (right - left) * std::min(std::max(share, 0.0), 1.0);
+    }
+    double operator()(const Point<double>& p, double time, Phase) const { return (*this)(p, time); }
+};
+
+/// Edges of one length in each phase, by its number; the last holds for all that follow.
+struct LengthByPhase {
+    std::vector<double> lengths;
+
+    double operator()(const Point<double>&, double, Phase phase) const {
+        return lengths[std::min<std::size_t>(phase, lengths.size() - 1)];
+    }
+};
+
+/// Edges of one length along the interface.
+struct OneLength {
+    double length = 0;
+
+    double operator()(const Point<double>&, double) const { return length; }
+};
+
+/// The application's interpolator of a circle that is to stay round (thesis, section 9.2): a new
+/// vertex lies as far from the centre as its neighbours do on average.
+struct OnCircle {
+    Point<double> centre{0.5, 0.5};
+
+    template <class Real>
+    Point<Real> operator()(const CurveNeighbours<Real>& curve) const {
+        const Point<Real> middle = centre.cast<Real>();
+        const Point<Real> a = curve.p1 - middle;
+        const Point<Real> b = curve.p2 - middle;
+        const Point<Real> way = a + b;
+        return middle + way * ((a.norm() + b.norm()) / 2 / way.norm());
+    }
+};
+
+/// A value at the vertices of a growing circle and its inside (thesis, section 9.5): 0 at the
+/// start, and on the interface rising to 1. New vertices get theirs by linear interpolation. The
+/// exact field depends on the place alone: what the interface had when it was there.
+struct RadialValue {
+    Point<double> centre{0.5, 0.5};
+    double first_radius = 0;
+    double last_radius = 1;
+    double speed = 1; ///< at which the radius grows
+    double power = 1; ///< of the rise with the radius
+
+    [[nodiscard]] double at_radius(double radius) const {
+        const double share = (radius - first_radius) / (last_radius - first_radius);
+        return std::pow(std::max(share, 0.0), power);
+    }
+    [[nodiscard]] double exact(const Point<double>& p) const {
+        return at_radius((p - centre).norm());
+    }
+    [[nodiscard]] double on_interface(double time) const {
+        return at_radius(first_radius + speed * time);
+    }
+};
+
 /// A scene with its parameters filled in.
 struct Setup {
     Rectangle domain{};
@@ -47,9 +119,14 @@ struct Setup {
     bool clamped = false;             ///< where curves end on the domain's sides, they stay
     std::optional<Phase> measured{};  ///< the one whose shape is measured; none: all but 0
     Flow flow{};
+    std::vector<Phase>
+        carried{}; ///< phases whose inside moves with the flow, not for the reference
     std::optional<CurvatureMotion> curvature{}; ///< replaces `flow`; not for the reference
     std::optional<Growth> growth{};             ///< the same
     SizeOptions<double> sizes{}; ///< targets of edges; unless edges are all of one length
+    std::vector<PhaseThresholds> thresholds{}; ///< by phase; of all others those of the library
+    std::optional<OnCircle> insertion{};       ///< replaces that of the parameters
+    std::optional<RadialValue> value{};        ///< kept at the vertices; not by the reference
     double dt = 0;
     int steps = 0;                  ///< in total
     std::optional<int> half_step{}; ///< the step at which a reversing flow is farthest out

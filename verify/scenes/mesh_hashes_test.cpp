@@ -70,7 +70,7 @@ bool runs(const Scene& scene, Strategy strategy, RealType real) {
     const Setup setup = scene.prepare(scene.defaults);
     return strategy != Strategy::reference ||
            (real == RealType::double_precision && !is_long() && !setup.sees_interface() &&
-            scene.defaults.grade == 0);
+            setup.carried.empty() && scene.defaults.grade == 0);
 }
 
 nlohmann::json read_table() {

@@ -20,6 +20,8 @@ namespace dsc::scenes {
 namespace {
 
 static_assert(test::is_complete(real_type_names));
+static_assert(test::is_complete(fineness_names));
+static_assert(test::is_complete(ramp_names));
 
 const std::vector<std::string>& all_keys() {
     static const std::vector<std::string> names = [] {
@@ -45,6 +47,9 @@ TEST(Parameters, TakeGoodValues) {
     EXPECT_EQ(with("steps", "260").steps, 260);
     EXPECT_EQ(with("period", "8").period, 8.0);
     EXPECT_EQ(with("seed", "18446744073709551615").seed, UINT64_MAX);
+    EXPECT_EQ(with("inside", "coarse").inside, Fineness::coarse);
+    EXPECT_EQ(with("outside", "coarse").outside, Fineness::coarse);
+    EXPECT_EQ(with("ramp", "linear").ramp, Ramp::linear);
     EXPECT_EQ(with("integrator", "euler").integrator, Integrator::euler);
     EXPECT_EQ(with("integrator", "midpoint").integrator, Integrator::midpoint);
     EXPECT_EQ(with("integrator", "rk4").integrator, Integrator::rk4);
@@ -125,7 +130,8 @@ std::vector<Bad> bad_values() {
     for (const char* value : {"", "-1", "1.5", "x", "18446744073709551616", "nan"}) {
         list.push_back({"seed", value});
     }
-    for (const char* key : {"integrator", "insertion", "coarsening", "reading", "real"}) {
+    for (const char* key : {"integrator", "insertion", "coarsening", "reading", "real", "inside",
+                            "outside", "ramp"}) {
         for (const char* value : {"", "RK4", "rk5", "quad", "0", "cubic ", "long double"}) {
             list.push_back({key, value});
         }
@@ -138,31 +144,21 @@ INSTANTIATE_TEST_SUITE_P(Parameters, BadValue, testing::ValuesIn(bad_values()),
 
 // What a result file says of a run can be given back to the command line.
 TEST(Parameters, ArePrintedAsTheyAreRead) {
-    const std::map<std::string, std::string> texts{{"h", "0.125"},
-                                                   {"dt", "0.5"},
-                                                   {"steps", "260"},
-                                                   {"period", "8"},
-                                                   {"angle", "30"},
-                                                   {"grains", "25"},
-                                                   {"integrator", "euler"},
-                                                   {"tolerance", "0.25"},
-                                                   {"insertion", "arc"},
-                                                   {"coarsening", "area"},
-                                                   {"reading", "cubic"},
-                                                   {"longest", "1.25"},
-                                                   {"shortest", "0.125"},
-                                                   {"deviation", "0.5"},
-                                                   {"turn", "15"},
-                                                   {"corner", "180"},
-                                                   {"gap", "2"},
-                                                   {"grading", "2.5"},
-                                                   {"finest", "0.0625"},
-                                                   {"grade", "1.25"},
-                                                   {"topology", "change"},
-                                                   {"contact", "0.0078125"},
-                                                   {"give_back", "yes"},
-                                                   {"real", "float"},
-                                                   {"seed", "18446744073709551615"}};
+    const std::map<std::string, std::string> texts{
+        {"h", "0.125"},           {"dt", "0.5"},
+        {"steps", "260"},         {"period", "8"},
+        {"angle", "30"},          {"grains", "25"},
+        {"inside", "coarse"},     {"outside", "coarse"},
+        {"ramp", "linear"},       {"integrator", "euler"},
+        {"tolerance", "0.25"},    {"insertion", "arc"},
+        {"coarsening", "area"},   {"reading", "cubic"},
+        {"longest", "1.25"},      {"shortest", "0.125"},
+        {"deviation", "0.5"},     {"turn", "15"},
+        {"corner", "180"},        {"gap", "2"},
+        {"grading", "2.5"},       {"finest", "0.0625"},
+        {"grade", "1.25"},        {"topology", "change"},
+        {"contact", "0.0078125"}, {"give_back", "yes"},
+        {"real", "float"},        {"seed", "18446744073709551615"}};
     for (const Key& key : parameter_keys()) {
         ASSERT_TRUE(texts.contains(key.name)) << key.name;
         const std::string text = texts.at(key.name);
@@ -193,6 +189,9 @@ TEST(Parameters, TakeEachValueOfAnEnum) {
     expect_all_choices("coarsening", coarsening_names);
     expect_all_choices("reading", reading_names);
     expect_all_choices("real", real_type_names);
+    expect_all_choices("inside", fineness_names);
+    expect_all_choices("outside", fineness_names);
+    expect_all_choices("ramp", ramp_names);
 }
 
 TEST(Parameters, ComeAsKeyAndValue) {
@@ -248,14 +247,33 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
             EXPECT_GT(setup.exact(0).area, 0);
         }
     }
-    for (const char* name :
-         {"translation", "scaling", "rotation-rectangle", "rotation-crescent", "vortex-square",
-          "zalesak", "swirl", "swirl-zalesak", "single-vortex", "speedup-scaling",
-          "speedup-four-circles", "curvature-circle", "curvature-dumbbell", "grow-shrink",
-          "three-phases", "t1", "grains", "foam", "drop-and-pool"}) {
+    for (const char* name : {"translation",
+                             "translation-phase",
+                             "scaling",
+                             "scaling-round",
+                             "interpolation",
+                             "rotation-rectangle",
+                             "rotation-crescent",
+                             "vortex-square",
+                             "zalesak",
+                             "swirl",
+                             "swirl-zalesak",
+                             "single-vortex",
+                             "speedup-scaling",
+                             "speedup-four-circles",
+                             "curvature-circle",
+                             "curvature-dumbbell",
+                             "grow-shrink",
+                             "three-phases",
+                             "t1",
+                             "grains",
+                             "foam",
+                             "drop-and-pool"}) {
         EXPECT_EQ(names.count(name), 1U) << name;
     }
-    EXPECT_EQ(names.count("quality-distance"), 1U);
+    for (const char* name : {"quality-distance", "quality-combinations", "quality-varying"}) {
+        EXPECT_EQ(names.count(name), 1U) << name;
+    }
 }
 
 // What --set changes is what the scene does.

@@ -46,6 +46,9 @@ double coarse_edge(const std::string& scene) {
     if (scene == "curvature-dumbbell") {
         return 0.02; // a third of the neck
     }
+    if (scene == "quality-combinations" || scene == "quality-varying") {
+        return 0.02; // coarse edges are four times as long
+    }
     return 0.04;
 }
 

@@ -14,6 +14,7 @@ const std::vector<Scene>& catalogue() {
                  scaling_scenes,
                  rotation_scenes,
                  vortex_scenes,
+                 interpolation_scenes,
                  zalesak_scenes,
                  swirl_scenes,
                  speedup_scenes,

@@ -11,6 +11,7 @@ namespace dsc::scenes {
 [[nodiscard]] std::vector<Scene> scaling_scenes();
 [[nodiscard]] std::vector<Scene> rotation_scenes();
 [[nodiscard]] std::vector<Scene> vortex_scenes();
+[[nodiscard]] std::vector<Scene> interpolation_scenes();
 [[nodiscard]] std::vector<Scene> zalesak_scenes();
 [[nodiscard]] std::vector<Scene> swirl_scenes();
 [[nodiscard]] std::vector<Scene> speedup_scenes();

@@ -4,7 +4,8 @@
 #include "flows/exact.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/catalogue/families.h"
-#include "shapes/shapes.h"
+
+#include <algorithm>
 
 namespace dsc::scenes {
 
@@ -18,10 +19,62 @@ Setup grow_in_a_fine_band(const Parameters& p) {
     return setup;
 }
 
+// The length of coarse edges over that of fine ones.
+constexpr double coarse_over_fine = 4;
+
+// The four combinations of fine and coarse triangles, inside and outside. The interface is fine
+// unless both are coarse; at the start it is fine, and upkeep brings it to its targets.
+Setup grow_in_two_sizes(const Parameters& p) {
+    const auto length = [&](Fineness fineness) {
+        return fineness == Fineness::coarse ? coarse_over_fine * p.h : p.h;
+    };
+    const double inside = length(p.inside);
+    const double outside = length(p.outside);
+    Setup setup = scaling_scene({}, p.h).prepare(p);
+    setup.sizes.by_place = LengthByPhase{{outside, inside}};
+    setup.sizes.on_interface = OneLength{std::min(inside, outside)};
+    return setup;
+}
+
+// Long edges at the circle's left end, short ones at its right end, of triangles and of the
+// interface.
+Setup grow_across_sizes(const Parameters& p) {
+    const LengthAcross length{
+        .radius = 0.1, .speed = 1, .left = coarse_over_fine * p.h, .right = p.h};
+    Setup setup = scaling_scene({}, p.h).prepare(p);
+    setup.sizes.by_place = length;
+    setup.sizes.on_interface = length;
+    setup.sizes.changes_in_time = true;
+    return setup;
+}
+
+std::vector<std::string> with_inside_and_outside() {
+    std::vector<std::string> keys = common_keys();
+    keys.insert(keys.end(), {"inside", "outside"});
+    return keys;
+}
+
 } // namespace
 
 std::vector<Scene> quality_scenes() {
     return {
+        {.name = "quality-combinations",
+         .description = "a circle grows; triangles inside and outside are fine or coarse",
+         .section = "9.8",
+         .defaults = {.h = 0.02,
+                      .dt = 0,
+                      .inside = Fineness::fine,
+                      .outside = Fineness::coarse,
+                      .interface = coarse_interface(),
+                      .grade = 1.5},
+         .prepare = grow_in_two_sizes,
+         .keys = with_inside_and_outside()},
+        {.name = "quality-varying",
+         .description =
+             "a circle grows in a mesh that is coarse at its left end and fine at its right",
+         .section = "9.8",
+         .defaults = {.h = 0.01, .dt = 0, .interface = coarse_interface(), .grade = 1.5},
+         .prepare = grow_across_sizes},
         {.name = "quality-distance",
          .description = "a circle grows in a mesh whose triangles grow with the distance to it",
          .section = "11",

@@ -24,6 +24,13 @@ Setup grow(const Parameters& p) {
     return setup;
 }
 
+// The thesis's own interpolator: vertices inserted on the interface lie on the circle.
+Setup grow_round(const Parameters& p) {
+    Setup setup = grow(p);
+    setup.insertion = OnCircle{};
+    return setup;
+}
+
 } // namespace
 
 Scene scaling_scene(About about, double h) {
@@ -35,7 +42,11 @@ Scene scaling_scene(About about, double h) {
 }
 
 std::vector<Scene> scaling_scenes() {
-    return {scaling_scene({"scaling", "a circle grows to four times its radius", "9.2"}, 0.02)};
+    Scene round = scaling_scene(
+        {"scaling-round", "the same, and the application keeps the circle round", "9.2"}, 0.02);
+    round.prepare = grow_round;
+    return {scaling_scene({"scaling", "a circle grows to four times its radius", "9.2"}, 0.02),
+            round};
 }
 
 } // namespace dsc::scenes

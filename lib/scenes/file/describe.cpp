@@ -4,9 +4,11 @@
 #include "dsc/base/error.h"
 #include "scenes/digits.h"
 #include "scenes/file/formula/formula_flow.h"
+#include "scenes/file/formula/formula_length.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dsc::scenes {
 
@@ -137,15 +139,16 @@ std::string flow_in_toml(const Flow& flow, const std::string& scene) {
     return text;
 }
 
-std::string curvature_in_toml(const CurvatureMotion& motion) {
-    std::string text = "\n[curvature]\n";
-    if (!motion.keeps.empty()) {
-        std::string phases;
-        for (const Phase phase : motion.keeps) {
-            phases += (phases.empty() ? "" : ", ") + std::to_string(phase);
-        }
-        text += "keeps = [" + phases + "]\n";
+std::string phases_in_toml(const std::string& key, const std::vector<Phase>& phases) {
+    std::string list;
+    for (const Phase phase : phases) {
+        list += (list.empty() ? "" : ", ") + std::to_string(phase);
     }
+    return list.empty() ? "" : key + " = [" + list + "]\n";
+}
+
+std::string curvature_in_toml(const CurvatureMotion& motion) {
+    std::string text = "\n[curvature]\n" + phases_in_toml("keeps", motion.keeps);
     for (const PairCurvature& pair : motion.pairs) {
         text += "[[curvature.pairs]]\none = " + std::to_string(pair.one) +
                 "\nother = " + std::to_string(pair.other) + "\ntension = " + in_toml(pair.tension) +
@@ -178,20 +181,84 @@ std::string options_in_toml(Parameters parameters, const Setup& setup) {
     return text;
 }
 
-std::string sizes_in_toml(const SizeOptions<double>& sizes, const std::string& scene) {
-    if (!sizes.by_distance && !sizes.by_place && sizes.longest == 0) {
-        return "";
+// The same operations in the same order as LengthAcross, so that the bits are the same.
+std::string formula_of(const LengthAcross& f) {
+    const std::string now =
+        '(' + in_toml(f.radius) + " + " + in_toml(f.speed) + "*t)"; // the radius now
+    return in_toml(f.left) + " + (" + in_toml(f.right) + " - " + in_toml(f.left) +
+           ")*min(max((x - (" + in_toml(f.centre) + " - " + now + "))/(2*" + now + "), 0), 1)";
+}
+
+// A target by place, or along the interface; nothing where it has no name.
+template <class Function>
+std::optional<std::string> length_in_toml(const Function& function) {
+    if (const auto* across = function.template target<LengthAcross>()) {
+        return in_quotes(formula_of(*across));
     }
-    const auto* edges = sizes.by_distance.target<EdgesToInterface>();
-    if (sizes.by_place || (sizes.by_distance && edges == nullptr)) {
+    if (const auto* formula = function.template target<FormulaLength>()) {
+        return in_quotes(formula->formula());
+    }
+    if (const auto* one = function.template target<OneLength>()) {
+        return in_quotes(in_toml(one->length));
+    }
+    return std::nullopt;
+}
+
+std::string sizes_in_toml(const SizeOptions<double>& sizes, const std::string& scene) {
+    std::string text;
+    bool has_names = true;
+    if (const auto* edges = sizes.by_distance.target<EdgesToInterface>()) {
+        text += "edges_to_interface = " + in_toml(edges->number) + '\n';
+    } else {
+        has_names = !sizes.by_distance;
+    }
+    if (const auto* by_phase = sizes.by_place.target<LengthByPhase>()) {
+        std::string list;
+        for (const double length : by_phase->lengths) {
+            list += (list.empty() ? "" : ", ") + in_toml(length);
+        }
+        text += "by_phase = [" + list + "]\n";
+    } else if (sizes.by_place) {
+        const auto length = length_in_toml(sizes.by_place);
+        has_names = has_names && length;
+        text += "by_place = " + length.value_or("") + '\n';
+    }
+    if (sizes.on_interface) {
+        const auto length = length_in_toml(sizes.on_interface);
+        has_names = has_names && length;
+        text += "on_interface = " + length.value_or("") + '\n';
+    }
+    if (!has_names) {
         throw InputError({.what = "sizes that a scene file has no name for",
                           .where = "describe",
                           .value = "the scene " + scene,
-                          .allowed = "EdgesToInterface and a longest length"});
+                          .allowed = "the targets of scene.h, and formulas"});
     }
-    return "\n[sizes]\n" +
-           (edges != nullptr ? "edges_to_interface = " + in_toml(edges->number) + '\n' : "") +
-           (sizes.longest > 0 ? "longest = " + in_toml(sizes.longest) + '\n' : "");
+    text += sizes.longest > 0 ? "longest = " + in_toml(sizes.longest) + '\n' : "";
+    return text.empty() ? "" : "\n[sizes]\n" + text;
+}
+
+std::string upkeep_in_toml(const Setup& setup) {
+    std::string text;
+    for (std::size_t i = 0; i < setup.thresholds.size(); ++i) {
+        const PhaseThresholds& t = setup.thresholds[i];
+        text += "\n[[thresholds]]\nphase = " + std::to_string(i) +
+                "\ncollapse_quality = " + in_toml(t.collapse_quality) +
+                "\nsmooth_quality = " + in_toml(t.smooth_quality) +
+                "\nlongest = " + in_toml(t.longest) + "\nshortest = " + in_toml(t.shortest) +
+                "\ncrowded = " + in_toml(t.crowded) + '\n';
+    }
+    if (setup.insertion) {
+        text += "\n[insertion]\non_circle = " + in_toml(setup.insertion->centre) + '\n';
+    }
+    if (setup.value) {
+        const RadialValue& v = *setup.value;
+        text += "\n[value]\ncentre = " + in_toml(v.centre) +
+                "\nfirst_radius = " + in_toml(v.first_radius) +
+                "\nlast_radius = " + in_toml(v.last_radius) + "\nspeed = " + in_toml(v.speed) +
+                "\npower = " + in_toml(v.power) + '\n';
+    }
+    return text;
 }
 
 // The settings with which the scene's own exact shape is the one of this run.
@@ -223,7 +290,8 @@ std::string describe(const Scene& scene, const Parameters& parameters) {
     const Setup setup = scene.prepare(parameters);
     return "# The scene " + scene.name + ", in full. Run it with: dsc_scene run FILE.toml\n" +
            "name = " + in_quotes(scene.name) + "\ndescription = " + in_quotes(scene.description) +
-           '\n' + options_in_toml(parameters, setup) + sizes_in_toml(setup.sizes, scene.name) +
+           '\n' + phases_in_toml("carried", setup.carried) + options_in_toml(parameters, setup) +
+           sizes_in_toml(setup.sizes, scene.name) + upkeep_in_toml(setup) +
            motion_in_toml(setup, scene.name) +
            (setup.exact ? exact_in_toml(scene, parameters) : "") + measure_in_toml(setup) +
            geometry_in_toml(setup);

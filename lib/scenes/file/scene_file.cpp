@@ -29,17 +29,21 @@ struct SceneParts {
     std::vector<ShapeSource> shapes{};
     std::vector<CurveSource> curves{};
     FlowSource flow{};
+    std::vector<Phase> carried{};
     std::optional<CurvatureMotion> curvature{};
     std::optional<Growth> growth{};
     ExactSource exact{};
-    std::function<SizeOptions<double>(double finest)> sizes{};
+    std::function<SizeOptions<double>(const Parameters&)> sizes{};
+    std::vector<PhaseThresholds> thresholds{};
+    std::optional<OnCircle> insertion{};
+    std::optional<RadialValue> value{};
     std::optional<Phase> measured{};
     std::optional<int> half_step{};
 
     // Of the base, only options have changed.
     [[nodiscard]] bool is_as_in_catalogue() const {
         return base && !domain && shapes.empty() && curves.empty() && !flow && !curvature &&
-               !growth;
+               !growth && carried.empty();
     }
 };
 
@@ -83,6 +87,7 @@ void set_motion(const SceneParts& parts, const Parameters& p, Setup& setup) {
         return;
     }
     setup.flow = parts.flow ? parts.flow(p) : Flow{};
+    setup.carried.clear();
     setup.curvature = parts.curvature;
     setup.growth = parts.growth;
 }
@@ -107,8 +112,20 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
         add_curves(parts.curves, p.h, setup);
     }
     set_motion(parts, p, setup);
+    if (!parts.carried.empty()) {
+        setup.carried = parts.carried;
+    }
     if (parts.sizes) {
-        setup.sizes = parts.sizes(p.h);
+        setup.sizes = parts.sizes(p);
+    }
+    if (!parts.thresholds.empty()) {
+        setup.thresholds = parts.thresholds;
+    }
+    if (parts.insertion) {
+        setup.insertion = parts.insertion;
+    }
+    if (parts.value) {
+        setup.value = parts.value;
     }
     if (parts.measured) {
         setup.measured = parts.measured;
@@ -172,6 +189,26 @@ void read_motion(const TableReader& top, SceneParts& parts) {
     }
 }
 
+// What is asked of the mesh, and what it keeps.
+void read_upkeep(const TableReader& top, SceneParts& parts) {
+    if (top.has("carried")) {
+        for (const int phase : top.integers("carried", 0, 1'000'000)) {
+            parts.carried.push_back(static_cast<Phase>(phase));
+        }
+    }
+    if (top.has("sizes")) {
+        parts.sizes = read_sizes(top.table("sizes"));
+    }
+    parts.thresholds = read_thresholds(top.tables("thresholds"));
+    if (top.has("insertion")) {
+        top.table("insertion").allow({"on_circle"});
+        parts.insertion = OnCircle{top.table("insertion").point("on_circle")};
+    }
+    if (top.has("value")) {
+        parts.value = read_value(top.table("value"));
+    }
+}
+
 bool is_file_name(const std::string& name) {
     return !name.empty() && name.size() <= longest_file_name &&
            std::ranges::all_of(name, [](char c) {
@@ -215,7 +252,8 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     const toml::table table = parse_toml(text, path);
     const TableReader top(table, "", path);
     top.allow({"name", "description", "scene", "domain", "shape", "curve", "flow", "curvature",
-               "growth", "options", "sizes", "exact", "measure", "limits"});
+               "growth", "carried", "options", "sizes", "thresholds", "insertion", "value", "exact",
+               "measure", "limits"});
     SceneFile file;
     SceneParts parts{.where = path.string(), .base = read_base(top, scenes)};
     file.scene = parts.base.value_or(Scene{});
@@ -239,9 +277,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     }
     read_geometry(top, parts);
     read_motion(top, parts);
-    if (top.has("sizes")) {
-        parts.sizes = read_sizes(top.table("sizes"));
-    }
+    read_upkeep(top, parts);
     if (top.has("exact")) {
         parts.exact = read_exact(top.table("exact"), scenes);
     }

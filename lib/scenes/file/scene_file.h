@@ -6,6 +6,7 @@
 //     description = "..."
 //     scene = "swirl"             # begins as this scene of the catalogue; what follows replaces
 //                                 # its parts, and its exact shape unless only options change
+//     carried = [phases]          # whose inside moves with the flow
 //     [domain]                    # low = [0, 0], high = [1, 1]; clamped = true: the ends of
 //                                 # curves on the sides stay where they are
 //     [[shape]]                   # phase = 1, hole_phase = 0, and a source (outline_source.h):
@@ -17,7 +18,15 @@
 //     [growth]                    # speed, turns_at: phase 1 into 0 (scene.h)
 //     [options]                   # all keys of --set; h, and two of dt, steps and period
 //     [sizes]                     # where edges grow by `grade`: edges_to_interface = the number
-//                                 # wanted on the way there; longest = their greatest length
+//                                 # wanted on the way there; longest = their greatest length;
+//                                 # by_phase = [lengths], or by_place = a formula in x, y, t and
+//                                 # h; on_interface = one for the interface's own edges
+//     [[thresholds]]              # phase, and what differs there of PhaseThresholds (options.h):
+//                                 # collapse_quality, smooth_quality, longest, shortest, crowded
+//     [insertion]                 # on_circle = [x, y]: new interface vertices lie on the circle
+//                                 # about that point
+//     [value]                     # kept at the vertices (RadialValue in scene.h): centre,
+//                                 # first_radius, last_radius, speed, power
 //     [exact]                     # exact_source.h
 //     [measure]                   # phase, half_step; shape = false: not against the exact shape
 //     [limits]                    # figure = most, or figure = { least, most }: names as in

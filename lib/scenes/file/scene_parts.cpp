@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "measures/measures.h"
+#include "scenes/file/formula/formula_length.h"
 
 #include <algorithm>
 
@@ -29,8 +30,8 @@ std::vector<std::string> with_source_keys(std::vector<std::string> keys) {
 
 // Those of the measures that are single numbers or may be, and counts of the whole run.
 std::vector<std::string> names_of_figures() {
-    std::vector<std::string> names{"inverted", "unreached", "held", "area_ratio",
-                                   "min_quality_ever"};
+    std::vector<std::string> names{"inverted",   "unreached",        "held",
+                                   "area_ratio", "min_quality_ever", "attribute_error_last"};
     for (const Measure& measure : default_measures()) {
         names.push_back(measure.name + "_last");
         names.push_back(measure.name + "_half");
@@ -88,19 +89,81 @@ Growth read_growth(const TableReader& reader) {
             .turns_at = reader.number_or(never, "turns_at", {0, never})};
 }
 
-std::function<SizeOptions<double>(double finest)> read_sizes(const TableReader& reader) {
-    reader.allow({"edges_to_interface", "longest"});
+std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableReader& reader) {
+    reader.allow({"edges_to_interface", "longest", "by_phase", "by_place", "on_interface"});
     const double number =
         reader.has("edges_to_interface") ? reader.number("edges_to_interface", {1, 1e4}) : 0;
     const double longest = reader.has("longest") ? reader.number("longest", positive_length) : 0;
-    return [number, longest](double finest) {
-        SizeOptions<double> sizes;
-        sizes.longest = longest;
-        if (number > 0) {
-            sizes.by_distance = EdgesToInterface{finest, number};
+    const LengthByPhase by_phase{reader.has("by_phase")
+                                     ? reader.numbers("by_phase", positive_length)
+                                     : std::vector<double>{}};
+    if (reader.has("by_phase") && (reader.has("by_place") || by_phase.lengths.empty())) {
+        reader.refuse("by_phase", "bad value", "one length or more, and no by_place");
+    }
+    struct Formula {
+        std::string text{};
+        std::string where{};
+        [[nodiscard]] FormulaLength with(const Parameters& p) const {
+            return {text, {{"h", p.h}, {"period", p.period}}, where};
         }
-        return sizes;
     };
+    const auto read = [&](const char* key) {
+        return reader.has(key) ? Formula{reader.text(key), reader.where(key)} : Formula{};
+    };
+    return
+        [=, by_place = read("by_place"), on_interface = read("on_interface")](const Parameters& p) {
+            SizeOptions<double> sizes;
+            sizes.longest = longest;
+            if (number > 0) {
+                sizes.by_distance = EdgesToInterface{p.h, number};
+            }
+            if (!by_phase.lengths.empty()) {
+                sizes.by_place = by_phase;
+            }
+            if (!by_place.text.empty()) {
+                const FormulaLength length = by_place.with(p);
+                sizes.by_place = length;
+                sizes.changes_in_time = length.changes_in_time();
+            }
+            if (!on_interface.text.empty()) {
+                const FormulaLength length = on_interface.with(p);
+                sizes.on_interface = length;
+                sizes.changes_in_time = sizes.changes_in_time || length.changes_in_time();
+            }
+            return sizes;
+        };
+}
+
+std::vector<PhaseThresholds> read_thresholds(const std::vector<TableReader>& tables) {
+    constexpr int most_thresholds = 10'000;
+    constexpr Bounds relative{0, 100};
+    std::vector<PhaseThresholds> all;
+    for (const TableReader& table : tables) {
+        table.allow(
+            {"phase", "collapse_quality", "smooth_quality", "longest", "shortest", "crowded"});
+        const auto phase = static_cast<std::size_t>(table.integer("phase", 0, most_thresholds));
+        all.resize(std::max(all.size(), phase + 1));
+        PhaseThresholds& t = all[phase];
+        t.collapse_quality = table.number_or(t.collapse_quality, "collapse_quality", relative);
+        t.smooth_quality = table.number_or(t.smooth_quality, "smooth_quality", relative);
+        t.longest = table.number_or(t.longest, "longest", relative);
+        t.shortest = table.number_or(t.shortest, "shortest", relative);
+        t.crowded = table.number_or(t.crowded, "crowded", relative);
+    }
+    return all;
+}
+
+RadialValue read_value(const TableReader& reader) {
+    reader.allow({"centre", "first_radius", "last_radius", "speed", "power"});
+    RadialValue value{.centre = reader.point("centre"),
+                      .first_radius = reader.number("first_radius", positive_length),
+                      .last_radius = reader.number("last_radius", positive_length),
+                      .speed = reader.number_or(1, "speed"),
+                      .power = reader.number_or(1, "power", {0.1, 10})};
+    if (!(value.last_radius > value.first_radius)) {
+        reader.refuse("last_radius", "bad value", "more than first_radius");
+    }
+    return value;
 }
 
 std::vector<FigureLimit> read_limits(const TableReader& reader) {

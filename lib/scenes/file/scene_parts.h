@@ -28,9 +28,13 @@ struct CurveSource {
 [[nodiscard]] CurveSource read_curve(const TableReader& reader);
 [[nodiscard]] CurvatureMotion read_curvature(const TableReader& reader);
 [[nodiscard]] Growth read_growth(const TableReader& reader);
-/// A [sizes], given the shortest target.
-[[nodiscard]] std::function<SizeOptions<double>(double finest)>
+/// A [sizes], given the parameters: their h is the shortest target.
+[[nodiscard]] std::function<SizeOptions<double>(const Parameters& parameters)>
 read_sizes(const TableReader& reader);
+/// All [[thresholds]], by phase.
+[[nodiscard]] std::vector<PhaseThresholds> read_thresholds(const std::vector<TableReader>& tables);
+/// A [value].
+[[nodiscard]] RadialValue read_value(const TableReader& reader);
 [[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader);
 /// Sets the parameters that the table names; `keys` are those that it may.
 void read_options(const TableReader& reader, const std::vector<std::string>& keys,

@@ -9,6 +9,7 @@
 #include "dsc/passes/growth_corners.h"
 #include "scenes/output/submesh_map.h"
 #include "scenes/run/frame_arrays.h"
+#include "scenes/run/kept_value.h"
 #include "scenes/run/run.h"
 #include "scenes/run/start.h"
 
@@ -57,8 +58,14 @@ public:
     DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run)
         : complex_(first_complex<Real>(setup, parameters)),
           options_(scene_options<Real>(setup, parameters)) {
+        if (!setup.carried.empty()) {
+            carried_.emplace(complex_, setup.carried);
+        }
         Submeshing submeshing = run.submeshing;
         submeshing.profile = !run.frames.folder.empty(); // the submeshes are drawn by their work
+        if (setup.value) {
+            value_.emplace(complex_, *setup.value);
+        }
         std::optional<Algorithm<Real>> algorithm;
         if (setup.curvature) {
             by_curvature_ = curvature_flow<Real>(curvature_of(*setup.curvature));
@@ -76,6 +83,9 @@ public:
         if (&velocity != leg_) {
             simulation_->forget();
             leg_ = &velocity;
+        }
+        if (value_) {
+            value_->set_interface(simulation_->interface(), time + dt);
         }
         take(simulation_->step(velocity_in<Real>(velocity), static_cast<Real>(time),
                                static_cast<Real>(dt)),
@@ -96,9 +106,16 @@ public:
     void archive(Archive& archive, const Velocity* leg) {
         simulation_->archive(archive);
         archive(vertex_steps_);
+        if (carried_) {
+            carried_->archive(archive);
+        }
         leg_ = leg;
     }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
+    /// The largest error of the value at the vertices; NaN if there is none.
+    [[nodiscard]] double value_error() const {
+        return value_ ? value_->largest_error() : std::numeric_limits<double>::quiet_NaN();
+    }
     [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
     /// To be called before a step after which there is a frame...
@@ -162,6 +179,9 @@ private:
                              std::to_string(report.where.id) + " moves at " +
                              std::to_string(report.speed);
         }
+        if (carried_) {
+            result.carried = carried_->look();
+        }
         vertex_steps_ += report.interface_vertices;
         add_operations(result, report.operations);
         result.area += report.area;
@@ -175,6 +195,8 @@ private:
     const Velocity* leg_ = nullptr; ///< the velocity of the previous step
     InterfaceMotion<Real> by_curvature_;
     std::uint64_t vertex_steps_ = 0;
+    std::optional<CarriedWatch<Real>> carried_;
+    std::optional<KeptValue<Real>> value_;
 };
 
 } // namespace dsc::scenes

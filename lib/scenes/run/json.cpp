@@ -52,6 +52,16 @@ void add_figures(const RunResult& r, Json& json) {
     }
 }
 
+Json carried_json(const std::optional<CarriedFigures>& carried) {
+    if (!carried) {
+        return nullptr;
+    }
+    return {{"triangles", carried->triangles},
+            {"operations", carried->operations},
+            {"triangles_changed", carried->triangles_changed},
+            {"edge_change_rel", finite(carried->edge_change)}};
+}
+
 Json phases_json(const PhaseReport& report) {
     Json list = Json::array();
     for (const PhaseFigures& one : report.phases) {
@@ -123,9 +133,11 @@ std::string to_json(const RunResult& r) {
         {"area_ratio", finite(r.area_ratio)},
     };
     add_figures(r, json);
+    json["attribute_error_last"] = finite(r.attribute_error);
     json.update({
         {"phases", phases_json(r.phases)},
         {"pairs", pairs_json(r.phases)},
+        {"carried", carried_json(r.carried)},
         {"junctions_last", r.junctions.count},
         {"junction_crossings", r.junctions.crossings},
         {"junction_angle_min_deg", finite(r.junctions.min_deg)},

@@ -87,7 +87,16 @@ reference::Options reference_options(const Parameters& parameters) {
 ReferenceMethod::ReferenceMethod(const Setup& setup, const Parameters& parameters,
                                  const RunOptions&)
     : method_(to_reference(first_complex<double>(setup, parameters))),
-      options_(reference_options(parameters)) {}
+      options_(reference_options(parameters)) {
+    if (setup.insertion) {
+        const OnCircle on_circle = *setup.insertion;
+        options_.passes.interface_point =
+            [on_circle](const Point<double>& p0, const Point<double>& p1, const Point<double>& p2,
+                        const Point<double>& p3) {
+                return on_circle(CurveNeighbours<double>{.p0 = p0, .p1 = p1, .p2 = p2, .p3 = p3});
+            };
+    }
+}
 
 void ReferenceMethod::step(const Velocity& velocity, double time, double dt, RunResult& result) {
     const reference::Velocity one = [&velocity](const Point<double>& p, double at) {

@@ -285,6 +285,9 @@ private:
         result_.interface_vertices_last = method_.interface_vertices();
         result_.last = figures(options_.measures);
         result_.area_ratio = signed_area(outlines()) / result_.area_first;
+        if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
+            result_.attribute_error = method_.value_error();
+        }
         result_.phases = measure_phases(complex());
         result_.junctions = summarise(measure_junctions(complex()));
         look_at_the_worst();
@@ -357,8 +360,8 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
                               .value = "'float'",
                               .allowed = "double"});
         }
-        if (setup.sees_interface()) {
-            throw InputError({.what = "the reference moves vertices by velocities alone",
+        if (setup.sees_interface() || !setup.carried.empty()) {
+            throw InputError({.what = "the reference moves the interface alone, by velocities",
                               .where = "--strategy",
                               .value = "'reference'",
                               .allowed = "another strategy for the scene " + scene.name});

@@ -9,12 +9,14 @@
 #include "measures/phases.h"
 #include "scenes/output/frames.h"
 #include "scenes/output/series.h"
+#include "scenes/run/carried_watch.h"
 #include "scenes/run/checkpoint.h"
 #include "scenes/run/strategy.h"
 #include "scenes/scene.h"
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -64,8 +66,11 @@ struct RunResult {
     double area_ratio = 0;       ///< A(t_n) / A(t_0), as in the thesis
     Figures last;                ///< of the measures, at the end
     std::optional<Figures> half; ///< when a reversing flow is farthest out
-    PhaseReport phases;          ///< at the end, like the next
+    /// Largest error of the value that the scene keeps at vertices, at the end; NaN without one.
+    double attribute_error = std::numeric_limits<double>::quiet_NaN();
+    PhaseReport phases; ///< at the end, like the next
     JunctionFigures junctions;
+    std::optional<CarriedFigures> carried; ///< of the phases whose inside moves with the flow
     double min_quality_ever = 0;
     int quality_sampled_every = 1; ///< steps between samples of `min_quality_ever` and `inverted`
     std::uint64_t inverted = 0;    ///< triangles that an exact predicate found not positive, summed

@@ -78,6 +78,11 @@ template <class Real>
 Options<Real> scene_options(const Setup& setup, const Parameters& parameters) {
     auto options = scene_options<Real>(parameters);
     options.sizes = sizes_in<Real>(sizes_of(setup, parameters));
+    options.carried_phases = setup.carried;
+    options.per_phase = setup.thresholds;
+    if (setup.insertion) {
+        options.insertion_function = *setup.insertion;
+    }
     return options;
 }
 

@@ -67,6 +67,14 @@ TEST_P(Described, HasAllSettingsAndPartsOfTheScene) {
     EXPECT_EQ(here.half_step, there.half_step);
     EXPECT_EQ(here.measured, there.measured);
     EXPECT_EQ(here.clamped, there.clamped);
+    EXPECT_EQ(here.carried, there.carried);
+    EXPECT_EQ(here.thresholds.size(), there.thresholds.size());
+    EXPECT_EQ(here.insertion.has_value(), there.insertion.has_value());
+    EXPECT_EQ(here.value.has_value(), there.value.has_value());
+    EXPECT_EQ(here.sizes.changes_in_time, there.sizes.changes_in_time);
+    EXPECT_EQ(static_cast<bool>(here.sizes.by_place), static_cast<bool>(there.sizes.by_place));
+    EXPECT_EQ(static_cast<bool>(here.sizes.on_interface),
+              static_cast<bool>(there.sizes.on_interface));
     EXPECT_EQ(here.outlines, there.outlines);
     EXPECT_EQ(here.curves.size(), there.curves.size());
     EXPECT_EQ(here.flow.size(), there.flow.size());

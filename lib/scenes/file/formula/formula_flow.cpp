@@ -35,6 +35,8 @@ FormulaFlow::FormulaFlow(FormulaTexts texts)
     program_ = std::make_shared<const FormulaProgram>(compile(graph, u, v, texts_->where_u));
 }
 
+bool FormulaFlow::uses_time() const { return program_->time >= 0; }
+
 void FormulaFlow::operator()(std::span<const Point<double>> positions, double time,
                              std::span<Point<double>> velocities) const {
     assert(positions.size() == velocities.size());

@@ -38,6 +38,9 @@ public:
     void operator()(std::span<const Point<double>> positions, double time,
                     std::span<Point<double>> velocities) const;
 
+    /// Whether the time occurs in either formula.
+    [[nodiscard]] bool uses_time() const;
+
     [[nodiscard]] const FormulaTexts& texts() const { return *texts_; }
 
 private:

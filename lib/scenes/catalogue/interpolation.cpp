@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A value at the vertices (thesis, section 9.5): what the interface sets is left behind inside as
+// it moves on, by linear interpolation where vertices are inserted.
+//
+// The thesis lets the value rise linearly from the first radius on. The field then has a kink
+// there, across which linear interpolation is of first order only, whatever the mesh. With a
+// quadratic rise the slope is continuous, and the largest error is of second order.
+#include "flows/exact.h"
+#include "scenes/catalogue/families.h"
+#include "shapes/shapes.h"
+
+#include <algorithm>
+
+namespace dsc::scenes {
+
+namespace {
+
+Setup grow_with_value(const Parameters& p) {
+    static constexpr double first_radius = 0.15;
+    constexpr double last_radius = 0.45;
+    constexpr double way = last_radius - first_radius;
+    static const Point<double> middle(0.5, 0.5);
+    const Schedule s = schedule(p, way, std::min(way / 160, 0.3 * p.h));
+    Setup setup;
+    setup.outlines = {circle(middle, first_radius, p.h)};
+    setup.flow = steady(Radial{middle, 1.0});
+    setup.dt = s.dt;
+    setup.steps = s.steps;
+    setup.exact = [](double time) { return exact_circle(middle, first_radius + time); };
+    setup.value = RadialValue{.centre = middle,
+                              .first_radius = first_radius,
+                              .last_radius = last_radius,
+                              .power = p.ramp == Ramp::linear ? 1.0 : 2.0};
+    return setup;
+}
+
+std::vector<std::string> with_ramp() {
+    std::vector<std::string> keys = common_keys();
+    keys.emplace_back("ramp");
+    return keys;
+}
+
+} // namespace
+
+std::vector<Scene> interpolation_scenes() {
+    return {{.name = "interpolation",
+             .description = "a growing circle leaves a value behind at the vertices inside",
+             .section = "9.5",
+             .defaults = {.h = 0.0525, .dt = 0},
+             .prepare = grow_with_value,
+             .keys = with_ramp()}};
+}
+
+} // namespace dsc::scenes
