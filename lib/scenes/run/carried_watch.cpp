@@ -99,7 +99,7 @@ typename CarriedWatch<Real>::Known CarriedWatch<Real>::known(Triangle t) const {
         std::as_const(complex_.attributes).template get<Vertex, std::uint32_t>(vertex_numbers);
     std::array<Vertex, 3> v = complex_.vertices_of(t);
     const auto by_number = [&](Vertex a, Vertex b) { return number[a] < number[b]; };
-    std::ranges::rotate(v, std::ranges::min_element(v, by_number));
+    std::rotate(v.begin(), std::min_element(v.begin(), v.end(), by_number), v.end());
     Known triangle{};
     for (std::size_t i = 0; i < 3; ++i) {
         triangle.v[i] = number[v[i]];
