@@ -89,10 +89,11 @@ def figure(drawn):
     data = base64.b64encode(drawn.webp).decode("ascii")
     width, height = drawn.size
     title = escape(drawn.title)
+    sentence = drawn.sentence[:1].upper() + drawn.sentence[1:]  # some begin with a scene's name
     inside = (f'<figure><div class="picture" tabindex="0" role="region" aria-label="{title}">'
               f'<img alt="{title}" width="{width}" height="{height}" style="max-width:{width}px" '
               f'src="data:image/webp;base64,{data}"></div>\n'
-              f"<figcaption>{escape(drawn.sentence)}</figcaption></figure>\n")
+              f"<figcaption>{escape(sentence)}</figcaption></figure>\n")
     more = paragraph(drawn.details) if drawn.details else ""
     if drawn.rows:
         more += table(drawn.header, drawn.rows, name=f"The numbers of: {drawn.title}")

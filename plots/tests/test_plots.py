@@ -48,6 +48,7 @@ class Plots(Case):
             self.assertEqual(files[f"{name}.png"][25], 3, f"{name}.png has no palette")
         self.assertEqual(page.count("data:image/webp;base64,"), len(names))
         self.assertEqual([n for n in files if n.endswith(".part")], [])
+        self.assertIn("<figcaption>Swirl at the beginning and at the end", page)
         self.assertIn("the mesh is not valid", page)
         self.assertIn("All 2 checks pass.", page)
         self.assertIn("0.994864", page)  # the thesis's area ratio beside ours
