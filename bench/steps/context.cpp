@@ -30,15 +30,15 @@ std::string compiler() {
 
 /// Seconds since the machine was started that its cores were at work, all of them together, and
 /// those of this process.
-struct Work {
+struct BusyTime {
     double all = 0;
     double own = 0;
     std::chrono::steady_clock::time_point when;
 };
 
-Work work_so_far() {
-    Work work;
-    work.when = std::chrono::steady_clock::now();
+BusyTime busy_so_far() {
+    BusyTime time;
+    time.when = std::chrono::steady_clock::now();
     // "cpu", then user, nice, system, idle, waiting, interrupts, soft interrupts, and what other
     // virtual machines took.
     std::ifstream stat("/proc/stat");
@@ -47,12 +47,12 @@ Work work_so_far() {
     double ticks = 0;
     for (int i = 0; i < 8 && stat >> ticks; ++i) {
         const bool at_rest = i == 3 || i == 4;
-        work.all += at_rest ? 0 : ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+        time.all += at_rest ? 0 : ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
     }
     timespec own{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &own);
-    work.own = static_cast<double>(own.tv_sec) + 1e-9 * static_cast<double>(own.tv_nsec);
-    return work;
+    time.own = static_cast<double>(own.tv_sec) + 1e-9 * static_cast<double>(own.tv_nsec);
+    return time;
 }
 
 } // namespace
@@ -62,13 +62,13 @@ std::uint32_t core_count() { return static_cast<std::uint32_t>(omp_get_num_procs
 double other_load() {
     // The kernel counts in hundredths of a second: shorter spans say nothing.
     static constexpr auto shortest = std::chrono::milliseconds(300);
-    static Work before = [] {
-        const Work first = work_so_far();
+    static BusyTime before = [] {
+        const BusyTime first = busy_so_far();
         std::this_thread::sleep_for(shortest);
         return first;
     }();
     static double load = 0;
-    const Work now = work_so_far();
+    const BusyTime now = busy_so_far();
     const std::chrono::duration<double> span = now.when - before.when;
     if (span >= shortest) {
         load = std::max(0.0, (now.all - before.all - now.own + before.own) / span.count());
