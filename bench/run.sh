@@ -113,6 +113,7 @@ run_benchmarks() {
 # beside COMMAND...: runs it on another core, if there is one; await_beside shows what it printed.
 beside_words=$report/beside.txt
 beside=
+trap '[[ -z $beside ]] || kill "$beside" 2>/dev/null || true' EXIT
 beside() {
     if [[ $cores -gt 1 ]]; then
         "$@" >"$beside_words" 2>&1 &
