@@ -46,8 +46,8 @@ EDGE = "#93A1AC"
 PNG_DPI = 120
 MESH_DPI = 160      # of what has no vector format beside it
 RASTER_DPI = 220    # of what is an image inside vector formats
-PAGE_WIDTH = 1100   # pixels of a mesh: as wide as a page
-MESH_QUALITY = 60   # of 100
+PAGE_WIDTH = 1020   # pixels of a mesh: as wide as a page
+MESH_QUALITY = 50   # of 100
 
 
 @dataclass
