@@ -3,7 +3,7 @@
 import os
 
 from gallery import busy
-from gallery.compare import NONE, ratio
+from gallery.compare import NONE, percent, ratio
 from gallery.runs import Plan
 from gallery.shared import style
 
@@ -41,13 +41,14 @@ def table(program, part, facts):
 
 def note(share, quiet, cores):
     """The conditions of the times."""
-    text = f"The least of {REPEATS} runs, here with the strategy cells"
-    if not quiet:
-        text += "; threads were not timed, because " + (
-            "how busy the machine is was not known" if share is None else
-            f"others used {100 * share:.0f}\N{NO-BREAK SPACE}% of its cores")
+    text = f"Ours are the least of {REPEATS} runs"
+    if quiet:
+        text += (f" on {style.counted(cores, 'core')}, threads with the strategy cells; more "
+                 "threads than cores are not timed")
+    elif share is None:
+        text += "; threads were not timed, because it is not known how busy the machine is"
     else:
-        text += (f", on {style.counted(cores, 'core')}; more threads than cores are not timed. The "
-                 "report models them")
+        text += (f"; threads were not timed, because others used {percent(share, 0)} of the "
+                 "machine's cores")
     return text + (". The thesis's times are of four cores of an Intel Core i5-3570K, and of a "
                    "number of steps that it does not state.")
