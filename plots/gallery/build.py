@@ -61,7 +61,7 @@ class Builder:
         run = self.program.run(row.plan, row.steps, MOVING_FRAMES if moves else 0)
         self.context = self.context or compare.machine(run)
         block.ours.append(compare.sentence(row, run, self.facts))
-        block.notes.append(compare.conditions(run))
+        block.notes.append(compare.conditions(run, row.insertion))
         block.rows += compare.rows_of(row, run, self.facts)
         pictures = [*stills(row, run), *close_up(row, run), *(moving(row, run) if moves else ())]
         letter = f"-{'abcd'[index]}" if index else ""

@@ -84,9 +84,9 @@ def machine(run):
             ("commit", str(run.result.get("commit") or ""))]
 
 
-def conditions(run):
+def conditions(run, insertion=""):
     """How a run is repeated."""
     result, p = run.result, run.result["parameters"]
     words = [f"h = {p['h']:g}", f"dt = {p['dt']:.4g}", str(p.get("integrator", "")),
-             f"{p.get('insertion', '')} insertion", str(p.get("real", "")), result["strategy"]]
+             f"{insertion or p.get('insertion', '')} insertion", str(p.get("real", "")), result["strategy"]]
     return f"dsc_scene {run.plan}: " + ", ".join(w for w in words if w.strip()) + "."

@@ -32,6 +32,7 @@ class Row:
     moves: bool = True        # an animation beside the frames
     triangles: str = ""       # the thesis's counts of triangles: an entry of the published figures
     area_ratio: str = ""      # the thesis's ratio of areas: such an entry
+    insertion: str = ""       # of a scene that has one besides those of --set
     near: tuple = ()          # a close-up of the last frame: (low x, low y, width) of a square
 
 
@@ -87,7 +88,9 @@ FIGURES = (
     Figure("10.1", (Row(Plan("translation", (LARGE,)), (0, 120, 240, 360),
                         triangles="translation_triangles"),)),
     Figure("10.2", (Row(Plan("translation-phase", (LARGE,)), (0, 120, 240, 360)),)),
-    Figure("10.3", (Row(Plan("scaling", (LARGE, ("steps", 100))), (0, 50, 100)),)),
+    Figure("10.3", (Row(Plan("scaling", (LARGE, ("steps", 100))), (0, 50, 100)),
+                    Row(Plan("scaling-round", (LARGE, ("steps", 100))), (100,), moves=False,
+                        label="vertices put on the circle", insertion="the scene's own"))),
     Figure("10.4", rotation("rotation-rectangle")),
     Figure("10.5", rotation("rotation-crescent")),
     Figure("10.6", (Row(Plan("vortex-square", (VORTEX,)), (0, 250, 500),

@@ -65,12 +65,13 @@ def embedded(blocks, budget=BUDGET):
 
 
 def grids(pictures):
-    """The pictures by rows; rows of one picture each are one."""
+    """The pictures by rows; few are one row."""
+    if len(pictures) <= 5:
+        return [pictures] if pictures else []
     rows = {}
     for picture in pictures:
         rows.setdefault(picture.row, []).append(picture)
-    rows = list(rows.values())
-    return [sum(rows, [])] if all(len(row) == 1 for row in rows) and rows else rows
+    return list(rows.values())
 
 
 def _uri(data):

@@ -83,7 +83,7 @@ with open(given("--json", os.devnull), "w") as file:
                "triangles_last": 6, "area_ratio": 0.99, "sd_last": 0.01, "area_exact_last": 0.5,
                "sd_rel_last": 0.02, "inverted": 0, "unreached": 0, "wall_s": 0.25, "cpu_s": 0.2,
                "machine": "a machine", "commit": "c0ffee",
-               "parameters": {{"h": 0.5, "dt": dt, "integrator": "rk4"}},
+               "parameters": {{"h": 0.5, "dt": dt, "integrator": "rk4", "insertion": "cubic"}},
                "histograms": {{"area": {{"edges": [0, 1, 2, 4], "counts": [1, 2, 1]}}}}}}, file)
 every = int(given("--every", "1"))
 if "--series" in words:

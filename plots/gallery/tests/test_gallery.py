@@ -110,6 +110,10 @@ class Built(InFolder):
         self.assertEqual(block.rows[1][1:], ("0.00514", "0.0100", "1.95"))
         self.assertEqual(compare.ratio(858, 884), "0.971")
         self.assertIn("difference with the exact shape is 0.0200 of", block.ours[0])
+        self.assertEqual(block.notes, ["dsc_scene run swirl: h = 0.5, dt = 0.1, rk4, cubic "
+                                       "insertion, sequential."])
+        run = self.builder().program.run(Plan("swirl"))
+        self.assertIn("rk4, its own insertion,", compare.conditions(run, "its own"))
 
     def test_counts_beside_the_thesis_s(self):
         row = Row(Plan("translation"), (0, 120, 240, 360), triangles="translation_triangles")
@@ -171,6 +175,11 @@ class Pages(InFolder):
         self.assertEqual(page.images[1]["src"], layout._uri(b"stands"))
         self.assertIn("A <title>", page.text)
         self.assertEqual(page.open, [])
+
+    def test_few_pictures_stand_in_one_row(self):
+        for count, rows in ((0, []), (5, [5]), (6, [3, 3])):
+            pictures = [layout.Picture(f"{k}.webp", b"", "", row=k % 2) for k in range(count)]
+            self.assertEqual([len(row) for row in layout.grids(pictures)], rows)
 
     def test_within_the_budget_still_pictures_come_first(self):
         pictures = [layout.Picture("moving.webp", b"m" * 30_000, "Moves.", still=b"s" * 3_000),
