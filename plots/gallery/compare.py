@@ -88,5 +88,6 @@ def conditions(run, insertion=""):
     """How a run is repeated."""
     result, p = run.result, run.result["parameters"]
     words = [f"h = {p['h']:g}", f"dt = {p['dt']:.4g}", str(p.get("integrator", "")),
-             f"{insertion or p.get('insertion', '')} insertion", str(p.get("real", "")), result["strategy"]]
+             f"{insertion or p.get('insertion', '')} insertion", str(p.get("real", "")),
+             result["strategy"]]
     return f"dsc_scene {run.plan}: " + ", ".join(w for w in words if w.strip()) + "."
