@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The gallery: each figure and table of the thesis's section 10 in our own words, and ours.
 
-Reading order: vtu (frames), runs (dsc_scene), thesis (its facts), figures (what is run for which
+Reading order: runs (dsc_scene and its frames), thesis (its facts), figures (what is run for which
 figure); mesh, animation, charts (pictures); compare, distribution, busy, times (numbers); layout
 (HTML); build (all of these for each figure); make.py (the command).
 """

@@ -10,7 +10,7 @@ import re
 import subprocess
 from dataclasses import dataclass, field
 
-from gallery import vtu
+from gallery.shared import vtu
 
 TIME_LIMIT = 120  # seconds that one run may take
 

@@ -7,17 +7,9 @@ import re
 import xml.etree.ElementTree as xml
 from dataclasses import dataclass
 
-import numpy
 
+from results import vtu
 from results.load import InputFault, need, read_json
-from results.vtk_arrays import read_array
-
-
-@dataclass
-class Frame:
-    points: numpy.ndarray     # n x 2
-    triangles: numpy.ndarray  # m x 3
-    phases: numpy.ndarray     # m
 
 
 FRAME_NAME = re.compile(r"^(?P<scene>.+)_(?P<strategy>[^_]+)_(?P<number>\d+)\.vtu$")
@@ -56,31 +48,11 @@ def _xml(path):
 
 
 def read_frame(path):
-    """Points, triangles and phases of one VTU file (triangles only)."""
-    root = _xml(path)
-
-    def array(place, name, kind):
-        found = [a for a in root.findall(f".//{place}/DataArray")
-                 if name is None or a.get("Name") == name]
-        if not found:
-            raise InputFault(f"{path} has no data array '{name or 'of points'}' in {place}.")
-        try:
-            return read_array(root, found[0]).astype(kind)
-        except ValueError as fault:
-            raise InputFault(f"{path} holds {fault} in {place}.") from fault
-
-    points = array("Points", None, float)
-    corners = array("Cells", "connectivity", int)
-    phases = array("CellData", "phase", int)
-    kinds = array("Cells", "types", int)
-    if len(points) % 3 or len(corners) != 3 * len(phases) or len(kinds) != len(phases) \
-            or (kinds != 5).any():
-        raise InputFault(f"{path} does not hold triangles with one phase each: {len(points)} "
-                         f"coordinates, {len(corners)} corners, {len(phases)} phases.")
-    count = len(points) // 3
-    if len(corners) and (corners.min() < 0 or corners.max() >= count):
-        raise InputFault(f"{path} names a vertex outside 0 to {count - 1}.")
-    return Frame(points.reshape(-1, 3)[:, :2], corners.reshape(-1, 3), phases)
+    """The Frame in one VTU file (triangles only)."""
+    try:
+        return vtu.read(path)
+    except vtu.BadFrame as fault:
+        raise InputFault(str(fault)) from fault
 
 
 @dataclass

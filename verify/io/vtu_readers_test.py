@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Frames as other programs read them: VTK and meshio, where they are installed, find the same numbers
-as a reader of a few lines (plots/results/vtk_arrays.py), bit by bit.
+as a reader of a few lines (plots/results/vtu.py), bit by bit.
 
 The environment names the program (DSC_SCENE) and this project's plots (DSC_PLOTS).
 """
@@ -15,7 +15,7 @@ import xml.etree.ElementTree as xml
 import numpy
 
 sys.path.insert(0, os.environ["DSC_PLOTS"])
-from results import vtk_arrays  # noqa: E402
+from results import vtu  # noqa: E402
 
 POINT_ARRAYS = {"position", "velocity", "displacement"}
 CELL_ARRAYS = {"phase", "quality", "size", "submesh"}
@@ -29,11 +29,11 @@ class Own:
     """Points, triangles and data of one file by the few lines."""
 
     def __init__(self, path):
-        root = xml.parse(path).getroot()
-        piece = root.find("UnstructuredGrid/Piece")
+        file = vtu.Reader(path)
+        piece = file.root.find("UnstructuredGrid/Piece")
 
         def arrays(place):
-            return {tag.get("Name"): vtk_arrays.read_array(root, tag).reshape(
+            return {tag.get("Name"): file.data(tag).reshape(
                 -1, int(tag.get("NumberOfComponents", 1))) for tag in piece.find(place)}
 
         self.points = arrays("Points")["Points"]

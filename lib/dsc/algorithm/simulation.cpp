@@ -2,11 +2,9 @@
 #include "dsc/algorithm/simulation.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/complex_archive.h"
 #include "dsc/passes/interface_list.h"
 #include "dsc/passes/readers.h"
 #include "dsc/passes/size_upkeep.h"
-#include "dsc/queries/validate.h"
 #include "dsc/sizes/measure.h"
 #include "dsc/topology/change.h"
 #include "dsc/topology/contact_check.h"
@@ -367,22 +365,6 @@ void Simulation<Real>::find_fastest(const Flow<Real>& flow, Real time, Real dt,
         if (std::isfinite(speed) && speed > report.speed) {
             report.speed = speed;
             report.where = Vertex{list[i]};
-        }
-    }
-}
-
-template <class Real>
-void Simulation<Real>::archive(Archive& archive) {
-    archive(complex_, fastest_, most_dt_, swept_);
-    std::uint64_t absorbed = absorbed_;
-    archive(absorbed);
-    archive.expect(absorbed <= complex_.journal.records.size(),
-                   "has read edits that were not made");
-    absorbed_ = static_cast<std::size_t>(absorbed);
-    executor_->archive(archive);
-    if (archive.is_reading()) {
-        if (const ValidationReport report = validate(complex_); !report.ok()) {
-            archive.refuse("holds no valid complex: " + report.problem);
         }
     }
 }

@@ -64,9 +64,7 @@ private:
 
     // How long an interface edge may be, squared; `local` is what the shape at one end allows.
     Real allowed(Real local, const Point<Real>& from, const Point<Real>& to) const {
-        const bool is_uniform = !work_.options.sizes.on_interface;
-        const Real here =
-            is_uniform ? longest_squared_ : longest_squared_ * stretch(midpoint<Real>(from, to));
+        const Real here = longest_squared_ * stretch(midpoint<Real>(from, to));
         return local < longest_squared_ ? std::min(local, here) : here;
     }
 
@@ -154,16 +152,10 @@ private:
         const Point<Real> p(ring.x0, ring.y0);
         const Point<Real> a = link_point(ring, spokes.first);
         const Point<Real> b = link_point(ring, spokes.second);
-        // In scalars, as turns_less.
-        const auto squared = [](const Point<Real>& from, const Point<Real>& to) {
-            const Real x = to.x() - from.x();
-            const Real y = to.y() - from.y();
-            return x * x + y * y;
-        };
-        const Real nearest = std::min(squared(p, a), squared(p, b));
+        const Real nearest = std::min(squared_distance(p, a), squared_distance(p, b));
         const Real here = stretch(p);
         if (nearest >= here * shortest_squared_ ||
-            squared(a, b) >= allowed(longest_squared(ring, spokes), a, b)) {
+            squared_distance(a, b) >= allowed(longest_squared(ring, spokes), a, b)) {
             return false;
         }
         if (nearest < here * degenerate_squared_ &&
@@ -298,6 +290,7 @@ private:
     // is found only from the end that has the larger phase on its left, so that each edge is found
     // once. An edge too long for the shape at the centre is found from there.
     std::uint32_t long_spoke(const Ring<Real>& ring, const Spokes& spokes) const {
+        const Point<Real> p(ring.x0, ring.y0);
         const Real local = longest_squared(ring, spokes);
         std::uint32_t found = no_id;
         Real longest = 0;
@@ -307,12 +300,9 @@ private:
             if (before == after || before == border_phase || after == border_phase) {
                 continue;
             }
-            const Real x = ring.link_x(i) - ring.x0;
-            const Real y = ring.link_y(i) - ring.y0;
-            const Real squared = x * x + y * y;
+            const Real squared = squared_distance(p, link_point(ring, i));
             const bool is_found_here = after > before || local < longest_squared_;
-            if (is_found_here &&
-                squared > allowed(local, {ring.x0, ring.y0}, link_point(ring, i)) &&
+            if (is_found_here && squared > allowed(local, p, link_point(ring, i)) &&
                 squared > longest) {
                 found = i;
                 longest = squared;

@@ -33,7 +33,8 @@ public:
 
     /// To be called after each step. O(mesh).
     const CarriedFigures& look();
-    /// What has been counted so far; to be called after the complex has been read. Throws FileError.
+    /// What has been counted so far; to be called after the complex has been read. Throws
+    /// FileError.
     void archive(Archive& archive);
 
 private:

@@ -9,8 +9,8 @@ import unittest
 import numpy
 from PIL import Image, ImageColor
 
-from gallery import animation, charts, mesh, vtu
-from gallery.shared import style
+from gallery import animation, charts, mesh
+from gallery.shared import style, vtu
 from gallery.tests import samples
 
 FORMS = [dict(form="ascii")] + [

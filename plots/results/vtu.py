@@ -35,14 +35,18 @@ class Frame:
 def read(path):
     """The Frame in a file. Throws BadFrame."""
     try:
-        return _Reader(path).frame()
-    except (KeyError, ValueError, zlib.error, binascii.Error, xml.ParseError, IndexError) as fault:
+        return Reader(path).frame()
+    except xml.ParseError as fault:
+        raise BadFrame(f"{path} is not whole XML ({fault}), so it may be truncated.") from fault
+    except (KeyError, ValueError, zlib.error, binascii.Error, IndexError) as fault:
         raise BadFrame(f"{path} is not a whole VTU file: {fault}.") from fault
     except OSError as fault:
         raise BadFrame(f"{path} cannot be read: {fault.strerror}.") from fault
 
 
-class _Reader:
+class Reader:
+    """One file; `root` is its XML without appended data."""
+
     def __init__(self, path):
         self.path = path
         with open(path, "rb") as file:
@@ -81,7 +85,7 @@ class _Reader:
         values = {}
         for item in self.root.findall(".//PointData/DataArray"):
             if item.get("NumberOfComponents", "1") == "1":
-                values[item.get("Name")] = self._data(item).astype(float)
+                values[item.get("Name")] = self.data(item).astype(float)
                 if len(values[item.get("Name")]) != len(points):
                     raise ValueError(f"'{item.get('Name')}' is not one number for each vertex")
         return Frame(points.astype(float), corners.reshape(-1, 3), phases, values)
@@ -89,11 +93,12 @@ class _Reader:
     def _array(self, place, name=None):
         for item in self.root.findall(f".//{place}/DataArray"):
             if name in (None, item.get("Name")):
-                return self._data(item)
+                return self.data(item)
         raise ValueError(f"it has no array '{name or place}'")
 
-    def _data(self, item):
-        kind = numpy.dtype(self.order + TYPES[item.get("type")])
+    def data(self, item):
+        """The numbers of a DataArray, flat."""
+        kind = numpy.dtype(self.order + TYPES[item.get("type", "Float64")])
         form = item.get("format", "ascii")
         if form == "ascii":
             return numpy.array((item.text or "").split(), dtype=kind)

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What a simulation carries from one step to the next, as bytes.
+#include "dsc/algorithm/simulation.h"
+
+#include "dsc/complex/complex_archive.h"
+#include "dsc/queries/validate.h"
+
+namespace dsc {
+
+template <class Real>
+void Simulation<Real>::archive(Archive& archive) {
+    archive(complex_, fastest_, most_dt_, swept_);
+    std::uint64_t absorbed = absorbed_;
+    archive(absorbed);
+    archive.expect(absorbed <= complex_.journal.records.size(),
+                   "has read edits that were not made");
+    absorbed_ = static_cast<std::size_t>(absorbed);
+    executor_->archive(archive);
+    if (archive.is_reading()) {
+        if (const ValidationReport report = validate(complex_); !report.ok()) {
+            archive.refuse("holds no valid complex: " + report.problem);
+        }
+    }
+}
+
+template void Simulation<double>::archive(Archive&);
+template void Simulation<float>::archive(Archive&);
+
+} // namespace dsc
