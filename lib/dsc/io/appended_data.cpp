@@ -37,16 +37,16 @@ std::string compressed(const char* bytes, std::size_t size) {
 // if it is smaller (else 0), and the size of each afterwards. It has a padding of its own.
 std::size_t AppendedData::add_bytes(const char* bytes, std::size_t size) {
     const std::size_t offset = text_.size();
-    std::vector<std::uint64_t> header{(size + vtk_block_size - 1) / vtk_block_size, vtk_block_size,
+    std::vector<std::uint64_t> sizes{(size + vtk_block_size - 1) / vtk_block_size, vtk_block_size,
                                       size % vtk_block_size};
     std::string blocks;
     for (std::size_t at = 0; at < size; at += vtk_block_size) {
         const std::string block = compressed(bytes + at, std::min(vtk_block_size, size - at));
-        header.push_back(block.size());
+        sizes.push_back(block.size());
         blocks += block;
     }
-    append_base64(text_, std::string(reinterpret_cast<const char*>(header.data()),
-                                     header.size() * sizeof(std::uint64_t)));
+    append_base64(text_, std::string(reinterpret_cast<const char*>(sizes.data()),
+                                     sizes.size() * sizeof(std::uint64_t)));
     append_base64(text_, blocks);
     return offset;
 }
