@@ -8,9 +8,9 @@
 #include "suites.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/gather.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/complex/ring.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"

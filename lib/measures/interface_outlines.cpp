@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "measures/interface_outlines.h"
+#include "dsc/complex/gather.h"
 
 #include "dsc/passes/interface_curve.h"
 #include "dsc/queries/outlines.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Edits in and out of a simulation: listeners, replay, and what the application does between steps
 // and in passes of its own.
+#include "dsc/complex/gather.h"
 #include "support/courses.h"
 
 #include "dsc/base/error.h"

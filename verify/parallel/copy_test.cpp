@@ -2,6 +2,7 @@
 // Parallel DSC as printed (thesis, algorithm 6.3), in copied submeshes: a step is as good as a
 // sequential one, with the same bits for any number of threads; nothing that a boundary holds up is
 // lost; an exception in a submesh is passed on and leaves a complex that can continue.
+#include "dsc/complex/gather.h"
 #include "dsc/parallel/copied/copy_executor.h"
 
 #include "support/copy_testing.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The interface along the domain boundary, by every strategy; and its parts checked by hand.
+#include "dsc/complex/gather.h"
 #include "hard/scene.h"
 #include "hard/watch.h"
 #include "support/ways.h"

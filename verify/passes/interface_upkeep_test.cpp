@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What an application can choose about the interface: which vertices may be removed, how long edges
 // are, which corners stay, and the quality of the mesh beside short edges.
+#include "dsc/complex/gather.h"
 #include "dsc/passes/interface_upkeep.h"
 
 #include "support/simulation_testing.h"

@@ -24,6 +24,10 @@ constexpr std::uint32_t index_of(Corner corner) { return corner & 3U; }
 constexpr Corner corner_of(std::uint32_t triangle, std::uint32_t index) {
     return (triangle << 2U) + index;
 }
+/// The index after another one, counter-clockwise.
+constexpr std::uint32_t next_index(std::uint32_t index) { return index == 2 ? 0 : index + 1; }
+/// The index before another one, counter-clockwise.
+constexpr std::uint32_t prev_index(std::uint32_t index) { return index == 0 ? 2 : index - 1; }
 /// The next corner of the same triangle, counter-clockwise.
 constexpr Corner next(Corner corner) { return index_of(corner) == 2 ? corner - 2 : corner + 1; }
 /// The previous corner of the same triangle, counter-clockwise.

@@ -8,6 +8,7 @@
 #include "dsc/base/verdict.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/ring.h"
+#include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/quality/ring_quality.h"
 

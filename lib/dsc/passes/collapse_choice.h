@@ -3,6 +3,7 @@
 // neighbour that takes the star.
 #pragma once
 
+#include "dsc/complex/complex.h"
 #include "dsc/complex/ring.h"
 
 #include <algorithm>

@@ -14,7 +14,8 @@ namespace dsc {
 /// Puts the link of the centre into the active set, counter-clockwise. O(degree).
 template <class Real>
 void activate_link(Work<Real>& work, const Ring<Real>& ring) {
-    for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+    const std::uint32_t n = ring.link_size();
+    for (std::uint32_t i = 0; i < n; ++i) {
         work.activate(ring.link[i]);
     }
 }

@@ -2,6 +2,7 @@
 #include "dsc/passes/growth_corners.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"

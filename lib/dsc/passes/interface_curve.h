@@ -3,6 +3,7 @@
 // where it continues smoothly, how it bends, and how close its next sheet is.
 #pragma once
 
+#include "dsc/complex/complex.h"
 #include "dsc/complex/interface_pair.h"
 #include "dsc/complex/ring.h"
 #include "dsc/geometry/distance.h"
@@ -28,11 +29,15 @@ struct Spokes {
 template <class Real>
 Spokes interface_spokes(const Ring<Real>& ring) {
     Spokes spokes;
-    for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-        if (is_interface_pair(ring.phase_before(i), ring.phase_after(i))) {
+    const std::uint32_t n = ring.link_size();
+    Phase before = ring.phase_before(0);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Phase after = ring.phase_after(i);
+        if (before != after && is_interface_pair(before, after)) {
             (spokes.count == 0 ? spokes.first : spokes.second) = i;
             ++spokes.count;
         }
+        before = after;
     }
     return spokes;
 }

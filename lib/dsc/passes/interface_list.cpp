@@ -2,6 +2,7 @@
 #include "dsc/passes/interface_list.h"
 
 #include "dsc/complex/circulate.h"
+#include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/interface_curve.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/interface_upkeep.h"
 
+#include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
@@ -294,11 +295,11 @@ private:
         const Real local = longest_squared(ring, spokes);
         std::uint32_t found = no_id;
         Real longest = 0;
-        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+        const auto look_at = [&](std::uint32_t i) {
             const Phase before = ring.phase_before(i);
             const Phase after = ring.phase_after(i);
             if (before == after || before == border_phase || after == border_phase) {
-                continue;
+                return;
             }
             const Real squared = squared_distance(p, link_point(ring, i));
             const bool is_found_here = after > before || local < longest_squared_;
@@ -307,6 +308,14 @@ private:
                 found = i;
                 longest = squared;
             }
+        };
+        if (spokes.count == 2) { // as nearly always
+            look_at(spokes.first);
+            look_at(spokes.second);
+            return found;
+        }
+        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+            look_at(i);
         }
         return found;
     }

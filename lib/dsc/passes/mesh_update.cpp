@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/mesh_update.h"
 
+#include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
@@ -27,7 +28,9 @@ public:
         : work_(work), complex_(work.complex), ring_(work.ring), sizes_(work),
           grading_squared_(
               static_cast<Real>(work.options.interface.grading * work.options.interface.grading)),
-          needle_(grading_squared_ > 0 ? squared_quality_of_needle(grading_squared_) : Real(0)) {}
+          needle_(grading_squared_ > 0 ? squared_quality_of_needle(grading_squared_) : Real(0)),
+          limits_are_fixed_(sizes_.is_uniform() && work.options.per_phase.empty()),
+          limits_(limits(exterior_phase, work.options.edge_length)) {}
 
     void run() {
         activate_resized(work_);
@@ -67,12 +70,15 @@ private:
                 return;
             }
             ++work_.log.counts.examined;
-            const StarReport<Real> star = examine(ring_);
+            const StarReport<Real> star = examine(ring_, margins_);
             if (star.delaunay < 0 && flip_spokes()) {
                 continue;
             }
-            length = length > 0 ? length : sizes_.follow(ring_);
-            const Limits limit = limits(ring_.phase[0], length);
+            if (!limits_are_fixed_) {
+                length = length > 0 ? length : sizes_.follow(ring_);
+                limits_ = limits(ring_.phase[0], length);
+            }
+            const Limits& limit = limits_;
             const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
             if (may_move) {
                 const bool poor = star.quality < limit.collapse;
@@ -111,7 +117,7 @@ private:
         const std::uint64_t before = work_.log.counts.flips;
         work_.suspects.clear();
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
-            if (is_non_delaunay_spoke(ring_, i)) {
+            if (margins_[i] < 0) {
                 work_.suspects.push_back(prev(ring_.corner[i]));
             }
         }
@@ -123,7 +129,7 @@ private:
     // looked up again, and only edges that fail are put on the list.
     void continue_edges() {
         work_.suspects.clear();
-        const bool spokes = has_non_delaunay_spoke(ring_);
+        examine_spokes(ring_, margins_);
         const Point<Real> centre(ring_.x0, ring_.y0);
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             const Corner across = complex_.twin(ring_.corner[i]);
@@ -132,7 +138,7 @@ private:
                                    {ring_.x_next[i], ring_.y_next[i]})) {
                 work_.suspects.push_back(ring_.corner[i]);
             }
-            if (spokes && is_non_delaunay_spoke(ring_, i)) {
+            if (margins_[i] < 0) {
                 work_.suspects.push_back(prev(ring_.corner[i]));
             }
         }
@@ -153,17 +159,18 @@ private:
             const Corner c = suspects.back();
             suspects.pop_back();
             // Its triangle is of an owned star, or of a flip there: owned, if it is alive.
-            if (!complex_.is_alive(Triangle{triangle_of(c)})) {
+            const TriangleRecord& near = complex_.triangles[triangle_of(c)];
+            if (near.v[0] == no_id) {
                 continue;
             }
-            const Corner o = complex_.twin(c);
-            if (complex_.phase_at(o) != complex_.phase_at(c)) {
+            const std::uint32_t i = index_of(c);
+            const Corner o = near.n[i];
+            if (complex_.phase_at(o) != near.phase) {
                 continue;
             }
-            const auto at = [this](Corner corner) {
-                return complex_.position(Vertex{complex_.vertex(corner)});
-            };
-            if (is_delaunay<Real>(at(c), at(next(c)), apex(o), at(prev(c)))) {
+            const auto at = [this](std::uint32_t v) { return complex_.position(Vertex{v}); };
+            if (is_delaunay<Real>(at(near.v[i]), at(near.v[next_index(i)]), apex(o),
+                                  at(near.v[prev_index(i)]))) {
                 continue;
             }
             if (!owns(complex_, region, complex_.vertex(o)) ||
@@ -223,7 +230,7 @@ private:
         // Restore the Delaunay condition around the vertex that took over the star.
         Ring<Real>& star = work_.other_ring;
         if (gather(complex_, work_.submesh.region, target, star) && star.owned &&
-            has_non_delaunay_spoke(star)) {
+            examine_spokes(star, margins_) < 0) {
             work_.suspects.clear();
             for (std::uint32_t j = 0; j < star.size; ++j) {
                 work_.suspects.push_back(prev(star.corner[j]));
@@ -380,6 +387,10 @@ private:
     Real grading_squared_;
     // Squared quality of a needle with a base of 1 and legs of the grading; 0: none are split.
     Real needle_;
+    // One phase is like another, and all edges have one length: the same limits everywhere.
+    bool limits_are_fixed_;
+    Limits limits_;              // of the star that is being visited
+    SpokeMargins<Real> margins_; // of the star that was examined last
     WaitingRule waiting_ = waiting_rule(work_);
 };
 

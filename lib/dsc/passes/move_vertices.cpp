@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/move_vertices.h"
 
+#include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
 #include "dsc/passes/edits.h"
 

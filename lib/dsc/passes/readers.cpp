@@ -2,6 +2,7 @@
 #include "dsc/passes/readers.h"
 
 #include "dsc/algebra/mesh_functions.h"
+#include "dsc/complex/gather.h"
 #include "dsc/passes/carried.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/size_upkeep.h"
 
+#include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 
 namespace dsc {

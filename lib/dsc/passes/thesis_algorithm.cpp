@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/thesis_algorithm.h"
 
+#include "dsc/complex/gather.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/local_retriangulation.h"
 #include "dsc/operations/loop_subdivision.h"

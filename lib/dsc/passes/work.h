@@ -5,6 +5,7 @@
 #pragma once
 
 #include "dsc/complex/ring.h"
+#include "dsc/complex/submesh.h"
 #include "dsc/passes/deferred.h"
 #include "dsc/passes/options.h"
 #include "dsc/topology/suspicion.h"

@@ -44,18 +44,18 @@ Real worst_quality_squared(const Ring<Real>& ring, Real px, Real py) {
 /// take link vertex i for the centre. Only for closed rings of at least four triangles.
 template <class Real>
 Real worst_quality_squared_after_collapse(const Ring<Real>& ring, std::uint32_t i) {
-    Real worst = std::numeric_limits<Real>::max();
     const std::uint32_t n = ring.size;
-    const std::uint32_t before = i == 0 ? n - 1 : i - 1;
+    const std::uint32_t lanes = ring.padded();
     const Real* x = ring.x.data();
     const Real* y = ring.y.data();
     const Real* x_next = ring.x_next.data();
     const Real* y_next = ring.y_next.data();
     const Real px = x[i];
     const Real py = y[i];
-    constexpr Real harmless = std::numeric_limits<Real>::max();
-#pragma omp simd reduction(min : worst)
-    for (std::uint32_t j = 0; j < n; ++j) {
+    alignas(64) std::array<Real, Ring<Real>::room> sines_squared;
+    Real* sine_squared = sines_squared.data();
+#pragma omp simd
+    for (std::uint32_t j = 0; j < lanes; ++j) {
         const Real ax = x[j] - px;
         const Real ay = y[j] - py;
         const Real bx = x_next[j] - px;
@@ -66,8 +66,14 @@ Real worst_quality_squared_after_collapse(const Ring<Real>& ring, std::uint32_t 
         const Real aa = ax * ax + ay * ay;
         const Real bb = bx * bx + by * by;
         const Real cc = cx * cx + cy * cy;
-        const Real sine_squared = sine_squared_of_lanes<Real>(area2, aa, bb, cc);
-        worst = std::min(worst, j == i || j == before ? harmless : sine_squared);
+        sine_squared[j] = sine_squared_of_lanes<Real>(area2, aa, bb, cc);
+    }
+    constexpr Real harmless = std::numeric_limits<Real>::max();
+    sine_squared[i] = harmless;
+    sine_squared[i == 0 ? n - 1 : i - 1] = harmless;
+    Real worst = harmless;
+    for (std::uint32_t j = 0; j < n; ++j) {
+        worst = std::min(worst, sine_squared[j]);
     }
     return worst == harmless ? worst : worst * Real(4.0 / 3.0);
 }
@@ -105,10 +111,16 @@ struct StarReport {
     Real quality;  ///< as `worst_quality_squared`
 };
 
-/// Examines the star: Delaunay test of the spokes (the angles opposite to one add up to at most pi;
-/// constrained spokes are treated like others), their lengths, the worst quality. O(degree).
+/// The Delaunay margin of each spoke of a star, as `delaunay_margin`: below 0 where a spoke fails
+/// the test by more than the slack. Spoke 0 of an open ring never fails.
 template <class Real>
-StarReport<Real> examine(const Ring<Real>& ring) {
+using SpokeMargins = std::array<Real, Ring<Real>::room>;
+
+/// Examines the star: Delaunay test of the spokes (the angles opposite to one add up to at most pi;
+/// constrained spokes are treated like others), their lengths, the worst quality. Also writes the
+/// margin of each spoke. O(degree).
+template <class Real>
+StarReport<Real> examine(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
     constexpr Real most = std::numeric_limits<Real>::max();
     Real delaunay = 0;
     Real longest = 0;
@@ -123,6 +135,7 @@ StarReport<Real> examine(const Ring<Real>& ring) {
     const Real* y_previous = ring.y_previous.data();
     const Real px = ring.x0;
     const Real py = ring.y0;
+    Real* margin = margins.data();
 #pragma omp simd reduction(min : delaunay, shortest, worst) reduction(max : longest)
     for (std::uint32_t i = 0; i < n; ++i) {
         const Real ax = x[i] - px;
@@ -138,8 +151,10 @@ StarReport<Real> examine(const Ring<Real>& ring) {
         const Real area = ax * by - ay * bx;
         const Real area_before = ex * ay - ey * ax;
         // Spoke i: its far angles at the previous and at the next link vertex.
-        delaunay = std::min(delaunay, delaunay_margin<Real>(area, bx * cx + by * cy, area_before,
-                                                            -(ex * fx + ey * fy)));
+        const Real found =
+            delaunay_margin<Real>(area, bx * cx + by * cy, area_before, -(ex * fx + ey * fy));
+        margin[i] = found;
+        delaunay = std::min(delaunay, found);
         const Real aa = ax * ax + ay * ay;
         const Real bb = bx * bx + by * by;
         const Real cc = cx * cx + cy * cy;
@@ -156,23 +171,43 @@ StarReport<Real> examine(const Ring<Real>& ring) {
     return {delaunay, longest, shortest, worst * Real(4.0 / 3.0)};
 }
 
-/// True if spoke i fails that test; not for spokes on the domain boundary.
+/// The same without the margins.
 template <class Real>
-bool is_non_delaunay_spoke(const Ring<Real>& ring, std::uint32_t i) {
-    const Real ax = ring.x[i] - ring.x0;
-    const Real ay = ring.y[i] - ring.y0;
-    const Real bx = ring.x_next[i] - ring.x0;
-    const Real by = ring.y_next[i] - ring.y0;
-    const Real ex = ring.x_previous[i] - ring.x0;
-    const Real ey = ring.y_previous[i] - ring.y0;
-    return delaunay_margin<Real>(ax * by - ay * bx, bx * (bx - ax) + by * (by - ay),
-                                 ex * ay - ey * ax, -(ex * (ax - ex) + ey * (ay - ey))) < 0;
+StarReport<Real> examine(const Ring<Real>& ring) {
+    SpokeMargins<Real> margins;
+    return examine(ring, margins);
 }
 
-/// Whether a spoke fails the Delaunay test, alone. O(degree).
+/// The Delaunay test of the spokes alone: writes their margins, and returns the lowest one, at most
+/// 0. O(degree).
 template <class Real>
-bool has_non_delaunay_spoke(const Ring<Real>& ring) {
-    return examine(ring).delaunay < 0;
+Real examine_spokes(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
+    Real lowest = 0;
+    const std::uint32_t n = ring.padded();
+    const Real* x = ring.x.data();
+    const Real* y = ring.y.data();
+    const Real* x_next = ring.x_next.data();
+    const Real* y_next = ring.y_next.data();
+    const Real* x_previous = ring.x_previous.data();
+    const Real* y_previous = ring.y_previous.data();
+    const Real px = ring.x0;
+    const Real py = ring.y0;
+    Real* margin = margins.data();
+#pragma omp simd reduction(min : lowest)
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Real ax = x[i] - px;
+        const Real ay = y[i] - py;
+        const Real bx = x_next[i] - px;
+        const Real by = y_next[i] - py;
+        const Real ex = x_previous[i] - px;
+        const Real ey = y_previous[i] - py;
+        const Real found =
+            delaunay_margin<Real>(ax * by - ay * bx, bx * (bx - ax) + by * (by - ay),
+                                  ex * ay - ey * ax, -(ex * (ax - ex) + ey * (ay - ey)));
+        margin[i] = found;
+        lowest = std::min(lowest, found);
+    }
+    return lowest;
 }
 
 } // namespace dsc

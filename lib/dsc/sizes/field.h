@@ -3,6 +3,7 @@
 // splits, renumbering and copies. The rule says what it should be at a vertex, given its star.
 #pragma once
 
+#include "dsc/complex/complex.h"
 #include "dsc/complex/ring.h"
 #include "dsc/sizes/options.h"
 #include "dsc/sizes/wavefront.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/sizes/measure.h"
 
+#include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/topology/give_back.h"
 
-#include "dsc/complex/ring.h"
+#include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/motion/movement.h"
 #include "dsc/queries/locate.h"

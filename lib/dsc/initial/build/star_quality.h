@@ -3,7 +3,7 @@
 // equation 4. In doubles, since the improvement compares values that lie close together.
 #pragma once
 
-#include "dsc/complex/ring.h"
+#include "dsc/complex/gather.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/quality/measures.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/topology/junctions/merging.h"
 
+#include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/quality/ring_quality.h"
