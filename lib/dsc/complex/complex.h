@@ -29,6 +29,8 @@ enum VertexFlag : std::uint32_t {
     vertex_corner = 16U, ///< of the interface: it is kept, and the curve has no tangent there
     vertex_on_way = 32U, ///< it was moved or postponed, and has not arrived yet
     vertex_seam = 64U,   ///< two sheets of the interface met here: see topology/films/films.h
+    /// It is of the interface, or was at the last upkeep. Kept only where the topology may change.
+    vertex_on_interface = 128U,
 };
 
 /// A triangle, by id.

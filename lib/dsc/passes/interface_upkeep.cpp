@@ -80,6 +80,7 @@ private:
             return;
         }
         const Spokes spokes = interface_spokes(ring);
+        bool is_known = ring.owned; // the star is as it was gathered, and nobody else writes to it
         if (!ring.owned) {
             // The triangles of this star straddle two submeshes, so nobody rewrites them or moves
             // their vertices: whether there is anything to do can be seen from here. What lies
@@ -93,19 +94,30 @@ private:
             if (ring.one_phase && ring.closed && work_.options.carries(ring.phase[0])) {
                 work_.interface_next.push_back(v);
             }
-        } else if (!(should_collapse(ring, spokes) && try_collapse(ring, spokes)) &&
-                   !(wants_wall_upkeep(ring) && keep_wall(v, ring))) {
+        } else if ((should_collapse(ring, spokes) && try_collapse(ring, spokes)) ||
+                   (wants_wall_upkeep(ring) && keep_wall(v, ring))) {
+            is_known = false;
+        } else {
             refine(v, ring, spokes);
+            is_known = newest_ == no_id;
         }
         // Last, though the ring is that of before the edit: loads of whole vectors wait for the
         // stores that have filled it, which are done by now.
         if (contact_ > 0) {
-            suspect(ring, spokes);
+            mark(v, spokes.count > 0);
+            suspect(ring, spokes, is_known);
+        }
+    }
+
+    void mark(std::uint32_t v, bool is_on_interface) {
+        std::uint32_t& flags = complex_.vertices[v].flags;
+        if (is_on_interface != ((flags & vertex_on_interface) != 0) && (flags & vertex_dead) == 0) {
+            flags ^= vertex_on_interface;
         }
     }
 
     // A film, or the end of a seam; or a small piece, whose outline turns sharply or ends soon.
-    void suspect(const Ring<Real>& ring, const Spokes& spokes) {
+    void suspect(const Ring<Real>& ring, const Spokes& spokes, bool is_known) {
         constexpr Real sharp = Real(0.7);
         const bool is_thin = has_thin_triangle(ring, contact_ * contact_);
         const bool is_sharp = spokes.count > 2 ||
@@ -113,7 +125,9 @@ private:
                                !turns_less<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
                                                  link_point(ring, spokes.second), sharp));
         if (is_thin || is_sharp) {
-            work_.topology_suspects.push_back({ring.vertex, ring.x0, ring.y0, is_thin, is_sharp});
+            const bool is_facing = is_thin && (!is_known || may_face_a_sheet(complex_, ring));
+            work_.topology_suspects.push_back(
+                {ring.vertex, ring.x0, ring.y0, is_thin, is_facing, is_sharp});
         }
     }
 
@@ -141,6 +155,7 @@ private:
         }
         work_.interface_next.push_back(v);
         work_.interface_next.push_back(result.vertex.id);
+        mark(result.vertex.id, contact_ > 0);
         return true;
     }
 
@@ -365,6 +380,7 @@ private:
         }
         if (result.verdict == Verdict::legal) {
             newest_ = result.vertex.id;
+            mark(newest_, contact_ > 0);
         }
         return true;
     }

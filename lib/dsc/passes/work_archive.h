@@ -9,7 +9,8 @@ namespace dsc {
 
 template <class Real>
 void archive(Archive& archive, Suspect<Real>& suspect) {
-    archive(suspect.vertex, suspect.x, suspect.y, suspect.is_thin, suspect.is_sharp);
+    archive(suspect.vertex, suspect.x, suspect.y, suspect.is_thin, suspect.is_facing,
+            suspect.is_sharp);
 }
 
 /// The interface, the active set and what else waits for the next step; everything else of a work

@@ -3,6 +3,7 @@
 // to nothing, because the interface upkeep has gathered the star anyway.
 #pragma once
 
+#include "dsc/complex/complex.h"
 #include "dsc/complex/ring.h"
 
 namespace dsc {
@@ -15,6 +16,7 @@ struct Suspect {
     Real x;               ///< before the sub-step
     Real y;               ///< before the sub-step
     bool is_thin;         ///< a triangle of its star is
+    bool is_facing;       ///< and an edge opposite to the vertex is of the interface, or may be
     bool is_sharp;        ///< the interface turns sharply there, or has a junction
 };
 
@@ -42,6 +44,25 @@ template <class Real>
         least = std::min(least, doubled * doubled - contact_squared * longest);
     }
     return least < 0;
+}
+
+/// Whether two successive vertices of the link are of the interface: only then can an edge opposite
+/// to the centre be one of its edges, and a triangle bridge a film. O(degree).
+template <class Real>
+[[nodiscard]] bool may_face_a_sheet(const Complex<Real>& complex, const Ring<Real>& ring) {
+    const auto is_marked = [&](std::uint32_t i) {
+        return (complex.vertices[ring.link[i]].flags & vertex_on_interface) != 0;
+    };
+    const std::uint32_t n = ring.link_size();
+    bool was_marked = ring.closed && is_marked(n - 1);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const bool now = is_marked(i);
+        if (was_marked && now) {
+            return true;
+        }
+        was_marked = now;
+    }
+    return false;
 }
 
 } // namespace dsc

@@ -36,7 +36,7 @@ public:
             complex_.vertices[suspects[i].vertex].slot = static_cast<std::uint32_t>(i);
         }
         const std::size_t before = work_.events.size();
-        find_near(suspects);
+        find_near(suspects, &Suspect<Real>::is_facing);
         const auto opens = [&](Triangle t) { return find_bridge(work_, suspects, t, bridge); };
         for (const Triangle t : thin_triangles(opens)) {
             if (is_thin(work_, t) && opens(t)) { // those before it may have closed it
@@ -45,7 +45,7 @@ public:
         }
         // Seams of earlier events, whose sheets have come closer since, and of those just now.
         if (work_.events.size() != before) {
-            find_near(suspects);
+            find_near(suspects, &Suspect<Real>::is_thin);
         }
         const auto goes_on = [&](Triangle t) { return is_end_of_seam(t); };
         for (const Triangle t : thin_triangles(goes_on)) {
@@ -58,12 +58,12 @@ public:
 private:
     // --- candidates ---------------------------------------------------------------------------
     // Each triangle that bridges a film has a vertex on one of its sheets and the opposite edge on
-    // the other; so has the end of a seam. Of nearly all interface vertices no triangle is of this
-    // kind, which is soon seen.
-    void find_near(std::span<const Suspect<Real>> suspects) {
+    // the other; so has the end of a seam. Nearly no interface vertex has a triangle of this kind
+    // before an event makes some.
+    void find_near(std::span<const Suspect<Real>> suspects, bool Suspect<Real>::*may_be) {
         near_.clear();
         for (const auto& suspect : suspects) {
-            if (!suspect.is_thin || !complex_.is_alive(Vertex{suspect.vertex})) {
+            if (!(suspect.*may_be) || !complex_.is_alive(Vertex{suspect.vertex})) {
                 continue;
             }
             (void)find_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
