@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// How far vertices are asked to travel at a time: no farther than a sub-step allows, also where the
+// flow becomes faster within the step or turns out to be faster than in the step before.
+#include "support/simulation_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using test::disc_complex;
+using test::options_for;
+using test::pointwise;
+
+constexpr double h = 0.025;
+
+// The farthest that a single move has taken a vertex, in edge lengths.
+class Farthest {
+public:
+    Farthest(const Complex<double>& complex, Simulation<double>& simulation) {
+        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+            at_.push_back(complex.position(Vertex{v}));
+        }
+        simulation.add_listener([this](std::span<const Edit> edits) {
+            for (const Edit& edit : edits) {
+                if (edit.kind == EditKind::split || edit.kind == EditKind::move) {
+                    note(edit);
+                }
+            }
+        });
+    }
+    [[nodiscard]] double value() const { return farthest_ / h; }
+
+private:
+    void note(const Edit& edit) {
+        const std::size_t id = edit.vertex.id;
+        at_.resize(std::max(at_.size(), id + 1));
+        const Point<double> to(edit.x, edit.y);
+        if (edit.kind == EditKind::move && edit.reason == MoveReason::flow) {
+            farthest_ = std::max(farthest_, (to - at_[id]).norm());
+        }
+        at_[id] = to;
+    }
+
+    std::vector<Point<double>> at_;
+    double farthest_ = 0;
+};
+
+TEST(SubSteps, AreShorterWhereTheFlowBecomesFasterWithinThem) {
+    auto complex = disc_complex<double>(h, {0.25, 0.5}, 0.12);
+    const auto options = options_for<double>(h);
+    Simulation<double> simulation(complex, options);
+    const Farthest farthest(complex, simulation);
+    // At rest when the step begins; 8 edge lengths in all.
+    const auto flow = pointwise<double>(
+        [](const Point<double>&, double time) { return Point<double>(16 * h * time, 0); });
+    const StepReport report = simulation.step(flow, 0, 1);
+    EXPECT_EQ(report.unreached, 0U);
+    // The first sub-step is halved until it leads no farther than twice what is aimed at.
+    EXPECT_LE(farthest.value(), 2 * options.sub_step);
+    EXPECT_GE(report.sub_steps, static_cast<std::uint32_t>(8 / (2 * options.sub_step)));
+}
+
+TEST(SubSteps, AreAsManyAsTheWayAsksFor) {
+    auto complex = disc_complex<double>(h, {0.25, 0.5}, 0.12);
+    const auto options = options_for<double>(h);
+    Simulation<double> simulation(complex, options);
+    const Farthest farthest(complex, simulation);
+    const StepReport report = simulation.step(test::constant<double>(5.9 * h, 0), 0, 1);
+    EXPECT_EQ(report.sub_steps, static_cast<std::uint32_t>(std::ceil(5.9 / options.sub_step)));
+    EXPECT_LE(farthest.value(), options.sub_step * (1 + 1e-9));
+}
+
+} // namespace
+} // namespace dsc

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: MIT
+"""What may catch a fault: the test programs and the quick gate, in the order in which they are tried.
+Run by itself it prints what has to be built for them.
+
+The tests of a fault's own room come first: what they catch is caught on purpose. Others that notice it
+do so because everything changes, or by luck."""
+import dataclasses
+import os
+import pathlib
+import sys
+
+# The tests of a room; test programs have one name each in verify/CMakeLists.txt.
+OWN = {
+    "base": ["base"],
+    "geometry": ["geometry"],
+    "complex": ["complex", "operations", "fuzz"],
+    "queries": ["complex"],
+    "quality": ["quality"],
+    "operations": ["operations", "reference"],
+    "initial": ["initial"],
+    "motion": ["motion", "velocities"],
+    "sizes": ["sizes"],
+    "passes": ["passes", "effort", "sizes"],
+    "algorithm": ["algorithm", "effort"],
+    "parallel": ["parallel"],
+    "topology": ["topology"],
+    "io": ["io", "output"],
+    "measures": ["measures"],
+    "scenes": ["scenes", "scene_files", "output", "checkpoints", "scene_output_cli"],
+    "reference": ["reference"],
+    "gate": ["limits", "gate_cli"],
+    "plots": ["plots"],
+}
+# Cheap ones first. The hashes notice nearly everything and say nothing about what is wrong, so they
+# are asked last of all tests.
+OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "algorithm", "initial",
+          "sizes", "io", "measures", "geometry", "recipes", "scene_files", "output", "topology",
+          "fuzz", "hard", "reference", "scenes", "parallel", "velocities", "checkpoints", "figures",
+          "hashes", "gate"]
+# What nobody has written to notice a fault in particular.
+BROAD = {"hashes", "gate", "hard", "figures"}
+QUICK_GATE = ["area_ratio", "symmetric_difference", "symmetric_difference_half", "inverted",
+              "unreached", "min_quality"]
+# The modules of a unittest, where they run, and what they have to know.
+PYTHON = {
+    "limits": ("verify/gate", ["limits_test"]),
+    "gate_cli": ("verify/scenes", ["gate_cli_test"]),
+    "scene_output_cli": ("verify/scenes", ["scene_output_cli_test"]),
+    "plots": ("plots", ["tests.test_plots", "tests.test_parallel", "tests.test_precision",
+                        "tests.test_page"]),
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class Program:
+    name: str
+    command: tuple
+    folder: pathlib.Path
+    environment: tuple = ()
+
+
+def program(name, source, build):
+    """`source` and `build`: the copy of the project with the switches, and its build."""
+    if name in PYTHON:
+        folder, modules = PYTHON[name]
+        return Program(name, (sys.executable, "-m", "unittest", "--failfast", "--verbose", *modules),
+                       source / folder,
+                       (("DSC_SCENE", str(build / "lib/scenes/dsc_scene")),
+                        ("DSC_VERIFY", str(build / "verify/dsc_verify")),
+                        ("DSC_HARD", str(build / "verify/dsc_hard")),
+                        ("MPLBACKEND", "Agg"), ("PYTHONDONTWRITEBYTECODE", "1")))
+    if name == "gate":
+        return Program(name, (str(build / "verify/dsc_verify"), "run", *QUICK_GATE, "--out",
+                              f"gate.{os.getpid()}"), build)
+    return Program(name, (str(build / "verify" / f"test_{name}"), "--gtest_fail_fast"), build)
+
+
+def order_for(room):
+    """The names for a fault of this room."""
+    own = OWN[room]
+    return own + [name for name in OTHERS if name not in own]
+
+
+def all_names():
+    names = []
+    for name in [name for own in OWN.values() for name in own] + OTHERS:
+        if name not in names:
+            names.append(name)
+    return names
+
+
+def targets():
+    """What has to be built for all of them."""
+    tests = [f"test_{name}" for name in all_names() if name not in PYTHON and name != "gate"]
+    return tests + ["dsc_scene", "dsc_verify", "dsc_hard"]
+
+
+if __name__ == "__main__":
+    print(*targets(), sep="\n")

@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs the tests on each seeded fault, until one of them catches it.
+
+The copy of the project with the switches and its build are in DIR/source and DIR/build; verify/faults.sh
+makes both. Results are kept in DIR/faults.json as they come, so that a run that was interrupted goes
+on where it stopped; faults that nothing has caught are tried again. DIR/faults.md is the table."""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import zlib
+
+import catalogue
+import programs
+import table
+
+SLOWER = 4          # a test that takes this many times its CPU time, and...
+SPARE_S = 20        # ...this long besides, does not end
+MEMORY = 6 << 30    # bytes
+
+
+def call(program, fault, cpu_s):
+    """(how it ended, which test, CPU seconds, output); it ends by passing or failing, it crashes, or
+    it does not end."""
+    environment = {**os.environ, "OMP_WAIT_POLICY": "passive", **dict(program.environment)}
+    environment.pop("DSC_FAULT", None)
+    if fault is not None and fault.is_cpp:
+        environment["DSC_FAULT"] = fault.name
+    limits = ["prlimit", f"--cpu={cpu_s}:{cpu_s + 5}", f"--as={MEMORY}", "--core=0"]
+    with tempfile.TemporaryFile("w+", errors="replace") as stream:
+        process = subprocess.Popen([*limits, *program.command], cwd=program.folder, env=environment,
+                                   stdin=subprocess.DEVNULL, stdout=stream,
+                                   stderr=subprocess.STDOUT, start_new_session=True)
+        code, spent, timed_out = wait(process, 60 + 10 * cpu_s)
+        stream.seek(0)
+        output = stream.read()
+    if code == 0:
+        return "passed", "", spent, output
+    if timed_out or code == -signal.SIGXCPU:
+        return "did not end", last_test(output), spent, output
+    if code < 0:
+        return "crashed", last_test(output), spent, output
+    return "failed", failed_test(output), spent, output
+
+
+def wait(process, wall_s):
+    """(exit code, CPU seconds, whether it was stopped) of one child, with all of its own."""
+    end, timed_out = time.monotonic() + wall_s, False
+    while True:
+        pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+        if pid != 0:
+            process.returncode = os.waitstatus_to_exitcode(status)
+            return process.returncode, usage.ru_utime + usage.ru_stime, timed_out
+        if not timed_out and time.monotonic() > end:
+            timed_out = True
+            os.killpg(process.pid, signal.SIGKILL)
+        time.sleep(0.02)
+
+
+def failed_test(output):
+    found = re.search(r"\[  FAILED  \] ([\w/.]+)", output) or \
+        re.search(r"^(?:FAIL|ERROR): (\w+ \([\w.]+\))", output, re.M) or \
+        re.search(r"^(\w+ +[\w-]+) .*\bFAIL", output, re.M)
+    return found.group(1) if found else ""
+
+
+def last_test(output):
+    found = re.findall(r"\[ RUN      \] ([\w/.]+)", output)
+    return found[-1] if found else ""
+
+
+class Runner:
+    def __init__(self, folder):
+        self.folder = folder
+        self.source = folder / "source"
+        self.build = folder / "build"
+        self.results = folder / "faults.json"
+        self.data = {"baseline": {}, "faults": {}}
+        if self.results.exists():
+            self.data = json.loads(self.results.read_text())
+
+    def save(self):
+        part = self.results.with_suffix(".part")
+        part.write_text(json.dumps(self.data, indent=1) + "\n")
+        part.replace(self.results)
+
+    def program(self, name):
+        return programs.program(name, self.source, self.build)
+
+    def measure_baseline(self, names):
+        """Without a fault everything passes; says how long each program takes."""
+        for name in names:
+            ended, test, cpu, output = call(self.program(name), None, 1800)
+            if ended != "passed":
+                sys.exit(f"without a fault {name} {ended}: {test}\n{output[-3000:]}")
+            self.data["baseline"][name] = round(cpu, 2)
+            print(f"without a fault {name} passed: {cpu:.1f} s", flush=True)
+            self.save()
+
+    def try_fault(self, fault):
+        """One entry of the results."""
+        own = programs.OWN[fault.room]
+        slow, spent = [], 0.0
+        for name in programs.order_for(fault.room):
+            if name not in self.data["baseline"]:
+                continue
+            usual = self.data["baseline"][name]
+            ended, test, cpu, _ = call(self.program(name), fault, int(SLOWER * usual + SPARE_S))
+            spent += cpu
+            # Time is no test of faults that cost nothing but time.
+            if ended == "did not end" and fault.kind == "cost":
+                slow.append(name)
+            elif ended != "passed":
+                return {"caught_by": name, "how": ended, "test": test, "cpu_s": round(spent, 1),
+                        "own": name in own, "slow": slow}
+        return {"caught_by": None, "cpu_s": round(spent, 1), "slow": slow}
+
+    def try_in_place(self, fault):
+        """The same for a file that is not C++: its text is replaced while the tests run."""
+        path = self.source / fault.file
+        text = path.read_text(encoding="utf-8")
+        place = catalogue.place_of(fault, text)
+        path.write_text(text[:place] + fault.in_place() + text[place + len(fault.sought):],
+                        encoding="utf-8")
+        try:
+            return self.try_fault(fault)
+        finally:
+            path.write_text(text, encoding="utf-8")
+
+    def note(self, fault, entry):
+        self.data["faults"][fault.name] = {"room": fault.room, "kind": fault.kind,
+                                           "says": fault.says, **entry}
+        self.save()
+        caught = entry["caught_by"]
+        print(f"{fault.name}: " + (f"{caught}, {entry['how']}, {entry['test']}" if caught else
+                                   "CAUGHT BY NOTHING") + f" ({entry['cpu_s']} s)", flush=True)
+
+
+def chosen(faults, arguments):
+    if arguments.only:
+        known = {fault.name for fault in faults}
+        for name in arguments.only:
+            if name not in known:
+                sys.exit(f"run.py: no fault is named '{name}'")
+        return [fault for fault in faults if fault.name in arguments.only]
+    if arguments.tenth is not None:
+        share = zlib.crc32(arguments.tenth.encode()) % 10
+        return [fault for fault in faults if zlib.crc32(fault.name.encode()) % 10 == share]
+    return faults
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=pathlib.Path, help="DIR")
+    parser.add_argument("--only", nargs="+", metavar="NAME", help="these faults, tried anew")
+    parser.add_argument("--tenth", metavar="HASH", help="the tenth that belongs to a commit")
+    parser.add_argument("--jobs", type=int, default=1, help="faults at the same time")
+    parser.add_argument("--baseline", action="store_true", help="measured anew")
+    arguments = parser.parse_args()
+    runner = Runner(arguments.folder.resolve())
+    missing = [name for name in programs.all_names()
+               if arguments.baseline or name not in runner.data["baseline"]]
+    runner.measure_baseline(missing)
+    faults = chosen(catalogue.read_table(), arguments)
+    known = runner.data["faults"]
+    due = [fault for fault in faults if arguments.only
+           or known.get(fault.name, {}).get("caught_by") is None]
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        running = {pool.submit(runner.try_fault, fault): fault for fault in due if fault.is_cpp}
+        for done in concurrent.futures.as_completed(running):
+            runner.note(running[done], done.result())
+    for fault in due:
+        if not fault.is_cpp:
+            runner.note(fault, runner.try_in_place(fault))
+    names = {fault.name for fault in faults}
+    entries = {name: entry for name, entry in runner.data["faults"].items() if name in names}
+    (runner.folder / "faults.md").write_text(table.markdown(entries), encoding="utf-8")
+    print(table.summary(entries))
+    sys.exit(0 if all(entry["caught_by"] for entry in entries.values()) else 1)
+
+
+if __name__ == "__main__":
+    main()

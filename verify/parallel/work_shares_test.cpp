@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What a partitioner is told of the work: where more is done, a vertex counts for more, and cuts
+// follow.
+#include "support/submesh_executor_testing.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+constexpr double h = 0.02;
+
+// Left and right, divided anew after each step; keeps what it was told.
+class Listening final : public Partitioner<double> {
+public:
+    explicit Listening(std::vector<std::pair<double, double>>& told) : told_(told) {}
+    [[nodiscard]] Recut is_due(const PartitionStatus& /*status*/) const override {
+        return Recut::all;
+    }
+    void divide(const PartitionInput<double>& input, Recut /*recut*/,
+                Partition& partition) override {
+        told_.clear();
+        for (std::size_t i = 0; i < input.interface.size(); ++i) {
+            told_.emplace_back(input.complex.position(Vertex{input.interface[i]}).x(),
+                               static_cast<double>(input.work[i]));
+        }
+        constexpr std::array cuts{-Region::infinity, 0.5, Region::infinity};
+        partition.colours = {slab_colour(cuts, 1, 0, false), slab_colour(cuts, 0, 1, false)};
+    }
+
+private:
+    std::vector<std::pair<double, double>>& told_;
+};
+
+TEST(Work, IsCountedWhereItIsDone) {
+    auto complex = test::disc_complex<double>(h);
+    const Options<double> options{.edge_length = h};
+    std::vector<std::pair<double, double>> told;
+    Simulation<double> simulation(
+        complex, options,
+        std::make_unique<SubmeshExecutor<double>>(complex, options, default_algorithm<double>(),
+                                                  std::make_unique<Listening>(told),
+                                                  SubmeshOptions{.threads = 1}));
+    // The right half is stretched; the left one stands still.
+    const Velocity<double> flow = [](auto positions, double, auto velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const double right = positions[i].x() - 0.55;
+            velocities[i] = {right > 0 ? 0.4 * right : 0, 0};
+        }
+    };
+    for (int step = 0; step < 12; ++step) {
+        simulation.step(flow, 0, h);
+    }
+    double left = 0;
+    double right = 0;
+    double on_left = 0;
+    double on_right = 0;
+    for (const auto& [x, work] : told) {
+        (x < 0.5 ? left : right) += work;
+        (x < 0.5 ? on_left : on_right) += 1;
+    }
+    ASSERT_GT(on_left, 10);
+    ASSERT_GT(on_right, 10);
+    EXPECT_GT(right / on_right, 2 * left / on_left);
+}
+
+} // namespace
+} // namespace dsc
