@@ -6,9 +6,10 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-usage: verify/faults.sh [--tenth HASH | --only NAME...] [--baseline] [--jobs N]
+usage: verify/faults.sh [--tenth HASH | --only NAME...] [--own] [--baseline] [--jobs N]
   --tenth HASH  the tenth of the faults that belongs to a commit
   --only NAME   these faults alone, tried anew
+  --own         by the tests of each fault's own room alone
   --baseline    measures anew how long the tests take without a fault
   --jobs N      so many faults at the same time; by default one for each core
 All of it takes hours of CPU time; an interrupted run goes on where it stopped. The results are

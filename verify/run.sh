@@ -7,10 +7,11 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-usage: verify/run.sh [--all] [--sanitizers | --no-sanitizers] [ctest options]
+usage: verify/run.sh [--all] [--sanitizers | --no-sanitizers | --faults] [ctest options]
   --all            the tests labelled long as well, all others optimised as well, and the preset lto
   --sanitizers     nothing but the tests under the sanitizers
   --no-sanitizers  everything but them
+  --faults         nothing but the tenth of the seeded faults that belongs to this commit
 Other options go to each run of ctest, e.g. -R test_geometry. Installs missing Debian packages as root
 or through sudo. DSC_JOBS sets the number of jobs, PYTHON the interpreter for the plots.
 Exit code: 0 all passed, 1 something failed, 2 nothing was run.
@@ -26,6 +27,10 @@ for argument in "$@"; do
         --all) all=true ;;
         --sanitizers) with_release=false ;;
         --no-sanitizers) with_sanitizers=false ;;
+        --faults)
+            folder=$(dirname -- "${BASH_SOURCE[0]}")
+            exec "$folder/faults.sh" --tenth "$(git -C "$folder" rev-parse HEAD)"
+            ;;
         -h | --help) usage; exit 0 ;;
         *) ctest_options+=("$argument") ;;
     esac
@@ -52,7 +57,10 @@ run_tests() { # run_tests PRESET [COMMAND PREFIX...]
 }
 
 run_gate() {
-    build/release/verify/dsc_verify run --out build/release/verify/out </dev/null
+    build/release/verify/dsc_verify run --out build/release/verify/out </dev/null || return
+    # What the limits say of measurements is still so.
+    DSC_GATE_RESULT=$PWD/build/release/verify/out/verify.json PYTHONDONTWRITEBYTECODE=1 \
+        "$python" verify/gate/limits_test.py
 }
 
 # The gate needs one core, so that it runs while the sanitizers' build begins on the others.

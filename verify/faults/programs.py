@@ -75,10 +75,14 @@ def program(name, source, build):
     return Program(name, (str(build / "verify" / f"test_{name}"), "--gtest_fail_fast"), build)
 
 
-def order_for(room):
-    """The names for a fault of this room."""
-    own = OWN[room]
-    return own + [name for name in OTHERS if name not in own]
+def own(room):
+    """The tests of a room, by name."""
+    return OWN[room]
+
+
+def others(room):
+    """What is tried on a fault that they do not catch."""
+    return [name for name in OTHERS if name not in OWN[room]]
 
 
 def all_names():

@@ -3,6 +3,7 @@
 // complex, nobody left behind, and figures that agree with each other.
 #include "scenes/catalogue/catalogue.h"
 #include "support/enumerators.h"
+#include "support/usual_efforts.h"
 
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"
@@ -85,6 +86,16 @@ std::vector<Case> cases() {
 
 class EveryScene : public testing::TestWithParam<Case> {};
 
+// Time is no test of a fault that makes a step look at more than it has to.
+void expect_usual_effort(const RunResult& result) {
+    const auto usual = std::ranges::find(usual_efforts, result.scene, &UsualEffort::scene);
+    ASSERT_NE(usual, usual_efforts.end()) << result.scene;
+    const double stars = static_cast<double>(result.operations.at("examined")) /
+                         static_cast<double>(result.operations.at("moves"));
+    EXPECT_LE(stars, most_of_usual * usual->stars) << "stars examined for each move";
+    EXPECT_GE(stars, usual->stars / most_of_usual) << "usual_efforts.h is out of date";
+}
+
 TEST_P(EveryScene, IsValidAfterEveryStep) {
     const Scene& scene = find_scene(GetParam().scene);
     const Parameters parameters = coarse_parameters(scene);
@@ -116,6 +127,7 @@ TEST_P(EveryScene, IsValidAfterEveryStep) {
     EXPECT_EQ(result.gave_up, "");
     EXPECT_GE(result.sub_steps, static_cast<std::uint64_t>(result.steps));
     EXPECT_GT(result.operations.at("moves"), 0U);
+    expect_usual_effort(result);
     EXPECT_GT(number(result.last, "min_quality"), 0.0);
     EXPECT_LE(result.min_quality_ever, number(result.last, "min_quality"));
     EXPECT_EQ(result.area_histogram.total(), triangles);
