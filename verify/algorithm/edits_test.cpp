@@ -319,5 +319,21 @@ const std::vector<Course> in_place{
 INSTANTIATE_TEST_SUITE_P(Ways, EditsInPlace, testing::ValuesIn(in_place), course_name);
 INSTANTIATE_TEST_SUITE_P(Ways, Edits, testing::ValuesIn(all_courses), course_name);
 
+// A vertex that has missed its targets may arrive from where the application has put it.
+TEST(EditsInSteps, AMovedVertexIsInContactNoMore) {
+    Complex<double> complex = disc();
+    const Options<double> options{.edge_length = disc_h};
+    Simulation<double> simulation(complex, options);
+    const std::vector<std::uint32_t> interface = simulation.interface();
+    for (const std::uint32_t v : {interface[0], interface[1]}) {
+        complex.vertices[v].flags |= vertex_contact;
+    }
+    const Vertex moved{interface[0]};
+    complex.set_position(moved, complex.position(moved) + Point<double>(1e-3 * disc_h, 0));
+    simulation.step(still, 0, 1);
+    EXPECT_EQ(complex.vertices[moved.id].flags & vertex_contact, 0U);
+    EXPECT_EQ(complex.vertices[interface[1]].flags & vertex_contact, std::uint32_t{vertex_contact});
+}
+
 } // namespace
 } // namespace dsc

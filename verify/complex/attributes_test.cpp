@@ -81,6 +81,23 @@ TEST(Attributes, AreFoundByNameKindAndType) {
     EXPECT_FALSE(all.empty());
 }
 
+TEST(Attributes, AreFieldsInACopyAsWell) {
+    auto complex = hexagon<double>();
+    complex.attributes.add<Vertex, double>("kept");
+    complex.attributes.add<Vertex, double>("heat").set_field(true);
+    const Complex<double> copy = complex;
+    Complex<double> assigned;
+    assigned = complex;
+    const AttributeSet empty = complex.attributes.clone_empty();
+    for (const AttributeSet* set : std::initializer_list<const AttributeSet*>{
+             &copy.attributes, &assigned.attributes, &empty}) {
+        EXPECT_TRUE(set->has_fields());
+        ASSERT_EQ(set->list().size(), 2U);
+        EXPECT_FALSE(set->list()[0]->is_field());
+        EXPECT_TRUE(set->list()[1]->is_field());
+    }
+}
+
 TEST(EdgeAttributes, AreSetAtBothCorners) {
     auto complex = hexagon<double>();
     auto& weight = complex.attributes.add<Edge>("weight", 5);

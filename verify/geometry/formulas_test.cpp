@@ -172,6 +172,9 @@ TEST(Delaunay, TheTestsAgreeWhereTheAnswerIsClear) {
     EXPECT_GT(flips, 20);
     // Cocircular points stay as they are.
     EXPECT_TRUE(is_delaunay<double>(P(0, 0), P(1, 0), P(1, 1), P(0, 1)));
+    // On one circle, without right angles: neither diagonal may be flipped for the other.
+    EXPECT_TRUE(is_delaunay<double>(P(5, 0), P(3, 4), P(-4, 3), P(0, -5)));
+    EXPECT_TRUE(is_delaunay<double>(P(3, 4), P(-4, 3), P(0, -5), P(5, 0)));
     EXPECT_FALSE(certainly_in_circle(P(0, 0), P(1, 0), P(0, 1), P(1, 1)));
     // Where doubles underflow, the exact predicate answers.
     EXPECT_TRUE(certainly_in_circle(P(0, 0), P(1e-160, 0), P(0, 1e-160), P(3e-161, 3e-161)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures and ParaView files: well-formed, complete, exact, and there whole or not at all.
+#include "dsc/io/appended_data.h"
 #include "dsc/io/part_file.h"
 #include "dsc/io/svg.h"
 #include "dsc/io/vtu.h"
@@ -358,6 +359,22 @@ TYPED_TEST(Io, WhatIsNotCommittedIsRemoved) {
               "0.1 0.1 18446744073709551615 7 5e-324 ");
     EXPECT_EQ(text.substr(text.find('\n') + 1), line);
     EXPECT_EQ(this->files(), 1U);
+}
+
+// The examples of RFC 4648, section 10.
+TEST(Base64, IsPaddedToFourDigits) {
+    const std::vector<std::pair<const char*, const char*>> known{{"", ""},
+                                                                 {"f", "Zg=="},
+                                                                 {"fo", "Zm8="},
+                                                                 {"foo", "Zm9v"},
+                                                                 {"foob", "Zm9vYg=="},
+                                                                 {"fooba", "Zm9vYmE="},
+                                                                 {"foobar", "Zm9vYmFy"}};
+    for (const auto& [bytes, digits] : known) {
+        std::string text;
+        append_base64(text, bytes);
+        EXPECT_EQ(text, digits);
+    }
 }
 
 } // namespace

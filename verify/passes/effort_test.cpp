@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a pass may cost, counted rather than timed: the stars that it looks at, how often it gathers
 // them, and the passes that a sub-step takes. A fault of cost alone leaves the mesh as it is.
+#include "support/honeycomb.h"
 #include "support/simulation_testing.h"
 
 #include "dsc/complex/circulate.h"
@@ -10,49 +11,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace dsc {
 namespace {
 
 using test::disc_complex;
+using test::honeycomb;
 using test::options_for;
-
-// Equilateral triangles of side 1 in a hexagon about the vertex 0: nothing calls for an edit.
-constexpr int rings = 6;
-
-Complex<double> honeycomb() {
-    std::vector<Point<double>> points;
-    std::map<std::pair<int, int>, std::uint32_t> at;
-    const auto add = [&](int i, int j) {
-        at[{i, j}] = static_cast<std::uint32_t>(points.size());
-        points.emplace_back(i + 0.5 * j, std::sqrt(3.0) / 2 * j);
-    };
-    add(0, 0);
-    for (int i = -rings; i <= rings; ++i) {
-        for (int j = std::max(-rings, -rings - i); j <= std::min(rings, rings - i); ++j) {
-            if (i != 0 || j != 0) {
-                add(i, j);
-            }
-        }
-    }
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (const auto& [place, v] : at) {
-        const auto [i, j] = place;
-        for (const auto& [a, b] : {std::pair{std::pair{i + 1, j}, std::pair{i, j + 1}},
-                                   std::pair{std::pair{i, j + 1}, std::pair{i - 1, j + 1}}}) {
-            if (at.contains(a) && at.contains(b)) {
-                triangles.push_back({v, at[a], at[b]});
-            }
-        }
-    }
-    const std::vector<Phase> phases(triangles.size(), 1);
-    return make_complex<double>(points, triangles, phases);
-}
 
 // Counts how often a vertex is asked for: once for the centre of a star and once for each vertex of
 // its link, whenever the star is gathered.

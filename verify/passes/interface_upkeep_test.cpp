@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -84,6 +85,32 @@ Options<double> with(Coarsening coarsening) {
 
 // Edges of a fifth of the edge length: far more vertices than the thresholds call for.
 const Outline crowded = ellipse(0.3, 0.15, 148);
+
+// The corners of a hexagon, with a vertex beside each that is too near: it goes, and the corner
+// stays, though the curve turns by 60 degrees only.
+TEST(Coarsening, KeepsCornersAndTakesWhatIsBesideThem) {
+    Outline outline;
+    std::vector<Point<double>> corners;
+    for (int i = 0; i < 6; ++i) {
+        const auto at = [](int k) {
+            const double angle = std::numbers::pi * (k + 0.5) / 3;
+            return Point<double>(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
+        };
+        corners.push_back(at(i));
+        for (const double share : {0.0, 0.025, 0.2, 0.4, 0.6, 0.8}) {
+            outline.push_back((1 - share) * at(i) + share * at(i + 1));
+        }
+    }
+    auto options = with(Coarsening::length);
+    options.interface.corner_degrees = 45;
+    const Kept kept = keep_up(outline, options);
+    EXPECT_GE(kept.counts.interface_collapses, 6U);
+    for (const Point<double>& corner : corners) {
+        EXPECT_TRUE(std::ranges::any_of(kept.interface, [&](std::uint32_t v) {
+            return (kept.complex.position(Vertex{v}) - corner).norm() < 1e-12;
+        })) << corner.transpose();
+    }
+}
 
 TEST(Coarsening, NeverLeavesAllVertices) {
     const Kept kept = keep_up(crowded, with(Coarsening::never));

@@ -227,6 +227,30 @@ TEST_F(Checkpoints, AnotherRunIsRefused) {
     EXPECT_NE(refusal(other, path).find("real=double"), std::string::npos);
 }
 
+// The same words on the command line, but a file that they name has changed.
+TEST_F(Checkpoints, ARunThatBeganWithAnotherMeshIsRefused) {
+    run_small(small, path, nullptr);
+    const Checkpoint checkpoint = read_checkpoint(path);
+    Scene scene = find_scene(small.scene);
+    scene.prepare = [usual = scene.prepare](const Parameters& parameters) {
+        scenes::Setup setup = usual(parameters);
+        for (Point<double>& p : setup.curves.front().points) { // the drop
+            p += Point<double>(1e-9, 0);
+        }
+        return setup;
+    };
+    RunOptions options = options_of(small);
+    options.submeshing.threads = 1;
+    options.resume = &checkpoint;
+    try {
+        (void)run_scene(scene, parameters_of(small, scene), options);
+        FAIL() << "nothing was refused";
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("began with another mesh"), std::string::npos)
+            << error.what();
+    }
+}
+
 TEST_F(Checkpoints, TheScalarTypeIsTold) {
     const Scene scene = find_scene("swirl");
     Parameters parameters = scene.defaults;

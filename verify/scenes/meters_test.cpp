@@ -83,5 +83,21 @@ TEST(Meters, RememberTheWorstTriangleOfTheWholeRun) {
     EXPECT_LT(worst, number(result.last, "min_quality"));
 }
 
+// Multiples of the step, not sums of it: the last one ends where the scene ends.
+TEST(Meters, CountTimeWithoutRoundingItStepByStep) {
+    constexpr double dt = 0.005; // of which sums are rounded differently from multiples
+    Scene scene = pressed(60, 0);
+    scene.prepare = [usual = scene.prepare](const Parameters& parameters) {
+        scenes::Setup setup = usual(parameters);
+        setup.dt = dt;
+        return setup;
+    };
+    const RunResult result = run(scene);
+    ASSERT_GT(result.series.size(), 5U);
+    for (const SeriesRow& row : result.series) {
+        EXPECT_EQ(row.time, row.step * dt);
+    }
+}
+
 } // namespace
 } // namespace dsc::scenes

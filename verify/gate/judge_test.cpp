@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The gate's judgement on measurements that are known: what must fail fails.
+#include "checks.h"
+#include "limits.h"
+#include "report.h"
+#include "runs.h"
+
+#include "dsc/base/error.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+
+namespace dsc::gate {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+// A check that measures this, against a limit of 1.
+Row judged(double measured, bool at_least) {
+    const std::string path = testing::TempDir() + "one_limit.json";
+    std::ofstream(path) << R"({"limits": {"one": {"scene": {"value": 1, "note": "by hand"}}}})";
+    Check check;
+    check.name = "one";
+    check.at_least = at_least;
+    using Result = decltype(check.measure)::result_type;
+    check.measure = [measured](Runs&, const std::string&) { return Result{measured}; };
+    Runs runs;
+    return judge(check, "scene", Limits::read(path), runs);
+}
+
+TEST(Judge, HoldsMeasurementsToTheirLimit) {
+    for (const double good : {-1.0, 0.0, 0.999, 1.0}) {
+        EXPECT_TRUE(judged(good, false).pass) << good;
+    }
+    for (const double good : {1.0, 1.001, 10.0}) {
+        EXPECT_TRUE(judged(good, true).pass) << good;
+    }
+    EXPECT_FALSE(judged(1.001, false).pass);
+    EXPECT_FALSE(judged(0.999, true).pass);
+}
+
+TEST(Judge, FailsWhatIsNotANumber) {
+    EXPECT_FALSE(judged(none, false).pass);
+    EXPECT_FALSE(judged(none, true).pass);
+}
+
+TEST(Judge, FailsWhatCouldNotBeMeasured) {
+    Check check;
+    check.name = "one";
+    using Result = decltype(check.measure)::result_type;
+    check.measure = [](Runs&, const std::string&) -> Result {
+        throw InvariantError("it broke off");
+    };
+    const std::string path = testing::TempDir() + "one_limit.json";
+    std::ofstream(path) << R"({"limits": {"one": {"scene": {"value": 1, "note": "by hand"}}}})";
+    Runs runs;
+    const Row row = judge(check, "scene", Limits::read(path), runs);
+    EXPECT_FALSE(row.pass);
+    EXPECT_EQ(row.failure, "it broke off");
+}
+
+// Parallel runs of this scene differ from the sequential one, by any measure.
+TEST(Checks, TakeTheWorstOfTheParallelRuns) {
+    Runs runs;
+    for (const char* name : {"parallel_area_histogram", "parallel_quality_histogram"}) {
+        const Check& check = *select_checks({name}).front();
+        EXPECT_GT(check.measure(runs, "scaling"), 0.001) << name;
+    }
+}
+
+} // namespace
+} // namespace dsc::gate

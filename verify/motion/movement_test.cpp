@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// How far a vertex may go: as far as its star keeps a shape, and never to where rounding has turned
+// a triangle over.
+#include "dsc/motion/movement.h"
+
+#include "support/small_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dsc {
+namespace {
+
+// The least altitude over base of the triangles about vertex 0.
+double least_shape(const Complex<double>& complex) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        const auto v = complex.vertices_of(Triangle{t});
+        const Point<double> a = complex.position(v[1]);
+        const Point<double> b = complex.position(v[2]);
+        const double doubled = 2 * area<double>(complex.position(v[0]), a, b);
+        least = std::min(least, doubled / (b - a).squaredNorm());
+    }
+    return least;
+}
+
+MoveOutcome move_centre(Complex<double>& complex, const Point<double>& target) {
+    Ring<double> ring;
+    EXPECT_TRUE(gather(complex, Region{}, 0, ring));
+    return move_vertex(complex, whole_submesh(complex), ring, target.x(), target.y());
+}
+
+TEST(Movement, ReachesWhatLiesInItsStar) {
+    auto complex = test::hexagon<double>();
+    EXPECT_EQ(move_centre(complex, {0.3, 0.2}), MoveOutcome::reached);
+    EXPECT_EQ(complex.position(Vertex{0}), Point<double>(0.3, 0.2));
+}
+
+TEST(Movement, KeepsAltitudesOverBases) {
+    for (const double angle : {0.0, 0.3, 0.9, 2.0}) {
+        auto complex = test::hexagon<double>();
+        const Point<double> far(3 * std::cos(angle), 3 * std::sin(angle));
+        EXPECT_EQ(move_centre(complex, far), MoveOutcome::partly);
+        EXPECT_NEAR(least_shape(complex), altitude_floor, 1e-9);
+        // What is flat already may lose a part of it, each time.
+        const double before = least_shape(complex);
+        (void)move_centre(complex, far);
+        EXPECT_GE(least_shape(complex), altitude_keep * before * (1 - 1e-9));
+    }
+}
+
+// Where coordinates are whole numbers, a place between two of them is rounded to one, which may lie
+// beyond the edge.
+TEST(Movement, IsCertifiedWhereCoordinatesAreCoarse) {
+    constexpr double far = 4503599627370496.0; // 2^52: the spacing is 1
+    int partly = 0;
+    for (int x = -9; x <= 9; ++x) {
+        for (int y = -9; y <= 9; ++y) {
+            const std::vector<Point<double>> link{{5, 0},   {2, 4},   {-3, 4},
+                                                  {-5, -1}, {-2, -5}, {3, -4}};
+            std::vector<Point<double>> points{{far, far}};
+            std::vector<test::Indices> triangles;
+            for (std::uint32_t i = 0; i < 6; ++i) {
+                points.emplace_back(far + link[i].x(), far + link[i].y());
+                triangles.push_back({0, i + 1, (i + 1) % 6 + 1});
+            }
+            auto complex = test::build<double>(points, triangles, std::vector<Phase>(6, 0));
+            partly += move_centre(complex, {far + x, far + y}) == MoveOutcome::partly ? 1 : 0;
+            for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+                const auto v = complex.vertices_of(Triangle{t});
+                EXPECT_GT(orientation(complex.position(v[0]), complex.position(v[1]),
+                                      complex.position(v[2])),
+                          0)
+                    << x << ", " << y;
+            }
+        }
+    }
+    EXPECT_GT(partly, 20);
+}
+
+} // namespace
+} // namespace dsc

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The quick guard of the mesh update says what the guard of the collapse says, star by star.
+#include "support/small_meshes.h"
+
+#include "dsc/operations/edge_collapse.h"
+#include "dsc/operations/edge_flip.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+namespace dsc {
+namespace {
+
+// Grids whose diagonals are flipped at random: stars of all degrees, many of them not convex.
+Complex<double> tangled(unsigned seed) {
+    auto complex = test::grid<double>(10, 0.19, seed);
+    std::mt19937 random(seed);
+    for (int i = 0; i < 400; ++i) {
+        const auto number = static_cast<std::uint32_t>(random());
+        const std::uint32_t t = 1 + number % (complex.triangle_bound() - 1);
+        (void)edge_flip(complex, complex.edge(corner_of(t, number % 3)));
+    }
+    return complex;
+}
+
+TEST(StarCollapse, IsGuardedAsAnyCollapse) {
+    std::map<Verdict, int> verdicts;
+    Ring<double> ring;
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+        const auto complex = tangled(seed);
+        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+            if (!gather(complex, Region{}, v, ring) || !ring.closed || ring.size < 4) {
+                continue;
+            }
+            for (std::uint32_t i = 0; i < ring.size; ++i) {
+                const Verdict usual =
+                    edge_collapse_guard(complex, Region{}, prev(ring.corner[i]),
+                                        rewire::Vanishing::next, JunctionRule::kept);
+                // Inside one phase, with its whole star, only that can go wrong.
+                const bool is_plain = usual == Verdict::legal || usual == Verdict::inverts;
+                if (is_plain) {
+                    EXPECT_EQ(star_collapse_guard(complex, ring, i), usual)
+                        << "seed " << seed << ", vertex " << v << ", spoke " << i;
+                    ++verdicts[usual];
+                }
+            }
+        }
+    }
+    EXPECT_GT(verdicts[Verdict::legal], 1000);
+    EXPECT_GT(verdicts[Verdict::inverts], 1000);
+}
+
+TEST(StarCollapse, LeavesLockedVertices) {
+    auto complex = test::hexagon<double>();
+    complex.set_locked(Vertex{0}, true);
+    Ring<double> ring;
+    ASSERT_TRUE(gather(complex, Region{}, 0, ring));
+    EXPECT_EQ(star_collapse_guard(complex, ring, 0), Verdict::locked);
+}
+
+} // namespace
+} // namespace dsc

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// The rules of movement and mesh update, each on one star that calls for it alone.
+#include "support/honeycomb.h"
+#include "support/simulation_testing.h"
+#include "support/small_meshes.h"
+
+#include "dsc/operations/edge_split.h"
+#include "dsc/passes/mesh_update.h"
+#include "dsc/passes/move_vertices.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace dsc {
+namespace {
+
+using test::honeycomb;
+using test::options_for;
+
+// All but a disc about the context, a point.
+std::uint32_t is_near(const void* context, double x, double y) {
+    const auto& centre = *static_cast<const Point<double>*>(context);
+    return (Point<double>(x, y) - centre).norm() < 0.1 ? 1 : 0;
+}
+
+// The pass that looks at vertex 0 of a honeycomb.
+class AStar : public testing::Test {
+protected:
+    AStar() : work(complex, options) { work.epoch = 1; }
+
+    void leave_out(const Point<double>& centre) {
+        hole = centre;
+        work.submesh.region.kind = Region::Kind::places;
+        work.submesh.region.place = &is_near;
+        work.submesh.region.context = &hole;
+    }
+    void update() {
+        work.activate(0);
+        update_mesh(work);
+    }
+    bool is_put_off(DeferredKind kind) const {
+        return std::ranges::any_of(work.deferred.entries, [&](const Deferred<double>& one) {
+            return one.kind == kind && one.vertex == 0;
+        });
+    }
+
+    Complex<double> complex = honeycomb();
+    Options<double> options = options_for<double>(1);
+    Work<double> work;
+    Point<double> hole;
+};
+
+TEST_F(AStar, IsSmoothedToTheMiddle) {
+    complex.set_position(Vertex{0}, {0.5, 0.1});
+    update();
+    EXPECT_EQ(work.log.counts.smoothed, 1U);
+    EXPECT_LT(complex.position(Vertex{0}).norm(), 0.3);
+}
+
+TEST_F(AStar, IsNotSmoothedOutOfItsSubmesh) {
+    complex.set_position(Vertex{0}, {0.5, 0.1});
+    options.phases.smooth_quality = 0.9;
+    leave_out({0, 0});
+    update();
+    EXPECT_GE((complex.position(Vertex{0}) - hole).norm(), 0.1);
+    EXPECT_TRUE(is_put_off(DeferredKind::star));
+}
+
+TEST_F(AStar, OfPoorTrianglesIsCollapsed) {
+    options.phases.smooth_quality = 0;
+    options.phases.shortest = 0; // nothing is too short, nor too crowded: it is poor
+    options.phases.crowded = 0;
+    const Vertex far{complex.vertex(next(complex.vertices[0].corner))};
+    const SplitResult split = edge_split(complex, complex.find_edge(Vertex{0}, far),
+                                         Point<double>(0.1 * complex.position(far)));
+    ASSERT_EQ(split.verdict, Verdict::legal);
+    update();
+    EXPECT_EQ(work.log.counts.collapses, 1U);
+}
+
+TEST_F(AStar, MovesNoVertexOutOfItsSubmesh) {
+    leave_out({0.3, 0});
+    work.movers.push_back({0, 0.3, 0});
+    move_vertices(work);
+    EXPECT_EQ(complex.position(Vertex{0}), Point<double>(0, 0));
+    EXPECT_TRUE(work.movers.empty());
+    EXPECT_TRUE(is_put_off(DeferredKind::mover));
+}
+
+// Four by four squares; (i, j) has the id 5 j + i.
+TEST(Walls, AreLeftByNoVertex) {
+    auto complex = test::grid<double>(4);
+    auto options = options_for<double>(1);
+    Work<double> work(complex, options);
+    work.epoch = 1;
+    work.movers.push_back({2, 2.3, -0.7}); // in the middle of the lower side
+    work.movers.push_back({0, -0.5, 0.2}); // a corner of the domain
+    work.movers.push_back({10, 0.4, 2.2}); // in the middle of the left side
+    move_vertices(work);
+    EXPECT_EQ(complex.position(Vertex{2}), Point<double>(2.3, 0));
+    EXPECT_EQ(complex.position(Vertex{0}), Point<double>(0, 0));
+    EXPECT_EQ(complex.position(Vertex{10}), Point<double>(0, 2.2));
+}
+
+} // namespace
+} // namespace dsc

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What is computed on all lanes of a star at once is what each triangle and each edge says by
+// itself.
+#include "dsc/quality/ring_quality.h"
+
+#include "support/small_meshes.h"
+
+#include "dsc/quality/delaunay.h"
+#include "dsc/quality/measures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc {
+namespace {
+
+double squared_quality(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
+    const double its = quality<double>(a, b, c);
+    return its * std::abs(its);
+}
+
+// Every star of some jittered grids, those on the boundary as well, in turn: so that a large star
+// comes before a small one, and an open one before a closed one.
+template <class Look>
+void for_stars(Look look) {
+    Ring<double> ring;
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        const auto complex = test::grid<double>(7, 0.19, seed);
+        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+            ASSERT_TRUE(gather(complex, Region{}, v, ring));
+            look(complex, ring);
+        }
+    }
+}
+
+TEST(RingQuality, OfAStarIsThatOfItsWorstTriangle) {
+    for_stars([](const Complex<double>&, const Ring<double>& ring) {
+        const Point<double> centre(ring.x0, ring.y0);
+        double worst = 1;
+        double longest = 0;
+        double shortest = 1e9;
+        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+            const Point<double> at(ring.link_x(i), ring.link_y(i));
+            longest = std::max(longest, squared_distance<double>(centre, at));
+            shortest = std::min(shortest, squared_distance<double>(centre, at));
+            if (i < ring.size) {
+                const Point<double> beyond(ring.x_next[i], ring.y_next[i]);
+                worst = std::min(worst, squared_quality(centre, at, beyond));
+            }
+        }
+        const StarReport<double> star = examine(ring);
+        EXPECT_NEAR(star.quality, worst, 1e-12);
+        EXPECT_NEAR(worst_quality_squared(ring, ring.x0, ring.y0), worst, 1e-12);
+        EXPECT_EQ(star.longest, longest);
+        EXPECT_EQ(star.shortest, shortest);
+    });
+}
+
+TEST(RingQuality, AfterACollapseIsThatOfTheTrianglesThatRemain) {
+    for_stars([](const Complex<double>&, const Ring<double>& ring) {
+        if (!ring.closed || ring.size < 4) {
+            return;
+        }
+        for (std::uint32_t i = 0; i < ring.size; ++i) {
+            const Point<double> target(ring.x[i], ring.y[i]);
+            double worst = 1e9;
+            for (std::uint32_t j = 0; j < ring.size; ++j) {
+                const std::uint32_t beyond = (j + 1) % ring.size;
+                if (j != i && beyond != i) {
+                    worst = std::min(worst, squared_quality(target, {ring.x[j], ring.y[j]},
+                                                            {ring.x[beyond], ring.y[beyond]}));
+                }
+            }
+            EXPECT_NEAR(worst_quality_squared_after_collapse(ring, i), worst, 1e-12);
+        }
+    });
+}
+
+} // namespace
+} // namespace dsc
