@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// How a target goes from vertex to vertex: who is told of a change, and what a new vertex begins
+// with.
+#include "dsc/passes/size_upkeep.h"
+
+#include "support/honeycomb.h"
+#include "support/simulation_testing.h"
+
+#include "dsc/complex/ranges.h"
+#include "dsc/operations/edge_split.h"
+#include "dsc/sizes/measure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+class Told : public testing::Test {
+protected:
+    Told() {
+        options.sizes.growth = 1.3;
+        options.sizes.longest = 4;
+        options.sizes.by_place = [this](const Point<double>& p, double, Phase) {
+            return p.norm() < 0.1 ? at_origin : 4.0;
+        };
+        // All of it is inside one phase: nothing is on an interface but the walls.
+        for (const Triangle t : triangles(complex)) {
+            complex.set_phase(t, exterior_phase);
+        }
+        measure_sizes(complex, options.sizes, options.edge_length, 0.0);
+    }
+
+    // Who is told when the target at the origin has changed.
+    std::vector<std::uint32_t> told_of(double target) {
+        at_origin = target;
+        Work<double> work(complex, options);
+        SizeUpkeep<double> upkeep(work);
+        Ring<double> ring;
+        EXPECT_TRUE(gather(complex, Region{}, 0, ring));
+        EXPECT_NEAR(upkeep.follow(ring), target, 1e-12);
+        std::ranges::sort(work.resized);
+        return work.resized;
+    }
+
+    double at_origin = 4;
+    Complex<double> complex = test::honeycomb();
+    Options<double> options = test::options_for<double>(1);
+};
+
+TEST_F(Told, AreAllNeighboursOfATargetThatFalls) {
+    EXPECT_TRUE(told_of(4).empty());
+    EXPECT_EQ(told_of(2).size(), 6U);
+}
+
+TEST_F(Told, AreThoseWhomItHeldDownWhenItRises) {
+    at_origin = 1;
+    measure_sizes(complex, options.sizes, options.edge_length, 0.0);
+    const auto& field = size_field(complex);
+    Ring<double> ring;
+    ASSERT_TRUE(gather(complex, Region{}, 0, ring));
+    EXPECT_NEAR(field[Vertex{ring.link[0]}].length, 1.3, 1e-6);
+    EXPECT_EQ(told_of(1.5).size(), 6U);
+}
+
+TEST_F(Told, ANewVertexBeginsWithTheMeanOfTheEndsOfItsEdge) {
+    auto& field = size_field(complex);
+    const Edge edge = *edges(complex).begin();
+    const auto [a, b] = complex.vertices_of(edge);
+    field[a] = {.length = 1, .distance = 2};
+    field[b] = {.length = 3, .distance = 8};
+    const SplitResult split = edge_split(complex, edge);
+    ASSERT_EQ(split.verdict, Verdict::legal);
+    EXPECT_EQ(field[split.vertex].length, 2);
+    EXPECT_EQ(field[split.vertex].distance, 5);
+}
+
+} // namespace
+} // namespace dsc
