@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Runs the tests on a sample of mutants of lib/dsc (mutants.py), each by the programs that reach it.
 
-DIR/source is the copy with the switches and DIR/build its build, as verify/faults.sh makes them. A first
+DIR/source is the copy with the switches and DIR/build its build, which verify/faults.sh has made: sources
+get the switches of mutants in place of those of faults, and headers stay, so that little is compiled. A first
 pass without a mutant notes which switches each program comes by; a mutant that none does survives
 without a run. Results are kept in DIR/mutants.json as they come; DIR/mutants.md is the score by room and
 the list of survivors."""
@@ -17,6 +18,7 @@ import sys
 import threading
 import zlib
 
+import catalogue
 import mutants
 import overlay
 import programs
@@ -33,8 +35,9 @@ def targets():
 
 
 def write_copy(root, folder, sample):
-    """The sources with the switches of the sample, and of nothing else."""
-    overlay.make(root, folder / "source", [])
+    """The sources with the switches of the sample, and the headers with those of the faults."""
+    overlay.make(root, folder / "source",
+                 [fault for fault in catalogue.read_table() if fault.file.endswith(".h")])
     overlay.write_if_changed(folder / "source/lib/fault/mutant.h",
                              (root / "verify/faults/mutant.h.in").read_bytes())
     for file in sorted({mutant.file for mutant in sample}):

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace dsc {
 namespace {
@@ -27,7 +28,19 @@ template <class Look>
 void for_stars(Look look) {
     Ring<double> ring;
     for (unsigned seed = 1; seed <= 5; ++seed) {
-        const auto complex = test::grid<double>(7, 0.19, seed);
+        auto complex = test::grid<double>(7, 0.19, seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> slide(-0.3, 0.3);
+        for (std::uint32_t k = 1; k < 7; ++k) { // edges of several lengths along the sides too
+            for (const std::uint32_t v : {k, 56 + k}) {
+                complex.set_position(Vertex{v},
+                                     complex.position(Vertex{v}) + Point<double>(slide(random), 0));
+            }
+            for (const std::uint32_t v : {8 * k, 8 * k + 7}) {
+                complex.set_position(Vertex{v},
+                                     complex.position(Vertex{v}) + Point<double>(0, slide(random)));
+            }
+        }
         for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
             ASSERT_TRUE(gather(complex, Region{}, v, ring));
             look(complex, ring);
