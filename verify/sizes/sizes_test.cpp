@@ -178,6 +178,28 @@ TEST(Sizes, FollowTheTimeWhereTheyAreToldThatTheyChange) {
     EXPECT_GT(at(2), 4 * coarse);
 }
 
+// What changes where nothing moves is handed to those who own it.
+TEST_P(GradedMesh, FollowsTheTimeFarFromTheInterface) {
+    Complex<double> complex = small_disc();
+    Options<double> options = graded(1.5);
+    options.sizes.by_place = [](const Point<double>& p, double time, Phase) {
+        return time >= 1 && p.norm() < 0.2 ? 2 * h : 0.2;
+    };
+    options.sizes.changes_in_time = true;
+    auto simulation = make_simulation(complex, options, GetParam());
+    const auto still = test::constant<double>(1e-9, 0);
+    const auto in_the_corner = [&](double time, int steps) {
+        for (int i = 0; i < steps; ++i) {
+            simulation->step(still, time, 1e-3);
+        }
+        expect_whole(complex, *simulation);
+        return std::ranges::count_if(vertices(complex),
+                                     [&](Vertex v) { return complex.position(v).norm() < 0.15; });
+    };
+    const auto coarse = in_the_corner(0, 20);
+    EXPECT_GT(in_the_corner(2, 6), 3 * coarse);
+}
+
 TEST(Sizes, FloatWorksAsWell) {
     auto complex = test::disc_complex<float>(h, {0.5, 0.7}, 0.15);
     const auto before = complex.triangle_count();

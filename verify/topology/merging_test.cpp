@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace dsc {
@@ -67,6 +68,22 @@ TEST(Merging, LeavesEverythingInPlaceWhereAVertexIsLocked) {
     complex.set_locked(Vertex{0}, true);
     EXPECT_FALSE(merge(complex, false).is_valid());
     EXPECT_EQ(complex.vertex_count(), 8U);
+}
+
+// The curves from v to p and to f sweep a triangle each, of 0.1 along the abscissa and the height
+// of their other end.
+TEST(Merging, NotesTheAreaThatCurvesSweep) {
+    auto complex = with_sliver(0.1);
+    constexpr std::array<Phase, 9> phases{1, 2, 3, 3, 1, 3, 3, 4, 1};
+    for (std::uint32_t t = 0; t < 9; ++t) {
+        complex.set_phase(Triangle{t + 1}, phases[t]);
+    }
+    const TopologyOptions<double> options;
+    std::vector<Event> events;
+    TopologyWork<double> work{
+        .complex = complex, .options = options, .edge_length = 1, .time = 0, .events = events};
+    ASSERT_EQ(merge_ends(work, Vertex{0}, Vertex{1}, false), Vertex{1});
+    EXPECT_NEAR(work.swept, 0.1 * 1 / 2 + 0.1 * 0.5 / 2, 1e-12);
 }
 
 } // namespace

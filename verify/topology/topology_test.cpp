@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
@@ -240,6 +241,26 @@ TEST(Topology, TwoPhasesMeetWithoutMixing) {
     EXPECT_EQ(outlines(complex, 2).size(), 1U);
     EXPECT_EQ(grown.outlines, 1U);
     EXPECT_NEAR(area_of(complex, 1), area_of(complex, 2), 0.02 * area_of(complex, 1));
+}
+
+// The two triangles of the bridge go to the two sides, one each.
+TEST(Topology, AFilmThatOpensIsShared) {
+    auto complex = discs_nearby(2);
+    Simulation<double> simulation(complex, options());
+    std::vector<Edit> relabelled;
+    simulation.add_listener([&](std::span<const Edit> edits) {
+        std::ranges::copy_if(edits, std::back_inserter(relabelled),
+                             [](const Edit& edit) { return edit.kind == EditKind::relabel; });
+    });
+    std::vector<Event> events;
+    for (double time = 0; events.empty() && time < 0.05; time += 0.3 * h) {
+        events = simulation.step(grow(), time, 0.3 * h).events;
+    }
+    ASSERT_FALSE(events.empty());
+    ASSERT_GE(relabelled.size(), 2U);
+    EXPECT_NE(events.front().taken[0], events.front().taken[1]);
+    EXPECT_EQ(relabelled[0].made[1], events.front().taken[0]);
+    EXPECT_EQ(relabelled[1].made[1], events.front().taken[1]);
 }
 
 // In a flow that keeps areas what becomes thin is a filament, and is not cut.

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Which vertices a step names for the change of topology: all at which there is a thin triangle,
+// whoever owns them, also those that have just come into another submesh.
+#include "support/growing_discs.h"
+
+#include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/parallel/parallel.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/topology/suspicion.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+
+namespace dsc {
+namespace {
+
+using namespace test::growing_discs;
+
+// By a look at each of them.
+std::set<std::uint32_t> at_thin_triangles(const Complex<double>& complex, double contact) {
+    std::set<std::uint32_t> found;
+    Ring<double> ring;
+    for (const Vertex v : vertices(complex)) {
+        if (gather(complex, Region{}, v.id, ring) && !ring.one_phase &&
+            has_thin_triangle(ring, contact * contact)) {
+            found.insert(v.id);
+        }
+    }
+    return found;
+}
+
+// Two discs with a film between them that is thin and stays so, carried across all cuts.
+void expect_all_named(Complex<double>& complex, Executor<double>& executor) {
+    const Velocity<double> carry = [](auto positions, double, auto velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {1, 0.3};
+        }
+    };
+    std::size_t count = 0;
+    for (int step = 0; step < 40; ++step) {
+        executor.begin_step();
+        (void)executor.aim(carry, 0, 0.25 * h); // upkeep first: the mesh is as it was named
+        std::vector<Suspect<double>> suspects;
+        executor.take_suspects(suspects);
+        std::set<std::uint32_t> named;
+        for (const auto& suspect : suspects) {
+            if (suspect.is_thin) {
+                named.insert(suspect.vertex);
+            }
+        }
+        for (const std::uint32_t v : at_thin_triangles(complex, default_contact * h)) {
+            EXPECT_TRUE(named.contains(v)) << "step " << step << ", vertex " << v;
+            ++count;
+        }
+        (void)executor.move();
+        executor.end_step();
+    }
+    EXPECT_GT(count, 100U);
+}
+
+Complex<double> thin_film() {
+    auto complex = discs_nearby();
+    Simulation<double> simulation(complex, options(Topology::keep));
+    (void)run(complex, simulation, 0.0235);
+    return complex;
+}
+
+TEST(Suspects, AreAllThatAreThinSequentially) {
+    auto complex = thin_film();
+    auto thin = options();
+    thin.interface.coarsening = Coarsening::never;
+    SequentialExecutor<double> executor(complex, thin, default_algorithm<double>());
+    expect_all_named(complex, executor);
+}
+
+TEST(Suspects, AreAllThatAreThinInSubmeshes) {
+    for (const Division division : {Division::fixed, Division::cells}) {
+        auto complex = thin_film();
+        auto thin = options();
+        thin.interface.coarsening = Coarsening::never;
+        const auto executor = make_executor(
+            complex, thin,
+            Parallel{.division = division, .submeshes = 6, .always_all_threads = true});
+        expect_all_named(complex, *executor);
+    }
+}
+
+} // namespace
+} // namespace dsc
