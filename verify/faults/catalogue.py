@@ -17,6 +17,7 @@ where the switch is asked. Files that are not C++ are replaced as a whole while 
 import dataclasses
 import pathlib
 import tomllib
+import zlib
 
 KINDS = (
     "wrong algebra",
@@ -62,6 +63,11 @@ class Fault:
     @property
     def is_cpp(self):
         return self.file.endswith(CPP)
+
+    @property
+    def digest(self):
+        """Another one where the entry has been changed."""
+        return zlib.crc32("\n".join((self.file, self.form, self.original, self.faulty)).encode())
 
     @property
     def sought(self):

@@ -158,7 +158,7 @@ class Runner:
 
     def note(self, fault, entry):
         self.data["faults"][fault.name] = {"room": fault.room, "kind": fault.kind,
-                                           "says": fault.says, **entry}
+                                           "says": fault.says, "digest": fault.digest, **entry}
         self.save()
         caught = entry["caught_by"]
         print(f"{fault.name}: " + (f"{caught}, {entry['how']}, {entry['test']}" if caught else
@@ -178,6 +178,12 @@ def chosen(faults, arguments):
     return faults
 
 
+def is_due(fault, entry):
+    """Whether nothing has caught it yet, or what was caught was another fault of that name."""
+    return entry is None or entry["caught_by"] is None or \
+        entry.get("digest", fault.digest) != fault.digest
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=pathlib.Path, help="DIR")
@@ -195,8 +201,7 @@ def main():
             runner.usual(name)
     faults = chosen(catalogue.read_table(), arguments)
     known = runner.data["faults"]
-    due = [fault for fault in faults if arguments.only
-           or known.get(fault.name, {}).get("caught_by") is None]
+    due = [fault for fault in faults if arguments.only or is_due(fault, known.get(fault.name))]
     for own in (True, False):
         if own or arguments.all_tests:
             runner.try_all(due, own, arguments.jobs)
