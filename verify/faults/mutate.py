@@ -36,14 +36,12 @@ def targets():
 
 def write_copy(root, folder, sample):
     """The sources with the switches of the sample, and the headers with those of the faults."""
-    overlay.make(root, folder / "source",
-                 [fault for fault in catalogue.read_table() if fault.file.endswith(".h")])
-    overlay.write_if_changed(folder / "source/lib/fault/mutant.h",
-                             (root / "verify/faults/mutant.h.in").read_bytes())
+    instead = {"lib/fault/mutant.h": (root / "verify/faults/mutant.h.in").read_text("utf-8")}
     for file in sorted({mutant.file for mutant in sample}):
         mine = [mutant for mutant in sample if mutant.file == file]
-        text = mutants.with_switches((root / file).read_text(encoding="utf-8"), mine)
-        overlay.write_if_changed(folder / "source" / file, text.encode())
+        instead[file] = mutants.with_switches((root / file).read_text("utf-8"), mine)
+    in_headers = [fault for fault in catalogue.read_table() if fault.file.endswith(".h")]
+    overlay.make(root, folder / "source", in_headers, instead)
 
 
 def build(root, folder, sample, jobs):

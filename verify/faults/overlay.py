@@ -46,15 +46,21 @@ def write_if_changed(path, content):
     path.write_bytes(content)
 
 
-def make(source, target, faults):
-    """Brings the copy up to date with the sources and the faults."""
+def make(source, target, faults, instead=None):
+    """Brings the copy up to date with the sources and the faults; files of `instead`, by their path, have
+    that text there."""
+    instead = instead or {}
     by_file = {}
     for fault in faults:
         if fault.is_cpp:
             by_file.setdefault(fault.file, []).append(fault)
-    kept = {pathlib.Path(HEADER)}
+    kept = {pathlib.Path(file) for file in (HEADER, *instead)}
     write_if_changed(target / HEADER, (source / "verify/faults/fault.h.in").read_bytes())
+    for file, text in instead.items():
+        write_if_changed(target / file, text.encode())
     for file in files_of(source):
+        if str(file) in instead:
+            continue
         content = (source / file).read_bytes()
         if str(file) in by_file:
             content = with_switches(content.decode(), by_file.pop(str(file))).encode()
