@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Random shapes in random flows, now and then wild ones: whatever is asked, every step ends, and
 // ends with a valid complex. The seeds are fixed; DSC_FUZZ_SEEDS=N runs N scenes of each kind, and
-// DSC_FUZZ_FIRST says where to begin; with DSC_FUZZ_TOPOLOGY the topology changes in every scene and
-// not only in some. The scene that took the most CPU time is printed at the end.
+// DSC_FUZZ_FIRST says where to begin; with DSC_FUZZ_TOPOLOGY the topology changes in every scene
+// and not only in some. The scene that took the most CPU time is printed at the end.
+#include "support/random_options.h"
 #include "support/random_scene.h"
 #include "support/random_submeshes.h"
 
@@ -41,105 +42,6 @@ struct Drawn {
     std::uint64_t unreached = 0;
 };
 
-PhaseThresholds draw_phase(Dice& dice) {
-    PhaseThresholds thresholds;
-    thresholds.shortest = dice.in(0.0, 0.6);
-    // Shorter ones only make the mesh large.
-    thresholds.longest = std::max(0.8, 2.05 * thresholds.shortest) + dice.in(0.0, 1.5);
-    thresholds.crowded = dice.in(0.0, 2.0);
-    thresholds.collapse_quality = dice.in(0.0, 0.6);
-    thresholds.smooth_quality = dice.in(0.0, 1.0);
-    return thresholds;
-}
-
-// Numbers are drawn for some scenes only: most applications keep the defaults.
-InterfaceThresholds draw_interface(Dice& dice, std::ostream& words) {
-    InterfaceThresholds interface;
-    interface.coarsening = dice.one_of(coarsening_names);
-    interface.reading = dice.one_of(reading_names);
-    if (dice.chance(0.3)) {
-        interface.shortest = dice.in(0.0, 0.8);
-        interface.longest = 2.05 * interface.shortest + dice.in(0.1, 1.0);
-        interface.deviation = dice.in(0.0, 0.3);
-        interface.degenerate = dice.in(0.0, 10.0);
-    }
-    if (dice.chance(0.3)) {
-        interface.corner_degrees = dice.in(1.0, 180.0);
-    }
-    if (dice.chance(0.5)) {
-        interface.grading = dice.chance(0.3) ? 0.0 : dice.in(2.0, 8.0);
-        interface.turn_degrees = dice.chance(0.4) ? 0.0 : dice.in(1.0, 180.0);
-        interface.gap = dice.chance(0.4) ? 0.0 : dice.in(0.1, 4.0);
-        interface.finest = dice.in(0.05, 1.0);
-    }
-    words << ", coarsening " << to_string(interface.coarsening) << ", reading "
-          << to_string(interface.reading) << ", interface shortest " << interface.shortest
-          << " longest " << interface.longest << " deviation " << interface.deviation
-          << " degenerate " << interface.degenerate << " corner " << interface.corner_degrees
-          << " grading " << interface.grading << " turn " << interface.turn_degrees << " gap "
-          << interface.gap << " finest " << interface.finest;
-    return interface;
-}
-
-// Everything that an application can choose, each in the range that check_options allows.
-template <class Real>
-Options<Real> draw_options(Dice& dice, double h, std::ostream& words) {
-    Options<Real> options;
-    options.edge_length = static_cast<Real>(h);
-    options.integrator = dice.one_of(integrator_names);
-    options.insertion = dice.one_of(insertion_names);
-    options.tolerance = std::pow(10.0, dice.in(-7.0, -1.0));
-    options.interface = draw_interface(dice, words);
-    options.max_sub_steps = 60;
-    if (dice.chance(0.3)) {
-        options.phases = draw_phase(dice);
-    }
-    if (dice.chance(0.2)) {
-        options.per_phase = {draw_phase(dice), draw_phase(dice)};
-    }
-    if (dice.chance(0.3)) {
-        options.sub_step = dice.in(0.05, 2.0);
-        options.max_passes = dice.in(1, 32);
-        options.max_idle_passes = dice.in(1, 8);
-    }
-    if (dice.chance(0.3)) {
-        options.shuffle_seed = 17;
-    }
-    words << ", " << to_string(options.integrator) << " tolerance " << options.tolerance << ", "
-          << to_string(options.insertion) << ", sub-step " << options.sub_step << ", passes "
-          << options.max_passes << " idle " << options.max_idle_passes << ", shuffle "
-          << options.shuffle_seed;
-    return options;
-}
-
-// In half of the scenes the topology changes; from dice of its own, so that the rest of a scene is
-// what it was before topologies could change.
-template <class Real>
-void draw_topology(std::uint64_t seed, double h, TopologyOptions<Real>& topology,
-                   std::ostream& words) {
-    Dice dice(seed + 0x70b0UL);
-    const bool always = std::getenv("DSC_FUZZ_TOPOLOGY") != nullptr;
-    if (!dice.chance(0.5) && !always) {
-        return;
-    }
-    topology.rule = dice.one_of(topology_names);
-    if (always) {
-        topology.rule = Topology::change;
-    }
-    topology.opening = dice.one_of(opening_names);
-    topology.contact = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.05, 0.75) * h);
-    topology.least_area = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.1, 4.0) * h * h);
-    if (dice.chance(0.5)) {
-        topology.pairs.push_back({.one = 1,
-                                  .other = dice.chance(0.5) ? exterior_phase : 2U,
-                                  .rule = Topology::change,
-                                  .contact = static_cast<Real>(dice.in(0.05, 0.75) * h)});
-    }
-    topology.gives_back_area = dice.chance(0.5);
-    words << ", topology " << to_string(topology.rule) << " contact " << topology.contact
-          << " least area " << topology.least_area << " pairs " << topology.pairs.size();
-}
-
 // The log replayed gives the same mesh; of a mesh that has become invalid, the edits that it takes
 // to get there are kept in a file. What create and merge did is in no log.
 template <class Real>
@@ -169,8 +71,11 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
     const double h = dice.in(0.03, 0.07);
     auto complex = patches ? test::random_patches<Real>(dice, h, dice.in(2, 400))
                            : test::random_shapes<Real>(dice, h);
-    auto options = draw_options<Real>(dice, h, words);
-    draw_topology(seed, h, options.topology, words);
+    auto options = test::draw_options<Real>(dice, h, words);
+    // Of its own, so that the rest of a scene is what it was before topologies could change.
+    Dice topology_dice(seed + 0x70b0UL);
+    test::draw_topology(topology_dice, std::getenv("DSC_FUZZ_TOPOLOGY") != nullptr, h,
+                        options.topology, words);
     const auto wildness = wild ? dice.one_of(test::wildness_names) : Wildness::none;
     const RandomFlow flow(dice, 1, wildness);
     const Velocity<Real> velocity = flow.velocity<Real>();

@@ -14,6 +14,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace dsc::test {
@@ -22,11 +23,13 @@ namespace dsc::test {
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : engine_(seed) {}
+    /// Draws these bytes first, two at a time, and goes on as Dice(0) does: a fuzzer's dice.
+    explicit Dice(std::span<const std::uint8_t> loaded) : loaded_(loaded), engine_(0) {}
     double in(double low, double high) {
-        return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53);
+        return low + (high - low) * (static_cast<double>(draw() >> 11U) * 0x1p-53);
     }
     int in(int low, int high) {
-        return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+        return low + static_cast<int>(draw() % static_cast<std::uint64_t>(high - low + 1));
     }
     /// Two draws as arguments of one call would be made in the order that the compiler likes.
     Point<double> point(double low, double high) {
@@ -38,10 +41,20 @@ public:
     /// One of the values of an enum.
     template <class Enum, std::size_t n>
     Enum one_of(const EnumTable<Enum, n>& table) {
-        return table[engine_() % n].value;
+        return table[draw() % n].value;
     }
 
 private:
+    std::uint64_t draw() {
+        if (loaded_.size() < 2) {
+            return engine_();
+        }
+        const std::uint64_t two = loaded_[0] | static_cast<std::uint64_t>(loaded_[1]) << 8U;
+        loaded_ = loaded_.subspan(2);
+        return two * 0x0001000100010001U; // any of its bits are used
+    }
+
+    std::span<const std::uint8_t> loaded_;
     std::mt19937_64 engine_;
 };
 

@@ -13,6 +13,7 @@
 #include "scenes/file/outlines/pieces.h"
 #include "scenes/file/text_file.h"
 #include "scenes/run/start.h"
+#include "support/small_setup.h"
 
 #include <gtest/gtest.h>
 
@@ -116,22 +117,6 @@ private:
     std::mt19937_64 random_;
 };
 
-bool is_small(const Setup& setup, double h) {
-    const Point<double> size = setup.domain.high - setup.domain.low;
-    std::size_t points = 0;
-    double length = 0;
-    for (const Outline& outline : setup.outlines) {
-        points += outline.size();
-        length += perimeter(outline);
-    }
-    for (const dsc::Curve& curve : setup.curves) {
-        points += curve.points.size();
-        length += perimeter(curve.points);
-    }
-    return size.prod() / (h * h) < most_triangles_of_fuzz && points < most_outline_points &&
-           length / h < most_outline_points;
-}
-
 /// How many files were scenes, and how many of these became a complex.
 struct Outcome {
     int scenes = 0;
@@ -147,7 +132,7 @@ void read_and_prepare(const std::string& text, const std::filesystem::path& path
         std::vector<Point<double>> velocities(1);
         setup.flow[0].velocity(std::array{Point<double>(0.3, 0.4)}, 0.1, velocities);
     }
-    if (is_small(setup, scene.defaults.h)) {
+    if (test::is_small(setup, scene.defaults.h, most_triangles_of_fuzz, most_outline_points)) {
         const auto complex = first_complex<double>(setup, scene.defaults);
         ASSERT_EQ(validate(complex).problem, "");
         ++outcome.complexes;

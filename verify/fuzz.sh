@@ -1,0 +1,134 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Searches for inputs that break a promise of the library: builds the preset fuzz, then lets libFuzzer
+# search from the corpus and from what earlier searches have kept. See verify/fuzz/target.h.
+set -euo pipefail
+
+usage() {
+    cat <<'USAGE'
+usage: verify/fuzz.sh [TARGET|all] [SECONDS] [libFuzzer options]
+       verify/fuzz.sh --total
+  TARGET    a folder of verify/fuzz/corpus; all (the default): one after the other
+  SECONDS   of search in each, 60 unless given
+  --total   the sums of all searches so far, by target
+New inputs are kept in build/fuzz/search/TARGET/inputs, findings beside them with the sentence of how to
+run them again, and a line for each search in build/fuzz/search/searches.txt. Installs missing Debian
+packages as root or through sudo. DSC_JOBS sets the number of jobs of the build.
+Exit code: 0 nothing was found, 1 something was, 2 nothing was run.
+USAGE
+}
+
+search=build/fuzz/search
+program=build/fuzz/verify/fuzz/dsc_fuzz
+
+print_total() {
+    awk 'BEGIN { printf "%-12s %8s %12s %14s %8s %8s\n", "target", "searches", "inputs",
+                        "operations", "CPU h", "findings" }
+         !/^#/ { n[$1] += 1; i[$1] += $2; o[$1] += $3; c[$1] += $4; f[$1] += $8 }
+         END { for (t in n) { row(t, n[t], i[t], o[t], c[t], f[t]); N += n[t]; I += i[t]; O += o[t]
+                              C += c[t]; F += f[t] }
+               row("all", N, I, O, C, F) }
+         function row(t, n, i, o, c, f) {
+             printf "%-12s %8d %12d %14d %8.2f %8d\n", t, n, i, o, c / 3600, f }' \
+        "$search/searches.txt"
+}
+
+if [[ ${1-} == -h || ${1-} == --help ]]; then
+    usage
+    exit 0
+fi
+
+# shellcheck source=verify/setup.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
+
+if [[ ${1-} == --total ]]; then
+    [[ -f $search/searches.txt ]] || give_up "there has been no search yet"
+    print_total
+    exit 0
+fi
+
+target=${1:-all}
+seconds=${2:-60}
+fuzzer_options=("${@:3}")
+corpus=verify/fuzz/corpus
+if [[ $target == all ]]; then
+    mapfile -t chosen < <(ls "$corpus")
+else
+    chosen=("$target")
+fi
+if [[ ! -d $corpus/${chosen[0]} ]]; then
+    give_up "unknown target '$target'; allowed: all, $(ls -m "$corpus")"
+fi
+if [[ ! $seconds =~ ^[1-9][0-9]*$ ]]; then
+    give_up "not a number of seconds: '$seconds'"
+fi
+
+install_packages "${build_packages[@]}" "${tsan_packages[@]}"
+say "building preset fuzz with $jobs jobs"
+quietly cmake --preset fuzz
+quietly cmake --build build/fuzz --parallel "$jobs" --target dsc_fuzz
+
+symbolizer=$(command -v llvm-symbolizer-14 || true)
+export ASAN_OPTIONS="${symbolizer:+external_symbolizer_path=$symbolizer:}detect_stack_use_after_return=1"
+export UBSAN_OPTIONS="${symbolizer:+external_symbolizer_path=$symbolizer:}print_stacktrace=1"
+export OMP_WAIT_POLICY=passive
+
+# The number that libFuzzer's last line of progress has behind a word.
+last_after() { # last_after WORD LOG
+    grep -o " $1 [0-9]*" "$2" | tail -n 1 | grep -o '[0-9]*$' || echo 0
+}
+
+found=0
+search_in() { # search_in TARGET
+    local folder=$search/$1 options=()
+    local log=$folder/log.txt before after cpu inputs operations findings
+    mkdir -p "$folder/inputs" "$folder/findings"
+    if [[ -f verify/fuzz/dictionaries/$1.txt ]]; then
+        options+=("-dict=verify/fuzz/dictionaries/$1.txt")
+    fi
+    local corpora=("$folder/inputs" "$corpus/$1")
+    if [[ $1 == scene_file ]]; then
+        corpora+=(lib/scenes/examples)
+    fi
+    rm -f "$folder/tally.txt"
+    before=$(find "$folder/findings" -type f | wc -l)
+    say "searching in $1 for $seconds s"
+    # No input may take ten seconds or a gigabyte: that is a finding too.
+    TIMEFORMAT='%U %S'
+    cpu=$({ time DSC_FUZZ_TARGET=$1 DSC_FUZZ_TALLY=$folder/tally.txt "$program" -max_total_time="$seconds" -timeout=10 \
+        -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 \
+        -artifact_prefix="$folder/findings/" "${options[@]}" "${fuzzer_options[@]}" \
+        "${corpora[@]}" >"$log" 2>&1 || true; } 2>&1)
+    cpu=$(awk '{ print $1 + $2 }' <<<"$cpu")
+    after=$(find "$folder/findings" -type f | wc -l)
+    findings=$((after - before))
+    read -r inputs operations < <(cat "$folder/tally.txt" 2>/dev/null || echo 0 0)
+    local seed coverage features
+    seed=$(grep -o 'Seed: [0-9]*' "$log" | grep -o '[0-9]*$' || echo unknown)
+    coverage=$(last_after cov: "$log")
+    features=$(last_after ft: "$log")
+    if [[ ! -f $search/searches.txt ]]; then
+        echo "# target inputs operations CPU_s seed edges_covered features findings" \
+            >"$search/searches.txt"
+    fi
+    echo "$1 $inputs $operations $cpu $seed $coverage $features $findings" >>"$search/searches.txt"
+    echo "$1: $inputs inputs, $operations operations in $cpu s of CPU time; seed $seed;" \
+        "$coverage edges of the program covered, $features features; findings: $findings"
+    if [[ $findings -gt 0 || $inputs -eq 0 ]]; then
+        found=1
+        grep -m 1 -A 12 -E 'finding:|ERROR:|runtime error:' "$log" || tail -n 5 "$log"
+    fi
+    if [[ $findings -gt 0 ]]; then
+        local file
+        for file in "$folder"/findings/*; do
+            echo "again:   DSC_FUZZ_TARGET=$1 $program -timeout=10 -rss_limit_mb=2048 $file"
+            echo "smaller: DSC_FUZZ_TARGET=$1 $program -minimize_crash=1 -max_total_time=60" \
+                "-exact_artifact_path=$file.small $file"
+        done
+    fi
+}
+
+for one in "${chosen[@]}"; do
+    search_in "$one"
+done
+exit "$found"

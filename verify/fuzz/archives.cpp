@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// What the library has written and reads back: any bytes in its place end with a result or a
+// FileError. The bytes of a simulation that are read, however damaged, make a valid complex.
+#include "fuzz/bytes.h"
+#include "fuzz/target.h"
+#include "support/random_scene.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/base/archive.h"
+#include "dsc/base/error.h"
+#include "dsc/io/edit_file.h"
+#include "dsc/io/sealed_file.h"
+#include "dsc/parallel/parallel.h"
+#include "dsc/queries/validate.h"
+#include "scenes/run/checkpoint.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace dsc::fuzz {
+
+namespace {
+
+// A file in a folder of this process, which is removed at the end.
+class Scratch {
+public:
+    Scratch()
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("dsc_fuzz_" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    Scratch(Scratch&&) = delete;
+    Scratch& operator=(Scratch&&) = delete;
+
+    [[nodiscard]] std::string path() const { return (folder_ / "file").string(); }
+    [[nodiscard]] std::string with(const std::string& bytes) const {
+        std::ofstream(path(), std::ios::binary) << bytes;
+        return path();
+    }
+
+private:
+    std::filesystem::path folder_;
+};
+
+const Scratch& scratch() {
+    static const Scratch one;
+    return one;
+}
+
+template <class Read>
+std::uint64_t end_or_refuse(Read read) {
+    try {
+        read();
+        return 1;
+    } catch (const FileError& error) {
+        expect(!error.path().empty(), std::string("an error without a path: ") + error.what());
+    }
+    return 0;
+}
+
+Velocity<double> steady_flow() {
+    return [](auto positions, double, auto velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {0.3, positions[i].x() - 0.5};
+        }
+    };
+}
+
+// The disc whose simulation is written to the corpus, and read back here.
+std::unique_ptr<Simulation<double>> small_simulation(Complex<double>& complex, bool in_cells) {
+    Options<double> options;
+    options.edge_length = 0.2;
+    options.max_sub_steps = 3;
+    complex = test::disc_complex<double>(0.2);
+    return in_cells ? std::make_unique<Simulation<double>>(
+                          complex, options, Parallel{.division = Division::cells, .submeshes = 2})
+                    : std::make_unique<Simulation<double>>(complex, options);
+}
+
+const std::string& written_simulation(bool in_cells) {
+    static const auto write = [](bool cells) {
+        Complex<double> complex;
+        const auto simulation = small_simulation(complex, cells);
+        simulation->step(steady_flow(), 0, 0.05);
+        Archive archive;
+        simulation->archive(archive);
+        return archive.bytes();
+    };
+    static const std::string sequential = write(false);
+    static const std::string of_cells = write(true);
+    return in_cells ? of_cells : sequential;
+}
+
+// Four bytes of the decoder for each place that is changed.
+std::string damaged(std::string bytes, Bytes& decoder) {
+    while (!decoder.empty() && !bytes.empty()) {
+        const std::size_t at = decoder.below(65536) % bytes.size();
+        const std::uint32_t how = decoder.below(8);
+        const std::uint8_t value = decoder.byte();
+        if (how < 4) {
+            bytes[at] = static_cast<char>(value);
+        } else if (how < 6) {
+            bytes[at] = static_cast<char>(bytes[at] + 1 - 2 * (value % 2));
+        } else if (how == 6) {
+            bytes.erase(at, 1U + value);
+        } else {
+            bytes.insert(at, 1 + value % 16, static_cast<char>(value));
+        }
+    }
+    return bytes;
+}
+
+void read_simulation(Bytes& decoder, bool in_cells) {
+    const std::string bytes = damaged(written_simulation(in_cells), decoder);
+    Complex<double> complex;
+    const auto simulation = small_simulation(complex, in_cells);
+    Archive archive(bytes, "simulation");
+    simulation->archive(archive);
+    archive.expect_end();
+    std::string problem = validate(complex).problem;
+    expect(problem.empty(), "an archive that was read: " + problem);
+    simulation->step(steady_flow(), 0.05, 0.05);
+    problem = validate(complex).problem;
+    expect(problem.empty(), "a step after an archive that was read: " + problem);
+}
+
+} // namespace
+
+std::uint64_t run_archives(std::span<const std::uint8_t> bytes) {
+    Bytes decoder(bytes);
+    const std::uint32_t kind = decoder.below(6);
+    if (kind < 2) {
+        return end_or_refuse([&] { read_simulation(decoder, kind == 1); });
+    }
+    const std::string text = decoder.text();
+    return end_or_refuse([&] {
+        switch (kind) {
+        case 2: (void)read_sealed(scratch().with(text), {"dsc-run", 1}); break;
+        case 3: // sealed, so that the checksum does not stop it
+            write_sealed(scratch().path(), {"dsc-run", 1}, text);
+            (void)scenes::read_checkpoint(scratch().path());
+            break;
+        case 4: (void)read_edits(scratch().with(text)); break;
+        default: {
+            Archive archive(text, "archive");
+            std::map<std::string, std::vector<std::optional<std::pair<bool, std::string>>>> map;
+            std::variant<double, int, std::uint64_t, std::string> value;
+            archive(map, value);
+            archive.expect_end();
+        }
+        }
+    });
+}
+
+} // namespace dsc::fuzz

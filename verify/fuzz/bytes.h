@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Decodes the bytes of a fuzzer into numbers. After the last byte everything is 0, so that a
+// shorter input means the same as a longer one that ends with zeros.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace dsc::fuzz {
+
+class Bytes {
+public:
+    explicit Bytes(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
+
+    [[nodiscard]] bool empty() const { return rest_.empty(); }
+    std::uint8_t byte() {
+        if (rest_.empty()) {
+            return 0;
+        }
+        const std::uint8_t first = rest_.front();
+        rest_ = rest_.subspan(1);
+        return first;
+    }
+    /// 0 to `bound` - 1, from one byte where that is enough and otherwise from two.
+    std::uint32_t below(std::uint32_t bound) {
+        std::uint32_t value = byte();
+        if (bound > 256) {
+            value = value << 8U | byte();
+        }
+        return bound == 0 ? 0 : value % bound;
+    }
+    /// From one byte: low, high, or one of 254 numbers between them.
+    double in(double low, double high) { return low + (high - low) * byte() / 255; }
+    /// All that is left.
+    std::string text() {
+        std::string all(rest_.begin(), rest_.end());
+        rest_ = {};
+        return all;
+    }
+
+private:
+    std::span<const std::uint8_t> rest_;
+};
+
+} // namespace dsc::fuzz

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// The texts that a scene is made of: each ends with what it describes, or with an error that says
+// in one line where it is wrong and what is allowed.
+#include "fuzz/bytes.h"
+#include "fuzz/target.h"
+#include "support/small_setup.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/base/error.h"
+#include "dsc/queries/validate.h"
+#include "scenes/file/describe.h"
+#include "scenes/file/formula/formula_flow.h"
+#include "scenes/file/grid/grid_files.h"
+#include "scenes/file/outlines/pieces.h"
+#include "scenes/file/scene_file.h"
+#include "scenes/run/start.h"
+
+#include <array>
+#include <memory>
+
+namespace dsc::fuzz {
+
+namespace {
+
+using scenes::GridInterpolation;
+
+// The complex is made of scenes up to this size, and a step is tried.
+constexpr double most_triangles = 2'000;
+constexpr std::size_t most_points = 1'000;
+
+template <class Read>
+std::uint64_t end_or_refuse(Read read) {
+    try {
+        read();
+        return 1;
+    } catch (const InputError& error) {
+        expect(!error.where().empty() && !error.problem().empty() && !error.allowed().empty(),
+               std::string("an error without where, what or allowed: ") + error.what());
+        expect(std::string(error.what()).find('\n') == std::string::npos,
+               std::string("an error of several lines: ") + error.what());
+    } catch (const FileError& error) {
+        expect(!error.path().empty(), std::string("an error without a path: ") + error.what());
+    }
+    return 0;
+}
+
+void check_finite_or_closed(const std::vector<scenes::Piece>& pieces) {
+    for (const scenes::Piece& piece : pieces) {
+        for (const Point<double>& p : piece.points) {
+            expect(p.allFinite(), "a point that was read is not finite");
+        }
+    }
+    if (pieces.size() < 20) {
+        expect(scenes::nesting(pieces).size() == pieces.size(), "pieces without a nesting");
+    }
+}
+
+void evaluate(const scenes::GridField& field) {
+    constexpr double far = 1e300;
+    std::array<Point<double>, 4> at{Point<double>(0, 0), Point<double>(0.3, 0.7),
+                                    Point<double>(-far, far), Point<double>(1e-300, 1)};
+    std::array<Point<double>, 4> velocities;
+    for (const double time : {0.0, 0.5, -far, far}) {
+        field(at, time, velocities);
+    }
+}
+
+void run_steps_of(const scenes::Scene& scene, const scenes::Setup& setup) {
+    Complex<double> complex = scenes::first_complex<double>(setup, scene.defaults);
+    expect(validate(complex).ok(), "the first complex: " + validate(complex).problem);
+    if (setup.flow.empty()) {
+        return;
+    }
+    auto options = scenes::scene_options<double>(setup, scene.defaults);
+    options.max_sub_steps = 3; // a text may ask for any speed
+    Simulation<double> simulation(complex, options);
+    simulation.step(setup.flow[0].velocity, 0, setup.dt);
+    expect(validate(complex).ok(), "after a step: " + validate(complex).problem);
+}
+
+} // namespace
+
+std::uint64_t run_scene_file(std::span<const std::uint8_t> bytes) {
+    const std::string text = Bytes(bytes).text();
+    return end_or_refuse([&] {
+        // Beside the examples, whose files a text may name.
+        const auto file = scenes::read_scene_text(text, DSC_EXAMPLES "/fuzzed.toml");
+        const scenes::Setup setup = file.scene.prepare(file.scene.defaults);
+        (void)scenes::describe(file.scene, file.scene.defaults);
+        if (test::is_small(setup, file.scene.defaults.h, most_triangles, most_points)) {
+            run_steps_of(file.scene, setup);
+        }
+    });
+}
+
+std::uint64_t run_outlines(std::span<const std::uint8_t> bytes) {
+    Bytes decoder(bytes);
+    const std::uint32_t kind = decoder.below(4);
+    const std::string text = decoder.text();
+    return end_or_refuse([&] {
+        switch (kind) {
+        case 0: check_finite_or_closed(scenes::read_points(text, true, "file")); break;
+        case 1: check_finite_or_closed(scenes::read_points(text, false, "file")); break;
+        case 2: check_finite_or_closed(scenes::read_geojson(text, "file")); break;
+        default: check_finite_or_closed(scenes::read_svg_path(text, 1e-3, 0.1, "file")); break;
+        }
+    });
+}
+
+std::uint64_t run_grids(std::span<const std::uint8_t> bytes) {
+    Bytes decoder(bytes);
+    const std::uint8_t kind = decoder.byte();
+    const std::string text = decoder.text();
+    return end_or_refuse([&] {
+        const std::vector<double> times =
+            (kind & 2U) == 0 ? std::vector<double>{} : std::vector<double>{0, 1};
+        scenes::GridValues values = (kind & 1U) == 0 ? scenes::read_npy(text, times, "file")
+                                                     : scenes::read_grid_csv(text, "file");
+        evaluate(scenes::GridField(
+            std::move(values),
+            (kind & 4U) == 0 ? GridInterpolation::linear : GridInterpolation::cubic, "file"));
+    });
+}
+
+std::uint64_t run_formulas(std::span<const std::uint8_t> bytes) {
+    const std::string text = Bytes(bytes).text();
+    return end_or_refuse([&] {
+        const scenes::FormulaFlow flow({.u = text, .v = "x", .where_u = "file"});
+        std::vector<Point<double>> velocities(3, {0.25, 4});
+        flow(velocities, 0.5, velocities);
+        // The result for a position does not depend on the batch.
+        std::vector<Point<double>> alone(1, {0.25, 4});
+        flow(alone, 0.5, alone);
+        const double one = alone[0].x();
+        const double three = velocities[2].x();
+        expect(one == three || (one != one && three != three), "depends on the batch");
+    });
+}
+
+} // namespace dsc::fuzz

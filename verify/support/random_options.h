@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Random options for the tests of the whole method, from the lists of all values that stand beside
+// the enums: a value that is added there is drawn from then on.
+#pragma once
+
+#include "random_scene.h"
+
+#include "dsc/passes/options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+namespace dsc::test {
+
+inline PhaseThresholds draw_phase(Dice& dice) {
+    PhaseThresholds thresholds;
+    thresholds.shortest = dice.in(0.0, 0.6);
+    // Shorter ones only make the mesh large.
+    thresholds.longest = std::max(0.8, 2.05 * thresholds.shortest) + dice.in(0.0, 1.5);
+    thresholds.crowded = dice.in(0.0, 2.0);
+    thresholds.collapse_quality = dice.in(0.0, 0.6);
+    thresholds.smooth_quality = dice.in(0.0, 1.0);
+    return thresholds;
+}
+
+/// Numbers are drawn for some scenes only: most applications keep the defaults.
+inline InterfaceThresholds draw_interface(Dice& dice, std::ostream& words) {
+    InterfaceThresholds interface;
+    interface.coarsening = dice.one_of(coarsening_names);
+    interface.reading = dice.one_of(reading_names);
+    if (dice.chance(0.3)) {
+        interface.shortest = dice.in(0.0, 0.8);
+        interface.longest = 2.05 * interface.shortest + dice.in(0.1, 1.0);
+        interface.deviation = dice.in(0.0, 0.3);
+        interface.degenerate = dice.in(0.0, 10.0);
+    }
+    if (dice.chance(0.3)) {
+        interface.corner_degrees = dice.in(1.0, 180.0);
+    }
+    if (dice.chance(0.5)) {
+        interface.grading = dice.chance(0.3) ? 0.0 : dice.in(2.0, 8.0);
+        interface.turn_degrees = dice.chance(0.4) ? 0.0 : dice.in(1.0, 180.0);
+        interface.gap = dice.chance(0.4) ? 0.0 : dice.in(0.1, 4.0);
+        interface.finest = dice.in(0.05, 1.0);
+    }
+    words << ", coarsening " << to_string(interface.coarsening) << ", reading "
+          << to_string(interface.reading) << ", interface shortest " << interface.shortest
+          << " longest " << interface.longest << " deviation " << interface.deviation
+          << " degenerate " << interface.degenerate << " corner " << interface.corner_degrees
+          << " grading " << interface.grading << " turn " << interface.turn_degrees << " gap "
+          << interface.gap << " finest " << interface.finest;
+    return interface;
+}
+
+/// Everything that an application can choose, each in the range that check_options allows.
+template <class Real>
+Options<Real> draw_options(Dice& dice, double h, std::ostream& words) {
+    Options<Real> options;
+    options.edge_length = static_cast<Real>(h);
+    options.integrator = dice.one_of(integrator_names);
+    options.insertion = dice.one_of(insertion_names);
+    options.tolerance = std::pow(10.0, dice.in(-7.0, -1.0));
+    options.interface = draw_interface(dice, words);
+    options.max_sub_steps = 60;
+    if (dice.chance(0.3)) {
+        options.phases = draw_phase(dice);
+    }
+    if (dice.chance(0.2)) {
+        options.per_phase = {draw_phase(dice), draw_phase(dice)};
+    }
+    if (dice.chance(0.3)) {
+        options.sub_step = dice.in(0.05, 2.0);
+        options.max_passes = dice.in(1, 32);
+        options.max_idle_passes = dice.in(1, 8);
+    }
+    if (dice.chance(0.3)) {
+        options.shuffle_seed = 17;
+    }
+    words << ", " << to_string(options.integrator) << " tolerance " << options.tolerance << ", "
+          << to_string(options.insertion) << ", sub-step " << options.sub_step << ", passes "
+          << options.max_passes << " idle " << options.max_idle_passes << ", shuffle "
+          << options.shuffle_seed;
+    return options;
+}
+
+/// In half of the scenes the topology changes, or always.
+template <class Real>
+void draw_topology(Dice& dice, bool always, double h, TopologyOptions<Real>& topology,
+                   std::ostream& words) {
+    if (!dice.chance(0.5) && !always) {
+        return;
+    }
+    topology.rule = dice.one_of(topology_names);
+    if (always) {
+        topology.rule = Topology::change;
+    }
+    topology.opening = dice.one_of(opening_names);
+    topology.contact = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.05, 0.75) * h);
+    topology.least_area = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.1, 4.0) * h * h);
+    if (dice.chance(0.5)) {
+        topology.pairs.push_back({.one = 1,
+                                  .other = dice.chance(0.5) ? exterior_phase : 2U,
+                                  .rule = Topology::change,
+                                  .contact = static_cast<Real>(dice.in(0.05, 0.75) * h)});
+    }
+    topology.gives_back_area = dice.chance(0.5);
+    words << ", topology " << to_string(topology.rule) << " contact " << topology.contact
+          << " least area " << topology.least_area << " pairs " << topology.pairs.size();
+}
+
+} // namespace dsc::test
