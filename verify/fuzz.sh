@@ -93,9 +93,10 @@ search_in() { # search_in TARGET
     rm -f "$folder/tally.txt"
     before=$(find "$folder/findings" -type f | wc -l)
     say "searching in $1 for $seconds s"
-    # No input may take ten seconds or a gigabyte: that is a finding too.
+    # No input may take ten seconds or a gigabyte: that is a finding too. These are seconds of the clock;
+    # on a busy machine, a later -timeout=60 counts.
     TIMEFORMAT='%U %S'
-    cpu=$({ time DSC_FUZZ_TARGET=$1 DSC_FUZZ_TALLY=$folder/tally.txt "$program" -max_total_time="$seconds" -timeout=10 \
+    cpu=$({ time DSC_FUZZ_TARGET=$1 DSC_FUZZ_TALLY=$folder/tally.txt "$program" -max_total_time="$seconds" -timeout=10 -report_slow_units=1000 \
         -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 \
         -artifact_prefix="$folder/findings/" "${options[@]}" "${fuzzer_options[@]}" \
         "${corpora[@]}" >"$log" 2>&1 || true; } 2>&1)

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: MIT
+// Coordinates are only names of places, so what happens must not depend on them. The same mesh and
+// flow, scaled by powers of two in space and time, give the same bits up to that map, by every
+// strategy: lengths are never compared with absolute numbers. Turned by 90 degrees they do where
+// nothing is ordered by coordinates. For each of the others a test says why bits differ, and how
+// far the interface may lie from the image of the other one.
+#include "support/random_scene.h"
+#include "support/simulation_testing.h"
+#include "support/ways.h"
+
+#include "dsc/algebra/mesh_functions.h"
+#include "dsc/complex/ranges.h"
+#include "measures/hausdorff.h"
+#include "measures/interface_outlines.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+
+namespace dsc {
+namespace {
+
+using test::Way;
+
+/// p becomes scale * turned p + shift; a time t becomes t * time_scale.
+struct Map {
+    std::string name;
+    double scale = 1;
+    double time_scale = 1;
+    bool turns = false; ///< by 90 degrees, counter-clockwise
+    bool mirrors = false;
+    Point<double> shift{0.0, 0.0};
+
+    [[nodiscard]] Point<double> vector(const Point<double>& v) const {
+        const Point<double> turned = turns ? Point<double>(-v.y(), v.x()) : v;
+        return scale * (mirrors ? Point<double>(-turned.x(), turned.y()) : turned);
+    }
+    [[nodiscard]] Point<double> point(const Point<double>& p) const { return vector(p) + shift; }
+    [[nodiscard]] Point<double> back(const Point<double>& p) const {
+        Point<double> q = (p - shift) / scale;
+        q = mirrors ? Point<double>(-q.x(), q.y()) : q;
+        return turns ? Point<double>(q.y(), -q.x()) : q;
+    }
+};
+
+// The same ids; make_complex turns the triangles of a mirror image around.
+Complex<double> mapped(const Complex<double>& complex, const Map& map) {
+    std::vector<Point<double>> points;
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        points.push_back(map.point(complex.position(Vertex{v})));
+    }
+    std::vector<std::array<std::uint32_t, 3>> corners;
+    std::vector<Phase> phases;
+    for (const Triangle t : triangles(complex)) {
+        corners.push_back(complex.triangles[t.id].v);
+        phases.push_back(complex.phase(t));
+    }
+    return make_complex<double>(points, corners, phases);
+}
+
+Options<double> mapped(Options<double> options, const Map& map) {
+    options.edge_length *= map.scale;
+    options.topology.contact *= map.scale;
+    options.topology.least_area *= map.scale * map.scale;
+    options.sizes.longest *= map.scale;
+    return options;
+}
+
+struct Case {
+    std::string name;
+    std::function<Complex<double>()> complex;
+    Options<double> options;
+    std::function<Point<double>(const Point<double>& p, double time)> velocity;
+    double dt = 0.01;
+    int steps = 12;
+};
+
+Velocity<double> mapped(const Case& one, const Map& map) {
+    return [velocity = one.velocity, map](auto positions, double time, auto velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = map.vector(velocity(map.back(positions[i]), time / map.time_scale)) /
+                            map.time_scale;
+        }
+    };
+}
+
+Options<double> options_of(double h) {
+    Options<double> options;
+    options.edge_length = h;
+    return options;
+}
+
+Point<double> swirl(const Point<double>& p, double) {
+    constexpr double pi = std::numbers::pi;
+    return {std::pow(std::sin(pi * p.x()), 2) * std::sin(2 * pi * p.y()),
+            -std::pow(std::sin(pi * p.y()), 2) * std::sin(2 * pi * p.x())};
+}
+
+// Two discs that grow into each other, and their own centres.
+Point<double> apart(const Point<double>& p, double) {
+    return (p - Point<double>(p.x() < 0.5 ? 0.3 : 0.7, 0.5)).normalized();
+}
+
+Complex<double> two_discs() {
+    const std::vector<Shape> shapes{{test::circle_points({0.3, 0.5}, 0.15, 32), 1},
+                                    {test::circle_points({0.7, 0.5}, 0.15, 32), 2}};
+    return initial_complex<double>({}, shapes, {.edge_length = 0.03});
+}
+
+Case swirled() {
+    return {.name = "swirl",
+            .complex =
+                [] {
+                    return test::disc_complex<double>(0.03, {0.5, 0.7}, 0.15);
+                },
+            .options = options_of(0.03),
+            .velocity = swirl};
+}
+
+Case merged() {
+    Case one{
+        .name = "merging", .complex = two_discs, .options = options_of(0.03), .velocity = apart};
+    one.options.topology.rule = Topology::change;
+    one.options.topology.contact = 0.02;
+    one.options.topology.gives_back_area = true;
+    return one;
+}
+
+Case graded() {
+    Case one = swirled();
+    one.name = "graded";
+    one.options.sizes.growth = 1.3;
+    one.options.sizes.longest = 0.1;
+    return one;
+}
+
+Case of_patches() {
+    Case one = swirled();
+    one.name = "patches";
+    one.complex = [] {
+        test::Dice dice(11);
+        return test::random_patches<double>(dice, 0.04, 12);
+    };
+    one.options = options_of(0.04);
+    one.options.interface.coarsening = Coarsening::area;
+    one.options.insertion = Insertion::arc;
+    one.options.interface.turn_degrees = 30;
+    return one;
+}
+
+std::vector<Case> cases() { return {swirled(), merged(), graded(), of_patches()}; }
+
+std::vector<Way> all_ways() {
+    std::vector<Way> ways{Way{}};
+    for (const DivisionEntry& entry : divisions()) {
+        ways.emplace_back(entry.division);
+    }
+    return ways;
+}
+
+// Slabs are cut across a direction, which is turned as well.
+std::unique_ptr<Executor<double>> executor_of(const Way& way, const Map& map,
+                                              Complex<double>& complex,
+                                              const Options<double>& options) {
+    if (!way) {
+        return nullptr;
+    }
+    const double degrees = map.turns ? 90 : 0;
+    return make_executor(complex, options,
+                         Parallel{.division = *way, .submeshes = 4, .degrees = degrees});
+}
+
+struct Ran {
+    Complex<double> complex;
+    std::uint64_t edits = 0;
+};
+
+Ran run(const Case& one, const Map& map, const Way& way) {
+    Ran ran{.complex = mapped(one.complex(), map)};
+    const Options<double> options = mapped(one.options, map);
+    Simulation<double> simulation(ran.complex, options,
+                                  executor_of(way, map, ran.complex, options));
+    simulation.add_listener([&](std::span<const Edit> edits) { ran.edits += edits.size(); });
+    const Velocity<double> velocity = mapped(one, map);
+    const double dt = one.dt * map.time_scale;
+    for (int step = 0; step < one.steps; ++step) {
+        (void)simulation.step(velocity, step * dt, dt);
+    }
+    EXPECT_EQ(validate(ran.complex).problem, "");
+    return ran;
+}
+
+// The largest distance between a vertex and the image of its counterpart; infinite where the two
+// have other triangles.
+double difference(const Complex<double>& plain, const Complex<double>& image, const Map& map) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (plain.vertex_bound() != image.vertex_bound() ||
+        plain.triangle_count() != image.triangle_count()) {
+        return infinity;
+    }
+    double most = 0;
+    for (std::uint32_t v = 0; v < plain.vertex_bound(); ++v) {
+        if (plain.is_alive(Vertex{v}) != image.is_alive(Vertex{v})) {
+            return infinity;
+        }
+        if (plain.is_alive(Vertex{v})) {
+            const Point<double> there = map.point(plain.position(Vertex{v}));
+            most = std::max(most, (there - image.position(Vertex{v})).norm() / map.scale);
+        }
+    }
+    for (const Triangle t : triangles(plain)) {
+        const auto [a, b, c] = plain.vertices_of(t);
+        const Corner corner = image.find_half_edge(a, b);
+        if (corner == no_id || image.vertex(corner) != c.id ||
+            image.phase_at(corner) != plain.phase(t)) {
+            return infinity;
+        }
+    }
+    return most;
+}
+
+// In edge lengths: how far the outlines of any phase lie from those of the image, at most.
+double distance(const Complex<double>& plain, const Complex<double>& image, const Map& map,
+                double h) {
+    double most = 0;
+    for (const Phase phase : phases(plain)) {
+        const scenes::OutlineOptions options{.phase = phase};
+        const auto outlines = scenes::interface_outlines(plain, options);
+        auto mapped_back = scenes::interface_outlines(image, options);
+        for (scenes::Outline& outline : mapped_back) {
+            for (Point<double>& p : outline) {
+                p = map.back(p);
+            }
+        }
+        most = std::max(most, scenes::hausdorff(outlines, mapped_back).distance() / h);
+    }
+    return most;
+}
+
+void expect_same_bits(const Case& one, const Map& map, const Way& way) {
+    SCOPED_TRACE(one.name + ", " + map.name + ", " + test::name_of(way));
+    const Ran plain = run(one, {}, way);
+    const Ran image = run(one, map, way);
+    EXPECT_GT(plain.edits, 30U) << "hardly anything happened";
+    EXPECT_EQ(image.edits, plain.edits);
+    EXPECT_EQ(difference(plain.complex, image.complex, map), 0);
+}
+
+void expect_within(double most, const Case& one, const Map& map, const Way& way) {
+    SCOPED_TRACE(one.name + ", " + map.name + ", " + test::name_of(way));
+    const Ran plain = run(one, {}, way);
+    const Ran image = run(one, map, way);
+    EXPECT_LT(distance(plain.complex, image.complex, map, one.options.edge_length), most);
+}
+
+const Map turned{.name = "turned", .turns = true};
+
+TEST(Invariance, ScaledInSpaceOrTimeGivesTheSameBits) {
+    for (const Map& map :
+         {Map{.name = "half as large", .scale = 0.5}, Map{.name = "large", .scale = 0x1p40},
+          Map{.name = "small", .scale = 0x1p-40}, Map{.name = "slow", .time_scale = 64},
+          Map{.name = "small and fast", .scale = 0x1p-9, .time_scale = 0x1p-20}}) {
+        for (const Case& one : cases()) {
+            for (const Way& way : all_ways()) {
+                expect_same_bits(one, map, way);
+            }
+        }
+    }
+}
+
+TEST(Invariance, TurnedByARightAngleGivesTheSameBits) {
+    for (const Case& one : {swirled(), graded(), of_patches()}) {
+        for (const Way& way :
+             {Way{}, Way{Division::fixed}, Way{Division::counting}, Way{Division::active}}) {
+            expect_same_bits(one, turned, way);
+        }
+    }
+}
+
+// Blocks and cells are cut across x first, and create and merge numbers its meshes along a curve
+// that begins with one axis: other submeshes, in which the same interface moves.
+TEST(Invariance, TurnedByARightAngleMovesTheSameInterfaceInOtherSubmeshes) {
+    for (const Case& one : {swirled(), graded(), of_patches()}) {
+        for (const Way& way : {Way{Division::blocks}, Way{Division::cells}, Way{Division::copy}}) {
+            expect_within(1e-14, one, turned, way);
+        }
+    }
+}
+
+// The last digits of positions are lost: below four roundings of the largest coordinate. Where
+// vertices go by area, there are ties between them, and another one may go.
+TEST(Invariance, ShiftedMovesTheSameInterfaceWithinRoundings) {
+    for (const Map& map :
+         {Map{.name = "aside", .shift = {4, -8}}, Map{.name = "far away", .shift = {1024, 0}}}) {
+        for (const Way& way : all_ways()) {
+            for (const Case& one : {swirled(), graded()}) {
+                const double rounding = 0x1p-52 * map.shift.norm() / one.options.edge_length;
+                expect_within(4 * rounding, one, map, way);
+            }
+            expect_within(0.05, of_patches(), map, way);
+        }
+    }
+}
+
+// Upkeep goes along curves, and those of the image run the other way: new vertices come in another
+// order, and lie elsewhere on the same cubic.
+TEST(Invariance, MirroredMovesTheSameInterfaceWithinItsCubic) {
+    const Map mirrored{.name = "mirrored", .mirrors = true};
+    for (const Case& one : {swirled(), graded(), of_patches()}) {
+        for (const Way& way : all_ways()) {
+            expect_within(2e-4, one, mirrored, way);
+        }
+    }
+}
+
+// Films open in the order of their places, by x and then by y, so that it depends neither on ids
+// nor on submeshes; the first to open changes what the flow squeezes next. Pieces of an edge or two
+// differ.
+TEST(Invariance, FilmsOpenInAnotherOrderOfPlaces) {
+    for (const Map& map : {turned, Map{.name = "aside", .shift = {4, -8}},
+                           Map{.name = "mirrored", .mirrors = true}}) {
+        for (const Way& way : all_ways()) {
+            expect_within(3, merged(), map, way);
+        }
+    }
+}
+
+} // namespace
+} // namespace dsc

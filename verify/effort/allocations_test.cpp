@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// A step allocates nothing once it is warm: arrays are scratch of the executor and keep their room.
+// Counted by operator new, which this program replaces, and therefore in a program of its own.
+#include "effort/counting_new.h"
+#include "support/random_scene.h"
+#include "support/ways.h"
+
+#include "dsc/algorithm/simulation.h"
+#include "dsc/queries/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+
+namespace dsc {
+namespace {
+
+using test::Way;
+
+constexpr double h = 0.03;
+constexpr int steps_of_a_period = 40;
+constexpr int warm_periods = 6;
+constexpr int most_allocating_steps = steps_of_a_period / 3;
+constexpr std::uint64_t most_allocations = 200;
+
+struct Choice {
+    std::string name;
+    std::function<void(Options<double>&)> set;
+    bool has_attributes = false;
+    bool in_submeshes = false; ///< tried in these as well
+};
+
+std::vector<Choice> choices() {
+    return {
+        {"default", [](auto&) {}, false, true},
+        {"euler", [](auto& o) { o.integrator = Integrator::euler; }},
+        {"centred", [](auto& o) { o.integrator = Integrator::centred; }},
+        {"midpoint", [](auto& o) { o.integrator = Integrator::midpoint; }},
+        {"adaptive", [](auto& o) { o.integrator = Integrator::adaptive; }},
+        {"arc", [](auto& o) { o.insertion = Insertion::arc; }},
+        {"area", [](auto& o) { o.interface.coarsening = Coarsening::area; }},
+        {"length", [](auto& o) { o.interface.coarsening = Coarsening::length; }},
+        {"gap", [](auto& o) { o.interface.gap = 1; }},
+        {"turn", [](auto& o) { o.interface.turn_degrees = 20; }},
+        {"cubic", [](auto& o) { o.interface.reading = Reading::cubic; }},
+        {"shuffled", [](auto& o) { o.shuffle_seed = 3; }},
+        {"sizes", [](auto& o) { o.sizes.growth = 1.3; }, false, true},
+        {"topology", [](auto& o) { o.topology.rule = Topology::change; }, false, true},
+        {"wide",
+         [](auto& o) {
+             o.topology.rule = Topology::change;
+             o.topology.contact = 2 * h;
+         }},
+        {"attributes", [](auto&) {}, true, true},
+    };
+}
+
+// A disc that is sheared and turned about, and comes back to the same place after a period.
+const Velocity<double> back_and_forth = [](auto positions, double time, auto velocities) {
+    const double speed = std::cos(2 * std::numbers::pi * time);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        velocities[i] = {speed * (0.3 + 0.5 * positions[i].y()), speed * 0.3};
+    }
+};
+
+// Of the last period.
+struct Counted {
+    std::uint64_t allocations = 0;
+    int allocating_steps = 0;
+    std::uint64_t edits = 0; ///< so that something was done
+};
+
+Counted count(const Choice& choice, const Way& way) {
+    auto complex = test::disc_complex<double>(h);
+    if (choice.has_attributes) {
+        complex.attributes.add<Vertex, double>("at vertices");
+        complex.attributes.add<Edge, double>("at edges");
+        complex.attributes.add<Triangle, Point<double>>("at triangles", Point<double>(0, 0));
+    }
+    Options<double> options;
+    options.edge_length = h;
+    choice.set(options);
+    auto executor = way ? make_executor(complex, options,
+                                        Parallel{.threads = 2,
+                                                 .division = *way,
+                                                 .submeshes = 4,
+                                                 .always_all_threads = true})
+                        : nullptr;
+    Simulation<double> simulation(complex, options, std::move(executor));
+    Counted counted;
+    for (int step = 0; step < (warm_periods + 1) * steps_of_a_period; ++step) {
+        const std::uint64_t before = test::allocations_so_far();
+        const StepReport report = simulation.step(
+            back_and_forth, static_cast<double>(step) / steps_of_a_period, 1.0 / steps_of_a_period);
+        if (step >= warm_periods * steps_of_a_period) {
+            const std::uint64_t made = test::allocations_so_far() - before;
+            counted.allocations += made;
+            counted.allocating_steps += made > 0 ? 1 : 0;
+            counted.edits += report.operations.flips + report.operations.splits +
+                             report.operations.collapses + report.operations.interface_splits;
+        }
+    }
+    EXPECT_EQ(validate(complex).problem, "");
+    return counted;
+}
+
+TEST(Allocations, SequentialStepsMakeNone) {
+    for (const Choice& choice : choices()) {
+        const Counted counted = count(choice, {});
+        EXPECT_GT(counted.edits, 500U) << choice.name << ": hardly anything was done";
+        EXPECT_EQ(counted.allocations, 0U) << choice.name;
+    }
+}
+
+// The mesh is divided anew in every eighth step, which makes lists of cuts and parts; and arrays of
+// a submesh that is new there grow once more. All other steps make none. Create and merge, which
+// makes meshes in each step, is left out.
+TEST(Allocations, StepsInSubmeshesMakeNoneBetweenDivisions) {
+    for (const Choice& choice : choices()) {
+        if (!choice.in_submeshes) {
+            continue;
+        }
+        for (const DivisionEntry& entry : divisions()) {
+            if (entry.division == Division::copy) {
+                continue;
+            }
+            SCOPED_TRACE(choice.name + ", " + std::string(entry.name));
+            const Counted counted = count(choice, entry.division);
+            EXPECT_GT(counted.edits, 500U) << "hardly anything was done";
+            EXPECT_LE(counted.allocating_steps, most_allocating_steps);
+            EXPECT_LE(counted.allocations, most_allocations);
+        }
+    }
+}
+
+// Lists of the vertices inside that move with the flow are made for each pass.
+TEST(Allocations, CarriedPhasesMakeAFewLists) {
+    const Counted counted =
+        count({"carried", [](Options<double>& o) { o.carried_phases = {1}; }}, {});
+    EXPECT_GT(counted.edits, 500U);
+    EXPECT_LE(counted.allocations, 40U * steps_of_a_period);
+}
+
+} // namespace
+} // namespace dsc

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// A step looks at the interface and at what changes around it, never at the whole mesh: of a large
+// mesh with a small disc in it, steps touch a small part. Counted by Linux, which marks the pages
+// that a process uses.
+#include "support/random_scene.h"
+#include "support/ways.h"
+
+#include "dsc/algorithm/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/prctl.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <string>
+
+namespace dsc {
+namespace {
+
+using test::Way;
+
+constexpr double h = 0.02;
+constexpr int steps = 6;
+
+// In kB; -1 where this kernel does not say.
+long referenced_memory() {
+    std::ifstream sums("/proc/self/smaps_rollup");
+    for (std::string line; std::getline(sums, line);) {
+        if (line.starts_with("Referenced:")) {
+            return std::stol(line.substr(11));
+        }
+    }
+    return -1;
+}
+
+bool forget_references() {
+    std::ofstream file("/proc/self/clear_refs");
+    file << '1' << std::flush;
+    return file.good();
+}
+
+struct Touched {
+    long kilobytes = 0; ///< a little less, as the processor remembers a few pages
+    long mesh = 0;      ///< all vertices and triangles, in kB
+    std::uint64_t moves = 0;
+    std::uint32_t triangles = 0;
+};
+
+// A disc of diameter 0.5 in the middle of the domain, which moves to and fro.
+Touched touched_by_steps(const Options<double>& options, const Way& way) {
+    constexpr double side = 8;
+    const Point<double> centre(side / 2, side / 2);
+    const std::vector<Shape> shapes{{test::circle_points(centre, 0.25, 79), 1}};
+    auto complex = initial_complex<double>({{0, 0}, {side, side}}, shapes, {.edge_length = h});
+    Simulation<double> simulation(complex, options, test::executor_of(way, complex, options));
+    double speed = 1;
+    const Velocity<double> shear = [&](auto positions, double, auto velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {speed, speed * (positions[i].x() - centre.x())};
+        }
+    };
+    const auto step = [&] {
+        speed = -speed;
+        return simulation.step(shear, 0, h / 2).operations.moves;
+    };
+    for (int warm = 0; warm < 4; ++warm) {
+        (void)step();
+    }
+    Touched touched{.triangles = complex.triangle_count()};
+    touched.mesh = static_cast<long>(complex.vertices.size() * sizeof(VertexRecord<double>) +
+                                     complex.triangles.size() * sizeof(TriangleRecord)) /
+                   1024;
+    EXPECT_TRUE(forget_references());
+    for (int i = 0; i < steps; ++i) {
+        touched.moves += step();
+    }
+    touched.kilobytes = referenced_memory();
+    return touched;
+}
+
+void expect_small_part(const Options<double>& options, const Way& way) {
+    const Touched touched = touched_by_steps(options, way);
+    SCOPED_TRACE(test::name_of(way) + ": " + std::to_string(touched.kilobytes) + " kB of " +
+                 std::to_string(touched.mesh));
+    EXPECT_GT(touched.moves, 100U) << "hardly anything moved";
+    EXPECT_GT(touched.triangles, 300'000U);
+    // Going once over all vertices alone would touch a third of the mesh.
+    EXPECT_LT(touched.kilobytes, touched.mesh / 8);
+}
+
+class TouchedMemory : public testing::Test {
+protected:
+    void SetUp() override {
+        // Large pages would be touched as a whole.
+        if (prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0) != 0 || referenced_memory() < 0 ||
+            !forget_references()) {
+            GTEST_SKIP() << "this kernel does not count references";
+        }
+    }
+};
+
+Options<double> default_options() {
+    Options<double> options;
+    options.edge_length = h;
+    return options;
+}
+
+TEST_F(TouchedMemory, IsThatOfTheInterface) {
+    for (const Way& way : {Way{}, Way{Division::fixed}, Way{Division::counting},
+                           Way{Division::active}, Way{Division::blocks}, Way{Division::cells}}) {
+        expect_small_part(default_options(), way);
+    }
+}
+
+TEST_F(TouchedMemory, IsThatOfTheInterfaceWhereTheTopologyMayChange) {
+    Options<double> options = default_options();
+    options.topology.rule = Topology::change;
+    options.topology.contact = 2 * h;
+    expect_small_part(options, {});
+}
+
+} // namespace
+} // namespace dsc
