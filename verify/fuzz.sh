@@ -96,13 +96,15 @@ search_in() { # search_in TARGET
     # No input may take ten seconds or a gigabyte: that is a finding too. These are seconds of the clock;
     # on a busy machine, a later -timeout=60 counts.
     TIMEFORMAT='%U %S'
-    cpu=$({ time DSC_FUZZ_TARGET=$1 DSC_FUZZ_TALLY=$folder/tally.txt "$program" -max_total_time="$seconds" -timeout=10 -report_slow_units=1000 \
-        -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 \
-        -artifact_prefix="$folder/findings/" "${options[@]}" "${fuzzer_options[@]}" \
-        "${corpora[@]}" >"$log" 2>&1 || true; } 2>&1)
+    options+=(-max_total_time="$seconds" -timeout=10 -report_slow_units=1000 -rss_limit_mb=2048
+        -malloc_limit_mb=1024 -print_final_stats=1 -artifact_prefix="$folder/findings/"
+        "${fuzzer_options[@]}")
+    cpu=$({ time DSC_FUZZ_TARGET=$1 DSC_FUZZ_TALLY=$folder/tally.txt \
+        "$program" "${options[@]}" "${corpora[@]}" >"$log" 2>&1 || true; } 2>&1)
     cpu=$(awk '{ print $1 + $2 }' <<<"$cpu")
     after=$(find "$folder/findings" -type f | wc -l)
     findings=$((after - before))
+    # A search that hangs or is out of memory ends without a tally.
     read -r inputs operations < <(cat "$folder/tally.txt" 2>/dev/null || echo 0 0)
     local seed coverage features
     seed=$(grep -o 'Seed: [0-9]*' "$log" | grep -o '[0-9]*$' || echo unknown)

@@ -4,10 +4,12 @@
 #include "dsc/complex/gather.h"
 #include "support/courses.h"
 
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
+#include "dsc/operations/local_retriangulation.h"
 #include "dsc/operations/replay.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/passes/thesis_algorithm.h"
@@ -158,6 +160,68 @@ TEST(EditLogs, HaveTheUpkeepOfAStepThatGaveUp) {
     Complex<double> again = first;
     EXPECT_EQ(replay<double>(again, edits).skipped, 0U);
     EXPECT_EQ(mesh_hash(again), mesh_hash(complex));
+}
+
+// Locks are no edits: a log does not say that the application took one off.
+TEST(EditLogs, OfVerticesThatWereUnlockedAreReplayed) {
+    Complex<double> complex = disc();
+    Triangle t{1};
+    while (local_retriangulation_guard(complex, t) != Verdict::legal) {
+        ++t.id;
+    }
+    const auto corners = complex.vertices_of(t);
+    for (const Vertex v : corners) {
+        complex.set_locked(v, true);
+    }
+    Complex<double> again = complex;
+    complex.journal.readers = 1;
+    EXPECT_EQ(local_retriangulation(complex, t).verdict, Verdict::locked);
+    for (const Vertex v : corners) {
+        complex.set_locked(v, false);
+    }
+    EXPECT_EQ(local_retriangulation(complex, t).verdict, Verdict::legal);
+    EXPECT_EQ(replay<double>(again, complex.journal.records).skipped, 0U);
+    EXPECT_EQ(mesh_hash(again), mesh_hash(complex));
+}
+
+// As in a file that is damaged: memory is not filled up to such an id, the border stays the border,
+// and no triangle is made twice.
+TEST(EditLogs, WithIdsThatNoRunHasAreSkipped) {
+    constexpr std::uint32_t absurd = 4'000'000'000;
+    const Complex<double> first = disc();
+    Complex<double> complex = first;
+    complex.journal.readers = 1;
+    Triangle t{1};
+    while (is_boundary(complex, t)) {
+        ++t.id;
+    }
+    ASSERT_EQ(edge_split(complex, complex.edges_of(t)[0]).verdict, Verdict::legal);
+    const Edit split = complex.journal.records.front();
+    const auto expect_skipped = [&](const Edit& edit) {
+        Complex<double> again = first;
+        EXPECT_EQ(replay<double>(again, std::span(&edit, 1)).skipped, 1U);
+        EXPECT_EQ(mesh_hash(again), mesh_hash(first));
+        EXPECT_EQ(validate(again).problem, "");
+    };
+    Edit edit = split;
+    edit.vertex = Vertex{absurd};
+    expect_skipped(edit);
+    for (const auto& made :
+         {std::array{absurd, split.made[1]}, std::array{split.made[0], absurd},
+          std::array{0U, split.made[1]}, std::array{split.made[0], split.made[0]}}) {
+        edit = split;
+        edit.made = made;
+        expect_skipped(edit);
+    }
+    expect_skipped({.kind = EditKind::insert_vertex, .vertex = Vertex{absurd}});
+    const auto [a, b, c] = first.vertices_of(t);
+    for (const std::uint32_t id : {0U, 1'000'000'000U}) {
+        expect_skipped({.kind = EditKind::insert_triangle,
+                        .corner = 4 * id,
+                        .ends = {a, b},
+                        .apexes = {c, {}},
+                        .made = {no_id, 1}});
+    }
 }
 
 TEST(EditLogs, AreCutDownToThoseThatFail) {

@@ -7,6 +7,7 @@
 #include "support/random_complex.h"
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
+#include "support/ways.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/numbering.h"
@@ -270,6 +271,37 @@ TEST(OwnAttributes, FollowASimulation) {
         renumber(copy);
         EXPECT_NEAR(total(copy, copied), whole, 1e-11);
         EXPECT_NEAR(total(complex, mass), whole, 1e-11);
+    }
+}
+
+// Half-way, where errors have not undone themselves, as well as at the end.
+TEST(OwnAttributes, AreConservedWhereAFlowTurnsBack) {
+    constexpr double h = 0.05;
+    constexpr int half = 8;
+    std::vector<Way> ways{Way{}};
+    for (const DivisionEntry& entry : divisions()) {
+        ways.emplace_back(entry.division);
+    }
+    for (const Way& way : ways) {
+        SCOPED_TRACE(name_of(way));
+        auto complex = disc_complex<double>(h, {0.5, 0.7}, 0.15);
+        auto& mass = with_density_one(complex);
+        const double whole = total(complex, mass);
+        const Options<double> options = options_for<double>(h);
+        Simulation<double> simulation(complex, options, executor_of(way, complex, options));
+        std::uint64_t edits = 0;
+        for (int step = 0; step < 2 * half; ++step) {
+            const double speed = step < half ? 1 : -1;
+            const auto shear = pointwise<double>([=](const Point<double>& p, double) {
+                return Point<double>(speed * (p.y() - 0.5), speed * (0.5 - p.x() + 0.4 * p.y()));
+            });
+            const auto report = simulation.step(shear, 0, h);
+            edits += report.operations.splits + report.operations.collapses;
+            if (step + 1 == half || step + 1 == 2 * half) {
+                EXPECT_NEAR(total(complex, mass), whole, 1e-12) << "after step " << step + 1;
+                EXPECT_GT(edits, 10U);
+            }
+        }
     }
 }
 

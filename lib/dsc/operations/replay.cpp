@@ -18,7 +18,9 @@ namespace {
 template <class Real>
 class Replay {
 public:
-    explicit Replay(Complex<Real>& complex) : complex_(complex) {}
+    Replay(Complex<Real>& complex, std::size_t edits)
+        : complex_(complex), most_vertices_(room_for(complex.vertex_bound(), edits)),
+          most_triangles_(room_for(complex.triangle_bound(), edits)) {}
 
     bool play(const Edit& edit) {
         switch (edit.kind) {
@@ -79,18 +81,32 @@ private:
                                   : complex_.vertex(across) == edit.apexes[1].id);
     }
 
-    // Makes room for an id that came from the pool of a submesh.
-    void have_vertex(std::uint32_t id) {
+    // More ids than a run of so many edits can have: its submeshes hold some for each vertex of the
+    // interface, and a few more. A record that names a higher one is not from this run; it must not
+    // fill the memory.
+    static std::uint64_t room_for(std::uint32_t bound, std::size_t edits) {
+        return (std::uint64_t{1} << 20U) + 64 * (std::uint64_t{bound} + edits);
+    }
+    // Makes room for an id that came from the pool of a submesh. False if there is no such id.
+    bool have_vertex(std::uint32_t id) {
+        if (id >= most_vertices_) {
+            return false;
+        }
         while (complex_.vertex_bound() <= id) {
             const std::uint32_t added = complex_.take_vertex(fresh_);
             complex_.vertices[added].flags = vertex_dead;
         }
+        return true;
     }
-    void have_triangle(std::uint32_t id) {
+    bool have_triangle(std::uint32_t id) {
+        if (id == border_triangle || id >= most_triangles_) {
+            return false;
+        }
         while (complex_.triangle_bound() <= id) {
             const std::uint32_t added = complex_.take_triangle(fresh_);
             complex_.triangles[added].v = {no_id, no_id, no_id};
         }
+        return true;
     }
 
     bool flip(const Edit& edit) {
@@ -106,10 +122,9 @@ private:
             return false;
         }
         const bool border = is_border(complex_.twin(edit.corner));
-        have_vertex(edit.vertex.id);
-        have_triangle(edit.made[0]);
-        if (!border) {
-            have_triangle(edit.made[1]);
+        if (!have_vertex(edit.vertex.id) || !have_triangle(edit.made[0]) ||
+            (!border && (edit.made[0] == edit.made[1] || !have_triangle(edit.made[1])))) {
+            return false;
         }
         if (complex_.is_alive(edit.vertex) || complex_.is_alive(Triangle{edit.made[0]}) ||
             (!border && complex_.is_alive(Triangle{edit.made[1]}))) {
@@ -150,8 +165,7 @@ private:
     }
 
     bool insert_vertex(const Edit& edit) {
-        have_vertex(edit.vertex.id);
-        if (complex_.is_alive(edit.vertex)) {
+        if (!have_vertex(edit.vertex.id) || complex_.is_alive(edit.vertex)) {
             return false;
         }
         const Point<Real> at = place(edit);
@@ -171,12 +185,27 @@ private:
         return true;
     }
 
-    // By ear clipping alone: the flips after it have records of their own.
+    // By ear clipping alone: the flips after it have records of their own. Locks are no edits, so
+    // the log does not say that a vertex was unlocked before it vanished.
     bool retriangulate(const Edit& edit) {
         const Triangle t{triangle_of(edit.corner)};
-        return complex_.is_alive(t) &&
-               local_retriangulation(complex_, Submesh{Region{}, &freed_, &silent_}, t).verdict ==
-                   Verdict::legal;
+        if (!complex_.is_alive(t)) {
+            return false;
+        }
+        const auto v = complex_.vertices_of(t);
+        std::array<bool, 3> locked{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            locked[i] = complex_.is_locked(v[i]);
+            complex_.set_locked(v[i], false);
+        }
+        const Submesh submesh{Region{}, &freed_, &silent_};
+        const bool done = local_retriangulation(complex_, submesh, t).verdict == Verdict::legal;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (complex_.is_alive(v[i])) {
+                complex_.set_locked(v[i], locked[i]);
+            }
+        }
+        return done;
     }
 
     [[nodiscard]] static std::array<Vertex, 3> corners_of(const Edit& edit) {
@@ -186,8 +215,7 @@ private:
     bool insert_triangle(const Edit& edit) {
         const std::uint32_t id = triangle_of(edit.corner);
         const auto v = corners_of(edit);
-        have_triangle(id);
-        if (complex_.is_alive(Triangle{id}) ||
+        if (!have_triangle(id) || complex_.is_alive(Triangle{id}) ||
             !std::ranges::all_of(v, [&](Vertex one) { return complex_.is_alive(one); })) {
             return false;
         }
@@ -214,6 +242,8 @@ private:
     }
 
     Complex<Real>& complex_;
+    std::uint64_t most_vertices_;
+    std::uint64_t most_triangles_;
     EditLog silent_;
     IdPool fresh_; // always empty: an id that is asked for is a new one
     IdPool freed_; // not used: the records say which id comes next
@@ -224,7 +254,7 @@ private:
 template <class Real>
 ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits) {
     const std::uint32_t readers = std::exchange(complex.journal.readers, 0U);
-    Replay<Real> again(complex);
+    Replay<Real> again(complex, edits.size());
     ReplayReport report;
     for (const Edit& edit : edits) {
         ++(again.play(edit) ? report.done : report.skipped);
