@@ -45,10 +45,17 @@ struct Measure {
     std::string description; ///< what it is, in a few words
     Needs needs = Needs::outlines;
     std::function<Value(const Moment&)> function;
+    std::vector<std::string> uses{}; ///< measures before it, whose values it reads
 };
 
 /// What every run measures by default.
 [[nodiscard]] const std::vector<Measure>& default_measures();
+
+/// Those of these names and the ones that they use, in the order of `measures`. Throws InputError
+/// for a name that is not among them. O(measures * names).
+[[nodiscard]] std::vector<Measure>
+select_measures(const std::vector<std::string>& names,
+                const std::vector<Measure>& measures = default_measures());
 
 /// The value of each measure, in their order. `moment.figures` need not be set. Throws what the
 /// measures throw.

@@ -37,6 +37,25 @@ struct TooLarge {
                   .area_exact_first = 0.2};
 };
 
+TEST(Measures, AreSelectedWithThoseThatTheyUse) {
+    const auto names = [](const std::vector<Measure>& measures) {
+        std::vector<std::string> all;
+        for (const Measure& one : measures) {
+            all.push_back(one.name);
+        }
+        return all;
+    };
+    EXPECT_EQ(names(select_measures({"sd_rel"})), (std::vector<std::string>{"sd", "sd_rel"}));
+    EXPECT_EQ(names(select_measures({"perimeter", "area_drift_exact"})),
+              (std::vector<std::string>{"area", "area_exact", "area_drift_exact", "perimeter"}));
+    EXPECT_THROW((void)select_measures({"aera"}), InputError);
+    // Each alone can be measured, so none reads a measure that it does not name.
+    const TooLarge large;
+    for (const Measure& one : default_measures()) {
+        EXPECT_NO_THROW((void)measure(select_measures({one.name}), large.moment)) << one.name;
+    }
+}
+
 TEST(Measures, OfACircleThatIsTooLarge) {
     const TooLarge large;
     const Figures f = measure(default_measures(), large.moment);

@@ -162,6 +162,21 @@ class Frames(CommandLine):
         self.assertEqual([f["properties"]["phase"] for f in features], [1])
         self.expect_refusal("run", "swirl", *SHORT, "--outlines", "none/o", words=["--outlines"])
 
+    def test_outlines_of_frames(self):
+        done = self.call("run", "swirl", *SHORT, "--frames", "f", "--every", "4", "--outlines",
+                         "o.geojson")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        frames = [name for name in self.files() if name.endswith(".vtu")]
+        self.assertEqual(len(frames), 3)
+        texts = []
+        for name in frames:
+            path = os.path.join(self.folder, "f", name.replace(".vtu", ".geojson"))
+            with open(path, encoding="utf-8") as stream:
+                texts.append(stream.read())
+        self.assertEqual(len(set(texts)), 3, "each is that of its own step")
+        with open(self.path("o.geojson"), encoding="utf-8") as stream:
+            self.assertEqual(stream.read(), texts[-1])
+
 
 if __name__ == "__main__":
     unittest.main()

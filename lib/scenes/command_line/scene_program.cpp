@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -76,24 +77,32 @@ void print_events(const std::vector<Event>& events) {
     }
 }
 
+// NaN where the scene file leaves the measure out.
+double figure_if_taken(const Figures& figures, const std::string& name) {
+    return std::ranges::find(figures, name, &Figure::name) == figures.end()
+               ? std::numeric_limits<double>::quiet_NaN()
+               : number(figures, name);
+}
+
 void print_summary(const RunResult& r) {
     std::cout << r.scene << " (" << to_string(r.strategy) << ", " << r.threads << " thread"
               << (r.threads == 1 ? "" : "s") << "): " << r.steps << " steps, " << r.triangles_last
               << " triangles, " << r.interface_vertices_last << " interface vertices\n"
               << std::setprecision(8) << "  area ratio " << r.area_ratio << std::setprecision(3);
     // The exact shape of a network is not known.
-    if (const double difference = number(r.last, "sd_rel"); std::isfinite(difference)) {
+    if (const double difference = figure_if_taken(r.last, "sd_rel"); std::isfinite(difference)) {
         std::cout << ", symmetric difference " << difference << " of the area";
     }
-    if (r.half && std::isfinite(number(*r.half, "sd_rel"))) {
+    if (r.half && std::isfinite(figure_if_taken(*r.half, "sd_rel"))) {
         std::cout << " (half-way " << number(*r.half, "sd_rel") << ")";
     }
     print_events(r.events);
-    std::cout << "\n  worst quality " << number(r.last, "min_quality") << " (ever "
-              << r.min_quality_ever << "), smallest angle " << number(r.last, "min_angle_deg")
-              << " degrees\n  inverted " << r.inverted << ", unreached " << r.unreached << "\n  "
-              << r.step_us_median << " us a step (median), " << r.cpu_s << " s CPU, "
-              << std::setprecision(4) << r.peak_memory_mb << " MB\n";
+    std::cout << "\n  worst quality " << figure_if_taken(r.last, "min_quality") << " (ever "
+              << r.min_quality_ever << "), smallest angle "
+              << figure_if_taken(r.last, "min_angle_deg") << " degrees\n  inverted " << r.inverted
+              << ", unreached " << r.unreached << "\n  " << r.step_us_median
+              << " us a step (median), " << r.cpu_s << " s CPU, " << std::setprecision(4)
+              << r.peak_memory_mb << " MB\n";
 }
 
 void parse_angle(const std::string& angle, Submeshing& submeshing) {
@@ -206,6 +215,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     const Scene& scene = file.scene;
     const Parameters parameters = with_settings(scene, origin.settings);
     RunOptions options = arguments.run;
+    options.measures = file.measures;
     options.measure_shape = file.measures_shape;
     options.strategy = origin.strategy;
     options.submeshing = origin.submeshing;
@@ -214,6 +224,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     options.series_every = arguments.series ? arguments.every.value_or(1) : 0;
     options.outlines = arguments.outlines.value_or("");
     options.frames.layers = arguments.pictures ? parse_layers(*arguments.pictures) : Layers{};
+    options.frames.outlines = arguments.outlines.has_value();
     options.frames.every = arguments.every.value_or(0);
     options.checkpoint = {.path = arguments.checkpoint.value_or(""),
                           .every = arguments.every.value_or(0),
@@ -293,8 +304,10 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
     run_command->add_option("--pictures", arguments.pictures,
                             "draw each frame (.svg): layers with commas between them, of phases, "
                             "quality, targets or submeshes, and of edges, interface, events");
-    run_command->add_option("--outlines", arguments.outlines,
-                            "file for the phases at the end, as polygons in GeoJSON");
+    run_command->add_option(
+        "--outlines", arguments.outlines,
+        "file for the phases at the end, as polygons in GeoJSON; with --frames, "
+        "those of each frame beside it as well");
     run_command->add_option("--json", arguments.json, "file for the result");
     run_command->add_option("--events", arguments.events,
                             "file for the changes of topology, one JSON object a line");
@@ -321,7 +334,8 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         ->excludes(settings, strategy, submeshes, angle);
     auto* describe_command =
         app.add_subcommand("describe", "print one scene as a file that can be changed and run");
-    describe_command->add_option("scene", arguments.scene, "a name from the list")->required();
+    describe_command->add_option("scene", arguments.scene, "a name from the list, or a scene file")
+        ->required();
     describe_command->add_option("--set", arguments.settings, "key=value; may be repeated")
         ->allow_extra_args(false);
     const auto list_all = [&] {
@@ -329,8 +343,8 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         return 0;
     };
     const auto describe_one = [&] {
-        const Scene& scene = find_scene(*arguments.scene, scenes);
-        std::cout << describe(scene, with_settings(scene, arguments.settings));
+        const SceneFile file = scene_of(origin_of(arguments, scenes), scenes);
+        std::cout << describe(file, with_settings(file.scene, arguments.settings));
         return 0;
     };
     return call_command(app, program, argc, argv,

@@ -2,6 +2,7 @@
 #include "scenes/file/describe.h"
 
 #include "dsc/base/error.h"
+#include "scenes/catalogue/catalogue.h"
 #include "scenes/digits.h"
 #include "scenes/file/formula/formula_flow.h"
 #include "scenes/file/formula/formula_length.h"
@@ -169,7 +170,7 @@ std::string motion_in_toml(const Setup& setup, const std::string& scene) {
 
 // --- numbers ------------------------------------------------------------------------------------
 
-std::string options_in_toml(Parameters parameters, const Setup& setup) {
+std::string options_in_toml(Parameters parameters, const Setup& setup, bool has_period) {
     parameters.dt = setup.dt;
     parameters.steps = setup.steps;
     std::string text = "\n[options]\n";
@@ -178,7 +179,7 @@ std::string options_in_toml(Parameters parameters, const Setup& setup) {
             text += key.name + " = " + in_toml(key.value(parameters)) + '\n';
         }
     }
-    return text;
+    return has_period ? text + "period = " + in_toml(parameters.period) + '\n' : text;
 }
 
 // The same operations in the same order as LengthAcross, so that the bits are the same.
@@ -275,26 +276,59 @@ std::string exact_in_toml(const Scene& scene, const Parameters& parameters) {
            (settings.empty() ? "" : "set = [" + settings + "]\n");
 }
 
-std::string measure_in_toml(const Setup& setup) {
-    if (!setup.measured && !setup.half_step) {
+std::string measure_in_toml(const SceneFile& file, const Setup& setup) {
+    std::string names;
+    for (const Measure& measure : file.measures) {
+        names += (names.empty() ? "" : ", ") + in_quotes(measure.name);
+    }
+    return "\n[measure]\nmeasures = [" + names + "]\n" +
+           (setup.measured ? "phase = " + std::to_string(*setup.measured) + '\n' : "") +
+           (setup.half_step ? "half_step = " + std::to_string(*setup.half_step) + '\n' : "") +
+           (file.measures_shape ? "" : "shape = false\n");
+}
+
+std::string limits_in_toml(const std::vector<FigureLimit>& limits) {
+    std::string text;
+    for (const FigureLimit& limit : limits) {
+        std::string bounds = std::isfinite(limit.least) ? "least = " + in_toml(limit.least) : "";
+        if (std::isfinite(limit.most)) {
+            bounds += (bounds.empty() ? "most = " : ", most = ") + in_toml(limit.most);
+        }
+        text += limit.figure + " = { " + bounds + " }\n";
+    }
+    return text.empty() ? "" : "\n[limits]\n" + text;
+}
+
+// What the file says itself, or what it took over from the scene that it began as.
+std::string exact_of_file(const SceneFile& file, const Parameters& parameters, const Setup& setup) {
+    if (!file.exact.empty()) {
+        return '\n' + file.exact;
+    }
+    if (!setup.exact) {
         return "";
     }
-    return "\n[measure]\n" +
-           (setup.measured ? "phase = " + std::to_string(*setup.measured) + '\n' : "") +
-           (setup.half_step ? "half_step = " + std::to_string(*setup.half_step) + '\n' : "");
+    return exact_in_toml(file.begins_as.empty() ? file.scene : find_scene(file.begins_as),
+                         parameters);
 }
 
 } // namespace
 
 std::string describe(const Scene& scene, const Parameters& parameters) {
+    return describe(SceneFile{.scene = scene}, parameters);
+}
+
+std::string describe(const SceneFile& file, const Parameters& parameters) {
+    const Scene& scene = file.scene;
     const Setup setup = scene.prepare(parameters);
+    const bool has_period =
+        parameters.period > 0 && std::ranges::find(scene.keys, "period") != scene.keys.end();
     return "# The scene " + scene.name + ", in full. Run it with: dsc_scene run FILE.toml\n" +
            "name = " + in_quotes(scene.name) + "\ndescription = " + in_quotes(scene.description) +
-           '\n' + phases_in_toml("carried", setup.carried) + options_in_toml(parameters, setup) +
-           sizes_in_toml(setup.sizes, scene.name) + upkeep_in_toml(setup) +
-           motion_in_toml(setup, scene.name) +
-           (setup.exact ? exact_in_toml(scene, parameters) : "") + measure_in_toml(setup) +
-           geometry_in_toml(setup);
+           '\n' + phases_in_toml("carried", setup.carried) +
+           options_in_toml(parameters, setup, has_period) + sizes_in_toml(setup.sizes, scene.name) +
+           upkeep_in_toml(setup) + motion_in_toml(setup, scene.name) +
+           exact_of_file(file, parameters, setup) + measure_in_toml(file, setup) +
+           limits_in_toml(file.limits) + geometry_in_toml(setup);
 }
 
 } // namespace dsc::scenes

@@ -68,7 +68,7 @@ ExactSource read_back(const TableReader& reader) {
     return [where = reader.where("back")](const Parameters& parameters, const Setup&,
                                           const std::vector<FirstShape>& shapes) {
         if (!(parameters.period > 0)) {
-            throw InputError({.what = "nobody knows when the flow is back",
+            throw InputError({.what = "the time when the flow is back is not given",
                               .where = where,
                               .value = "no period",
                               .allowed = "a `period` in [options]"});

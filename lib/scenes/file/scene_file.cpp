@@ -50,7 +50,7 @@ struct SceneParts {
 // The time step and the number of steps that a file of its own gives.
 void set_schedule(const SceneParts& parts, const Parameters& p, Setup& setup) {
     if ((p.dt > 0) + (p.steps > 0) + (p.period > 0) < 2) {
-        throw InputError({.what = "nobody knows how many steps of which length",
+        throw InputError({.what = "the time step and the number of steps are not given",
                           .where = parts.where,
                           .value = p.dt > 0       ? "dt alone"
                                    : p.steps > 0  ? "steps alone"
@@ -144,7 +144,7 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
 }
 
 void read_measure(const TableReader& reader, SceneParts& parts, SceneFile& file) {
-    reader.allow({"phase", "half_step", "shape"});
+    reader.allow({"phase", "half_step", "shape", "measures"});
     if (reader.has("phase")) {
         parts.measured = static_cast<Phase>(reader.integer("phase", 1, 1'000'000));
     }
@@ -152,6 +152,9 @@ void read_measure(const TableReader& reader, SceneParts& parts, SceneFile& file)
         parts.half_step = reader.integer("half_step", 0, 100'000'000);
     }
     file.measures_shape = reader.flag_or(true, "shape");
+    if (reader.has("measures")) {
+        file.measures = read_measures(reader);
+    }
 }
 
 void read_geometry(const TableReader& top, SceneParts& parts) {
@@ -257,6 +260,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     SceneFile file;
     SceneParts parts{.where = path.string(), .base = read_base(top, scenes)};
     file.scene = parts.base.value_or(Scene{});
+    file.begins_as = file.scene.name;
     file.scene.name = read_name(top);
     file.scene.description =
         top.has("description") ? top.text("description") : "a scene from a file";
@@ -280,6 +284,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     read_upkeep(top, parts);
     if (top.has("exact")) {
         parts.exact = read_exact(top.table("exact"), scenes);
+        file.exact = top.table("exact").as_text();
     }
     if (top.has("measure")) {
         read_measure(top.table("measure"), parts, file);
@@ -291,7 +296,11 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
         return prepare(parts, p);
     };
     // What only shows when the parts come together is said now.
-    (void)file.scene.prepare(file.scene.defaults);
+    const Setup setup = file.scene.prepare(file.scene.defaults);
+    check_measured(file.limits, {.measures = file.measures,
+                                 .has_exact_shape = file.measures_shape && setup.exact,
+                                 .has_half = setup.half_step.has_value(),
+                                 .has_value = setup.value.has_value()});
     return file;
 }
 

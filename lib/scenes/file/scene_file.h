@@ -28,29 +28,29 @@
 //     [value]                     # kept at the vertices (RadialValue in scene.h): centre,
 //                                 # first_radius, last_radius, speed, power
 //     [exact]                     # exact_source.h
-//     [measure]                   # phase, half_step; shape = false: not against the exact shape
+//     [measure]                   # phase, half_step; shape = false: not against the exact shape;
+//                                 # measures = [names]: no others are taken, but for those that
+//                                 # they use; `dsc_scene run --help` says which there are
 //     [limits]                    # figure = most, or figure = { least, most }: names as in
-//                                 # result files, such as sd_rel_last
+//                                 # result files, such as sd_rel_last, area_ratio, inverted and
+//                                 # jaggedness_last.largest_excess_deg. `dsc_verify run FILE`
+//                                 # judges them
 #pragma once
 
 #include "scenes/catalogue/catalogue.h"
+#include "scenes/file/figure_limits.h"
 
 #include <filesystem>
-#include <limits>
 
 namespace dsc::scenes {
-
-/// What a figure of a result has to keep to; both bounds are allowed.
-struct FigureLimit {
-    std::string figure; ///< its name in result files
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
-};
 
 struct SceneFile {
     Scene scene;
     std::vector<FigureLimit> limits{};
-    bool measures_shape = true; ///< see RunOptions
+    std::vector<Measure> measures = default_measures(); ///< those that a run takes
+    bool measures_shape = true;                         ///< see RunOptions
+    std::string begins_as{}; ///< the scene of the catalogue that it changes; empty: none
+    std::string exact{};     ///< the text of [exact]
 };
 
 /// Reads a scene and the files that it names, relative to its own folder. Nothing is written, and

@@ -2,7 +2,6 @@
 #include "scenes/file/scene_parts.h"
 
 #include "dsc/base/error.h"
-#include "measures/measures.h"
 #include "scenes/file/formula/formula_length.h"
 
 #include <algorithm>
@@ -26,17 +25,6 @@ std::vector<std::string> with_source_keys(std::vector<std::string> keys) {
         keys.push_back(key);
     }
     return keys;
-}
-
-// Those of the measures that are single numbers or may be, and counts of the whole run.
-std::vector<std::string> names_of_figures() {
-    std::vector<std::string> names{"inverted",   "unreached",        "held",
-                                   "area_ratio", "min_quality_ever", "attribute_error_last"};
-    for (const Measure& measure : default_measures()) {
-        names.push_back(measure.name + "_last");
-        names.push_back(measure.name + "_half");
-    }
-    return names;
 }
 
 } // namespace
@@ -164,27 +152,6 @@ RadialValue read_value(const TableReader& reader) {
         reader.refuse("last_radius", "bad value", "more than first_radius");
     }
     return value;
-}
-
-std::vector<FigureLimit> read_limits(const TableReader& reader) {
-    reader.allow(names_of_figures());
-    std::vector<FigureLimit> limits;
-    constexpr Bounds any{-1e300, 1e300};
-    for (const std::string& figure : reader.keys()) {
-        FigureLimit limit{.figure = figure};
-        if (const auto bounds = reader.table_if_one(figure)) {
-            bounds->allow({"least", "most"});
-            limit.least = bounds->number_or(limit.least, "least", any);
-            limit.most = bounds->number_or(limit.most, "most", any);
-        } else {
-            limit.most = reader.number(figure, any);
-        }
-        if (!(limit.least <= limit.most)) {
-            reader.refuse(figure, "bad value", "least, which is at most most");
-        }
-        limits.push_back(limit);
-    }
-    return limits;
 }
 
 void read_options(const TableReader& reader, const std::vector<std::string>& keys,

@@ -35,7 +35,6 @@ read_sizes(const TableReader& reader);
 [[nodiscard]] std::vector<PhaseThresholds> read_thresholds(const std::vector<TableReader>& tables);
 /// A [value].
 [[nodiscard]] RadialValue read_value(const TableReader& reader);
-[[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader);
 /// Sets the parameters that the table names; `keys` are those that it may.
 void read_options(const TableReader& reader, const std::vector<std::string>& keys,
                   Parameters& parameters);

@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "scenes/digits.h"
 #include "scenes/output/event_lines.h"
+#include "scenes/output/outlines_file.h"
 #include "scenes/output/write_file.h"
 
 #include <unistd.h>
@@ -89,6 +90,9 @@ std::string Frames::write(int step, double time, const Complex<Real>& complex,
                           std::span<const VtuArray> more, std::span<const Event> events) {
     std::string path = path_of(step) + ".vtu";
     write_vtu(complex, path, more);
+    if (plan_.outlines) {
+        write_file(path_of(step) + ".geojson", outlines_to_geojson(complex));
+    }
     if (!plan_.layers.empty()) {
         std::size_t told = 0; // up to the frame before; events come in the order of time
         while (!entries_.empty() && told < events.size() &&

@@ -24,6 +24,7 @@ struct FramePlan {
     int every = 0;               ///< steps; 0: not by steps
     std::vector<double> times{}; ///< each at the first step that reaches it
     Layers layers{};             ///< of the pictures (.svg) beside them; empty: none
+    bool outlines = false;       ///< the phases beside them, as polygons (.geojson)
 };
 
 /// The run that the frames are of.
@@ -48,9 +49,9 @@ public:
     [[nodiscard]] bool is_due(int step) const { return is_frame_due(plan_, schedule_, step); }
     /// The path of a step's frame, without the ending.
     [[nodiscard]] std::string path_of(int step) const;
-    /// Writes the mesh, with these arrays beside its own, and its picture, if pictures are asked
-    /// for, with those of the events that came after the frame before. Returns the path of the
-    /// mesh. Throws FileError.
+    /// Writes the mesh, with these arrays beside its own, its outlines and its picture, if they are
+    /// asked for, the picture with the events that came after the frame before. Returns the path of
+    /// the mesh. Throws FileError.
     template <class Real>
     std::string write(int step, double time, const Complex<Real>& complex,
                       std::span<const VtuArray> more, std::span<const Event> events);

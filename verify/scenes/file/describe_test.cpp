@@ -129,6 +129,65 @@ points = [[0.1, 0.2], [0.30000000000000004, 0.2], [0.3333333333333333, 0.7]]
     ASSERT_NE(setup.flow.at(0).velocity.target<FormulaFlow>(), nullptr);
 }
 
+// Of a file: what it says about its figures, and its exact shape.
+TEST(Describe, RepeatsWhatAFileMeasures) {
+    const SceneFile first = read_scene_text(R"(
+name = "mine"
+[options]
+h = 0.05
+dt = 0.1
+period = 0.4
+[flow]
+u = '0.1*cos(pi*t/period)'
+v = "0"
+[[shape]]
+points = [[0.3, 0.3], [0.7, 0.3], [0.5, 0.7]]
+[exact]
+back = true
+[measure]
+measures = ["hausdorff", "sd_rel", "min_quality"]
+[limits]
+min_quality_half.least = 0.1
+area_ratio = { least = 0.99, most = 1.01 }
+hausdorff_last = 0.30000000000000004
+)",
+                                            "mine.toml");
+    const std::string text = describe(first, first.scene.defaults);
+    const SceneFile second = read_scene_text(text, "mine.toml");
+    EXPECT_EQ(text, describe(second, second.scene.defaults));
+    ASSERT_EQ(second.limits.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(second.limits[i].figure, first.limits[i].figure);
+        EXPECT_EQ(second.limits[i].least, first.limits[i].least);
+        EXPECT_EQ(second.limits[i].most, first.limits[i].most);
+    }
+    RunOptions options;
+    options.measures = first.measures;
+    const RunResult a = run_scene(first.scene, first.scene.defaults, options);
+    options.measures = second.measures;
+    const RunResult b = run_scene(second.scene, second.scene.defaults, options);
+    EXPECT_EQ(a.mesh_hash, b.mesh_hash);
+    ASSERT_EQ(a.last.size(), 4U);
+    ASSERT_EQ(b.last.size(), 4U);
+    for (const char* figure : {"sd_rel", "hausdorff", "min_quality"}) {
+        EXPECT_EQ(number(a.last, figure), number(b.last, figure)) << figure;
+        EXPECT_TRUE(std::isfinite(number(a.last, figure))) << figure;
+    }
+}
+
+TEST(Describe, KeepsTheExactShapeOfTheSceneAFileBeganAs) {
+    const SceneFile first =
+        read_scene_text("name = 'mine'\nscene = 'swirl'\n[options]\nh = 0.05\nsteps = 2\n"
+                        "[measure]\nshape = false\n",
+                        "mine.toml");
+    const std::string text = describe(first, first.scene.defaults);
+    const SceneFile second = read_scene_text(text, "mine.toml");
+    EXPECT_FALSE(second.measures_shape);
+    EXPECT_NE(text.find("scene = \"swirl\""), std::string::npos);
+    EXPECT_EQ(run_scene(first.scene, first.scene.defaults, {}).mesh_hash,
+              run_scene(second.scene, second.scene.defaults, {}).mesh_hash);
+}
+
 TEST(Describe, RefusesAFlowWithoutAName) {
     Scene scene = find_scene("scaling");
     scene.prepare = [prepare = scene.prepare](const Parameters& p) {

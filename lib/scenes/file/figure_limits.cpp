@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/file/figure_limits.h"
+
+#include "dsc/base/error.h"
+#include "scenes/file/excerpt.h"
+#include "scenes/file/nearest.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace dsc::scenes {
+
+namespace {
+
+constexpr std::string_view at_end = "_last";
+constexpr std::string_view at_half = "_half";
+const std::string kept_value = "attribute_error_last";
+
+// Counts and figures of the whole run, and the measures that are numbers.
+std::vector<std::string> names_of_figures() {
+    std::vector<std::string> names{"inverted",   "unreached",        "held",
+                                   "area_ratio", "min_quality_ever", kept_value};
+    for (const Measure& measure : default_measures()) {
+        for (const std::string_view moment : {at_end, at_half}) {
+            if (measure.unit != "text") {
+                names.push_back(measure.name + std::string(moment));
+            }
+        }
+    }
+    return names;
+}
+
+FigureLimit read_limit(const TableReader& reader, const std::string& key, std::string figure) {
+    constexpr Bounds any{-1e300, 1e300};
+    FigureLimit limit{.figure = std::move(figure), .where = reader.where(key)};
+    if (const auto bounds = reader.table_if_one(key)) {
+        bounds->allow({"least", "most"});
+        if (!bounds->has("least") && !bounds->has("most")) {
+            reader.refuse(key, "no limit", "least, most or both");
+        }
+        limit.least = bounds->number_or(limit.least, "least", any);
+        limit.most = bounds->number_or(limit.most, "most", any);
+    } else {
+        limit.most = reader.number(key, any);
+    }
+    if (!(limit.least <= limit.most)) {
+        reader.refuse(key, "bad value", "least, which is at most most");
+    }
+    return limit;
+}
+
+} // namespace
+
+std::vector<Measure> read_measures(const TableReader& reader) {
+    const std::string key = "measures";
+    std::vector<std::string> known;
+    for (const Measure& measure : default_measures()) {
+        known.push_back(measure.name);
+    }
+    const std::vector<std::string> names = reader.texts(key);
+    if (names.empty()) {
+        reader.refuse(key, "no measure", allowed_names("", known));
+    }
+    std::set<std::string> before;
+    for (const std::string& name : names) {
+        if (std::ranges::find(known, name) == known.end()) {
+            reader.refuse(key, "unknown measure " + quoted_excerpt(name),
+                          allowed_names(name, known));
+        }
+        if (!before.insert(name).second) {
+            reader.refuse(key, "a measure that is there twice, " + name, "each of them once");
+        }
+    }
+    return select_measures(names);
+}
+
+std::vector<FigureLimit> read_limits(const TableReader& reader) {
+    const std::vector<std::string> names = names_of_figures();
+    reader.allow(names);
+    std::vector<FigureLimit> limits;
+    for (const std::string& figure : reader.keys()) {
+        if (figure.starts_with("jaggedness")) { // has parts, of which this is the one to keep low
+            const TableReader parts = reader.table(figure);
+            const std::string excess = "largest_excess_deg";
+            parts.allow({excess});
+            limits.push_back(read_limit(parts, excess, figure + '.' + excess));
+        } else {
+            limits.push_back(read_limit(reader, figure, figure));
+        }
+    }
+    if (limits.empty()) {
+        throw InputError({.what = "no limit",
+                          .where = reader.where(),
+                          .value = "an empty table",
+                          .allowed = allowed_names("", names)});
+    }
+    return limits;
+}
+
+std::string why_missing(const std::string& figure, const Measured& measured) {
+    if (figure == kept_value) {
+        return measured.has_value ? "" : "the scene keeps no value at its vertices";
+    }
+    const std::string stem = figure.substr(0, figure.find('.'));
+    const bool is_half = stem.ends_with(at_half);
+    if (!is_half && !stem.ends_with(at_end)) {
+        return "";
+    }
+    const std::string name = stem.substr(0, stem.size() - at_end.size());
+    const auto measure = std::ranges::find(measured.measures, name, &Measure::name);
+    if (measure == measured.measures.end()) {
+        return "the measure " + name + " is not taken";
+    }
+    if (measure->needs == Needs::exact_shape && !measured.has_exact_shape) {
+        return "the exact shape is not known, or not measured against";
+    }
+    return is_half && !measured.has_half ? "the scene has no half_step" : "";
+}
+
+void check_measured(const std::vector<FigureLimit>& limits, const Measured& measured) {
+    for (const FigureLimit& limit : limits) {
+        const std::string reason = why_missing(limit.figure, measured);
+        if (!reason.empty()) {
+            throw InputError({.what = "a limit without its measure",
+                              .where = limit.where,
+                              .value = limit.figure + ": " + reason,
+                              .allowed = "limits of figures that the run has"});
+        }
+    }
+}
+
+} // namespace dsc::scenes

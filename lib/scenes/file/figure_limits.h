@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What a scene file says about its figures: which measures are taken, and what the figures have to
+// keep to. `dsc_verify run FILE.toml` judges them.
+#pragma once
+
+#include "measures/measures.h"
+#include "scenes/file/table_reader.h"
+#include "scenes/scene.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace dsc::scenes {
+
+/// What a figure of a result has to keep to; both bounds are allowed.
+struct FigureLimit {
+    std::string figure; ///< its name in result files
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    std::string where{}; ///< file, line and key
+};
+
+/// [measure] measures: a list of names of `default_measures`. Throws InputError for another name,
+/// one that is there twice, and an empty list.
+[[nodiscard]] std::vector<Measure> read_measures(const TableReader& reader);
+
+/// [limits]: at least one. Throws InputError for a name that no figure has, and for a bound that is
+/// not a finite number.
+[[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader);
+
+/// What a run can tell about its figures.
+struct Measured {
+    const std::vector<Measure>& measures;
+    bool has_exact_shape = true;
+    bool has_half = true;  ///< the moment at which a reversing flow is farthest out
+    bool has_value = true; ///< one that is kept at the vertices
+};
+
+/// Why a run has no number for this figure; empty if it has one.
+[[nodiscard]] std::string why_missing(const std::string& figure, const Measured& measured);
+
+/// Throws InputError for a limit of a figure that the run has no number for.
+void check_measured(const std::vector<FigureLimit>& limits, const Measured& measured);
+
+} // namespace dsc::scenes
