@@ -54,7 +54,7 @@ const std::vector<Flow>& flows() {
     return all;
 }
 
-const RunResult& run_of(Runs& runs, const std::string& name) {
+Configuration configuration_of(const std::string& name) {
     const auto flow =
         std::ranges::find_if(flows(), [&](const Flow& one) { return one.name == name; });
     if (flow == flows().end()) {
@@ -66,7 +66,11 @@ const RunResult& run_of(Runs& runs, const std::string& name) {
     Configuration configuration;
     configuration.scene = flow->scene;
     configuration.settings = flow->settings;
-    const RunResult& result = runs.get(configuration);
+    return configuration;
+}
+
+const RunResult& run_of(Runs& runs, const std::string& name) {
+    const RunResult& result = runs.get(configuration_of(name));
     if (!result.gave_up.empty()) {
         throw InvariantError("the run gave up: " + result.gave_up);
     }
@@ -95,19 +99,22 @@ bool is_well_resolved(const Flow& flow) {
 }
 
 Check of_flow(std::string name, std::string description, std::string unit, bool at_least,
-              std::vector<std::string> names, std::function<double(const RunResult&)> figure) {
+              std::vector<std::string> names, std::function<double(const RunResult&)> figure,
+              Culprit culprit) {
     return {std::move(name),
             std::move(description),
             std::move(unit),
             at_least,
             std::move(names),
             [figure = std::move(figure)](Runs& runs, const std::string& flow) {
-                return figure(run_of(runs, flow));
-            }};
+                return Measured{figure(run_of(runs, flow)), configuration_of(flow)};
+            },
+            {},
+            culprit};
 }
 
 // The order of the cubic interpolation, over four sizes.
-double cubic_order(Runs& runs, const std::string&) {
+Measured cubic_order(Runs& runs, const std::string&) {
     std::vector<double> sizes;
     std::vector<double> errors;
     for (const char* size : {"1/64", "1/96", "1/128", "1/256"}) {
@@ -115,37 +122,48 @@ double cubic_order(Runs& runs, const std::string&) {
         sizes.push_back(r.parameters.h);
         errors.push_back(number(r.last, "sd_rel"));
     }
-    return scenes::fit_order(sizes, errors).order;
+    return {scenes::fit_order(sizes, errors).order, configuration_of("vortex T=8 h=1/256 cubic")};
 }
 
 } // namespace
 
 std::vector<Check> accuracy_checks() {
+    using enum Culprit;
     const auto any = [](const Flow&) { return true; };
     const auto returns = [](const Flow& flow) { return flow.scene != "zalesak"; };
     const auto swirls = [](const Flow& flow) { return flow.scene == "swirl"; };
     return {
-        of_flow("accuracy", "symmetric difference at the end, over the first area", "1", false,
-                names_where(any), [](const RunResult& r) { return number(r.last, "sd_rel"); }),
-        of_flow("accuracy_half", "the same half-way, where a flow that returns cancels nothing",
-                "1", false, names_where(returns),
-                [](const RunResult& r) { return number(r.half.value(), "sd_rel"); }),
-        of_flow("accuracy_area", "area at the end against the first, off 1", "1", false,
-                {"swirl 2x260 h=0.01", "vortex-square"},
-                [](const RunResult& r) { return std::abs(r.area_ratio - 1); }),
-        of_flow("accuracy_jagged",
-                "turning angles beyond twice the exact curve's and 2 degrees, at the end",
-                "degrees", false, names_where(swirls),
-                [](const RunResult& r) { return number(r.last, "jaggedness.largest_excess_deg"); }),
-        of_flow("accuracy_angle", "smallest angle at the end", "degrees", true,
-                names_where(is_well_resolved),
-                [](const RunResult& r) { return number(r.last, "min_angle_deg"); }),
-        of_flow("accuracy_median_angle", "median of the triangles' smallest angles at the end",
-                "degrees", true, names_where(is_well_resolved),
-                [](const RunResult& r) { return number(r.last, "median_angle_deg"); }),
-        of_flow("accuracy_lost", "triangles inverted and vertices that did not arrive", "1", false,
-                names_where(any),
-                [](const RunResult& r) { return static_cast<double>(r.inverted + r.unreached); }),
+        of_flow(
+            "accuracy", "symmetric difference at the end, over the first area", "1", false,
+            names_where(any), [](const RunResult& r) { return number(r.last, "sd_rel"); },
+            deviation),
+        of_flow(
+            "accuracy_half", "the same half-way, where a flow that returns cancels nothing", "1",
+            false, names_where(returns),
+            [](const RunResult& r) { return number(r.half.value(), "sd_rel"); }, deviation),
+        of_flow(
+            "accuracy_area", "area at the end against the first, off 1", "1", false,
+            {"swirl 2x260 h=0.01", "vortex-square"},
+            [](const RunResult& r) { return std::abs(r.area_ratio - 1); }, deviation),
+        of_flow(
+            "accuracy_jagged",
+            "turning angles beyond twice the exact curve's and 2 degrees, at the end", "degrees",
+            false, names_where(swirls),
+            [](const RunResult& r) { return number(r.last, "jaggedness.largest_excess_deg"); },
+            turn),
+        of_flow(
+            "accuracy_angle", "smallest angle at the end", "degrees", true,
+            names_where(is_well_resolved),
+            [](const RunResult& r) { return number(r.last, "min_angle_deg"); }, sharpest_corner),
+        of_flow(
+            "accuracy_median_angle", "median of the triangles' smallest angles at the end",
+            "degrees", true, names_where(is_well_resolved),
+            [](const RunResult& r) { return number(r.last, "median_angle_deg"); }, sharpest_corner),
+        of_flow(
+            "accuracy_lost", "triangles inverted and vertices that did not arrive", "1", false,
+            names_where(any),
+            [](const RunResult& r) { return static_cast<double>(r.inverted + r.unreached); },
+            first_failure),
         {"accuracy_order",
          "order of the error of the cubic reading, h = 1/64 to 1/256",
          "1",

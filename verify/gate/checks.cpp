@@ -7,10 +7,13 @@
 
 #include "dsc/base/error.h"
 #include "dsc/quality/histogram.h"
+#include "scenes/file/excerpt.h"
+#include "scenes/file/nearest.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -71,8 +74,8 @@ const RunResult& finished(const RunResult& r) {
     return r;
 }
 
-double distinct_hashes(Runs& runs, const std::string& scene) {
-    double most = 0;
+Measured distinct_hashes(Runs& runs, const std::string& scene) {
+    Measured most;
     for (const Strategy strategy : scenes::all_strategies()) {
         if (!scenes::is_parallel(strategy)) {
             continue;
@@ -85,72 +88,94 @@ double distinct_hashes(Runs& runs, const std::string& scene) {
             hashes.insert(r.mesh_hash);
             counts.insert(r.operations);
         }
-        most = std::max(most, static_cast<double>(std::max(hashes.size(), counts.size())));
+        const auto different = static_cast<double>(std::max(hashes.size(), counts.size()));
+        if (different > most.value) {
+            most = {different, {scene, Size::coarse, strategy, 2, {}, false}};
+        }
     }
     return most;
 }
 
 using Figure = std::function<double(const RunResult&)>;
-using Difference = std::function<double(const RunResult&, const RunResult&)>;
 
 Check of_sequential(std::string name, std::string description, std::string unit, bool at_least,
-                    Names scenes, Figure figure) {
+                    Names scenes, Figure figure, Names figures = {},
+                    Culprit culprit = Culprit::none) {
     return {std::move(name),
             std::move(description),
             std::move(unit),
             at_least,
             std::move(scenes),
             [figure = std::move(figure)](Runs& runs, const std::string& scene) {
-                return figure(finished(runs.get({scene})));
-            }};
+                return Measured{figure(finished(runs.get({scene}))), {scene}};
+            },
+            std::move(figures),
+            culprit};
 }
 
 // The worst of all strategies. The limits are the spread of the sequential method over shuffled
 // orders (verify/gate/bands.py): threads must not produce a mesh that no other order would have
 // produced.
-Check against_parallel(std::string name, std::string description, Difference difference,
-                       Names scenes = every_scene()) {
-    return {std::move(name),
-            std::move(description),
+Check against_parallel(const Comparison& comparison) {
+    return {comparison.name,
+            comparison.description,
             "1",
             false,
-            std::move(scenes),
-            [difference = std::move(difference)](Runs& runs, const std::string& scene) {
+            comparison.scenes,
+            [difference = comparison.difference](Runs& runs, const std::string& scene) {
                 const RunResult& sequential = finished(runs.get({scene}));
-                double worst = 0;
+                Measured worst{.run = {scene}};
                 for (const Configuration& one : parallel(scene)) {
-                    worst = std::max(worst, difference(finished(runs.get(one)), sequential));
+                    const double here = difference(finished(runs.get(one)), sequential);
+                    if (std::isnan(here)) {
+                        return Measured{here, one};
+                    }
+                    if (here > worst.value) {
+                        worst = {here, one};
+                    }
                 }
                 return worst;
-            }};
+            },
+            comparison.figures};
 }
 
-Check least_of_parallel(std::string name, std::string description, std::string unit,
-                        Figure figure) {
+Check least_of_parallel(std::string name, std::string description, std::string unit, Figure figure,
+                        Names figures, Culprit culprit) {
     return {std::move(name),
             std::move(description),
             std::move(unit),
             true,
             every_scene(),
             [figure = std::move(figure)](Runs& runs, const std::string& scene) {
-                double least = std::numeric_limits<double>::infinity();
+                Measured least{.value = std::numeric_limits<double>::infinity()};
                 for (const Configuration& one : parallel(scene)) {
-                    least = std::min(least, figure(finished(runs.get(one))));
+                    const double here = figure(finished(runs.get(one)));
+                    if (std::isnan(here)) {
+                        return Measured{here, one};
+                    }
+                    if (here < least.value) {
+                        least = {here, one};
+                    }
                 }
                 return least;
-            }};
+            },
+            std::move(figures),
+            culprit};
 }
 
-Check against_reference(std::string name, std::string description, Difference difference) {
+Check against_reference(std::string name, std::string description,
+                        Comparison::Difference difference) {
     return {std::move(name),
             std::move(description),
             "1",
             false,
             compared,
             [difference = std::move(difference)](Runs& runs, const std::string& scene) {
-                const RunResult& library = finished(runs.get({scene, Size::coarse}));
-                return difference(library,
-                                  finished(runs.get({scene, Size::coarse, Strategy::reference})));
+                const Configuration coarse{scene, Size::coarse};
+                const RunResult& library = finished(runs.get(coarse));
+                const RunResult& literal =
+                    finished(runs.get({scene, Size::coarse, Strategy::reference}));
+                return Measured{difference(library, literal), coarse};
             }};
 }
 
@@ -178,24 +203,33 @@ double event_difference(const RunResult& a, const RunResult& b) {
     return sum;
 }
 
-std::vector<Check> make_checks() {
+std::vector<Check> make_scene_checks() {
+    using enum Culprit;
     std::vector<Check> checks{
         of_sequential("area_ratio", "area against the exact shape's, both relative to their first",
-                      "1", false, compared, area_drift),
-        of_sequential("symmetric_difference", "area between the shape and the exact one at the end",
-                      "1", false, compared,
-                      [](const RunResult& r) { return number(r.last, "sd_rel"); }),
-        of_sequential("symmetric_difference_half",
-                      "the same at the half of a reversing flow, where errors do not cancel", "1",
-                      false, {"swirl", "single-vortex"},
-                      [](const RunResult& r) { return number(r.half.value(), "sd_rel"); }),
-        of_sequential("inverted", "triangles that are not positive, by the exact predicate",
-                      "triangles", false, every_scene(),
-                      [](const RunResult& r) { return static_cast<double>(r.inverted); }),
-        of_sequential("unreached", "vertices that did not arrive", "vertices", false, every_scene(),
-                      [](const RunResult& r) { return static_cast<double>(r.unreached); }),
-        of_sequential("min_quality", "worst quality at the end", "1", true, every_scene(),
-                      [](const RunResult& r) { return number(r.last, "min_quality"); }),
+                      "1", false, compared, area_drift, {"area_exact_last"}, deviation),
+        of_sequential(
+            "symmetric_difference", "area between the shape and the exact one at the end", "1",
+            false, compared, [](const RunResult& r) { return number(r.last, "sd_rel"); },
+            {"sd_rel_last"}, deviation),
+        of_sequential(
+            "symmetric_difference_half",
+            "the same at the half of a reversing flow, where errors do not cancel", "1", false,
+            {"swirl", "single-vortex"},
+            [](const RunResult& r) { return number(r.half.value(), "sd_rel"); }, {"sd_rel_half"},
+            deviation),
+        of_sequential(
+            "inverted", "triangles that are not positive, by the exact predicate", "triangles",
+            false, every_scene(),
+            [](const RunResult& r) { return static_cast<double>(r.inverted); }, {}, first_failure),
+        of_sequential(
+            "unreached", "vertices that did not arrive", "vertices", false, every_scene(),
+            [](const RunResult& r) { return static_cast<double>(r.unreached); }, {},
+            worst_triangle),
+        of_sequential(
+            "min_quality", "worst quality at the end", "1", true, every_scene(),
+            [](const RunResult& r) { return number(r.last, "min_quality"); }, {"min_quality_last"},
+            worst_triangle),
         against_reference("reference_area", "area ratio, library against reference",
                           area_difference),
         against_reference("reference_area_histogram",
@@ -203,94 +237,124 @@ std::vector<Check> make_checks() {
         against_reference("reference_quality_histogram",
                           "Kolmogorov-Smirnov distance of the triangles' qualities",
                           quality_distance),
-        against_parallel("parallel_area", "area ratio, parallel against sequential",
-                         area_difference),
-        against_parallel(
-            "parallel_symmetric_difference", "by how much the parallel one's is the larger",
-            [](const RunResult& a, const RunResult& b) {
-                return std::max(number(a.last, "sd_rel") - number(b.last, "sd_rel"), 0.0);
-            },
-            scenes_with_exact_shape()),
-        against_parallel("parallel_events",
-                         "merge, split, meet and exchange, parallel against sequential",
-                         event_difference, eventful),
-        against_parallel("parallel_area_histogram",
-                         "Kolmogorov-Smirnov distance of the triangles' areas", area_distance),
-        against_parallel("parallel_quality_histogram",
-                         "Kolmogorov-Smirnov distance of the triangles' qualities",
-                         quality_distance),
-        least_of_parallel("parallel_min_quality", "worst quality at the end, in parallel", "1",
-                          [](const RunResult& r) { return number(r.last, "min_quality"); }),
-        least_of_parallel("parallel_min_angle", "smallest angle at the end, in parallel", "degrees",
-                          [](const RunResult& r) { return number(r.last, "min_angle_deg"); }),
-        {"parallel_unreached", "vertices that did not arrive, and triangles inverted, in parallel",
-         "vertices", false, every_scene(),
+    };
+    for (const Comparison& comparison : comparisons()) {
+        checks.push_back(against_parallel(comparison));
+    }
+    std::vector<Check> of_parallel{
+        least_of_parallel(
+            "parallel_min_quality", "worst quality at the end, in parallel", "1",
+            [](const RunResult& r) { return number(r.last, "min_quality"); }, {"min_quality_last"},
+            worst_triangle),
+        least_of_parallel(
+            "parallel_min_angle", "smallest angle at the end, in parallel", "degrees",
+            [](const RunResult& r) { return number(r.last, "min_angle_deg"); },
+            {"min_angle_deg_last"}, sharpest_corner),
+        {"parallel_unreached",
+         "vertices that did not arrive, and triangles inverted, in parallel",
+         "vertices",
+         false,
+         every_scene(),
          [](Runs& runs, const std::string& scene) {
-             double sum = 0;
+             Measured sum{.run = {scene}};
              for (const Configuration& one : parallel(scene)) {
                  const RunResult& r = finished(runs.get(one));
-                 sum += static_cast<double>(r.unreached + r.inverted);
+                 if (r.unreached + r.inverted > 0) {
+                     sum = {sum.value + static_cast<double>(r.unreached + r.inverted), one};
+                 }
              }
              return sum;
-         }},
+         },
+         {},
+         first_failure},
         {"mesh_hash", "different results of 1, 2, 3 and 5 threads, by each strategy", "results",
          false, compared, distinct_hashes},
     };
-    for (Check& check : accuracy_checks()) {
-        checks.push_back(std::move(check));
-    }
+    std::ranges::move(of_parallel, std::back_inserter(checks));
     return checks;
 }
 
 } // namespace
 
-const std::vector<Check>& all_checks() {
-    static const std::vector<Check> checks = make_checks();
+const std::vector<Comparison>& comparisons() {
+    static const std::vector<Comparison> all{
+        {"parallel_area", "area ratio, parallel against sequential", area_difference,
+         every_scene()},
+        {"parallel_symmetric_difference",
+         "by how much the parallel one's is the larger",
+         [](const RunResult& a, const RunResult& b) {
+             return std::max(number(a.last, "sd_rel") - number(b.last, "sd_rel"), 0.0);
+         },
+         scenes_with_exact_shape(),
+         {"sd_rel_last"}},
+        {"parallel_events", "merge, split, meet and exchange, parallel against sequential",
+         event_difference, eventful},
+        {"parallel_area_histogram", "Kolmogorov-Smirnov distance of the triangles' areas",
+         area_distance, every_scene()},
+        {"parallel_quality_histogram", "Kolmogorov-Smirnov distance of the triangles' qualities",
+         quality_distance, every_scene()},
+    };
+    return all;
+}
+
+const std::vector<Check>& scene_checks() {
+    static const std::vector<Check> checks = make_scene_checks();
     return checks;
 }
 
-std::vector<const Check*> select_checks(const std::vector<std::string>& names) {
-    const auto& checks = all_checks();
-    std::string known;
-    for (const Check& check : checks) {
-        known += (known.empty() ? "" : ", ") + check.name;
+const std::vector<Check>& all_checks() {
+    static const std::vector<Check> checks = [] {
+        std::vector<Check> all = scene_checks();
+        std::ranges::move(accuracy_checks(), std::back_inserter(all));
+        return all;
+    }();
+    return checks;
+}
+
+std::vector<const Check*> select_checks(const std::vector<const Check*>& checks,
+                                        const std::vector<std::string>& names) {
+    std::vector<std::string> known;
+    for (const Check* check : checks) {
+        known.push_back(check->name);
     }
     for (const std::string& name : names) {
-        if (std::none_of(checks.begin(), checks.end(),
-                         [&](const Check& check) { return check.name == name; })) {
+        if (std::ranges::find(known, name) == known.end()) {
             throw InputError({.what = "unknown check",
                               .where = "run",
-                              .value = "'" + name + "'",
-                              .allowed = known});
+                              .value = scenes::quoted_excerpt(name),
+                              .allowed = scenes::allowed_names(name, known)});
         }
     }
     std::vector<const Check*> selected;
-    for (const Check& check : checks) {
-        if (names.empty() || std::find(names.begin(), names.end(), check.name) != names.end()) {
-            selected.push_back(&check);
-        }
-    }
+    std::ranges::copy_if(checks, std::back_inserter(selected), [&](const Check* check) {
+        return names.empty() || std::ranges::find(names, check->name) != names.end();
+    });
     return selected;
 }
 
-void check_limits(const std::vector<const Check*>& checks, const Limits& limits) {
-    for (const Check* check : checks) {
-        for (const std::string& scene : check->scenes) {
-            (void)limits.find(check->name, scene);
-        }
+void check_limits(const std::vector<Task>& tasks, const Limits& limits) {
+    for (const Task& task : tasks) {
+        (void)limits.find(task.check->name, task.scene);
     }
+}
+
+void check_all_read(const std::vector<Task>& tasks, const Limits& limits) {
     std::set<Limits::Key> read;
+    for (const Task& task : tasks) {
+        read.insert({task.check->name, task.scene});
+    }
     for (const Check& check : all_checks()) {
         for (const std::string& scene : check.scenes) {
             read.insert({check.name, scene});
         }
     }
     for (const auto& [key, limit] : limits.all()) {
-        if (read.count(key) == 0) {
+        if (!read.contains(key)) {
             throw InputError({.what = "a limit that no check reads",
                               .where = limits.path(),
                               .value = "'" + key.first + "', '" + key.second + "'",
-                              .allowed = "the checks and scenes of `dsc_verify list`"});
+                              .allowed = "the checks and scenes of `dsc_verify list`, and scenes "
+                                         "whose files are given"});
         }
     }
 }
@@ -302,10 +366,11 @@ Row judge(const Check& check, const std::string& scene, const Limits& limits, Ru
     row.limit = limits.find(check.name, scene).value;
     const auto start = std::chrono::steady_clock::now();
     try {
-        const double measured = check.measure(runs, scene);
-        row.measured = measured;
+        const Measured measured = check.measure(runs, scene);
+        row.measured = measured.value;
+        row.run = measured.run;
         // Written so that NaN fails.
-        row.pass = check.at_least ? measured >= row.limit : measured <= row.limit;
+        row.pass = check.at_least ? measured.value >= row.limit : measured.value <= row.limit;
     } catch (const std::exception& error) {
         row.failure = error.what();
     }

@@ -87,8 +87,7 @@ Limits Limits::read(const std::string& path) {
         throw InputError(
             {.what = "no limits", .where = path, .value = shortened(checks), .allowed = allowed});
     }
-    Limits limits;
-    limits.path_ = path;
+    Limits limits(path);
     for (const auto& [check, scenes] : checks.items()) {
         if (!scenes.is_object()) {
             throw InputError({.what = "no limits",

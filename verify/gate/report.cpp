@@ -17,6 +17,8 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
+constexpr int check_width = 36;
+
 std::string number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", value);
@@ -47,19 +49,34 @@ std::string xml(std::string text) {
 } // namespace
 
 void print_heading(std::ostream& out) {
-    out << std::left << std::setw(30) << "check" << std::setw(22) << "scene" << std::right
+    out << std::left << std::setw(check_width) << "check" << std::setw(22) << "scene" << std::right
         << std::setw(12) << "measured" << std::setw(14) << "limit"
         << "  verdict\n";
 }
 
 void print_row(std::ostream& out, const Row& row) {
-    out << std::left << std::setw(30) << row.check->name << std::setw(22) << row.scene << std::right
-        << std::setw(12) << measured_text(row) << std::setw(14) << limit_text(row) << "  "
-        << (row.pass ? "pass" : "FAIL");
+    out << std::left << std::setw(check_width) << row.check->name << std::setw(22) << row.scene
+        << std::right << std::setw(12) << measured_text(row) << std::setw(14) << limit_text(row)
+        << "  " << (row.pass ? "pass" : "FAIL");
     if (!row.failure.empty()) {
         out << ": " << row.failure;
     }
     out << std::endl;
+}
+
+void print_bands(std::ostream& out, const std::vector<Band>& bands) {
+    const auto columns = [&](const std::string& check, const std::string& median,
+                             const std::string& spread, const std::string& limit,
+                             const std::string& ratio) {
+        out << std::left << std::setw(check_width) << check << std::right << std::setw(12) << median
+            << std::setw(12) << spread << std::setw(14) << limit << std::setw(10) << ratio << '\n';
+    };
+    columns("check", "median", "spread", "limit", "ratio");
+    for (const Band& band : bands) {
+        columns(band.check, number(band.median), number(band.spread()),
+                (band.at_least ? ">= " : "<= ") + number(band.limit),
+                std::isfinite(band.ratio()) ? number(band.ratio()) : "-");
+    }
 }
 
 std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Runs& runs) {
@@ -81,6 +98,9 @@ std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Ru
     }
     OrderedJson not_run = OrderedJson::array();
     for (const Check& check : all_checks()) {
+        if (!runs.files().empty()) {
+            break; // of scene files, what has a limit is run
+        }
         if (std::ranges::none_of(rows, [&](const Row& row) { return row.check == &check; })) {
             not_run.push_back({{"check", check.name},
                                {"description", check.description},

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "checks.h"
+#include "propose.h"
 
 #include <ostream>
 #include <string>
@@ -13,6 +14,9 @@ namespace dsc::gate {
 
 void print_heading(std::ostream& out);
 void print_row(std::ostream& out, const Row& row);
+
+/// Median, spread, limit and their ratio of each proposed limit.
+void print_bands(std::ostream& out, const std::vector<Band>& bands);
 
 [[nodiscard]] std::string to_json(const std::vector<Row>& rows, const Limits& limits,
                                   const Runs& runs);

@@ -3,15 +3,20 @@
 
 #include "scenes/catalogue/catalogue.h"
 
+#include <algorithm>
+
 namespace dsc::gate {
 
 namespace {
 
-// Small enough for a method that sweeps over sets in each step, and large enough for some hundred
-// triangles inside and outside the shape.
+/// Small enough for a method that sweeps over sets in each step, and large enough for some hundred
+/// triangles inside and outside the shape.
+constexpr double edges_of_side = 20;
+
 scenes::Parameters coarse(const scenes::Scene& scene) {
     scenes::Parameters parameters = scene.defaults;
-    parameters.h = 0.05;
+    const Rectangle domain = scene.prepare(scene.defaults).domain;
+    parameters.h = (domain.high - domain.low).maxCoeff() / edges_of_side;
     parameters.interface = scenes::coarse_interface(); // as long as the reference's
     if (scene.name == "single-vortex") {
         // The filament of a longer period is thinner than the mesh.
@@ -22,22 +27,35 @@ scenes::Parameters coarse(const scenes::Scene& scene) {
 
 } // namespace
 
+scenes::SceneFile Runs::find(const std::string& scene) const {
+    const auto file = std::ranges::find_if(
+        files_, [&](const scenes::SceneFile& one) { return one.scene.name == scene; });
+    return file != files_.end() ? *file : scenes::SceneFile{.scene = scenes::find_scene(scene)};
+}
+
+Prepared Runs::prepare(const Configuration& configuration) const {
+    const scenes::SceneFile file = find(configuration.scene);
+    Prepared run{.scene = file.scene,
+                 .parameters =
+                     configuration.size == Size::full ? file.scene.defaults : coarse(file.scene),
+                 .options = {}};
+    run.options.strategy = configuration.strategy;
+    run.options.submeshing.threads = configuration.threads;
+    run.options.measures = file.measures;
+    run.options.measure_shape = configuration.measure_shape && file.measures_shape;
+    for (const std::string& setting : configuration.settings) {
+        scenes::apply_setting(run.parameters, run.scene.keys, setting);
+    }
+    return run;
+}
+
 const scenes::RunResult& Runs::get(const Configuration& configuration) {
     const auto found = runs_.find(configuration);
     if (found != runs_.end()) {
         return found->second;
     }
-    const scenes::Scene& scene = scenes::find_scene(configuration.scene);
-    scenes::RunOptions options;
-    options.strategy = configuration.strategy;
-    options.submeshing.threads = configuration.threads;
-    options.measure_shape = configuration.measure_shape;
-    scenes::Parameters parameters =
-        configuration.size == Size::full ? scene.defaults : coarse(scene);
-    for (const std::string& setting : configuration.settings) {
-        scenes::apply_setting(parameters, scene.keys, setting);
-    }
-    return runs_[configuration] = scenes::run_scene(scene, parameters, options);
+    const Prepared run = prepare(configuration);
+    return runs_[configuration] = scenes::run_scene(run.scene, run.parameters, run.options);
 }
 
 } // namespace dsc::gate

@@ -2,11 +2,13 @@
 // The runs that the checks look at, each made once, when it is first requested.
 #pragma once
 
+#include "scenes/file/scene_file.h"
 #include "scenes/run/run.h"
 
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace dsc::gate {
@@ -18,7 +20,7 @@ enum class Size : std::uint8_t {
 };
 
 struct Configuration {
-    std::string scene;
+    std::string scene; ///< a name of the catalogue or of a scene file
     Size size = Size::full;
     scenes::Strategy strategy = scenes::Strategy::sequential;
     std::uint32_t threads = 1;
@@ -33,13 +35,29 @@ struct Configuration {
     }
 };
 
+/// What `run_scene` takes.
+struct Prepared {
+    scenes::Scene scene;
+    scenes::Parameters parameters;
+    scenes::RunOptions options;
+};
+
 class Runs {
 public:
+    Runs() = default;
+    /// These scenes come before those of the catalogue of the same name.
+    explicit Runs(std::vector<scenes::SceneFile> files) : files_(std::move(files)) {}
+
     /// Throws what the run throws.
     const scenes::RunResult& get(const Configuration& configuration);
     [[nodiscard]] const std::map<Configuration, scenes::RunResult>& all() const { return runs_; }
+    [[nodiscard]] const std::vector<scenes::SceneFile>& files() const { return files_; }
+    /// The scene of this name. Throws InputError if there is none.
+    [[nodiscard]] scenes::SceneFile find(const std::string& scene) const;
+    [[nodiscard]] Prepared prepare(const Configuration& configuration) const;
 
 private:
+    std::vector<scenes::SceneFile> files_;
     std::map<Configuration, scenes::RunResult> runs_;
 };
 

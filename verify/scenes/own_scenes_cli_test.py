@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: MIT
+"""dsc_verify with scenes of one's own: judged by their [limits] and by a limits file, as those of the
+catalogue are; limits proposed from shuffled orders; and every kind of bad call."""
+import json
+import unittest
+
+from command_line import SCENE, VERIFY, LIMITS, CommandLine
+
+MINE = """name = "mine"
+[options]
+h = 0.05
+dt = 0.05
+period = 1
+[flow]
+swirl = { period = 1 }
+[[shape]]
+circle = { centre = [0.5, 0.7], radius = 0.15 }
+[exact]
+carried = true
+"""
+LENIENT = """[limits]
+sd_rel_last = 0.1
+inverted = 0
+min_angle_deg_last.least = 5
+area_ratio = { least = 0.9, most = 1.1 }
+"""
+
+
+class OwnScenes(CommandLine):
+    program = VERIFY
+
+    def write(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as stream:
+            stream.write(text)
+        return self.path(name)
+
+    def scene(self, text=MINE + LENIENT, name="mine.toml"):
+        return self.write(name, text)
+
+    def limits(self, limits, name="limits.json"):
+        return self.write(name, json.dumps({"limits": limits}))
+
+    def limit(self, check, value, scene="mine"):
+        return self.limits({check: {scene: {"value": value, "note": "of this test"}}})
+
+    def rows(self):
+        with open(self.path("out/verify.json"), encoding="utf-8") as stream:
+            return {row["check"]: row for row in json.load(stream)["checks"]}
+
+
+class Judged(OwnScenes):
+    def test_by_the_limits_of_the_file(self):
+        done = self.call("run", self.scene(), "--out", "out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        rows = self.rows()
+        self.assertEqual(set(rows), {"limits.sd_rel_last", "limits.inverted",
+                                     "limits.min_angle_deg_last.least",
+                                     "limits.area_ratio.least", "limits.area_ratio.most"})
+        self.assertEqual(rows["limits.min_angle_deg_last.least"]["sense"], ">=")
+        self.assertIn("mine.toml:13: [limits] sd_rel_last", rows["limits.sd_rel_last"]["note"])
+        self.assertEqual(rows["limits.sd_rel_last"]["scene"], "mine")
+
+    def test_a_broken_limit_of_each_sense(self):
+        for limits in ("sd_rel_last = 1e-9", "min_angle_deg_last.least = 59"):
+            done = self.call("run", self.scene(MINE + "[limits]\n" + limits), "--out", "out")
+            self.assertEqual(done.returncode, 1, done.stdout)
+            self.assertEqual(done.stdout.count("FAIL"), 1)
+
+    def test_by_a_limits_file_as_well(self):
+        done = self.call("run", self.scene(), "--limits", self.limit("unreached", 0), "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("unreached", self.rows())
+        self.assertIn("limits.inverted", self.rows())
+        done = self.call("run", self.scene(MINE), "--limits", self.limit("area_ratio", 0),
+                         "--out", "out")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(set(self.rows()), {"area_ratio"})
+
+    def test_by_selected_checks(self):
+        done = self.call("run", "limits.inverted", self.scene(), "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(set(self.rows()), {"limits.inverted"})
+
+    def test_as_the_catalogue_is(self):
+        """A described scene measures the same figures under the same names."""
+        described = self.call_scene("describe", "zalesak")
+        self.scene(described.stdout, "zalesak.toml")
+        checks = ("inverted", "unreached", "min_quality")
+        own = self.call("run", *checks, "./zalesak.toml", "--limits", LIMITS, "--out", "out")
+        self.assertEqual(own.returncode, 0, own.stderr)
+        rows = self.rows()
+        self.assertEqual(set(rows), set(checks))
+        run = self.call_scene("run", "zalesak", "--json", "zalesak.json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        with open(self.path("zalesak.json"), encoding="utf-8") as stream:
+            of_catalogue = json.load(stream)
+        self.assertEqual(rows["min_quality"]["measured"], of_catalogue["min_quality_last"])
+
+    def call_scene(self, *arguments):
+        self.program = SCENE
+        done = self.call(*arguments)
+        self.program = VERIFY
+        return done
+
+
+class Refused(OwnScenes):
+    def test_no_limits(self):
+        self.expect_refusal("run", self.scene(MINE), words=["mine.toml", "without limits",
+                                                            "[limits]", "--limits"])
+
+    def test_a_limits_file_without_the_scene(self):
+        for limits in ({}, {"inverted": {}}):
+            self.expect_refusal("run", self.scene(), "--limits", self.limits(limits),
+                                words=["limits.json", "mine", "propose"])
+        self.expect_refusal("run", self.scene(), "--limits", LIMITS, words=["mine"])
+
+    def test_unknown_names_in_a_limits_file(self):
+        for check, scene in (("aera_ratio", "mine"), ("inverted", "mien"), ("sd_rel_last", "mine")):
+            path = self.limits({"unreached": {"mine": {"value": 0, "note": "good"}}} |
+                               {check: {scene: {"value": 0, "note": "bad"}}})
+            self.expect_refusal("run", self.scene(), "--limits", path,
+                                words=["limits.json", check, scene])
+
+    def test_limits_that_are_no_numbers(self):
+        for value in ("NaN", "1e999", "null", '"1"'):
+            path = self.write("limits.json", '{"limits": {"inverted": {"mine": '
+                              f'{{"value": {value}, "note": "bad"}}}}}}}}')
+            self.expect_refusal("run", self.scene(), "--limits", path, words=["limits.json"])
+        self.expect_refusal("run", self.scene(MINE + "[limits]\nsd_rel_last = nan\n"),
+                            words=["mine.toml:13", "sd_rel_last", "nan"])
+
+    def test_a_limit_without_its_measure(self):
+        bare = MINE.split("[exact]")[0]
+        self.expect_refusal("run", self.scene(bare), "--limits",
+                            self.limit("symmetric_difference", 1),
+                            words=["limits.json: symmetric_difference, mine", "exact shape"])
+        some = MINE + "[measure]\nmeasures = ['area']\n"
+        self.expect_refusal("run", self.scene(some), "--limits", self.limit("min_quality", 0.1),
+                            words=["min_quality", "not taken"])
+        self.expect_refusal("run", self.scene(some + LENIENT), words=["mine.toml:17", "not taken"])
+
+    def test_unknown_checks(self):
+        self.expect_refusal("run", "limits.sd", self.scene(), words=["'limits.sd'", "inverted"])
+        self.expect_refusal("run", "area_ratio", self.scene(), words=["area_ratio", "limit"])
+
+    def test_files(self):
+        self.expect_refusal("run", "none.toml", words=["none.toml"])
+        self.expect_refusal("run", self.scene("h = 3"), words=["mine.toml:1", "'h'"])
+        self.expect_refusal("run", self.scene(), self.scene(name="other.toml"),
+                            words=["other.toml", "one name", "mine"])
+
+
+class Proposed(OwnScenes):
+    def propose(self, *arguments):
+        return self.call("propose", self.scene(MINE), "--orders", "4", *arguments)
+
+    def test_limits_hold_for_the_scene(self):
+        done = self.propose("--out", "l.json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.path("l.json"), encoding="utf-8") as stream:
+            limits = json.load(stream)["limits"]
+        for name in ("area_ratio", "symmetric_difference", "inverted", "min_quality",
+                     "parallel_area_histogram", "mesh_hash"):
+            self.assertIn(name, limits)
+            self.assertIn(name, done.stdout)
+        entry = limits["symmetric_difference"]["mine"]
+        band = entry["band"]
+        self.assertEqual(band["orders"], 4)
+        self.assertGreater(band["spread"], 0, "shuffled orders differ")
+        self.assertGreater(entry["value"], band["median"])
+        self.assertAlmostEqual(band["ratio"], entry["value"] / band["median"])
+        self.assertLess(limits["min_quality"]["mine"]["value"],
+                        limits["min_quality"]["mine"]["band"]["median"])
+        done = self.call("run", "symmetric_difference", "min_quality", "inverted", "unreached",
+                         self.scene(MINE), "--limits", "l.json", "--out", "out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+
+    def test_nothing_is_overwritten(self):
+        before = self.write("l.json", "mine")
+        self.expect_refusal("propose", self.scene(MINE), "--orders", "2", "--out", before,
+                            words=["--out", "l.json", "--overwrite"])
+        with open(before, encoding="utf-8") as stream:
+            self.assertEqual(stream.read(), "mine")
+        done = self.propose("--out", before, "--overwrite")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(before, encoding="utf-8") as stream:
+            self.assertIn("limits", json.load(stream))
+
+    def test_bad_calls(self):
+        self.expect_refusal("propose")
+        self.expect_refusal("propose", "swril", words=["swril", "swirl"])
+        self.expect_refusal("propose", "none.toml", words=["none.toml"])
+        self.expect_refusal("propose", self.scene(MINE), "--orders", "1", words=["--orders"])
+        self.expect_refusal("propose", self.scene(MINE), "--out", "none/l.json", words=["--out"])
+
+
+if __name__ == "__main__":
+    unittest.main()
