@@ -70,11 +70,7 @@ Configuration configuration_of(const std::string& name) {
 }
 
 const RunResult& run_of(Runs& runs, const std::string& name) {
-    const RunResult& result = runs.get(configuration_of(name));
-    if (!result.gave_up.empty()) {
-        throw InvariantError("the run gave up: " + result.gave_up);
-    }
-    return result;
+    return finished(runs, configuration_of(name));
 }
 
 std::vector<std::string> names_where(const std::function<bool(const Flow&)>& keeps) {

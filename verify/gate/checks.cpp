@@ -66,14 +66,6 @@ double area_drift(const RunResult& r) {
     return std::abs(r.area_ratio / (number(r.last, "area_exact") / r.area_exact_first) - 1);
 }
 
-// Runs that break their invariants say nothing about anything else.
-const RunResult& finished(const RunResult& r) {
-    if (!r.gave_up.empty()) {
-        throw InvariantError("the run gave up: " + r.gave_up);
-    }
-    return r;
-}
-
 Measured distinct_hashes(Runs& runs, const std::string& scene) {
     Measured most;
     for (const Strategy strategy : scenes::all_strategies()) {
@@ -84,7 +76,7 @@ Measured distinct_hashes(Runs& runs, const std::string& scene) {
         std::set<std::map<std::string, std::uint64_t>> counts;
         for (const std::uint32_t threads : {1U, 2U, 3U, 5U}) {
             const RunResult& r =
-                finished(runs.get({scene, Size::coarse, strategy, threads, {}, false}));
+                finished(runs, {scene, Size::coarse, strategy, threads, {}, false});
             hashes.insert(r.mesh_hash);
             counts.insert(r.operations);
         }
@@ -107,7 +99,7 @@ Check of_sequential(std::string name, std::string description, std::string unit,
             at_least,
             std::move(scenes),
             [figure = std::move(figure)](Runs& runs, const std::string& scene) {
-                return Measured{figure(finished(runs.get({scene}))), {scene}};
+                return Measured{figure(finished(runs, {scene})), {scene}};
             },
             std::move(figures),
             culprit};
@@ -123,10 +115,10 @@ Check against_parallel(const Comparison& comparison) {
             false,
             comparison.scenes,
             [difference = comparison.difference](Runs& runs, const std::string& scene) {
-                const RunResult& sequential = finished(runs.get({scene}));
+                const RunResult& sequential = finished(runs, {scene});
                 Measured worst{.run = {scene}};
                 for (const Configuration& one : parallel(scene)) {
-                    const double here = difference(finished(runs.get(one)), sequential);
+                    const double here = difference(finished(runs, one), sequential);
                     if (std::isnan(here)) {
                         return Measured{here, one};
                     }
@@ -149,7 +141,7 @@ Check least_of_parallel(std::string name, std::string description, std::string u
             [figure = std::move(figure)](Runs& runs, const std::string& scene) {
                 Measured least{.value = std::numeric_limits<double>::infinity()};
                 for (const Configuration& one : parallel(scene)) {
-                    const double here = figure(finished(runs.get(one)));
+                    const double here = figure(finished(runs, one));
                     if (std::isnan(here)) {
                         return Measured{here, one};
                     }
@@ -165,18 +157,18 @@ Check least_of_parallel(std::string name, std::string description, std::string u
 
 Check against_reference(std::string name, std::string description,
                         Comparison::Difference difference) {
-    return {std::move(name),
-            std::move(description),
-            "1",
-            false,
-            compared,
-            [difference = std::move(difference)](Runs& runs, const std::string& scene) {
-                const Configuration coarse{scene, Size::coarse};
-                const RunResult& library = finished(runs.get(coarse));
-                const RunResult& literal =
-                    finished(runs.get({scene, Size::coarse, Strategy::reference}));
-                return Measured{difference(library, literal), coarse};
-            }};
+    return {
+        std::move(name),
+        std::move(description),
+        "1",
+        false,
+        compared,
+        [difference = std::move(difference)](Runs& runs, const std::string& scene) {
+            const Configuration coarse{scene, Size::coarse};
+            const RunResult& library = finished(runs, coarse);
+            const RunResult& literal = finished(runs, {scene, Size::coarse, Strategy::reference});
+            return Measured{difference(library, literal), coarse};
+        }};
 }
 
 double area_difference(const RunResult& a, const RunResult& b) {
@@ -258,7 +250,7 @@ std::vector<Check> make_scene_checks() {
          [](Runs& runs, const std::string& scene) {
              Measured sum{.run = {scene}};
              for (const Configuration& one : parallel(scene)) {
-                 const RunResult& r = finished(runs.get(one));
+                 const RunResult& r = finished(runs, one);
                  if (r.unreached + r.inverted > 0) {
                      sum = {sum.value + static_cast<double>(r.unreached + r.inverted), one};
                  }
@@ -275,6 +267,14 @@ std::vector<Check> make_scene_checks() {
 }
 
 } // namespace
+
+const RunResult& finished(Runs& runs, const Configuration& configuration) {
+    const RunResult& result = runs.get(configuration);
+    if (!result.gave_up.empty()) {
+        throw GaveUp(result.gave_up, configuration);
+    }
+    return result;
+}
 
 const std::vector<Comparison>& comparisons() {
     static const std::vector<Comparison> all{
@@ -371,6 +371,9 @@ Row judge(const Check& check, const std::string& scene, const Limits& limits, Ru
         row.run = measured.run;
         // Written so that NaN fails.
         row.pass = check.at_least ? measured.value >= row.limit : measured.value <= row.limit;
+    } catch (const GaveUp& error) {
+        row.failure = error.what();
+        row.run = error.run();
     } catch (const std::exception& error) {
         row.failure = error.what();
     }

@@ -6,6 +6,8 @@
 #include "limits.h"
 #include "runs.h"
 
+#include "dsc/base/error.h"
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -28,6 +30,21 @@ enum class Culprit : std::uint8_t {
     turn,            ///< the vertex of the interface that turns too much
     first_failure,   ///< the triangle that is inverted, at the first step that has one
 };
+
+/// A run that broke off says nothing about anything else.
+class GaveUp : public InvariantError {
+public:
+    GaveUp(const std::string& reason, Configuration run)
+        : InvariantError("the run gave up: " + reason), run_(std::move(run)) {}
+
+    [[nodiscard]] const Configuration& run() const { return run_; }
+
+private:
+    Configuration run_;
+};
+
+/// The result of a run that did all of its steps. Throws GaveUp, and what the run throws.
+[[nodiscard]] const scenes::RunResult& finished(Runs& runs, const Configuration& configuration);
 
 struct Check {
     std::string name;
@@ -77,6 +94,16 @@ void check_limits(const std::vector<Task>& tasks, const Limits& limits);
 /// then one of the two is misspelt.
 void check_all_read(const std::vector<Task>& tasks, const Limits& limits);
 
+/// Where a limit is broken; see place.h.
+struct Place {
+    std::string what{};                ///< in words; empty if nothing was found
+    std::optional<Point<double>> at{}; ///< in units of the domain
+    double time = 0;
+    std::string picture{}; ///< a file; empty: none
+    std::string edits{};   ///< the log of edits that leads there; empty: none
+    std::string command{}; ///< makes the run again
+};
+
 struct Row {
     const Check* check = nullptr;
     std::string scene;
@@ -85,6 +112,7 @@ struct Row {
     double limit = 0;
     bool pass = false;
     std::string failure; ///< what the run threw
+    Place place{};       ///< of a limit that is broken
     double seconds = 0;
 };
 

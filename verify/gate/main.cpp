@@ -4,6 +4,7 @@
 // dsc_verify propose SCENE|SCENE_FILE [--orders N] [--out FILE [--overwrite]]
 // Exit: 0 all limits hold; 1 one is broken, or the results could not be written; 2 bad usage.
 #include "own_scenes.h"
+#include "place.h"
 #include "propose.h"
 #include "report.h"
 
@@ -102,6 +103,22 @@ std::vector<Task> tasks_of_own(const std::vector<std::string>& names,
     return tasks;
 }
 
+// Where a limit is broken, for as many as anybody will look at.
+void find_places(std::vector<Row>& rows, const Runs& runs, const std::filesystem::path& folder) {
+    constexpr int most_places = 20;
+    int places = 0;
+    for (Row& row : rows) {
+        if (row.pass || ++places > most_places) {
+            continue;
+        }
+        try {
+            row.place = find_place(row, runs, folder);
+        } catch (const std::exception& error) { // the row has failed in any case
+            row.place.what = std::string("not found: ") + error.what();
+        }
+    }
+}
+
 int run(const Arguments& arguments) {
     std::vector<std::string> names;
     std::vector<std::string> paths;
@@ -127,11 +144,17 @@ int run(const Arguments& arguments) {
     }
     const auto failed =
         std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.pass; });
+    find_places(rows, runs, std::filesystem::path(arguments.out) / "failures");
+    for (const Row& row : rows) {
+        if (!row.pass) {
+            print_failure(std::cout, row, limits);
+        }
+    }
     std::cout << rows.size() << " limits, " << failed << " broken\n";
     try {
         const std::filesystem::path folder(arguments.out);
         dsc::scenes::write_file((folder / "verify.json").string(), to_json(rows, limits, runs));
-        dsc::scenes::write_file((folder / "verify.xml").string(), to_junit(rows));
+        dsc::scenes::write_file((folder / "verify.xml").string(), to_junit(rows, limits));
     } catch (const dsc::FileError& error) {
         std::cerr << "dsc_verify: " << error.what() << '\n';
         return 1; // not 2: everything was run

@@ -46,6 +46,45 @@ std::string xml(std::string text) {
     return escape_xml(text);
 }
 
+std::string where_text(const Place& place) {
+    return place.at ? place.what + ", at (" + number(place.at->x()) + ", " + number(place.at->y()) +
+                          "), time " + number(place.time)
+                    : place.what;
+}
+
+// A line for each thing that is known.
+std::string failure_lines(const Row& row, const Limits& limits) {
+    std::string text = "  measured  " + measured_text(row) + ' ' + row.check->unit + " (" +
+                       row.check->description + ")\n  limit     " + limit_text(row) + ": " +
+                       limits.find(row.check->name, row.scene).note + '\n';
+    const auto line = [&](const char* name, const std::string& value) {
+        text += value.empty() ? "" : std::string("  ") + name + value + '\n';
+    };
+    line("failure   ", row.failure);
+    line("where     ", where_text(row.place));
+    line("picture   ", row.place.picture);
+    line("edits     ", row.place.edits);
+    line("again     ", row.place.command);
+    return text;
+}
+
+OrderedJson place_json(const Place& place) {
+    OrderedJson json = OrderedJson::object();
+    if (place.at) {
+        json["at"] = {place.at->x(), place.at->y()};
+        json["time"] = place.time;
+    }
+    for (const auto& [name, value] : {std::pair{"what", place.what},
+                                      {"picture", place.picture},
+                                      {"edits", place.edits},
+                                      {"command", place.command}}) {
+        if (!value.empty()) {
+            json[name] = value;
+        }
+    }
+    return json;
+}
+
 } // namespace
 
 void print_heading(std::ostream& out) {
@@ -62,6 +101,10 @@ void print_row(std::ostream& out, const Row& row) {
         out << ": " << row.failure;
     }
     out << std::endl;
+}
+
+void print_failure(std::ostream& out, const Row& row, const Limits& limits) {
+    out << '\n' << row.check->name << " of " << row.scene << '\n' << failure_lines(row, limits);
 }
 
 void print_bands(std::ostream& out, const std::vector<Band>& bands) {
@@ -93,6 +136,9 @@ std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Ru
                           {"note", limits.find(row.check->name, row.scene).note}};
         if (!row.failure.empty()) {
             entry["failure"] = row.failure;
+        }
+        if (!row.pass) {
+            entry["place"] = place_json(row.place);
         }
         checks.push_back(std::move(entry));
     }
@@ -130,7 +176,7 @@ std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Ru
     return json.dump(1) + "\n";
 }
 
-std::string to_junit(const std::vector<Row>& rows) {
+std::string to_junit(const std::vector<Row>& rows, const Limits& limits) {
     const auto failures =
         std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.pass; });
     double seconds = 0;
@@ -151,7 +197,8 @@ std::string to_junit(const std::vector<Row>& rows) {
         const std::string message =
             row.failure.empty() ? "measured " + measured_text(row) + ", limit " + limit_text(row)
                                 : row.failure;
-        text += "><failure message=\"" + xml(message) + "\"/></testcase>\n";
+        text += "><failure message=\"" + xml(message) + "\">" +
+                escape_xml(failure_lines(row, limits)) + "</failure></testcase>\n";
     }
     return text + "</testsuite>\n</testsuites>\n";
 }

@@ -14,12 +14,14 @@ namespace dsc::gate {
 
 void print_heading(std::ostream& out);
 void print_row(std::ostream& out, const Row& row);
+/// Of a limit that is broken: why it stands, where it is broken, and how to see it again.
+void print_failure(std::ostream& out, const Row& row, const Limits& limits);
 
 /// Median, spread, limit and their ratio of each proposed limit.
 void print_bands(std::ostream& out, const std::vector<Band>& bands);
 
 [[nodiscard]] std::string to_json(const std::vector<Row>& rows, const Limits& limits,
                                   const Runs& runs);
-[[nodiscard]] std::string to_junit(const std::vector<Row>& rows);
+[[nodiscard]] std::string to_junit(const std::vector<Row>& rows, const Limits& limits);
 
 } // namespace dsc::gate

@@ -3,6 +3,7 @@
 catalogue are; limits proposed from shuffled orders; and every kind of bad call."""
 import json
 import unittest
+import xml.etree.ElementTree as xml
 
 from command_line import SCENE, VERIFY, LIMITS, CommandLine
 
@@ -43,9 +44,72 @@ class OwnScenes(CommandLine):
     def limit(self, check, value, scene="mine"):
         return self.limits({check: {scene: {"value": value, "note": "of this test"}}})
 
+    def call_scene(self, *arguments):
+        self.program = SCENE
+        done = self.call(*arguments)
+        self.program = VERIFY
+        return done
+
     def rows(self):
         with open(self.path("out/verify.json"), encoding="utf-8") as stream:
             return {row["check"]: row for row in json.load(stream)["checks"]}
+
+
+class WhereItFails(OwnScenes):
+    """A limit that is broken: what, why, where, a picture, and the run again."""
+
+    def broken(self, limit):
+        done = self.call("run", self.scene(MINE + "[limits]\n" + limit), "--out", "out")
+        self.assertEqual((done.returncode, done.stderr), (1, ""), done.stdout)
+        (row,) = [row for row in self.rows().values() if row["verdict"] == "fail"]
+        return done.stdout, row
+
+    def again(self, row):
+        """The command of the report gives the frame that the picture is of."""
+        words = row["place"]["command"].split()
+        self.assertEqual(words[0], "dsc_scene")
+        done = self.call_scene(*words[1:], "--edits", "again.edits", "--json", "again.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue([name for name in self.files() if name.endswith(".vtu")])
+        with open(self.path("again.json"), encoding="utf-8") as stream:
+            return json.load(stream)
+
+    def test_the_sharpest_corner(self):
+        text, row = self.broken("min_angle_deg_last.least = 59")
+        place = row["place"]
+        measured = row["measured"]
+        self.assertIn(f"an angle of {measured:.4g} degrees", place["what"])
+        for words in (place["what"], "mine.toml:13", "again     dsc_scene run", place["picture"]):
+            self.assertIn(words, text)
+        svg = xml.parse(self.path(place["picture"])).getroot()
+        self.assertTrue(svg.tag.endswith("svg"))
+        self.assertIn(place["what"], "".join(svg.itertext()))
+        self.assertTrue(all(0 <= x <= 1 for x in place["at"]))
+        self.assertEqual(self.again(row)["min_angle_deg_last"], measured)
+        failure = xml.parse(self.path("out/verify.xml")).getroot().find(".//failure")
+        self.assertIn(place["what"], failure.text)
+        self.assertIn(place["command"], failure.text)
+
+    def test_the_largest_deviation(self):
+        _, row = self.broken("hausdorff_last = 1e-9")
+        self.assertIn(f"{row['measured']:.4g} apart", row["place"]["what"])
+        x, y = row["place"]["at"]
+        self.assertLess(abs((x - 0.5) ** 2 + (y - 0.7) ** 2 - 0.15 ** 2), 0.05, "near the circle")
+
+    def test_the_edits_that_lead_there(self):
+        _, row = self.broken("inverted = -1")
+        self.again(row)
+        with open(self.path(row["place"]["edits"]), encoding="utf-8") as stream:
+            edits = stream.read()
+        self.assertGreater(len(edits.splitlines()), 100)
+        with open(self.path("again.edits"), encoding="utf-8") as stream:
+            self.assertEqual(stream.read(), edits)
+
+    def test_no_place_where_all_holds(self):
+        done = self.call("run", self.scene(), "--out", "out")
+        self.assertEqual(done.returncode, 0)
+        self.assertNotIn("again", done.stdout)
+        self.assertFalse([row for row in self.rows().values() if "place" in row])
 
 
 class Judged(OwnScenes):
@@ -96,11 +160,6 @@ class Judged(OwnScenes):
             of_catalogue = json.load(stream)
         self.assertEqual(rows["min_quality"]["measured"], of_catalogue["min_quality_last"])
 
-    def call_scene(self, *arguments):
-        self.program = SCENE
-        done = self.call(*arguments)
-        self.program = VERIFY
-        return done
 
 
 class Refused(OwnScenes):

@@ -49,6 +49,7 @@ struct Arguments {
     std::optional<std::string> json;
     std::optional<std::string> series;
     std::optional<std::string> outlines;
+    std::optional<std::string> edits;
     std::optional<std::string> pictures;
     std::optional<std::string> checkpoint;
     std::optional<std::string> resume;
@@ -187,6 +188,9 @@ void check_usage(const Arguments& arguments) {
     if (!arguments.run.frames.times.empty() && arguments.run.frames.folder.empty()) {
         refuse("nothing is written at these times", "--at", "it alone", "with --frames");
     }
+    if (arguments.edits && arguments.resume) {
+        refuse("a log of edits begins with the run", "--edits", "with --resume", "run SCENE");
+    }
     const auto check = [](const auto& path, const char* option) {
         if (path) {
             check_writable(*path, option);
@@ -196,6 +200,7 @@ void check_usage(const Arguments& arguments) {
     check(arguments.events, "--events");
     check(arguments.series, "--series");
     check(arguments.outlines, "--outlines");
+    check(arguments.edits, "--edits");
     check(arguments.checkpoint, "--checkpoint");
 }
 
@@ -222,6 +227,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     options.progress = isatty(STDERR_FILENO) != 0;
     options.interrupted = &interrupted;
     options.series_every = arguments.series ? arguments.every.value_or(1) : 0;
+    options.edits = arguments.edits.value_or("");
     options.outlines = arguments.outlines.value_or("");
     options.frames.layers = arguments.pictures ? parse_layers(*arguments.pictures) : Layers{};
     options.frames.outlines = arguments.outlines.has_value();
@@ -308,6 +314,8 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         "--outlines", arguments.outlines,
         "file for the phases at the end, as polygons in GeoJSON; with --frames, "
         "those of each frame beside it as well");
+    run_command->add_option("--edits", arguments.edits,
+                            "file for the log of edits, which replays to the same mesh");
     run_command->add_option("--json", arguments.json, "file for the result");
     run_command->add_option("--events", arguments.events,
                             "file for the changes of topology, one JSON object a line");

@@ -4,6 +4,7 @@
 
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/algorithm/simulation.h"
+#include "dsc/io/edit_file.h"
 #include "dsc/motion/growth.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/passes/growth_corners.h"
@@ -77,6 +78,11 @@ public:
                                       algorithm ? &*algorithm : nullptr);
         submeshes_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
         simulation_ = std::make_unique<Simulation<Real>>(complex_, options_, std::move(executor));
+        if (!run.edits.empty()) {
+            edits_.emplace(run.edits);
+            simulation_->add_listener(
+                [this](std::span<const Edit> edits) { edits_->write(edits); });
+        }
     }
 
     void step(const Velocity& velocity, double time, double dt, RunResult& result) {
@@ -110,6 +116,12 @@ public:
             carried_->archive(archive);
         }
         leg_ = leg;
+    }
+    /// To be called after the last step: the log of edits is put in its place.
+    void finish() {
+        if (edits_) {
+            edits_->commit();
+        }
     }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     /// The largest error of the value at the vertices; NaN if there is none.
@@ -194,6 +206,7 @@ private:
     const SubmeshExecutor<Real>* submeshes_ = nullptr;
     const Velocity* leg_ = nullptr; ///< the velocity of the previous step
     InterfaceMotion<Real> by_curvature_;
+    std::optional<EditFile> edits_;
     std::uint64_t vertex_steps_ = 0;
     std::optional<CarriedWatch<Real>> carried_;
     std::optional<KeptValue<Real>> value_;

@@ -74,6 +74,9 @@ public:
         }
         save();
         frames_.finish(result_.events);
+        if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
+            method_.finish();
+        }
         if (!options_.outlines.empty()) {
             write_file(options_.outlines, outlines_to_geojson(complex()));
         }

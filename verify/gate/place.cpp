@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "place.h"
+
+#include "dsc/complex/ranges.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/geometry/triangle.h"
+#include "dsc/io/svg.h"
+#include "dsc/quality/measures.h"
+#include "measures/hausdorff.h"
+#include "measures/interface_outlines.h"
+#include "measures/jaggedness.h"
+#include "scenes/digits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace dsc::gate {
+
+namespace {
+
+using Mesh = Complex<double>;
+
+constexpr double edges_around = 8; ///< of the place, in the picture, on either side
+
+struct Spot {
+    std::string what;
+    Point<double> at{0, 0};
+};
+
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+Point<double> centre_of(const Mesh& mesh, Triangle t) {
+    const auto v = mesh.vertices_of(t);
+    return (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])) / 3;
+}
+
+// --- the culprits -------------------------------------------------------------------------------
+
+// The triangle of the least value.
+template <class Value>
+std::optional<Spot> least_triangle(const Mesh& mesh, const std::string& what,
+                                   const std::string& unit, Value value) {
+    std::optional<Spot> spot;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Triangle t : triangles(mesh)) {
+        const double here = value(t);
+        if (here < least) {
+            least = here;
+            spot = Spot{what + short_number(here) + unit + " in triangle " + std::to_string(t.id),
+                        centre_of(mesh, t)};
+        }
+    }
+    return spot;
+}
+
+std::optional<Spot> inverted_triangle(const Mesh& mesh) {
+    for (const Triangle t : triangles(mesh)) {
+        const auto v = mesh.vertices_of(t);
+        if (!(orientation<double>(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])) >
+              0)) {
+            return Spot{"triangle " + std::to_string(t.id) + " is inverted", centre_of(mesh, t)};
+        }
+    }
+    return std::nullopt;
+}
+
+// Against the exact shape at this time, if it is known.
+std::optional<Spot> against_exact(const Mesh& mesh, Culprit culprit, const scenes::Setup& setup,
+                                  const scenes::Parameters& parameters, double time) {
+    if (!setup.exact) {
+        return std::nullopt;
+    }
+    const scenes::ExactShape exact = setup.exact(time);
+    if (std::isnan(exact.area) || exact.outlines.empty()) {
+        return std::nullopt;
+    }
+    if (culprit == Culprit::turn) {
+        const auto polygons = scenes::interface_outlines(mesh, {.phase = setup.measured});
+        const auto jaggedness = scenes::measure_jaggedness(polygons, exact.outlines);
+        return Spot{"a vertex of the interface turns by " +
+                        short_number(jaggedness.largest_excess_deg) + " degrees too much",
+                    jaggedness.worst};
+    }
+    const auto outlines = scenes::interface_outlines(
+        mesh, {.reading = parameters.interface.reading, .phase = setup.measured});
+    const auto distance = scenes::hausdorff(outlines, exact.outlines);
+    return Spot{"the interface and the exact shape are " + short_number(distance.distance()) +
+                    " apart",
+                distance.farthest};
+}
+
+std::optional<Spot> find_spot(const Mesh& mesh, Culprit culprit, const scenes::Setup& setup,
+                              const scenes::Parameters& parameters, double time) {
+    switch (culprit) {
+    case Culprit::worst_triangle:
+        return least_triangle(mesh, "quality ", "", [&](Triangle t) { return quality(mesh, t); });
+    case Culprit::sharpest_corner:
+        return least_triangle(mesh, "an angle of ", " degrees",
+                              [&](Triangle t) { return min_angle_deg(mesh, t); });
+    case Culprit::first_failure: return inverted_triangle(mesh);
+    case Culprit::deviation:
+    case Culprit::turn: return against_exact(mesh, culprit, setup, parameters, time);
+    case Culprit::none: break;
+    }
+    return std::nullopt;
+}
+
+// --- what is written ----------------------------------------------------------------------------
+
+std::string file_name(const Row& row) {
+    std::string name = row.check->name + '_' + row.scene;
+    std::ranges::replace_if(
+        name,
+        [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '-' && c != '_'; },
+        '-');
+    return name;
+}
+
+void draw(const Mesh& mesh, const Spot& spot, double edge_length, const std::string& title,
+          const std::string& path) {
+    const double reach = edges_around * edge_length;
+    write_svg(mesh, path,
+              {.view = SvgBox{spot.at.x() - reach, spot.at.y() - reach, spot.at.x() + reach,
+                              spot.at.y() + reach},
+               .title = title,
+               .marks = {{spot.at.x(), spot.at.y(), spot.what}}});
+}
+
+std::string text_of(const scenes::Setting& setting) {
+    struct Writer {
+        std::string operator()(double value) const { return scenes::shortest_digits(value); }
+        std::string operator()(int value) const { return std::to_string(value); }
+        std::string operator()(std::uint64_t value) const { return std::to_string(value); }
+        std::string operator()(const std::string& value) const { return value; }
+    };
+    return std::visit(Writer{}, setting);
+}
+
+// The run on the command line, with the settings that are not those of the scene.
+std::string command_of(const Configuration& of, const Prepared& run, const Runs& runs) {
+    const bool is_file = std::ranges::any_of(
+        runs.files(), [&](const scenes::SceneFile& file) { return file.scene.name == of.scene; });
+    std::string command = "dsc_scene run " + (is_file ? run.scene.section : of.scene);
+    for (const scenes::Key& key : scenes::parameter_keys()) {
+        const scenes::Setting value = key.value(run.parameters);
+        if (value != key.value(run.scene.defaults)) {
+            command += " --set " + key.name + '=' + text_of(value);
+        }
+    }
+    if (of.strategy != scenes::Strategy::sequential) {
+        command += " --strategy " + scenes::to_string(of.strategy);
+    }
+    return of.threads == 1 ? command : command + " --threads " + std::to_string(of.threads);
+}
+
+} // namespace
+
+Place find_place(const Row& row, const Runs& runs, const std::filesystem::path& folder) {
+    Place place;
+    if (!row.run || row.run->scene.empty()) {
+        return place;
+    }
+    Prepared run = runs.prepare(*row.run);
+    place.command = command_of(*row.run, run, runs);
+    const Culprit culprit = row.failure.empty() ? row.check->culprit : Culprit::first_failure;
+    if (culprit == Culprit::none || row.run->strategy == scenes::Strategy::reference ||
+        run.parameters.real != scenes::RealType::double_precision) {
+        return place;
+    }
+    const scenes::Setup setup = run.scene.prepare(run.parameters);
+    const bool is_half = row.check->name.find("_half") != std::string::npos;
+    const int last = is_half ? setup.half_step.value_or(setup.steps) : setup.steps;
+    const auto known = runs.all().find(*row.run);
+    const int end = known == runs.all().end() ? last : std::min(last, known->second.steps);
+    const std::string path = (folder / file_name(row)).string();
+
+    std::filesystem::create_directories(folder);
+    if (culprit == Culprit::first_failure) {
+        run.options.edits = path + ".edits";
+        place.edits = run.options.edits;
+    }
+    run.options.measure_shape = false;
+    run.options.stop_after = end;
+    run.options.observer = [&](int step, const Mesh& mesh) {
+        if (place.at || (culprit != Culprit::first_failure && step != end)) {
+            return;
+        }
+        const double time = step * setup.dt;
+        std::optional<Spot> spot = find_spot(mesh, culprit, setup, run.parameters, time);
+        if (!spot && step == end) { // nothing of that kind: the worst triangle is worth a look
+            spot = find_spot(mesh, Culprit::worst_triangle, setup, run.parameters, time);
+        }
+        if (spot) {
+            place.what = spot->what;
+            place.at = spot->at;
+            place.time = time;
+            place.picture = path + ".svg";
+            draw(mesh, *spot, run.parameters.h, row.check->name + ", " + row.scene, place.picture);
+        }
+    };
+    (void)scenes::run_scene(run.scene, run.parameters, run.options);
+    if (place.at) {
+        place.command += " --frames frames --pictures phases,edges,interface --at " +
+                         scenes::shortest_digits(place.time);
+    }
+    return place;
+}
+
+} // namespace dsc::gate
