@@ -34,15 +34,18 @@ def read(path):
     """{column: numbers}; an empty cell is NaN."""
     try:
         with open(path, encoding="utf-8", newline="") as stream:
-            reader = csv.DictReader(stream)
-            rows = list(reader)
-            names = reader.fieldnames or []
+            text = stream.read()
+        reader = csv.DictReader(text.splitlines())
+        rows = list(reader)
+        names = reader.fieldnames or []
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise Unusable(f"{path}: cannot be read ({error}).") from error
     missing = [name for name in NEEDED if name not in names]
     if missing:
         raise Unusable(f"{path}: no column '{missing[0]}'; the file is written by "
                        "dsc_scene run --series.")
+    if not text.endswith("\n") or any(None in row.values() for row in rows):
+        raise Unusable(f"{path}: the last row is not whole, so the file may be truncated.")
     if len(rows) < 2:
         raise Unusable(f"{path}: {len(rows)} rows; at least two are needed.")
     columns = {}
@@ -154,10 +157,12 @@ def main(argv):
             try:
                 with open(given.json, encoding="utf-8") as stream:
                     result = json.load(stream)
+                if not isinstance(result, dict):
+                    raise ValueError("not a result of dsc_scene")
                 words_needed = ("scene", "strategy", "machine", "commit", "threads")
                 if not all(key in result for key in words_needed):
                     raise ValueError("not a result of dsc_scene")
-            except (OSError, ValueError) as error:
+            except (OSError, ValueError, RecursionError) as error:
                 raise Unusable(f"{given.json}: cannot be used ({error}).") from error
         columns = read(given.series)
         figure = picture(columns, *words(columns, result))

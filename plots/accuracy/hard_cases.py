@@ -17,7 +17,7 @@ def read(path):
             cases = json.load(stream)
     except OSError as fault:
         raise load.InputFault(f"{path} cannot be read: {fault.strerror}.") from fault
-    except ValueError as fault:
+    except (ValueError, RecursionError) as fault:
         raise load.InputFault(f"{path} is not whole JSON ({fault}), so it may be "
                               "truncated.") from fault
     if not isinstance(cases, list):

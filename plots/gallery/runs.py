@@ -88,6 +88,8 @@ class Program:
         self._kept, self._count = {}, 0
         words = self._call(["list"]).split("\n")
         self.scenes = {line.split()[0] for line in words if line and not line[0].isspace()}
+        if not self.scenes:
+            raise NotRun(f"{self.path} lists no scenes: it is not dsc_scene.")
         self.takes_times = re.search(r"^\s+--at\b", self._call(["run", "--help"]), re.M) is not None
 
     def run(self, plan, steps=(), more=0):
@@ -139,7 +141,10 @@ class Program:
 
 
 def _json(path):
-    return json.loads(path.read_text(encoding="utf-8"))
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError) as fault:
+        raise NotRun(f"{path.name} of dsc_scene is not whole: {fault}.") from fault
 
 
 def _times(end, steps, more):

@@ -86,6 +86,8 @@ def read_json(path):
     except json.JSONDecodeError as fault:
         raise InputFault(f"{path} is not whole JSON (line {fault.lineno}, column {fault.colno}: "
                          f"{fault.msg}), so it may be truncated.") from fault
+    except RecursionError as fault:
+        raise InputFault(f"{path} is nested too deeply to be a result.") from fault
     if not isinstance(data, dict):
         raise InputFault(f"{path} holds a JSON {type(data).__name__} where an object is expected.")
     return data

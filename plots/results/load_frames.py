@@ -76,12 +76,13 @@ def read_events(path):
     try:
         with open(path, encoding="utf-8") as file:
             lines = file.read().splitlines()
-    except OSError as fault:
-        raise InputFault(f"{path} cannot be read: {fault.strerror}.") from fault
+    except (OSError, UnicodeDecodeError) as fault:
+        reason = getattr(fault, "strerror", None) or "it is not text"
+        raise InputFault(f"{path} cannot be read: {reason}.") from fault
     for number, line in enumerate(lines, 1):
         try:
             data = json.loads(line)
-        except ValueError as fault:
+        except (ValueError, RecursionError) as fault:
             raise InputFault(f"{path} has no JSON in line {number}, so it may be "
                              "truncated.") from fault
         where = f"line {number}"
