@@ -103,11 +103,8 @@ std::vector<SceneFile> read_scenes(const std::vector<std::string>& paths) {
 std::string why_not(const std::vector<std::string>& figures, const SceneFile& file) {
     const scenes::Setup setup = file.scene.prepare(file.scene.defaults);
     for (const std::string& figure : figures) {
-        const std::string reason =
-            scenes::why_missing(figure, {.measures = file.measures,
-                                         .has_exact_shape = file.measures_shape && setup.exact,
-                                         .has_half = setup.half_step.has_value(),
-                                         .has_value = setup.value.has_value()});
+        const std::string reason = scenes::why_missing(
+            figure, scenes::measured_by(file.measures, file.measures_shape, setup));
         if (!reason.empty()) {
             return reason;
         }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace dsc::gate {
@@ -42,6 +43,12 @@ double rounded(double value, bool up) {
                              : (up ? std::ceil(steps) : std::floor(steps));
     return std::stod(scenes::shortest_digits(whole) + 'e' +
                      std::to_string(std::lround(std::log10(unit))));
+}
+
+std::string three_digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
 }
 
 Band band_of(const std::string& check, std::vector<double> values, int orders) {
@@ -78,15 +85,15 @@ Band of_one_run(const Check& check, const std::vector<double>& values, int order
     const bool is_count = check.unit == "triangles" || check.unit == "vertices";
     if (check.at_least) {
         band.limit = rounded(band.least * (1 - margin_of_quality), false);
-        band.note = in_orders(orders) + " had " + scenes::shortest_digits(band.least) +
-                    " and more; a tenth below";
+        band.note =
+            in_orders(orders) + " had " + three_digits(band.least) + " and more; a tenth below";
     } else if (is_count) {
         band.limit = band.most;
-        band.note = in_orders(orders) + " had " + scenes::shortest_digits(band.most) + " at most";
+        band.note = in_orders(orders) + " had " + three_digits(band.most) + " at most";
     } else {
         band.limit = std::max(rounded(band.most * (1 + margin_of_errors), true), least_error);
-        band.note = in_orders(orders) + " had " + scenes::shortest_digits(band.most) +
-                    " at most; half as much again";
+        band.note =
+            in_orders(orders) + " had " + three_digits(band.most) + " at most; half as much again";
     }
     return band;
 }
@@ -104,8 +111,8 @@ Band of_pairs(const Comparison& comparison, const std::vector<const RunResult*>&
     const bool has_floor = comparison.name != "parallel_events";
     band.limit =
         std::max(rounded(band.most * (1 + margin_of_bands), true), has_floor ? least_error : 0.0);
-    band.note = "any two of " + in_orders(orders) + " differ by up to " +
-                scenes::shortest_digits(band.most) + "; a tenth above";
+    band.note = "any two of " + in_orders(orders) + " differ by up to " + three_digits(band.most) +
+                "; a tenth above";
     return band;
 }
 

@@ -6,6 +6,7 @@
 #include "scenes/file/nearest.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -99,6 +100,17 @@ std::vector<FigureLimit> read_limits(const TableReader& reader) {
     return limits;
 }
 
+Measured measured_by(const std::vector<Measure>& measures, bool measures_shape,
+                     const Setup& setup) {
+    return {.measures = measures,
+            .has_exact_shape = measures_shape && setup.exact,
+            .has_half = setup.half_step.has_value(),
+            .has_value = setup.value.has_value(),
+            .knows_shape_half = [&setup] {
+                return !std::isnan(setup.exact(setup.half_step.value() * setup.dt).area);
+            }};
+}
+
 std::string why_missing(const std::string& figure, const Measured& measured) {
     if (figure == kept_value) {
         return measured.has_value ? "" : "the scene keeps no value at its vertices";
@@ -116,7 +128,12 @@ std::string why_missing(const std::string& figure, const Measured& measured) {
     if (measure->needs == Needs::exact_shape && !measured.has_exact_shape) {
         return "the exact shape is not known, or not measured against";
     }
-    return is_half && !measured.has_half ? "the scene has no half_step" : "";
+    if (is_half && !measured.has_half) {
+        return "the scene has no half_step";
+    }
+    const bool is_unknown = is_half && measure->needs == Needs::exact_shape &&
+                            measured.knows_shape_half && !measured.knows_shape_half();
+    return is_unknown ? "the exact shape is not known half-way" : "";
 }
 
 void check_measured(const std::vector<FigureLimit>& limits, const Measured& measured) {

@@ -7,6 +7,7 @@
 #include "scenes/file/table_reader.h"
 #include "scenes/scene.h"
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -35,7 +36,12 @@ struct Measured {
     bool has_exact_shape = true;
     bool has_half = true;  ///< the moment at which a reversing flow is farthest out
     bool has_value = true; ///< one that is kept at the vertices
+    std::function<bool()> knows_shape_half{}; ///< at that moment; may take a while
 };
+
+/// Of a run of this scene. The measures and the setup must outlive it.
+[[nodiscard]] Measured measured_by(const std::vector<Measure>& measures, bool measures_shape,
+                                   const Setup& setup);
 
 /// Why a run has no number for this figure; empty if it has one.
 [[nodiscard]] std::string why_missing(const std::string& figure, const Measured& measured);

@@ -297,10 +297,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     };
     // What only shows when the parts come together is said now.
     const Setup setup = file.scene.prepare(file.scene.defaults);
-    check_measured(file.limits, {.measures = file.measures,
-                                 .has_exact_shape = file.measures_shape && setup.exact,
-                                 .has_half = setup.half_step.has_value(),
-                                 .has_value = setup.value.has_value()});
+    check_measured(file.limits, measured_by(file.measures, file.measures_shape, setup));
     return file;
 }
 

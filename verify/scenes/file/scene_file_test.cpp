@@ -308,6 +308,8 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {options + "[limits]\nsd_rel_last = 1\n",
          {"s.toml:6", "[limits] sd_rel_last", "without its measure", "exact shape"}},
         {options + circle_known + "[limits]\nsd_rel_half = 1\n", {"s.toml:8", "half_step"}},
+        {"[options]\nh = 0.1\ndt = 0.1\nperiod = 1\n[exact]\nback = true\n[limits]\nsd_half = 1\n",
+         {"s.toml:8", "sd_half", "half-way"}},
         {options + "[limits]\nattribute_error_last = 1\n", {"s.toml:6", "keeps no value"}},
         {options + "[measure]\nmeasures = ['area']\n[limits]\nperimeter_last = 1\n",
          {"s.toml:8", "perimeter_last", "perimeter is not taken"}},

@@ -83,7 +83,7 @@ private:
     }
 
     [[nodiscard]] std::string_view value_of(std::string_view header, std::string_view key) const {
-        const std::string quoted = "'" + std::string(key) + "':";
+        const std::string quoted = in_single_quotes(key) + ':';
         const std::size_t found = header.find(quoted);
         if (found == std::string_view::npos) {
             refuse("bad header", header, "with " + quoted);
