@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Is the working tree slower than a commit? Builds both, runs both in turn, and judges. Nothing is
+# compared with stored seconds.
+set -euo pipefail
+
+usage() {
+    cat <<'USAGE'
+usage: bench/compare.sh BASE [FILTER] [--pairs N] [--native] [--no-times] [--no-counts]
+  BASE         a commit, tag or branch; built in a git worktree of its own in build/compare/base
+  FILTER       a regular expression for the runs: swirl, single-vortex, zalesak, drop-and-pool,
+               growing-circle
+  --pairs N    how often each run is made by both (default 15)
+  --native     tuned for this processor, as the preset release is; valgrind may not know it then
+  --no-times   counts alone, which a busy machine does not disturb; --no-counts: times alone
+Both are built by the preset release, but for any processor, and run on one thread. Slower is: a ratio
+of medians of more than 1.05 in time whose confidence interval lies above 1; more than 1.02 in
+instructions; half an allocation more in a step (the latter two where valgrind is installed).
+Leaves build/compare/base.json and new.json, which Google Benchmark's compare.py reads as well, and
+the worktree, for the next time; `git worktree remove --force build/compare/base` removes it.
+Exit code: 0 not slower, 1 slower, 2 bad usage or nothing was measured.
+USAGE
+}
+
+base=
+filter=
+native=OFF
+options=()
+while [[ $# -gt 0 ]]; do
+    case $1 in
+        -h | --help) usage; exit 0 ;;
+        --native) native=ON ;;
+        --no-times | --no-counts) options+=("$1") ;;
+        --pairs)
+            options+=(--pairs "${2:?--pairs: how many?}")
+            shift
+            ;;
+        -*) printf '%s: unknown option: got %s (see --help)\n' "$0" "$1" >&2; exit 2 ;;
+        *)
+            if [[ -z $base ]]; then
+                base=$1
+            elif [[ -z $filter ]]; then
+                filter=$1
+            else
+                usage >&2
+                exit 2
+            fi
+            ;;
+    esac
+    shift
+done
+if [[ -z $base ]]; then
+    usage >&2
+    exit 2
+fi
+
+# shellcheck source=verify/setup.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/../verify/setup.sh"
+
+commit=$(git rev-parse --verify --quiet "$base^{commit}") ||
+    give_up "no such commit: got '$base'; allowed: a commit, tag or branch of this repository"
+folder=build/compare
+mkdir -p "$folder"
+
+say "base: $(git log -1 --format='%h %s' "$commit")"
+if [[ -e $folder/base/.git ]]; then
+    quietly git -C "$folder/base" checkout --force --detach "$commit" ||
+        give_up "the worktree $folder/base cannot be moved to $commit"
+else
+    git worktree prune
+    quietly git worktree add --force --detach "$folder/base" "$commit" ||
+        give_up "no worktree could be made in $folder/base"
+fi
+
+# build SOURCE FOLDER
+build() {
+    say "building $1"
+    # A warning of this compiler is of no interest here.
+    (cd -- "$1" && quietly cmake --preset release -B "$2" -D DSC_NATIVE="$native" -D DSC_STRICT=OFF \
+        ${CMAKE_CXX_COMPILER_LAUNCHER:+-D CMAKE_CXX_COMPILER_LAUNCHER="$CMAKE_CXX_COMPILER_LAUNCHER"}) &&
+        quietly cmake --build "$2" --parallel "$jobs" --target dsc_scene ||
+        give_up "$1 could not be built"
+}
+
+build "$folder/base" "$project_root/$folder/of_base"
+build . "$project_root/$folder/of_new"
+
+say "comparing"
+program=lib/scenes/dsc_scene
+exec python3 bench/compare/compare.py --base "$folder/of_base/$program" \
+    --new "$folder/of_new/$program" --out "$folder" --filter "$filter" "${options[@]}"
