@@ -7,7 +7,9 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-usage: verify/run.sh [--all] [--sanitizers | --no-sanitizers | --faults] [ctest options]
+usage: verify/run.sh [--quick | --all] [--sanitizers | --no-sanitizers | --faults] [ctest options]
+  --quick          in four minutes on two cores: the release build of the
+                   short tests and of the gate, and the gate's checks of sequential runs
   --all            the tests labelled long as well, all others optimised as well, and the preset lto
   --sanitizers     nothing but the tests under the sanitizers
   --no-sanitizers  everything but them
@@ -19,12 +21,17 @@ USAGE
 }
 
 all=false
+quick=false
 with_release=true
 with_sanitizers=true
 ctest_options=()
 for argument in "$@"; do
     case $argument in
         --all) all=true ;;
+        --quick)
+            quick=true
+            with_sanitizers=false
+            ;;
         --sanitizers) with_release=false ;;
         --no-sanitizers) with_sanitizers=false ;;
         --faults)
@@ -35,7 +42,7 @@ for argument in "$@"; do
         *) ctest_options+=("$argument") ;;
     esac
 done
-if ! $with_release && ! $with_sanitizers; then
+if { ! $with_release && ! $with_sanitizers; } || { $quick && $all; }; then
     usage >&2
     exit 2
 fi
@@ -56,11 +63,20 @@ run_tests() { # run_tests PRESET [COMMAND PREFIX...]
         failed+=("tests of preset $test_preset")
 }
 
-run_gate() {
-    build/release/verify/dsc_verify run --out build/release/verify/out </dev/null || return
-    # What the limits say of measurements is still so.
-    DSC_GATE_RESULT=$PWD/build/release/verify/out/verify.json PYTHONDONTWRITEBYTECODE=1 \
-        "$python" verify/gate/limits_test.py
+# Short ones, of all that a step consists of.
+quick_tests=(test_base test_geometry test_complex test_operations test_quality test_motion
+    test_passes test_algorithm)
+# What holds for the sequential run of every scene.
+quick_checks=(area_ratio symmetric_difference symmetric_difference_half inverted unreached
+    min_quality)
+
+run_gate() { # run_gate [CHECK...]: all, unless some are named
+    build/release/verify/dsc_verify run "$@" --out build/release/verify/out </dev/null || return
+    if [[ $# -eq 0 ]]; then
+        # What the limits say of measurements is still so.
+        DSC_GATE_RESULT=$PWD/build/release/verify/out/verify.json PYTHONDONTWRITEBYTECODE=1 \
+            "$python" verify/gate/limits_test.py
+    fi
 }
 
 # The gate needs one core, so that it runs while the sanitizers' build begins on the others.
@@ -91,12 +107,24 @@ run_sanitizer() { # run_sanitizer PRESET [COMMAND PREFIX...]
     fi
 }
 
-if $all; then
+if $quick; then
+    set_up plain
+    if ! build_preset release --target dsc_verify "${quick_tests[@]}"; then
+        say "the release build failed: nothing was tested"
+        exit 1
+    fi
+    pattern=$(IFS='|' && printf '%s' "${quick_tests[*]}")
+    ctest_options=(-R "^($pattern)\\." "${ctest_options[@]}")
+    run_tests release
+    say "gate"
+    run_gate "${quick_checks[@]}" || failed+=("gate")
+    with_release=false
+elif $all; then
     install_packages "${guide_packages[@]}" "${browser_packages[@]}" "${reader_packages[@]}"
 fi
 if $with_sanitizers; then
     set_up tsan
-else
+elif ! $quick; then
     set_up plain
 fi
 
