@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The gate of this project: builds it against the installed dsc, runs its tests, holds its scenes to
+# their limits, and, given a base commit, says whether the program has become slower since.
+set -euo pipefail
+
+usage() {
+    cat <<'USAGE'
+usage: ./gate.sh [BASE]
+  BASE  a commit of this project, which is built beside it in build/base and run in turn with it
+DSC_PREFIX says where dsc is installed (default ~/dsc), COMPARE_OPTIONS what else compare.py is told.
+Results: build/gate/verify.json and verify.xml, pictures of what failed in build/gate/failures, and
+build/gate/tests.xml. Limits are in scenes/*.toml and limits.json; to measure new ones:
+  dsc_verify propose scenes/NAME.toml --out limits.json
+Exit code: 0 all holds, 1 something does not, 2 bad usage or a tool is missing.
+USAGE
+}
+
+case ${1:-} in
+    -h | --help) usage; exit 0 ;;
+    -*) usage >&2; exit 2 ;;
+esac
+base=${1:-}
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")"
+prefix=${DSC_PREFIX:-$HOME/dsc}
+verify=$prefix/bin/dsc_verify
+if [[ ! -x $verify ]]; then
+    printf '%s: no dsc in %s: set DSC_PREFIX to where it is installed\n' "$0" "$prefix" >&2
+    exit 2
+fi
+
+build() { # build SOURCE FOLDER
+    cmake -S "$1" -B "$2" -D CMAKE_PREFIX_PATH="$prefix" -D CMAKE_BUILD_TYPE=Release >/dev/null
+    cmake --build "$2"
+}
+
+failed=()
+here=$PWD
+mkdir -p build/gate
+build . build/new
+ctest --test-dir build/new --output-on-failure --output-junit "$here/build/gate/tests.xml" ||
+    failed+=("tests")
+"$verify" run ./scenes/*.toml --limits limits.json --out build/gate || failed+=("limits")
+
+if [[ -n $base ]]; then
+    inside=$(git rev-parse --show-prefix) # of a larger repository, if the project is a part of one
+    rm -rf build/base
+    git worktree prune
+    git worktree add --force --detach build/base "$base"
+    build "build/base/$inside" build/of_base
+    # shellcheck disable=SC2086
+    python3 "$prefix/share/dsc/compare/compare.py" --bare --base build/of_base/droplet \
+        --new build/new/droplet --out build/gate ${COMPARE_OPTIONS:-} || failed+=("speed")
+    git worktree remove --force build/base
+fi
+
+if [[ ${#failed[@]} -gt 0 ]]; then
+    printf 'failed: %s\n' "${failed[@]}"
+    exit 1
+fi

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""The example of a gate for other projects: a copy of it in an empty folder builds against the
+installed library, passes, and fails where it has to; and the workflow file runs what there is."""
+import json
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+
+ROOM = os.path.dirname(os.path.abspath(__file__))
+BUILD = os.environ["DSC_BUILD"]
+
+
+def bash_accepts(text):
+    # What GitHub fills in before a shell sees it.
+    filled = re.sub(r"\$\{\{.*?\}\}", "filled", text)
+    return subprocess.run(["bash", "-n"], input=filled, text=True, capture_output=True, check=False)
+
+
+class Workflow(unittest.TestCase):
+    def setUp(self):
+        try:
+            import yaml
+        except ImportError:
+            self.skipTest("no python3-yaml")
+        with open(os.path.join(ROOM, "gate.yml"), encoding="utf-8") as stream:
+            self.data = yaml.safe_load(stream)
+        self.steps = self.data["jobs"]["gate"]["steps"]
+
+    def test_when_it_runs(self):
+        # YAML 1.1 reads the key `on` as true.
+        self.assertEqual(set(self.data[True]), {"push", "pull_request"})
+
+    def test_it_may_write_nothing(self):
+        self.assertEqual(self.data["permissions"], {"contents": "read"})
+        self.assertNotIn("permissions", self.data["jobs"]["gate"])
+
+    def test_each_step_runs_or_uses_one_thing(self):
+        for step in self.steps:
+            self.assertEqual(("run" in step) + ("uses" in step), 1, step)
+            if "run" in step:
+                done = bash_accepts(step["run"])
+                self.assertEqual(done.returncode, 0, done.stderr)
+            else:
+                self.assertRegex(step["uses"], r"^actions/(checkout|cache|upload-artifact)@v\d+$")
+
+    def test_it_runs_the_script_and_keeps_its_results(self):
+        commands = "\n".join(step.get("run", "") for step in self.steps)
+        self.assertIn("./gate.sh $BASE", commands)
+        with open(os.path.join(ROOM, "project", "gate.sh"), encoding="utf-8") as stream:
+            script = stream.read()
+        upload = self.steps[-1]
+        self.assertEqual(upload["if"], "always()")
+        paths = upload["with"]["path"].split()
+        for name in ("verify.json", "verify.xml", "tests.xml", "failures"):
+            self.assertIn("build/gate/" + name, paths)
+            self.assertIn(name, script)
+
+    def test_it_installs_what_the_build_needs(self):
+        with open(os.path.join(ROOM, os.pardir, "setup.sh"), encoding="utf-8") as stream:
+            packages = re.search(r"build_packages=\((.*?)\)", stream.read(), re.DOTALL).group(1)
+        commands = self.steps[0]["run"].split()
+        missing = [name for name in packages.split() if name not in commands + ["python3-yaml"]]
+        self.assertEqual(missing, [])
+
+
+class Project(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.prefix = os.path.join(cls.folder.name, "dsc")
+        subprocess.run(["cmake", "--install", BUILD, "--prefix", cls.prefix], check=True,
+                       capture_output=True)
+        cls.project = os.path.join(cls.folder.name, "project")
+        shutil.copytree(os.path.join(ROOM, "project"), cls.project)
+        cls.git("init", "-q")
+        cls.git("add", ".")
+        cls.git("-c", "user.name=a", "-c", "user.email=a@example.org", "commit", "-qm", "first")
+
+    @classmethod
+    def git(cls, *arguments):
+        subprocess.run(["git", *arguments], cwd=cls.project, check=True, capture_output=True)
+
+    def gate(self, *arguments, **variables):
+        return subprocess.run(["./gate.sh", *arguments], cwd=self.project, capture_output=True,
+                              text=True, check=False,
+                              env={**os.environ, "DSC_PREFIX": self.prefix, **variables})
+
+    def path(self, *names):
+        return os.path.join(self.project, *names)
+
+    def test_1_it_passes(self):
+        done = self.gate()
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        with open(self.path("build/gate/verify.json"), encoding="utf-8") as stream:
+            rows = json.load(stream)["checks"]
+        self.assertEqual({row["verdict"] for row in rows}, {"pass"})
+        self.assertIn("limits.inverted", {row["check"] for row in rows})
+        self.assertIn("symmetric_difference", {row["check"] for row in rows})
+        for name in ("verify.xml", "tests.xml"):
+            xml.parse(self.path("build/gate", name))
+
+    def test_2_it_is_compared_with_a_base_commit(self):
+        """Nothing is said about the times of so few runs."""
+        done = self.gate("HEAD", COMPARE_OPTIONS="--pairs 5")
+        self.assertIn(done.returncode, (0, 1), done.stdout + done.stderr)
+        self.assertIn("program/whole run, CPU", done.stdout)
+        self.assertRegex(done.stdout, "program/instructions +(1.0000|0.9999)|not counted|installed")
+        for name in ("base.json", "new.json"):
+            with open(self.path("build/gate", name), encoding="utf-8") as stream:
+                self.assertEqual(len(json.load(stream)["benchmarks"]), 5)
+
+    def test_3_a_limit_that_does_not_hold(self):
+        with open(self.path("scenes/shear.toml"), encoding="utf-8") as stream:
+            text = stream.read()
+        with open(self.path("scenes/shear.toml"), "w", encoding="utf-8") as stream:
+            stream.write(text.replace("least = 15", "least = 59"))
+        done = self.gate()
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("failed: limits", done.stdout)
+        self.assertTrue(os.listdir(self.path("build/gate/failures")))
+
+    def test_4_no_library(self):
+        done = self.gate(DSC_PREFIX=self.path("none"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("DSC_PREFIX", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
