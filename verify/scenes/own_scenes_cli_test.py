@@ -93,6 +93,7 @@ class WhereItFails(OwnScenes):
     def test_the_largest_deviation(self):
         _, row = self.broken("hausdorff_last = 1e-9")
         self.assertIn(f"{row['measured']:.4g} apart", row["place"]["what"])
+        self.assertEqual(row["place"]["time"], 1)
         x, y = row["place"]["at"]
         self.assertLess(abs((x - 0.5) ** 2 + (y - 0.7) ** 2 - 0.15 ** 2), 0.05, "near the circle")
 
