@@ -21,7 +21,7 @@ namespace {
 
 using scenes::RunResult;
 using scenes::SceneFile;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // The limits of the catalogue keep to the same margins (bands.py, limits.json).
 constexpr double margin_of_errors = 0.5;  ///< above the worst of all orders
@@ -120,7 +120,9 @@ bool has_events(const std::vector<const RunResult*>& runs) {
     return std::ranges::any_of(runs, [](const RunResult* one) { return !one->events.empty(); });
 }
 
-Json finite_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+OrderedJson finite_json(double value) {
+    return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
+}
 
 } // namespace
 
@@ -174,7 +176,7 @@ std::vector<Band> propose(const SceneFile& file, int orders) {
 }
 
 std::string to_limits(const std::string& scene, const std::vector<Band>& bands) {
-    Json limits = Json::object();
+    OrderedJson limits = OrderedJson::object();
     for (const Band& band : bands) {
         limits[band.check][scene] = {{"value", band.limit},
                                      {"note", band.note},
@@ -184,10 +186,11 @@ std::string to_limits(const std::string& scene, const std::vector<Band>& bands) 
                                        {"ratio", finite_json(band.ratio())},
                                        {"orders", band.orders}}}};
     }
-    const Json json{{"about", "Proposed by `dsc_verify propose`: look at each limit before it is "
-                              "committed. The ratio is that of the limit to the median."},
-                    {"commit", scenes::commit()},
-                    {"limits", limits}};
+    const OrderedJson json{{"about",
+                            "Proposed by `dsc_verify propose`: look at each limit before it is "
+                            "committed. The ratio is that of the limit to the median."},
+                           {"commit", scenes::commit()},
+                           {"limits", limits}};
     return json.dump(2) + "\n";
 }
 
