@@ -76,10 +76,15 @@ def measure_pairs(programs, selected, pairs, say):
 
 
 def counts_of(program, workload):
-    _, steps = run(program, workload.counted)
-    command = [program] if workload.counted is None else [program, "run", *workload.counted]
-    instructions, allocations = callgrind.count(command)
-    return judgement.Counts(instructions, allocations, steps)
+    if workload.counted is None:
+        run_bare(program)
+        return judgement.Counts(*callgrind.count([program]), steps=1)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "scene.toml")
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(workload.counted)
+        _, steps = run(program, [path])
+        return judgement.Counts(*callgrind.count([program, "run", path]), steps)
 
 
 def judge_times(times):
