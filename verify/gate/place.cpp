@@ -12,6 +12,7 @@
 #include "scenes/digits.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>

@@ -32,8 +32,6 @@ RunResult run_text(const std::string& text) {
     return run_scene(scene, scene.defaults, {});
 }
 
-const std::string circle_known = "[exact]\ncircle = { centre = [0.5, 0.5], radius = '0.2' }\n";
-
 TEST(SceneFile, NeedsNoMoreThanOptions) {
     const SceneFile file = read(options);
     EXPECT_EQ(file.scene.name, "s");
@@ -163,43 +161,6 @@ TEST(SceneFile, BeginsAsASceneOfTheCatalogue) {
     EXPECT_FALSE(other.exact) << "that of another shape";
 }
 
-TEST(SceneFile, KeepsLimits) {
-    const auto limits =
-        read(options + circle_known +
-             "[limits]\nsd_rel_last = 1e-3\narea_ratio = { least = 0.9, most = 1.1 }\n"
-             "jaggedness_last.largest_excess_deg = 0\n")
-            .limits;
-    ASSERT_EQ(limits.size(), 3U);
-    EXPECT_EQ(limits[0].figure, "area_ratio");
-    EXPECT_EQ(limits[0].least, 0.9);
-    EXPECT_NE(limits[0].where.find("s.toml:9: [limits] area_ratio"), std::string::npos)
-        << limits[0].where;
-    EXPECT_EQ(limits[1].figure, "jaggedness_last.largest_excess_deg");
-    EXPECT_EQ(limits[2].most, 1e-3);
-    EXPECT_TRUE(std::isinf(limits[2].least));
-}
-
-std::vector<std::string> names_of(const Figures& figures) {
-    std::vector<std::string> names;
-    for (const Figure& figure : figures) {
-        names.push_back(figure.name);
-    }
-    return names;
-}
-
-TEST(SceneFile, SaysWhichMeasuresAreTaken) {
-    const SceneFile all = read(options + disc);
-    EXPECT_EQ(all.measures.size(), default_measures().size());
-    const SceneFile some =
-        read(options + circle_known + disc + "[measure]\nmeasures = ['min_quality', 'sd_rel']\n");
-    RunOptions run;
-    run.measures = some.measures;
-    const RunResult result = run_scene(some.scene, some.scene.defaults, run);
-    EXPECT_EQ(names_of(result.last), (std::vector<std::string>{"sd", "sd_rel", "min_quality"}))
-        << "sd, which sd_rel uses, as well";
-    EXPECT_GT(number(result.last, "sd_rel"), 0);
-}
-
 // The vertices on the left have no velocity: they are held and counted, as for any flow.
 TEST(SceneFile, HoldsVerticesWhereAFormulaHasNoValue) {
     const RunResult result = run_text(options + "[flow]\nu = 'sqrt(x - 0.5)'\nv = '0'\n" + disc);
@@ -301,25 +262,6 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {options + "[exact]\nscene = 'swirl'\nset = ['h=9']\n", {"s.toml:7", "'9'", "1e-5 to 1"}},
         {options + "[limits]\nsd_rel = 1\n", {"s.toml:6", "'sd_rel'", "did you mean sd_rel_last?"}},
         {options + "[limits]\nsd_rel_last = '1'\n", {"s.toml:6", "sd_rel_last", "a number"}},
-        {options + "[limits]\nsd_rel_last = nan\n", {"s.toml:6", "sd_rel_last", "nan"}},
-        {options + "[limits]\n", {"s.toml:5", "[limits]", "no limit", "sd_rel_last"}},
-        {options + "[limits]\ninverted = {}\n", {"s.toml:6", "inverted", "least, most"}},
-        {options + "[limits]\nmin_quality_last = { least = 1, most = 0 }\n", {"s.toml:6"}},
-        {options + "[limits]\nsd_rel_last = 1\n",
-         {"s.toml:6", "[limits] sd_rel_last", "without its measure", "exact shape"}},
-        {options + circle_known + "[limits]\nsd_rel_half = 1\n", {"s.toml:8", "half_step"}},
-        {"[options]\nh = 0.1\ndt = 0.1\nperiod = 1\n[exact]\nback = true\n[limits]\nsd_half = 1\n",
-         {"s.toml:8", "sd_half", "half-way"}},
-        {options + "[limits]\nattribute_error_last = 1\n", {"s.toml:6", "keeps no value"}},
-        {options + "[measure]\nmeasures = ['area']\n[limits]\nperimeter_last = 1\n",
-         {"s.toml:8", "perimeter_last", "perimeter is not taken"}},
-        {options + circle_known + "[measure]\nshape = false\n[limits]\nsd_last = 1\n",
-         {"s.toml:10", "sd_last", "not measured against"}},
-        {options + "[measure]\nmeasures = ['aera']\n",
-         {"s.toml:6", "[measure] measures", "'aera'", "did you mean area?", "min_quality"}},
-        {options + "[measure]\nmeasures = ['area', 'area']\n", {"s.toml:6", "twice, area"}},
-        {options + "[measure]\nmeasures = []\n", {"s.toml:6", "no measure", "area"}},
-        {options + "[measure]\nmeasures = 'area'\n", {"s.toml:6", "list of texts"}},
         {options + "[measure]\nphase = 0\n", {"s.toml:6", "phase", "from 1"}},
         {"scene = 'grains'\n[options]\nh = 1e-4\n", {"s.toml", "grains", "20000"}},
     };
