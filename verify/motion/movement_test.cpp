@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How far a vertex may go: as far as its star keeps a shape, and never to where rounding has turned
 // a triangle over.
+#include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
 
 #include "support/small_meshes.h"

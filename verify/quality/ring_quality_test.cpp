@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is computed on all lanes of a star at once is what each triangle and each edge says by
 // itself.
+#include "dsc/complex/gather.h"
 #include "dsc/quality/ring_quality.h"
 
 #include "support/small_meshes.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a target goes from vertex to vertex: who is told of a change, and what a new vertex begins
 // with.
+#include "dsc/complex/gather.h"
 #include "dsc/passes/size_upkeep.h"
 
 #include "support/honeycomb.h"

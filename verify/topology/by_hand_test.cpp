@@ -18,7 +18,7 @@ std::vector<Suspect<double>> all_vertices(const Complex<double>& complex) {
     std::vector<Suspect<double>> suspects;
     for (const Vertex v : vertices(complex)) {
         const Point<double> p = complex.position(v);
-        suspects.push_back({v.id, p.x(), p.y(), true, true});
+        suspects.push_back({v.id, p.x(), p.y(), true, true, true});
     }
     return suspects;
 }

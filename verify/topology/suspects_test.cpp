@@ -3,6 +3,7 @@
 // whoever owns them, also those that have just come into another submesh.
 #include "support/growing_discs.h"
 
+#include "dsc/complex/gather.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/passes/algorithm.h"
