@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Edits in and out of a simulation: listeners, replay, and what the application does between steps
 // and in passes of its own.
-#include "dsc/complex/gather.h"
 #include "support/courses.h"
 
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
+#include "dsc/complex/gather.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
@@ -26,15 +26,7 @@
 namespace dsc {
 namespace {
 
-using test::all_courses;
-using test::Course;
-using test::course_name;
-using test::disc;
-using test::disc_h;
-using test::expect_whole;
-using test::make_simulation;
-using test::still;
-using test::swirl;
+using namespace test;
 
 bool same(const Edit& a, const Edit& b) {
     return a.kind == b.kind && a.reason == b.reason && a.on_interface == b.on_interface &&

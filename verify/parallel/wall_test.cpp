@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The interface along the domain boundary, by every strategy; and its parts checked by hand.
-#include "dsc/complex/gather.h"
 #include "hard/scene.h"
 #include "hard/watch.h"
 #include "support/ways.h"
 
 #include "dsc/algebra/mesh_functions.h"
+#include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"

@@ -7,10 +7,10 @@
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/edits.h"
 #include "dsc/passes/interface_curve.h"
+#include "dsc/passes/interface_suspects.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
 #include "dsc/sizes/field.h"
-#include "dsc/topology/suspicion.h"
 
 #include <cmath>
 #include <numbers>
@@ -82,9 +82,8 @@ private:
         const Spokes spokes = interface_spokes(ring);
         bool is_known = ring.owned; // the star is as it was gathered, and nobody else writes to it
         if (!ring.owned) {
-            // The triangles of this star straddle two submeshes, so nobody rewrites them or moves
-            // their vertices: whether there is anything to do can be seen from here. What lies
-            // beyond the link cannot be seen, and a gap depends on that.
+            // Nobody rewrites the triangles that straddle two submeshes, or moves their vertices:
+            // what there is to do can be seen from here, except beyond the link, as for a gap.
             if (gap_squared_ > 0 || should_collapse(ring, spokes) ||
                 long_spoke(ring, spokes) != no_id || wants_wall_upkeep(ring)) {
                 work_.deferred.upkeep(v);
@@ -104,30 +103,8 @@ private:
         // Last, though the ring is that of before the edit: loads of whole vectors wait for the
         // stores that have filled it, which are done by now.
         if (contact_ > 0) {
-            mark(v, spokes.count > 0);
-            suspect(ring, spokes, is_known);
-        }
-    }
-
-    void mark(std::uint32_t v, bool is_on_interface) {
-        std::uint32_t& flags = complex_.vertices[v].flags;
-        if (is_on_interface != ((flags & vertex_on_interface) != 0) && (flags & vertex_dead) == 0) {
-            flags ^= vertex_on_interface;
-        }
-    }
-
-    // A film, or the end of a seam; or a small piece, whose outline turns sharply or ends soon.
-    void suspect(const Ring<Real>& ring, const Spokes& spokes, bool is_known) {
-        constexpr Real sharp = Real(0.7);
-        const bool is_thin = has_thin_triangle(ring, contact_ * contact_);
-        const bool is_sharp = spokes.count > 2 ||
-                              (spokes.count == 2 &&
-                               !turns_less<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
-                                                 link_point(ring, spokes.second), sharp));
-        if (is_thin || is_sharp) {
-            const bool is_facing = is_thin && (!is_known || may_face_a_sheet(complex_, ring));
-            work_.topology_suspects.push_back(
-                {ring.vertex, ring.x0, ring.y0, is_thin, is_facing, is_sharp});
+            mark_interface(complex_, v, spokes.count > 0);
+            suspect(work_, ring, spokes, contact_, is_known);
         }
     }
 
@@ -155,7 +132,7 @@ private:
         }
         work_.interface_next.push_back(v);
         work_.interface_next.push_back(result.vertex.id);
-        mark(result.vertex.id, contact_ > 0);
+        mark_interface(complex_, result.vertex.id, contact_ > 0);
         return true;
     }
 
@@ -183,8 +160,7 @@ private:
                 squared_deviation(ring, spokes) < here * deviation_squared_);
     }
 
-    // Squared distance of the centre from the curve as it would be without it; 0 if only another
-    // submesh can see that.
+    // Squared distance of the centre from the curve without it; 0 if only another submesh sees it.
     Real squared_deviation(const Ring<Real>& ring, const Spokes& spokes) {
         const Point<Real> p(ring.x0, ring.y0);
         CurveNeighbours<Real> curve;
@@ -380,7 +356,7 @@ private:
         }
         if (result.verdict == Verdict::legal) {
             newest_ = result.vertex.id;
-            mark(newest_, contact_ > 0);
+            mark_interface(complex_, newest_, contact_ > 0);
         }
         return true;
     }

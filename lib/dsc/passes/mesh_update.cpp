@@ -6,6 +6,7 @@
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/collapse_choice.h"
+#include "dsc/passes/needles.h"
 #include "dsc/passes/size_upkeep.h"
 #include "dsc/passes/waiting.h"
 #include "dsc/passes/wall.h"
@@ -316,53 +317,24 @@ private:
         return spoke != no_id && split_spoke(spoke);
     }
 
-    // A spoke of a triangle that is a needle because of a short interface edge.
     bool split_beside_short() {
-        Real longest = 0;
-        std::uint32_t spoke = no_id;
-        std::uint32_t base = no_id; // the short edge beside it
-        const auto length = [this](std::uint32_t i) {
-            const Real dx = ring_.link_x(i) - ring_.x0;
-            const Real dy = ring_.link_y(i) - ring_.y0;
-            return dx * dx + dy * dy;
-        };
-        const auto look_at = [&](std::uint32_t i, std::uint32_t beside, Real allowed) {
-            const Real squared = length(i);
-            if (squared > allowed && squared > longest && !ring_.is_constrained(i)) {
-                longest = squared;
-                spoke = i;
-                base = beside;
-            }
-        };
-        const std::uint32_t n = ring_.link_size();
-        for (std::uint32_t i = 0; i < n; ++i) {
-            if (ring_.is_constrained(i) && ring_.phase_before(i) != border_phase &&
-                ring_.phase_after(i) != border_phase) {
-                const Real allowed = grading_squared_ * length(i);
-                if (i > 0 || ring_.closed) {
-                    look_at(i > 0 ? i - 1 : n - 1, i, allowed);
-                }
-                if (i + 1 < n || ring_.closed) {
-                    look_at(i + 1 < n ? i + 1 : 0, i, allowed);
-                }
-            }
-        }
-        if (spoke == no_id) {
+        const NeedleSpoke found = needle_spoke(ring_, grading_squared_);
+        if (found.spoke == no_id) {
             return false;
         }
         // While an end of the short edge waits for another submesh to move something first, the
         // edge is short only temporarily: a vertex made now would be removed in the next pass or
         // colour, and made again.
         if (!work_.submesh.region.is_whole() &&
-            (is_waiting(complex_, ring_.vertex) || is_waiting(complex_, ring_.link[base]))) {
+            (is_waiting(complex_, ring_.vertex) || is_waiting(complex_, ring_.link[found.base]))) {
             work_.deferred.star(ring_.vertex);
             return false;
         }
         // A thin film consists of needles from sheet to sheet: a vertex inside would have no room,
         // and would be removed again.
         Ring<Real>& beyond = work_.other_ring;
-        return gather(complex_, work_.submesh.region, ring_.link[spoke], beyond) &&
-               beyond.one_phase && split_spoke(spoke);
+        return gather(complex_, work_.submesh.region, ring_.link[found.spoke], beyond) &&
+               beyond.one_phase && split_spoke(found.spoke);
     }
 
     bool split_spoke(std::uint32_t spoke) {
