@@ -72,7 +72,7 @@ class OverTime(unittest.TestCase):
     def test_bad_files(self):
         out = os.path.join(self.folder, "p.png")
         lines = SERIES.splitlines()
-        for text, word in (("", "no column"), ("\n".join(lines[:2]), "1 rows"),
+        for text, word in (("", "no column"), ("\n".join(lines[:2]) + "\n", "1 rows"),
                            (SERIES.replace("110", "x"), "'triangles'"),
                            (SERIES.replace("events", "other"), "'events'")):
             status, errors = self.call(self.write("s.csv", text), "--out", out)

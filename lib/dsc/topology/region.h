@@ -133,7 +133,9 @@ void give(TopologyWork<Real>& work, Triangle t, Phase phase) {
     }
     rewire::relabel(complex, complex.journal, t, phase);
     for (const Vertex v : complex.vertices_of(t)) {
-        complex.vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_corner);
+        std::uint32_t& flags = complex.vertices[v.id].flags;
+        flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_corner);
+        flags |= vertex_on_interface; // or will be taken off at the next upkeep
         work.touched.push_back(v);
     }
 }

@@ -36,7 +36,9 @@ public:
             complex_.vertices[suspects[i].vertex].slot = static_cast<std::uint32_t>(i);
         }
         const std::size_t before = work_.events.size();
-        find_near(suspects, &Suspect<Real>::is_facing);
+        // Which stars face a sheet was seen before anything changed.
+        find_near(suspects,
+                  work_.touched.empty() ? &Suspect<Real>::is_facing : &Suspect<Real>::is_thin);
         const auto opens = [&](Triangle t) { return find_bridge(work_, suspects, t, bridge); };
         for (const Triangle t : thin_triangles(opens)) {
             if (is_thin(work_, t) && opens(t)) { // those before it may have closed it
