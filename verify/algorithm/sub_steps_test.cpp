@@ -16,7 +16,7 @@ using test::disc_complex;
 using test::options_for;
 using test::pointwise;
 
-constexpr double h = 0.025;
+constexpr double edge = 0.025;
 
 // The farthest that a single move has taken a vertex, in edge lengths.
 class Farthest {
@@ -33,7 +33,7 @@ public:
             }
         });
     }
-    [[nodiscard]] double value() const { return farthest_ / h; }
+    [[nodiscard]] double value() const { return farthest_ / edge; }
 
 private:
     void note(const Edit& edit) {
@@ -51,13 +51,13 @@ private:
 };
 
 TEST(SubSteps, AreShorterWhereTheFlowBecomesFasterWithinThem) {
-    auto complex = disc_complex<double>(h, {0.25, 0.5}, 0.12);
-    const auto options = options_for<double>(h);
+    auto complex = disc_complex<double>(edge, {0.25, 0.5}, 0.12);
+    const auto options = options_for<double>(edge);
     Simulation<double> simulation(complex, options);
     const Farthest farthest(complex, simulation);
     // At rest when the step begins; 8 edge lengths in all.
     const auto flow = pointwise<double>(
-        [](const Point<double>&, double time) { return Point<double>(16 * h * time, 0); });
+        [](const Point<double>&, double time) { return Point<double>(16 * edge * time, 0); });
     const StepReport report = simulation.step(flow, 0, 1);
     EXPECT_EQ(report.unreached, 0U);
     // The first sub-step is halved until it leads no farther than twice what is aimed at.
@@ -66,11 +66,11 @@ TEST(SubSteps, AreShorterWhereTheFlowBecomesFasterWithinThem) {
 }
 
 TEST(SubSteps, AreAsManyAsTheWayAsksFor) {
-    auto complex = disc_complex<double>(h, {0.25, 0.5}, 0.12);
-    const auto options = options_for<double>(h);
+    auto complex = disc_complex<double>(edge, {0.25, 0.5}, 0.12);
+    const auto options = options_for<double>(edge);
     Simulation<double> simulation(complex, options);
     const Farthest farthest(complex, simulation);
-    const StepReport report = simulation.step(test::constant<double>(5.9 * h, 0), 0, 1);
+    const StepReport report = simulation.step(test::constant<double>(5.9 * edge, 0), 0, 1);
     EXPECT_EQ(report.sub_steps, static_cast<std::uint32_t>(std::ceil(5.9 / options.sub_step)));
     EXPECT_LE(farthest.value(), options.sub_step * (1 + 1e-9));
 }
