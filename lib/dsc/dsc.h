@@ -56,7 +56,7 @@
 #include "dsc/topology/options.h"
 
 #include "dsc/passes/algorithm.h"
-#include "dsc/passes/growth_corners.h"
+#include "dsc/passes/interface/growth_corners.h"
 #include "dsc/passes/options.h"
 #include "dsc/passes/thesis_algorithm.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "measures/interface_outlines.h"
-#include "dsc/complex/gather.h"
 
-#include "dsc/passes/interface_curve.h"
+#include "dsc/complex/gather.h"
+#include "dsc/passes/interface/curve.h"
 #include "dsc/queries/outlines.h"
 
 namespace dsc::scenes {

@@ -3,9 +3,9 @@
 // ends with a valid complex. The seeds are fixed; DSC_FUZZ_SEEDS=N runs N scenes of each kind, and
 // DSC_FUZZ_FIRST says where to begin; with DSC_FUZZ_TOPOLOGY the topology changes in every scene
 // and not only in some. The scene that took the most CPU time is printed at the end.
-#include "support/random_options.h"
-#include "support/random_scene.h"
-#include "support/random_submeshes.h"
+#include "support/random/options.h"
+#include "support/random/scene.h"
+#include "support/random/submeshes.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/io/edit_file.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Growth along the normal: speeds by pairs of phases, by place and time; junctions and walls; what
 // is refused; what fails.
-#include "support/growth_testing.h"
+#include "support/topology/growth_testing.h"
 
 #include "dsc/base/error.h"
 #include "dsc/queries/hash.h"

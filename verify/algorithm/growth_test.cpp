@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Growth along the normal against exact shapes: corners that open, notches that stay sharp, and
 // both when the flow turns round.
-#include "support/growth_testing.h"
+#include "support/topology/growth_testing.h"
 
 #include "dsc/base/error.h"
 #include "dsc/queries/hash.h"

@@ -3,10 +3,10 @@
 #include "dsc/algorithm/interface_graph.h"
 
 #include "support/interface_view_testing.h"
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 #include "support/small_meshes.h"
 
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
 
 #include <gtest/gtest.h>
 

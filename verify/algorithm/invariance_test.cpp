@@ -4,7 +4,7 @@
 // strategy: lengths are never compared with absolute numbers. Turned by 90 degrees they do where
 // nothing is ordered by coordinates. For each of the others a test says why bits differ, and how
 // far the interface may lie from the image of the other one.
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 #include "support/simulation_testing.h"
 #include "support/ways.h"
 

@@ -4,9 +4,9 @@
 #include "dsc/base/enum_table.h"
 
 #include "support/enumerators.h"
-#include "support/random_complex.h"
-#include "support/random_scene.h"
-#include "support/random_submeshes.h"
+#include "support/random/complex.h"
+#include "support/random/scene.h"
+#include "support/random/submeshes.h"
 
 #include "dsc/base/verdict.h"
 #include "dsc/passes/options.h"

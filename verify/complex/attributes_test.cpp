@@ -4,7 +4,7 @@
 // operation may lose, is carried through every operation.
 #include "support/copy_testing.h"
 #include "support/operations_testing.h"
-#include "support/random_complex.h"
+#include "support/random/complex.h"
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
 #include "support/ways.h"

@@ -2,11 +2,11 @@
 // A submesh does not change what it does not own, whatever its region is like.
 #include "dsc/complex/submesh.h"
 
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/parallel/partition/places.h"
 #include "dsc/passes/algorithm.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

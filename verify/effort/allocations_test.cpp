@@ -2,7 +2,7 @@
 // A step allocates nothing once it is warm: arrays are scratch of the executor and keep their room.
 // Counted by operator new, which this program replaces, and therefore in a program of its own.
 #include "effort/counting_new.h"
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 #include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"

@@ -2,7 +2,7 @@
 // A step looks at the interface and at what changes around it, never at the whole mesh: of a large
 // mesh with a small disc in it, steps touch a small part. Counted by Linux, which marks the pages
 // that a process uses.
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 #include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"

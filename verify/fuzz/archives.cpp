@@ -3,7 +3,7 @@
 // FileError. The bytes of a simulation that are read, however damaged, make a valid complex.
 #include "fuzz/bytes.h"
 #include "fuzz/target.h"
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/archive.h"

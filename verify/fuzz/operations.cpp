@@ -5,7 +5,7 @@
 // valid. The log of all of them, replayed, gives the same complex.
 #include "fuzz/bytes.h"
 #include "fuzz/target.h"
-#include "support/random_complex.h"
+#include "support/random/complex.h"
 
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"

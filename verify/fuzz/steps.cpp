@@ -3,9 +3,9 @@
 // each step ends, with a valid complex, a list of exactly the interface's vertices, and a log that
 // gives the same complex when it is replayed.
 #include "fuzz/target.h"
-#include "support/random_options.h"
-#include "support/random_scene.h"
-#include "support/random_submeshes.h"
+#include "support/random/options.h"
+#include "support/random/scene.h"
+#include "support/random/submeshes.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"

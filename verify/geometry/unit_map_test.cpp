@@ -2,7 +2,7 @@
 // The map between world and unit coordinates: exact both ways for whatever lies in its box.
 #include "dsc/geometry/unit_map.h"
 
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"

@@ -4,7 +4,7 @@
 #include "scene.h"
 #include "watch.h"
 
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "flows/exact.h"
 #include "flows/velocity.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "watch.h"
 
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"

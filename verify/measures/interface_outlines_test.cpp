@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The outlines of a complex, read as its edges and as the cubic through its vertices.
 #include "dsc/initial/initial_complex.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
 #include "measures/interface_outlines.h"
 #include "shapes/shapes.h"
 

@@ -4,7 +4,7 @@
 // data must be is worked out from vertex ids alone, without a look at how the records were
 // rewritten.
 #include "support/operations_testing.h"
-#include "support/random_complex.h"
+#include "support/random/complex.h"
 
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"

@@ -2,7 +2,7 @@
 // Triangle collapse on hand-sized complexes: each verdict, each choice of the vertex that remains.
 // A refused operation changes no byte; every result is validated.
 #include "support/operations_testing.h"
-#include "support/random_complex.h"
+#include "support/random/complex.h"
 #include "support/small_meshes.h"
 
 #include "dsc/base/error.h"

@@ -3,8 +3,8 @@
 // where the one before it was.
 #include "dsc/parallel/partition/partition.h"
 
-#include "support/random_scene.h"
-#include "support/random_submeshes.h"
+#include "support/random/scene.h"
+#include "support/random/submeshes.h"
 
 #include "dsc/complex/ranges.h"
 

@@ -3,7 +3,7 @@
 // merging changes nothing but the ids, whatever data are attached to the simplices.
 #include "dsc/parallel/copied/copied_submeshes.h"
 
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"

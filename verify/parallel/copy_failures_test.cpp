@@ -2,7 +2,7 @@
 // Exceptions in a copied submesh are passed on, and leave a complex and a simulation that can
 // continue; options that make no sense are refused.
 #include "support/copy_testing.h"
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/base/error.h"
 #include "dsc/queries/hash.h"

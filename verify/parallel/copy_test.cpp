@@ -6,7 +6,7 @@
 #include "dsc/parallel/copied/copy_executor.h"
 
 #include "support/copy_testing.h"
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Growth along the normal in submeshes: the same bits for any number of threads, and as accurate
 // as in one piece. Fans and notches lie across cuts in some of these.
-#include "support/growth_testing.h"
-#include "support/random_scene.h"
+#include "support/random/scene.h"
+#include "support/topology/growth_testing.h"
 
 #include "dsc/queries/hash.h"
 

@@ -2,7 +2,7 @@
 // Flows that see the interface, in submeshes and in copies: the whole interface is visible from
 // each of them, whichever thread runs it; the same bits for any number of threads.
 #include "support/interface_view_testing.h"
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 #include "support/submesh_executor_testing.h"
 
 #include "dsc/parallel/copied/copy_executor.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Motions of the whole interface in submeshes and in copies: the same bits for any number of
 // threads.
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 #include "support/submesh_executor_testing.h"
 
 #include "dsc/algorithm/simulation.h"

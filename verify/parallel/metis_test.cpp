@@ -9,7 +9,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 

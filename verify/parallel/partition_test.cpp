@@ -3,11 +3,11 @@
 // share a place wait for each other, and the same interface is divided in the same way.
 #include "dsc/parallel/partition/partition.h"
 
-#include "support/random_scene.h"
-#include "support/random_submeshes.h"
+#include "support/random/scene.h"
+#include "support/random/submeshes.h"
 
 #include "dsc/base/error.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // is passed on, and the schedule can be used again.
 #include "dsc/parallel/in_place/schedule.h"
 
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include <gtest/gtest.h>
 

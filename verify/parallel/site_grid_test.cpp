@@ -3,8 +3,8 @@
 // ties and rounding, and Voronoi regions search no more often than necessary.
 #include "dsc/parallel/partition/site_grid.h"
 
-#include "support/random_scene.h"
-#include "support/random_submeshes.h"
+#include "support/random/scene.h"
+#include "support/random/submeshes.h"
 
 #include "dsc/parallel/partition/places.h"
 

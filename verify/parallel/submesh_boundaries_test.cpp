@@ -5,7 +5,7 @@
 
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
 #include "dsc/quality/delaunay.h"
 #include "dsc/quality/measures.h"
 

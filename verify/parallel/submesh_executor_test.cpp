@@ -7,7 +7,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/passes/carried.h"
+#include "dsc/passes/interface/carried.h"
 #include "dsc/queries/hash.h"
 
 #include <gtest/gtest.h>

@@ -2,15 +2,15 @@
 // What an application can choose about the interface: which vertices may be removed, how long edges
 // are, which corners stay, and the quality of the mesh beside short edges.
 #include "dsc/complex/gather.h"
-#include "dsc/passes/interface_upkeep.h"
+#include "dsc/passes/interface/upkeep.h"
 
 #include "support/simulation_testing.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
-#include "dsc/passes/interface_curve.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/curve.h"
+#include "dsc/passes/interface/list.h"
 #include "dsc/quality/ring_quality.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Components of phases on grids, and on random complexes against a literal computation.
-#include "support/random_complex.h"
+#include "support/random/complex.h"
 #include "support/small_meshes.h"
 
 #include "dsc/geometry/triangle.h"

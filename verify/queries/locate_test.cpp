@@ -2,7 +2,7 @@
 // Point location, against the signs of all triangles.
 #include "dsc/queries/locate.h"
 
-#include "support/random_complex.h"
+#include "support/random/complex.h"
 #include "support/small_meshes.h"
 
 #include "dsc/algebra/algebra.h"

@@ -3,7 +3,7 @@
 // compared with the phases of every triangle.
 #include "dsc/queries/outlines.h"
 
-#include "support/random_complex.h"
+#include "support/random/complex.h"
 #include "support/small_meshes.h"
 
 #include "dsc/algebra/algebra.h"

@@ -2,7 +2,7 @@
 // A new attribute: where on the x axis each vertex of the interface was at the start. Vertices take
 // it with them, and a new one between two others gets what lies between theirs.
 #include "dsc/dsc.h"
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A new operation: flips an edge where the other diagonal is shorter; run as a pass of its own.
 #include "dsc/dsc.h"
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include <gtest/gtest.h>
 

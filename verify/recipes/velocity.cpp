@@ -3,7 +3,7 @@
 // interface is solved on the triangles, and the interface moves outwards at -du/dn. A disc of
 // radius r then grows at r / 2, and any shape at the rate of its own area.
 #include "dsc/dsc.h"
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/passes/size_upkeep.h"
+#include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/hash.h"
 #include "dsc/sizes/measure.h"

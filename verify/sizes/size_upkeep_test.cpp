@@ -2,7 +2,7 @@
 // How a target goes from vertex to vertex: who is told of a change, and what a new vertex begins
 // with.
 #include "dsc/complex/gather.h"
-#include "dsc/passes/size_upkeep.h"
+#include "dsc/passes/mesh/size_upkeep.h"
 
 #include "support/honeycomb.h"
 #include "support/simulation_testing.h"

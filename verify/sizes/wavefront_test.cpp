@@ -2,7 +2,7 @@
 // How a value reaches a point across a triangle, and how targets spread over a whole mesh.
 #include "dsc/sizes/measure.h"
 
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/complex/ranges.h"
 

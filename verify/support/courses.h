@@ -3,7 +3,7 @@
 // are.
 #pragma once
 
-#include "random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/validate.h"

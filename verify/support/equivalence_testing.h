@@ -4,8 +4,8 @@
 // the rest by flags only.
 #pragma once
 
-#include "random_complex.h"
 #include "snapshot.h"
+#include "support/random/complex.h"
 
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/verdict.h"

@@ -3,13 +3,13 @@
 // ends: positions, ids, data, interface, counts.
 #pragma once
 
-#include "support/random_scene.h"
-#include "support/random_submeshes.h"
+#include "support/random/scene.h"
+#include "support/random/submeshes.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"

@@ -5,7 +5,7 @@
 
 #include "dsc/algorithm/simulation.h"
 
-#include "random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/queries/validate.h"
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "constant_flow.h"
-#include "random_scene.h"
-#include "random_submeshes.h"
+#include "support/random/scene.h"
+#include "support/random/submeshes.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/in_place/submesh_executor.h"

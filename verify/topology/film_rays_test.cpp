@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rays across a film, chords, and the region that they make up, on small grids.
-#include "support/topology_testing.h"
+#include "support/topology/topology_testing.h"
 
 #include "dsc/topology/films/chords.h"
 #include "dsc/topology/films/film_ray.h"

@@ -2,8 +2,8 @@
 // Area that a change of topology takes is given back, to the rounding of the positions.
 #include "dsc/topology/give_back.h"
 
-#include "support/random_scene.h"
-#include "support/topology_testing.h"
+#include "support/random/scene.h"
+#include "support/topology/topology_testing.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/complex/ranges.h"

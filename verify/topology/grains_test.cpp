@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A network of grains coarsens to a tenth by curvature flow: no vertex is stuck, and none keeps
 // more sectors than are stable.
-#include "support/random_scene.h"
-#include "support/topology_testing.h"
+#include "support/random/scene.h"
+#include "support/topology/topology_testing.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/motion/curvature_flow.h"

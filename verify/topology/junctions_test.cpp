@@ -3,7 +3,7 @@
 // and a network of grains coarsens by itself.
 #include "dsc/topology/junctions/junctions.h"
 
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the application has asked for: rules for all phases or for a pair, its own word on each
 // event, and what is told of them.
-#include "support/growing_discs.h"
+#include "support/topology/growing_discs.h"
 
 #include "dsc/base/error.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which vertices a step names for the change of topology: all at which there is a thin triangle,
 // whoever owns them, also those that have just come into another submesh.
-#include "support/growing_discs.h"
+#include "support/topology/growing_discs.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/parallel/in_place/submesh_executor.h"

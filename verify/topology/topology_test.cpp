@@ -3,7 +3,7 @@
 // the mesh and for any number of threads, and each event is told once.
 #include "dsc/topology/change.h"
 
-#include "support/growing_discs.h"
+#include "support/topology/growing_discs.h"
 #include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"

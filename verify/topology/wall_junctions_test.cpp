@@ -3,7 +3,7 @@
 // it, and corners.
 #include "dsc/topology/change.h"
 
-#include "support/topology_testing.h"
+#include "support/topology/topology_testing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Films that open at a contact distance of several edge lengths: each as one event, at the time
 // when it is that thin, without holes, in every division of the mesh and for any number of threads.
+#include "support/topology/wide_contact.h"
 #include "support/ways.h"
-#include "support/wide_contact.h"
 
 #include "dsc/base/error.h"
 #include "dsc/parallel/parallel.h"

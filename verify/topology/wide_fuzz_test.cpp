@@ -2,8 +2,8 @@
 // Random shapes and patches in random flows, with contact distances of one to eight edge lengths:
 // every step ends with a valid complex, and what happens is the same for any number of threads.
 // DSC_FUZZ_SEEDS=N runs N scenes, and DSC_FUZZ_FIRST says where to begin.
-#include "support/random_submeshes.h"
-#include "support/wide_contact.h"
+#include "support/random/submeshes.h"
+#include "support/topology/wide_contact.h"
 
 #include "dsc/base/error.h"
 #include "dsc/parallel/parallel.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is no film stays as it is at a contact distance of several edge lengths: round ends, tips,
 // shapes wider than that, sheets that move apart.
-#include "support/wide_contact.h"
+#include "support/topology/wide_contact.h"
 
 namespace dsc {
 namespace {

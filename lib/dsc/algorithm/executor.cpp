@@ -2,8 +2,8 @@
 #include "dsc/algorithm/executor.h"
 
 #include "dsc/base/error.h"
-#include "dsc/passes/carried.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/carried.h"
+#include "dsc/passes/interface/list.h"
 #include "dsc/passes/readers.h"
 #include "dsc/passes/work_archive.h"
 

@@ -2,9 +2,9 @@
 #include "dsc/algorithm/simulation.h"
 
 #include "dsc/base/error.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
+#include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/passes/readers.h"
-#include "dsc/passes/size_upkeep.h"
 #include "dsc/sizes/measure.h"
 #include "dsc/topology/change.h"
 #include "dsc/topology/contact_check.h"

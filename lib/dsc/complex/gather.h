@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    /// The index of `prev(c)`, by the index of c.
+    /// `prev_index`, looked up: a load of one byte in place of a comparison and a selection.
     static constexpr std::array<std::uint8_t, 4> preceding_index{2, 0, 1, 0};
 
     static void fill(std::array<Real, Ring<Real>::room>& row, std::size_t from, Real value) {

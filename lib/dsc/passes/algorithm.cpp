@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/algorithm.h"
 
-#include "dsc/passes/interface_upkeep.h"
-#include "dsc/passes/mesh_update.h"
+#include "dsc/passes/interface/upkeep.h"
+#include "dsc/passes/mesh/update.h"
 #include "dsc/passes/move_vertices.h"
 
 namespace dsc {

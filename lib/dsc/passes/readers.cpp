@@ -3,7 +3,7 @@
 
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/gather.h"
-#include "dsc/passes/carried.h"
+#include "dsc/passes/interface/carried.h"
 
 #include <algorithm>
 

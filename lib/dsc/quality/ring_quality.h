@@ -111,6 +111,17 @@ struct StarReport {
     Real quality;  ///< as `worst_quality_squared`
 };
 
+/// The Delaunay margin of a spoke from its end and the two next to it in the link, relative to the
+/// centre: its far angles lie at the previous and at the next one.
+template <class Real>
+[[nodiscard]] Real spoke_margin(Real x, Real y, Real x_next, Real y_next, Real x_previous,
+                                Real y_previous) {
+    return delaunay_margin<Real>(x * y_next - y * x_next,
+                                 x_next * (x_next - x) + y_next * (y_next - y),
+                                 x_previous * y - y_previous * x,
+                                 -(x_previous * (x - x_previous) + y_previous * (y - y_previous)));
+}
+
 /// The Delaunay margin of each spoke of a star, as `delaunay_margin`: below 0 where a spoke fails
 /// the test by more than the slack. Spoke 0 of an open ring never fails.
 template <class Real>
@@ -146,13 +157,8 @@ StarReport<Real> examine(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
         const Real ey = y_previous[i] - py;
         const Real cx = bx - ax;
         const Real cy = by - ay;
-        const Real fx = ax - ex;
-        const Real fy = ay - ey;
         const Real area = ax * by - ay * bx;
-        const Real area_before = ex * ay - ey * ax;
-        // Spoke i: its far angles at the previous and at the next link vertex.
-        const Real found =
-            delaunay_margin<Real>(area, bx * cx + by * cy, area_before, -(ex * fx + ey * fy));
+        const Real found = spoke_margin<Real>(ax, ay, bx, by, ex, ey);
         margin[i] = found;
         delaunay = std::min(delaunay, found);
         const Real aa = ax * ax + ay * ay;
@@ -201,9 +207,7 @@ Real examine_spokes(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
         const Real by = y_next[i] - py;
         const Real ex = x_previous[i] - px;
         const Real ey = y_previous[i] - py;
-        const Real found =
-            delaunay_margin<Real>(ax * by - ay * bx, bx * (bx - ax) + by * (by - ay),
-                                  ex * ay - ey * ax, -(ex * (ax - ex) + ey * (ay - ey)));
+        const Real found = spoke_margin<Real>(ax, ay, bx, by, ex, ey);
         margin[i] = found;
         lowest = std::min(lowest, found);
     }

@@ -7,7 +7,7 @@
 #include "dsc/io/edit_file.h"
 #include "dsc/motion/growth.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
-#include "dsc/passes/growth_corners.h"
+#include "dsc/passes/interface/growth_corners.h"
 #include "scenes/output/submesh_map.h"
 #include "scenes/run/frame_arrays.h"
 #include "scenes/run/kept_value.h"

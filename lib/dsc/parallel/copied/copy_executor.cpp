@@ -3,7 +3,7 @@
 
 #include "dsc/base/require.h"
 #include "dsc/parallel/timer.h"
-#include "dsc/passes/carried.h"
+#include "dsc/passes/interface/carried.h"
 #include "dsc/passes/work_archive.h"
 
 #include <algorithm>

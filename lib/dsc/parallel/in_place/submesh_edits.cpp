@@ -2,7 +2,7 @@
 // Edits in both directions: what the submeshes did, for listeners; and what the application did
 // between two steps, for the submeshes.
 #include "dsc/parallel/in_place/submesh_part.h"
-#include "dsc/passes/carried.h"
+#include "dsc/passes/interface/carried.h"
 #include "dsc/passes/readers.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #include "dsc/parallel/in_place/submesh_part.h"
 
 #include "dsc/base/require.h"
-#include "dsc/passes/carried.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/carried.h"
+#include "dsc/passes/interface/list.h"
 
 #include <algorithm>
 #include <string>

@@ -3,7 +3,7 @@
 // visits them with their stars.
 #pragma once
 
-#include "dsc/passes/interface_curve.h"
+#include "dsc/passes/interface/curve.h"
 #include "dsc/passes/work.h"
 #include "dsc/topology/suspicion.h"
 

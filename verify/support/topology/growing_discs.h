@@ -2,7 +2,7 @@
 // Two discs that grow into each other: where the topology changes, they merge or meet.
 #pragma once
 
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/complex/ranges.h"

@@ -6,7 +6,7 @@
 
 #include "dsc/initial/initial_complex.h"
 #include "dsc/parallel/parallel.h"
-#include "dsc/passes/growth_corners.h"
+#include "dsc/passes/interface/growth_corners.h"
 #include "flows/two_discs.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "random_complex.h"
+#include "complex.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
 
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/passes/interface_curve.h"
+#include "dsc/passes/interface/curve.h"
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 // Scenes in which films open at a contact distance of several edge lengths.
 #pragma once
 
-#include "support/random_scene.h"
+#include "support/random/scene.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"

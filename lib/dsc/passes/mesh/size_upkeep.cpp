@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/passes/size_upkeep.h"
+#include "dsc/passes/mesh/size_upkeep.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"

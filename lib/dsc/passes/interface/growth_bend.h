@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dsc/motion/growth.h"
-#include "dsc/passes/interface_curve.h"
+#include "dsc/passes/interface/curve.h"
 
 namespace dsc {
 

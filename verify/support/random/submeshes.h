@@ -3,7 +3,7 @@
 // is known: the same seed gives the same division for any number of them.
 #pragma once
 
-#include "random_scene.h"
+#include "scene.h"
 
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/partition/blocks.h"
@@ -11,7 +11,7 @@
 #include "dsc/parallel/partition/places.h"
 #include "dsc/parallel/partition/slabs.h"
 #include "dsc/passes/algorithm.h"
-#include "dsc/passes/interface_list.h"
+#include "dsc/passes/interface/list.h"
 
 #include <array>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/passes/growth_corners.h"
+#include "dsc/passes/interface/growth_corners.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/gather.h"
@@ -7,7 +7,7 @@
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/passes/growth_bend.h"
+#include "dsc/passes/interface/growth_bend.h"
 
 #include <algorithm>
 #include <array>

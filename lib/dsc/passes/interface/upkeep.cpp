@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/passes/interface_upkeep.h"
+#include "dsc/passes/interface/upkeep.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/edits.h"
-#include "dsc/passes/interface_curve.h"
-#include "dsc/passes/interface_suspects.h"
+#include "dsc/passes/interface/curve.h"
+#include "dsc/passes/interface/suspects.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
 #include "dsc/sizes/field.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/passes/mesh_update.h"
+#include "dsc/passes/mesh/update.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/passes/collapse_choice.h"
-#include "dsc/passes/needles.h"
-#include "dsc/passes/size_upkeep.h"
+#include "dsc/passes/mesh/collapse_choice.h"
+#include "dsc/passes/mesh/needles.h"
+#include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/passes/waiting.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/delaunay.h"

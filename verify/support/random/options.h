@@ -3,7 +3,7 @@
 // the enums: a value that is added there is drawn from then on.
 #pragma once
 
-#include "random_scene.h"
+#include "scene.h"
 
 #include "dsc/passes/options.h"
 

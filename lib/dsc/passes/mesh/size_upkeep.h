@@ -6,7 +6,7 @@
 // Only owned stars are read and written: the result does not depend on the threads.
 #pragma once
 
-#include "dsc/passes/star_limits.h"
+#include "dsc/passes/mesh/star_limits.h"
 #include "dsc/passes/work.h"
 #include "dsc/sizes/field.h"
 
