@@ -162,13 +162,15 @@ ModelTimes model(const ModelRun& run, std::uint32_t workers, double fork_join_s)
 
 double measure_fork_join(std::uint32_t threads) {
     using Clock = std::chrono::steady_clock;
+    ThreadPool pool;
+    pool.start(threads);
     Schedule schedule;
     schedule.tasks.add_colour(threads);
     std::vector<double> seconds;
     constexpr int times = 4000;
     for (int i = 0; i < times; ++i) {
         const auto begin = Clock::now();
-        schedule.run(threads, Assignment::queue, [](std::size_t) {});
+        schedule.run(pool, threads, Assignment::queue, [](std::size_t) {});
         seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
     }
     std::sort(seconds.begin(), seconds.end());

@@ -29,6 +29,8 @@ constexpr double swirl_area_limit = 0.01;
 // before.
 void wake(std::uint32_t threads) {
     constexpr double seconds = 0.03;
+    ThreadPool pool;
+    pool.start(threads);
     Schedule schedule;
     schedule.tasks.add_colour(threads);
     const auto begin = std::chrono::steady_clock::now();
@@ -36,7 +38,7 @@ void wake(std::uint32_t threads) {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     };
     while (since() < seconds) {
-        schedule.run(threads, Assignment::fixed, [](std::size_t) {
+        schedule.run(pool, threads, Assignment::fixed, [](std::size_t) {
             const auto start = std::chrono::steady_clock::now();
             while (std::chrono::steady_clock::now() - start < std::chrono::microseconds(50)) {
             }

@@ -68,6 +68,9 @@
 #include "dsc/parallel/partition/places.h"
 #include "dsc/parallel/partition/slabs.h"
 
+#include "dsc/parallel/threads/thread_choice.h"
+#include "dsc/parallel/threads/thread_pool.h"
+
 #include "dsc/parallel/copied/copied_submeshes.h"
 #include "dsc/parallel/copied/copy_executor.h"
 #include "dsc/parallel/in_place/submesh_executor.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A submesh does not change what it does not own, whatever its region is like.
+#include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 
 #include "support/random/scene.h"
@@ -195,7 +196,7 @@ TEST(Submesh, LeavesAloneWhatItDoesNotOwn) {
             const RandomFlow flow(dice, 1, Wildness::none);
             DrawnRegion drawn;
             draw_region(dice, form, submesh.complex, drawn);
-            submesh.run(drawn.region, flow);
+            submesh.run(seed % 3 == 0 ? drawn.region : drawn.region.simplest(), flow);
             if (HasFatalFailure()) {
                 return;
             }
@@ -207,6 +208,58 @@ TEST(Submesh, LeavesAloneWhatItDoesNotOwn) {
         EXPECT_GT(moved, 100U) << "form " << static_cast<int>(form);
         EXPECT_GT(put_off, 100U) << "form " << static_cast<int>(form);
     }
+}
+
+// A star is owned if its centre and all of its link are, whichever way it is tested; also where
+// vertices lie exactly on a cut, which belongs to the submesh above it alone.
+TEST(Submesh, OwnsAStarIfItOwnsAllItsVertices) {
+    std::array<std::size_t, 2> stars{};
+    for (const Form form : forms) {
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+            SCOPED_TRACE("form " + std::to_string(static_cast<int>(form)) + ", seed " +
+                         std::to_string(seed));
+            Dice dice(seed);
+            const OneOfSeveral submesh(dice, seed % 2 == 0);
+            const Complex<double>& complex = submesh.complex;
+            DrawnRegion drawn;
+            draw_region(dice, form, complex, drawn);
+            if (form == Form::slab || form == Form::block) {
+                const auto place_of_one = [&] {
+                    std::uint32_t v = 0;
+                    do {
+                        v = static_cast<std::uint32_t>(
+                            dice.in(0, static_cast<int>(complex.vertex_bound()) - 1));
+                    } while (!complex.is_alive(Vertex{v}));
+                    return complex.position(Vertex{v});
+                };
+                drawn.region.low = place_of_one().x();
+                drawn.region.high = std::max(place_of_one().x(), drawn.region.low);
+                drawn.region.side_low = place_of_one().y();
+                drawn.region.side_high = std::max(place_of_one().y(), drawn.region.side_low);
+            }
+            const Region simplest = drawn.region.simplest();
+            EXPECT_EQ(simplest.kind == Region::Kind::upright,
+                      form == Form::slab || form == Form::block);
+            Ring<double> ring;
+            for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+                if (!complex.is_alive(Vertex{v})) {
+                    continue;
+                }
+                ASSERT_TRUE(gather(complex, Region{}, v, ring));
+                bool expected = owns(complex, drawn.region, v);
+                for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+                    expected = expected && owns(complex, drawn.region, ring.link[i]);
+                }
+                (void)gather(complex, drawn.region, v, ring);
+                ASSERT_EQ(ring.owned, expected) << "vertex " << v;
+                (void)gather(complex, simplest, v, ring);
+                ASSERT_EQ(ring.owned, expected) << "vertex " << v;
+                ++stars.at(expected ? 1 : 0);
+            }
+        }
+    }
+    EXPECT_GT(stars[0], 1000U);
+    EXPECT_GT(stars[1], 1000U);
 }
 
 } // namespace

@@ -7,12 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include <omp.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -55,7 +54,7 @@ void draw_graph(Dice& dice, TaskGraph& graph, int most) {
 class Record {
 public:
     explicit Record(const TaskGraph& graph)
-        : graph_(graph), values_(graph.size(), 0), threads_(graph.size(), 0),
+        : graph_(graph), values_(graph.size(), 0), threads_(graph.size()),
           runs_(std::make_unique<std::atomic<int>[]>(graph.size())) {}
 
     void run(std::size_t task, int turns = 0) {
@@ -64,12 +63,12 @@ public:
         for (int i = 0; i < turns; ++i) {
             spent = std::sqrt(spent + i);
         }
-        threads_[task] = omp_get_thread_num();
+        threads_[task] = std::this_thread::get_id();
         values_[task] = value_of(task, values_);
     }
 
     [[nodiscard]] int runs(std::size_t task) const { return runs_[task]; }
-    [[nodiscard]] int thread(std::size_t task) const { return threads_[task]; }
+    [[nodiscard]] std::thread::id thread(std::size_t task) const { return threads_[task]; }
 
     void expect_all_once() const {
         std::vector<std::uint64_t> expected(graph_.size(), 0);
@@ -93,7 +92,7 @@ private:
 
     const TaskGraph& graph_;
     std::vector<std::uint64_t> values_;
-    std::vector<int> threads_;
+    std::vector<std::thread::id> threads_;
     std::unique_ptr<std::atomic<int>[]> runs_;
 };
 
@@ -149,6 +148,8 @@ TEST(TaskGraph, SharesEachColourAmongTheThreads) {
 
 TEST(Schedule, RunsEachTaskOnceAndAfterItsPredecessors) {
     Dice dice(1);
+    ThreadPool pool;
+    pool.start(6);
     Schedule schedule; // one for all graphs, larger and smaller ones
     for (int round = 0; round < 60; ++round) {
         schedule.tasks.clear();
@@ -158,18 +159,16 @@ TEST(Schedule, RunsEachTaskOnceAndAfterItsPredecessors) {
                 SCOPED_TRACE("round " + std::to_string(round) + ", threads " +
                              std::to_string(threads) + ", " + name_of(assignment));
                 Record record(schedule.tasks);
-                int granted = 1;
-                schedule.run(threads, assignment, [&](std::size_t task) {
-                    if (task == 0) {
-                        granted = omp_get_num_threads();
-                    }
-                    record.run(task);
-                });
+                schedule.run(pool, threads, assignment,
+                             [&](std::size_t task) { record.run(task); });
                 record.expect_all_once();
                 if (assignment == Assignment::fixed) {
+                    std::map<std::uint32_t, std::thread::id> homes;
                     for (std::size_t task = 0; task < schedule.tasks.size(); ++task) {
-                        EXPECT_EQ(static_cast<std::uint32_t>(record.thread(task)),
-                                  schedule.tasks.home_of(task, static_cast<std::uint32_t>(granted)))
+                        const std::uint32_t home =
+                            schedule.tasks.home_of(task, std::min(threads, pool.size()));
+                        EXPECT_EQ(record.thread(task),
+                                  homes.emplace(home, record.thread(task)).first->second)
                             << "task " << task;
                     }
                 }
@@ -182,14 +181,18 @@ TEST(Schedule, RunsEachTaskOnceAndAfterItsPredecessors) {
 }
 
 TEST(Schedule, DoesNothingWhereThereIsNoTask) {
+    ThreadPool pool;
+    pool.start(3);
     Schedule schedule;
     for (const std::uint32_t threads : {1U, 3U}) {
-        schedule.run(threads, Assignment::queue, [](std::size_t) { ADD_FAILURE(); });
+        schedule.run(pool, threads, Assignment::queue, [](std::size_t) { ADD_FAILURE(); });
     }
 }
 
 TEST(Schedule, CopesWithTasksOfVeryUnequalDuration) {
     Dice dice(2);
+    ThreadPool pool;
+    pool.start(6);
     Schedule schedule;
     for (int round = 0; round < 10; ++round) {
         schedule.tasks.clear();
@@ -203,7 +206,7 @@ TEST(Schedule, CopesWithTasksOfVeryUnequalDuration) {
             for (const Assignment assignment : assignments) {
                 SCOPED_TRACE("round " + std::to_string(round));
                 Record record(schedule.tasks);
-                schedule.run(threads, assignment,
+                schedule.run(pool, threads, assignment,
                              [&](std::size_t task) { record.run(task, turns[task]); });
                 record.expect_all_once();
             }
@@ -214,22 +217,21 @@ TEST(Schedule, CopesWithTasksOfVeryUnequalDuration) {
 // The first task of thread 0 does not end before all the others of thread 0 have run: another
 // thread must take these over.
 TEST(Schedule, TakesOverWhatNobodyHasBegun) {
+    ThreadPool pool;
+    pool.start(2);
+    ASSERT_EQ(pool.size(), 2U);
     Schedule schedule;
     constexpr std::size_t tasks = 8;
     (void)schedule.tasks.add_colour(tasks);
     std::atomic<int> others{0};
     std::size_t mine = 0;
     bool in_time = true;
-    schedule.run(2, Assignment::queue, [&](std::size_t task) {
+    schedule.run(pool, 2, Assignment::queue, [&](std::size_t task) {
         if (schedule.tasks.home_of(task, 2) != 0) {
             return;
         }
         if (task != 0) {
             ++others;
-            return;
-        }
-        if (omp_get_num_threads() < 2) {
-            in_time = false;
             return;
         }
         const auto begin = std::chrono::steady_clock::now();
@@ -252,6 +254,8 @@ struct Fault : std::runtime_error {
 
 TEST(Schedule, ThrowsOnWhatATaskThrewAndBeginsNoneOfThoseThatWaitForIt) {
     Dice dice(3);
+    ThreadPool pool;
+    pool.start(6);
     Schedule schedule;
     std::size_t kept_from_running = 0;
     for (int round = 0; round < 40; ++round) {
@@ -269,7 +273,7 @@ TEST(Schedule, ThrowsOnWhatATaskThrewAndBeginsNoneOfThoseThatWaitForIt) {
                 Record record(schedule.tasks);
                 std::size_t thrown = size;
                 try {
-                    schedule.run(threads, assignment, [&](std::size_t task) {
+                    schedule.run(pool, threads, assignment, [&](std::size_t task) {
                         record.run(task);
                         if (is_faulty[task] != 0) {
                             throw Fault(task);
@@ -300,7 +304,7 @@ TEST(Schedule, ThrowsOnWhatATaskThrewAndBeginsNoneOfThoseThatWaitForIt) {
                 }
                 // As if nothing had failed.
                 Record again(schedule.tasks);
-                schedule.run(threads, assignment, [&](std::size_t task) { again.run(task); });
+                schedule.run(pool, threads, assignment, [&](std::size_t task) { again.run(task); });
                 again.expect_all_once();
                 if (HasFatalFailure()) {
                     return;

@@ -72,6 +72,17 @@ class SceneGood(CommandLine):
             hashes[strategy] = result["mesh_hash"]
         self.assertEqual(len(hashes), 8)
 
+    def test_threads_are_enough(self):
+        hashes = set()
+        for arguments in (["--threads", "1"], ["--threads", "2"], ["--strategy", "cells"]):
+            done = self.call("run", "scaling", *SHORT, *arguments, "--json", self.path("r.json"))
+            self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+            with open(self.path("r.json"), encoding="utf-8") as stream:
+                result = json.load(stream)
+            self.assertEqual(result["strategy"], "cells")
+            hashes.add(result["mesh_hash"])
+        self.assertEqual(len(hashes), 1)
+
     def test_slabs_may_lie_at_an_angle(self):
         for angle in ("0", "90", "-33.5", "shape"):
             done = self.call("run", "scaling", *SHORT, "--strategy", "active", "--submeshes", "3",
@@ -225,7 +236,8 @@ class SceneBad(CommandLine):
                                 words=["--angle"])
 
     def test_what_does_not_go_together(self):
-        self.expect_refusal("run", "swirl", *SHORT, "--threads", "2", words=["--threads"])
+        self.expect_refusal("run", "swirl", *SHORT, "--strategy", "sequential", "--threads", "2",
+                            words=["--threads"])
         self.expect_refusal("run", "swirl", *SHORT, "--strategy", "reference", "--set",
                             "real=float", words=["float"])
 

@@ -9,55 +9,40 @@
 #include "dsc/complex/submesh.h"
 
 #include <algorithm>
-#include <limits>
+#include <bit>
+#include <cstdint>
 
 namespace dsc {
 
 namespace detail {
 
-/// How a star is tested for ownership while it is walked.
+/// How a star is tested for ownership.
 enum class Owned : std::uint8_t {
     surely,  ///< the region is the whole mesh
-    upright, ///< an axis-aligned box: the extent of the star is kept, which costs almost nothing
+    upright, ///< an axis-aligned box: all of the link at once, when it has been walked
     tested,  ///< any other region: vertex by vertex
 };
 
-template <Owned how, class Real>
-class Ownership {
-public:
-    explicit Ownership(const Region& region) : region_(region) {}
-
-    void show([[maybe_unused]] std::uint32_t vertex, [[maybe_unused]] Real x,
-              [[maybe_unused]] Real y) {
-        if constexpr (how == Owned::upright) {
-            left_ = std::min(left_, x);
-            right_ = std::max(right_, x);
-            bottom_ = std::min(bottom_, y);
-            top_ = std::max(top_, y);
-        } else if constexpr (how == Owned::tested) {
-            owns_ = owns_ && region_.owns(vertex, static_cast<double>(x), static_cast<double>(y));
+/// Whether an axis-aligned box owns all vertices of the link: by the signs of how far they lie from
+/// its sides, which are right however small the differences are, in whole lanes.
+template <class Real>
+[[gnu::always_inline]] inline bool owns_link(const Region& box, const Ring<Real>& ring) {
+    std::int64_t inside = -1; // the highest bit counts
+    for (std::uint32_t first = 0; first < ring.size; first += Ring<Real>::lanes) {
+        const Real* x = ring.x.data() + first;
+        const Real* y = ring.y.data() + first;
+#pragma omp simd reduction(& : inside)
+        for (std::uint32_t i = 0; i < Ring<Real>::lanes; ++i) {
+            const double px = static_cast<double>(x[i]);
+            const double py = static_cast<double>(y[i]);
+            inside &= ~std::bit_cast<std::int64_t>(px - box.low) &
+                      std::bit_cast<std::int64_t>(px - box.high) &
+                      ~std::bit_cast<std::int64_t>(py - box.side_low) &
+                      std::bit_cast<std::int64_t>(py - box.side_high);
         }
     }
-    [[nodiscard]] bool owns_all() const {
-        if constexpr (how == Owned::upright) {
-            return (region_.low <= static_cast<double>(left_)) &
-                   (static_cast<double>(right_) < region_.high) &
-                   (region_.side_low <= static_cast<double>(bottom_)) &
-                   (static_cast<double>(top_) < region_.side_high);
-        }
-        return owns_;
-    }
-
-private:
-    static constexpr Real most = std::numeric_limits<Real>::max();
-
-    const Region& region_;
-    bool owns_ = true;
-    Real left_ = most;
-    Real right_ = -most;
-    Real bottom_ = most;
-    Real top_ = -most;
-};
+    return inside < 0;
+}
 
 /// Writes a star into a ring, triangle by triangle, counter-clockwise.
 template <Owned how, class Real>
@@ -65,7 +50,7 @@ class StarWriter {
 public:
     StarWriter(const Complex<Real>& complex, const Region& region, Ring<Real>& ring)
         : triangles_(complex.triangles.data()), vertices_(complex.vertices.data()), ring_(ring),
-          ownership_(region) {}
+          region_(region) {}
 
     static Real read(const Real& value) {
         if constexpr (how == Owned::surely) {
@@ -96,7 +81,9 @@ public:
         const auto& record = vertices_[id];
         const Real x = read(record.x);
         const Real y = read(record.y);
-        ownership_.show(id, x, y);
+        if constexpr (how == Owned::tested) {
+            owns_ = owns_ && region_.owns(id, static_cast<double>(x), static_cast<double>(y));
+        }
         ring_.link[i] = id;
         ring_.x[i] = x;
         ring_.y[i] = y;
@@ -108,13 +95,13 @@ public:
         }
     }
 
-    /// Ends a star of n triangles: closes the ring, and repeats triangle 0 behind it.
-    void finish(std::size_t n, bool closed) {
+    /// Ends a star of n triangles: closes the ring, and repeats triangle 0 behind it. Inlined, so
+    /// that the walk keeps the writer in registers.
+    [[gnu::always_inline]] void finish(std::size_t n, bool closed) {
         Ring<Real>& r = ring_;
         r.size = static_cast<std::uint32_t>(n);
         r.closed = closed;
         r.one_phase = differing_ == 0;
-        r.owned = ownership_.owns_all();
         const Real x = r.x[0];
         const Real y = r.y[0];
         if (closed) {
@@ -133,6 +120,13 @@ public:
         fill(r.y_next, n, r.y_next[0]);
         fill(r.x_previous, n, x_previous);
         fill(r.y_previous, n, y_previous);
+        if constexpr (how == Owned::upright) {
+            // The lanes have all of the link but the last vertex of an open one.
+            owns_ = owns_link(region_, r) &&
+                    (closed || region_.is_inside(static_cast<double>(r.x_next[n - 1]),
+                                                 static_cast<double>(r.y_next[n - 1])));
+        }
+        r.owned = owns_;
     }
 
 private:
@@ -149,7 +143,8 @@ private:
     const TriangleRecord* triangles_;
     const VertexRecord<Real>* vertices_;
     Ring<Real>& ring_;
-    Ownership<how, Real> ownership_;
+    const Region& region_;
+    bool owns_ = true;
     Phase phase_ = 0;
     Phase differing_ = 0;
 };
@@ -183,7 +178,11 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
     ring.x0 = Writer::read(centre.x);
     ring.y0 = Writer::read(centre.y);
     if constexpr (how != Owned::surely) {
-        if (!region.owns(vertex, static_cast<double>(ring.x0), static_cast<double>(ring.y0))) {
+        const double x0 = static_cast<double>(ring.x0);
+        const double y0 = static_cast<double>(ring.y0);
+        const bool is_owned =
+            how == Owned::upright ? region.is_inside(x0, y0) : region.owns(vertex, x0, y0);
+        if (!is_owned) {
             // Another submesh may be rewriting this star: it must not be walked.
             ring.owned = false;
             return false;
@@ -225,8 +224,9 @@ bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t ve
     if (region.is_whole()) {
         return detail::gather_star<Owned::surely>(complex, region, vertex, ring);
     }
-    return region.is_upright() ? detail::gather_star<Owned::upright>(complex, region, vertex, ring)
-                               : detail::gather_star<Owned::tested>(complex, region, vertex, ring);
+    return region.kind == Region::Kind::upright
+               ? detail::gather_star<Owned::upright>(complex, region, vertex, ring)
+               : detail::gather_star<Owned::tested>(complex, region, vertex, ring);
 }
 
 } // namespace dsc

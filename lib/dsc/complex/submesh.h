@@ -15,7 +15,15 @@ namespace dsc {
 /// Which vertices a submesh owns.
 struct Region {
     /// By what the vertices are owned.
-    enum class Kind : std::uint8_t { whole, box, places, labels };
+    enum class Kind : std::uint8_t {
+        whole,  ///< everything is owned
+        box,    ///< by position, in a frame that may be turned
+        places, ///< by a function of the position
+        labels, ///< by the id
+        /// A box along the axes that does not wrap around: `simplest` makes them of such boxes, for
+        /// which the test needs comparisons only.
+        upright,
+    };
     /// The number of the submesh that holds a point, by the partition of an application.
     using PlaceFunction = std::uint32_t (*)(const void* context, double x, double y);
     /// The limit of a box that has none.
@@ -43,7 +51,18 @@ struct Region {
     [[nodiscard]] bool is_whole() const { return kind == Kind::whole; }
     /// An axis-aligned box that does not wrap around.
     [[nodiscard]] bool is_upright() const {
-        return kind == Kind::box && low <= high && normal_y == 0 && normal_x == 1;
+        return kind == Kind::upright ||
+               (kind == Kind::box && low <= high && normal_y == 0 && normal_x == 1);
+    }
+    /// The same region, of the kind whose tests are the quickest.
+    [[nodiscard]] Region simplest() const {
+        Region region = *this;
+        region.kind = is_upright() ? Kind::upright : kind;
+        return region;
+    }
+    /// Whether an upright box owns a place.
+    [[nodiscard]] bool is_inside(double x, double y) const {
+        return (low <= x) & (x < high) & (side_low <= y) & (y < side_high);
     }
     /// The coordinate along the normal, u.
     [[nodiscard]] double along(double x, double y) const { return normal_x * x + normal_y * y; }
@@ -63,13 +82,17 @@ struct Region {
         case Kind::box: return owns_place(x, y);
         case Kind::places: return place(context, x, y) == label;
         case Kind::labels: return labels[vertex] == label;
+        case Kind::upright: return is_inside(x, y);
         }
         return false;
     }
     /// False only if no point can lie in both; labels and places are not examined.
     [[nodiscard]] bool may_meet(const Region& other) const {
-        const bool comparable = kind == Kind::box && other.kind == Kind::box &&
-                                normal_x == other.normal_x && normal_y == other.normal_y;
+        const auto is_box = [](const Region& region) {
+            return region.kind == Kind::box || region.kind == Kind::upright;
+        };
+        const bool comparable = is_box(*this) && is_box(other) && normal_x == other.normal_x &&
+                                normal_y == other.normal_y;
         if (!comparable) {
             return true;
         }

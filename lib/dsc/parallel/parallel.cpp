@@ -31,8 +31,12 @@ std::unique_ptr<Executor<Real>> in_place(Complex<Real>& complex, const Options<R
     submeshes.threads = parallel.threads;
     submeshes.assignment = parallel.assignment;
     submeshes.profile = parallel.profile;
+    if (parallel.awake_us) {
+        submeshes.awake = std::chrono::microseconds(*parallel.awake_us);
+    }
     if (parallel.always_all_threads) {
         submeshes.vertices_per_thread = 1;
+        submeshes.adapts_threads = false;
     }
     return std::make_unique<SubmeshExecutor<Real>>(complex, options, std::move(algorithm),
                                                    std::move(partitioner), submeshes);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -18,12 +19,16 @@ enum class Division : std::uint8_t { fixed, counting, active, blocks, cells, cop
 /// The result depends on the division, the number of submeshes and the direction, and on nothing
 /// else here.
 struct Parallel {
-    std::uint32_t threads = 1; ///< 1 to 1024; fewer are used where there is too little to do
+    /// 1 to 1024; fewer are used where there is too little to do, or where that takes no longer.
+    std::uint32_t threads = 1;
     Division division = Division::cells; ///< how the mesh is divided
     std::uint32_t submeshes = 0;         ///< 0: the division's own choice
     double degrees = 0;                  ///< slabs are cut across this direction, from the x axis
     bool follow_shape = false;       ///< slabs are cut across the direction of the shape instead
-    bool always_all_threads = false; ///< also if there is too little to do for them
+    bool always_all_threads = false; ///< also if there is too little to do for them, or no gain
+    /// Microseconds that threads wait awake between two steps before they sleep; nothing:
+    /// `default_awake_time()`.
+    std::optional<std::uint32_t> awake_us = std::nullopt;
     Assignment assignment = Assignment::queue; ///< which thread runs which submesh
     bool profile = false;                      ///< measure times (in_place/step_profile.h)
 };

@@ -10,11 +10,13 @@ namespace dsc {
 /// Seconds from call to call. Switched off, it reads no clock and returns 0.
 class Timer {
 public:
+    /// Starts, unless it is switched off.
     explicit Timer(bool on = true) : on_(on) {
         if (on_) {
             last_ = std::chrono::steady_clock::now();
         }
     }
+    /// Seconds since the last call, or since construction.
     double lap() {
         if (!on_) {
             return 0;

@@ -41,7 +41,7 @@ void on_interrupt(int number) {
 struct Arguments {
     std::optional<std::string> scene;
     std::vector<std::string> settings;
-    std::string strategy = "sequential";
+    std::optional<std::string> strategy;
     std::string angle = "0";
     RunOptions run;
     std::optional<std::uint32_t> threads;
@@ -148,12 +148,21 @@ std::string names_of_strategies() {
     return names;
 }
 
+// Who asks for threads and nothing else gets submeshes that follow the interface, as many as its
+// length pays for: on any number of threads, so that the result depends on none.
+Strategy strategy_of(const Arguments& arguments) {
+    if (arguments.strategy) {
+        return parse_strategy(*arguments.strategy);
+    }
+    return arguments.threads ? Strategy::cells : Strategy::sequential;
+}
+
 // What the command line asks for.
 RunOrigin origin_of(const Arguments& arguments, const std::vector<Scene>& scenes) {
     RunOrigin origin{.scene = *arguments.scene,
                      .text = text_of_scene(*arguments.scene, scenes),
                      .settings = arguments.settings,
-                     .strategy = parse_strategy(arguments.strategy),
+                     .strategy = strategy_of(arguments),
                      .submeshing = arguments.run.submeshing,
                      .commit = {}};
     parse_angle(arguments.angle, origin.submeshing);
@@ -287,7 +296,8 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         run_command->add_option("--set", arguments.settings, "key=value; may be repeated")
             ->allow_extra_args(false);
     auto* strategy = run_command->add_option("--strategy", arguments.strategy,
-                                             names_of_strategies() + " (default sequential)");
+                                             names_of_strategies() +
+                                                 " (default sequential, or cells with --threads)");
     auto* submeshes = run_command
                           ->add_option("--submeshes", arguments.run.submeshing.submeshes,
                                        "default: 8 slabs, 16 blocks, or as many cells as pay")
@@ -296,7 +306,9 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         "--angle", arguments.angle,
         "slabs are cut across this direction, in degrees from the x axis (default 0); "
         "shape: across the direction of the interface");
-    run_command->add_option("--threads", arguments.threads, "threads (default 1)")
+    run_command
+        ->add_option("--threads", arguments.threads,
+                     "at most so many threads: fewer where more bring nothing (default 1)")
         ->check(CLI::Range(1, 1024));
     run_command->add_option("--frames", arguments.run.frames.folder,
                             "folder for .vtu and .pvd files: about nine frames, unless --every or "

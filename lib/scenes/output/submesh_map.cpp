@@ -19,7 +19,8 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 std::string kind_of(const Region& region) {
     switch (region.kind) {
     case Region::Kind::whole: return "whole";
-    case Region::Kind::box: return "box";
+    case Region::Kind::box:
+    case Region::Kind::upright: return "box";
     case Region::Kind::places: return "places";
     case Region::Kind::labels: return "labels";
     }

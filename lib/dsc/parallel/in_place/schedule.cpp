@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/in_place/schedule.h"
 
-#include <omp.h>
+#include "dsc/parallel/threads/waiting.h"
 
 #include <algorithm>
 #include <exception>
-#include <thread>
 
 namespace dsc {
 
 namespace {
 
 enum State : std::uint8_t { waiting, claimed, done };
-
-/// Turns of waiting before the core is given to another thread: a task takes tens of microseconds.
-constexpr int turns_before_yield = 2000;
-
-void pause_briefly() {
-#if defined(__x86_64__) || defined(__i386__)
-    __builtin_ia32_pause();
-#endif
-}
 
 } // namespace
 
@@ -59,7 +49,12 @@ bool Schedule::is_ready(std::size_t task) const {
     });
 }
 
-void Schedule::run_one(std::size_t task, const std::function<void(std::size_t)>& run) {
+bool Schedule::claim(std::size_t task) {
+    std::uint8_t expected = waiting;
+    return states_[task].compare_exchange_strong(expected, claimed, std::memory_order_acq_rel);
+}
+
+void Schedule::run_one(std::size_t task, FunctionRef<void(std::size_t)> run) {
     if (!has_failed_.load(std::memory_order_relaxed)) {
         try {
             run(task);
@@ -72,63 +67,49 @@ void Schedule::run_one(std::size_t task, const std::function<void(std::size_t)>&
 }
 
 void Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
-                    const std::function<void(std::size_t)>& run) {
-    const auto is_mine = [&](std::size_t task) { return tasks.home_of(task, threads) == thread; };
-    const auto claim = [&](std::size_t task) {
-        std::uint8_t expected = waiting;
-        return states_[task].compare_exchange_strong(expected, claimed, std::memory_order_acq_rel);
-    };
-    int turns = 0;
+                    FunctionRef<void(std::size_t)> run) {
+    const bool takes_over = assignment == Assignment::queue;
+    WaitingTurns turns;
     while (true) {
-        bool is_any_left = false;
+        bool is_any_left = false; // that this thread has to see to
         bool has_run = false;
         // First this thread's own tasks in order; then, from the end, those that others have not
         // begun.
         for (std::size_t task = 0; task < tasks.size(); ++task) {
-            if (is_mine(task) && states_[task].load(std::memory_order_relaxed) == waiting) {
-                if (is_ready(task) && claim(task)) {
-                    run_one(task, run);
-                    has_run = true;
-                } else {
-                    is_any_left = true;
-                }
+            if (states_[task].load(std::memory_order_relaxed) != waiting) {
+                continue;
+            }
+            if (tasks.home_of(task, threads) != thread) {
+                // The section ends with the caller's part, so the caller waits for the others.
+                is_any_left = is_any_left || takes_over || thread == 0;
+            } else if (is_ready(task) && claim(task)) {
+                run_one(task, run);
+                has_run = true;
+            } else {
+                is_any_left = true;
             }
         }
-        if (assignment == Assignment::queue) {
-            for (std::size_t i = tasks.size(); i > 0 && !has_run; --i) {
-                const std::size_t task = i - 1;
-                if (states_[task].load(std::memory_order_relaxed) == waiting) {
-                    is_any_left = true;
-                    if (is_ready(task) && claim(task)) {
-                        run_one(task, run);
-                        has_run = true;
-                    }
-                }
+        for (std::size_t i = tasks.size(); takes_over && i > 0 && !has_run; --i) {
+            const std::size_t task = i - 1;
+            if (states_[task].load(std::memory_order_relaxed) == waiting && is_ready(task) &&
+                claim(task)) {
+                run_one(task, run);
+                has_run = true;
             }
         }
         if (!is_any_left && !has_run) {
             return;
         }
-        turns = has_run ? 0 : turns + 1;
-        if (turns > turns_before_yield) {
-            std::this_thread::yield();
+        if (has_run) {
+            turns.start_over();
         } else {
-            pause_briefly();
+            turns.wait();
         }
     }
 }
 
-void Schedule::start_threads(std::uint32_t threads) {
-    if (threads <= 1) {
-        return;
-    }
-    std::atomic<std::uint32_t> started = 0; // without an effect, a section might be optimized away
-#pragma omp parallel num_threads(static_cast <int>(threads))
-    started.fetch_add(1, std::memory_order_relaxed);
-}
-
-void Schedule::run(std::uint32_t threads, Assignment assignment,
-                   const std::function<void(std::size_t)>& run) {
+void Schedule::run(ThreadPool& pool, std::uint32_t threads, Assignment assignment,
+                   FunctionRef<void(std::size_t)> run) {
     if (failures_.size() < tasks.size()) {
         states_ = std::make_unique<std::atomic<std::uint8_t>[]>(tasks.size());
         failures_.assign(tasks.size(), nullptr);
@@ -136,14 +117,13 @@ void Schedule::run(std::uint32_t threads, Assignment assignment,
     for (std::size_t task = 0; task < tasks.size(); ++task) {
         states_[task].store(waiting, std::memory_order_relaxed);
     }
+    threads = std::min(threads, pool.size());
     if (threads <= 1) {
         for (std::size_t task = 0; task < tasks.size(); ++task) {
             run_one(task, run);
         }
     } else {
-#pragma omp parallel num_threads(static_cast <int>(threads))
-        work(static_cast<std::uint32_t>(omp_get_thread_num()),
-             static_cast<std::uint32_t>(omp_get_num_threads()), assignment, run);
+        pool.run(threads, [&](std::uint32_t thread) { work(thread, threads, assignment, run); });
     }
     if (has_failed_.exchange(false)) {
         const auto first =

@@ -5,11 +5,12 @@
 #pragma once
 
 #include "dsc/base/enum_table.h"
+#include "dsc/base/function_ref.h"
+#include "dsc/parallel/threads/thread_pool.h"
 
 #include <atomic>
 #include <cstdint>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -66,20 +67,18 @@ class Schedule {
 public:
     TaskGraph tasks; ///< what there is to run; not to be changed during a run
 
-    /// Starts threads, so that the first run by the same caller with the same number finds them
-    /// awake.
-    static void start_threads(std::uint32_t threads);
-
-    /// Calls `run(task)` once for each. After one has thrown no further task begins, and the
-    /// exception is rethrown when all have ended. No allocation if the graph has not grown.
-    void run(std::uint32_t threads, Assignment assignment,
-             const std::function<void(std::size_t)>& run);
+    /// Calls `run(task)` once for each, on so many threads of the pool (fewer if it has fewer).
+    /// After one has thrown no further task begins, and the exception is rethrown when all have
+    /// ended. No allocation if the graph has not grown.
+    void run(ThreadPool& pool, std::uint32_t threads, Assignment assignment,
+             FunctionRef<void(std::size_t task)> run);
 
 private:
     [[nodiscard]] bool is_ready(std::size_t task) const;
+    bool claim(std::size_t task);
     void work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
-              const std::function<void(std::size_t)>& run);
-    void run_one(std::size_t task, const std::function<void(std::size_t)>& run);
+              FunctionRef<void(std::size_t)> run);
+    void run_one(std::size_t task, FunctionRef<void(std::size_t)> run);
 
     std::unique_ptr<std::atomic<std::uint8_t>[]> states_;
     std::vector<std::exception_ptr> failures_; // by task

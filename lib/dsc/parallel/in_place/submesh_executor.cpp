@@ -32,7 +32,8 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
                                        std::unique_ptr<Partitioner<Real>> partitioner,
                                        const SubmeshOptions& submeshes)
     : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
-      partitioner_(std::move(partitioner)), submeshes_(submeshes), whole_(complex, options_) {
+      partitioner_(std::move(partitioner)), submeshes_(submeshes), pool_(submeshes.awake),
+      choice_(submeshes.threads), whole_(complex, options_) {
     check_options(options); // a partitioner uses the edge length
     check(submeshes);
     if (!partitioner_) {
@@ -55,7 +56,6 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
         refill(*part);
     }
     count_lent();
-    Schedule::start_threads(threads_);
 }
 
 template <class Real>
@@ -88,15 +88,20 @@ std::size_t SubmeshExecutor<Real>::least_vertices(const Part& part) {
                                                : spare_vertices + part.work.interface.size() / 2;
 }
 
-// Room for what the pools are about to take, and as much again: submeshes that are divided anew
-// take more, and so does a growing mesh. Beyond that the arrays double, as vectors do.
+// Room for what the pools are about to take, for what they take when a longer interface has more
+// submeshes, and for a mesh that grows by half: to copy the arrays in a step would take as long as
+// ten steps. What is never used of it is never touched, so it is no memory of the machine. Beyond
+// that the arrays double, as vectors do.
 template <class Real>
 void SubmeshExecutor<Real>::make_room() {
     std::size_t lent = spare_vertices;
     for (const auto& part : parts_) {
         lent += 2 * least_vertices(*part);
     }
-    complex_.reserve(complex_.vertex_bound() + 2 * lent, complex_.triangle_bound() + 4 * lent);
+    const auto roomy = [lent](std::size_t bound, std::size_t each) {
+        return bound + bound / 2 + 4 * each * lent;
+    };
+    complex_.reserve(roomy(complex_.vertex_bound(), 1), roomy(complex_.triangle_bound(), 2));
 }
 
 template <class Real>
@@ -138,6 +143,9 @@ std::uint32_t SubmeshExecutor<Real>::next_epochs() {
 template <class Real>
 void SubmeshExecutor<Real>::begin_step() {
     Timer timer(submeshes_.profile);
+    (void)step_timer_.lap();
+    choose_threads();
+    pool_.wake(threads_);
     profile_.sub_steps.clear();
     status_.interface_vertices = interface_size();
     if (status_.step > 0) { // for the first step it was divided at construction
@@ -145,15 +153,16 @@ void SubmeshExecutor<Real>::begin_step() {
     }
     ++status_.step;
     ++status_.steps_since_all;
-    choose_threads();
     profile_.serial_outside = timer.lap();
 }
 
 template <class Real>
 void SubmeshExecutor<Real>::choose_threads() {
-    threads_ = static_cast<std::uint32_t>(
-        std::clamp<std::size_t>(interface_size() / submeshes_.vertices_per_thread, 1,
-                                std::min<std::size_t>(submeshes_.threads, first_colour_)));
+    const std::size_t pay_off = interface_size() / submeshes_.vertices_per_thread;
+    const std::size_t most = std::min<std::size_t>(
+        submeshes_.adapts_threads ? choice_.threads() : submeshes_.threads, first_colour_);
+    threads_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(pay_off, 1, most));
+    pool_.start(threads_);
 }
 
 template <class Real>
@@ -221,7 +230,7 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
     for (const Colour& colour : partition_.colours) {
         for (const Region& region : colour.regions) {
             Part& part = *parts_[number];
-            part.work.submesh.region = region;
+            part.work.submesh.region = region.simplest();
             part.work.submesh.pool = region.is_whole() ? &complex_.ids : &part.pool;
             if (number >= kept) {
                 part.work.interface.clear();
@@ -329,11 +338,14 @@ void SubmeshExecutor<Real>::end_step() {
     if (under_way_) {
         recover();
     }
+    std::uint64_t examined = whole_.log.counts.examined;
     for (auto& part : parts_) {
+        examined += part->work.log.counts.examined;
         const std::size_t most = 4 * (spare_vertices + part->work.interface.size());
         give_back(part->pool, most, 2 * most);
     }
     count_lent();
+    choice_.took(step_timer_.lap(), static_cast<double>(examined));
 }
 
 template <class Real>

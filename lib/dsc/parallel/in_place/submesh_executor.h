@@ -10,6 +10,9 @@
 #include "dsc/parallel/in_place/schedule.h"
 #include "dsc/parallel/in_place/step_profile.h"
 #include "dsc/parallel/partition/partition.h"
+#include "dsc/parallel/threads/thread_choice.h"
+#include "dsc/parallel/threads/thread_pool.h"
+#include "dsc/parallel/timer.h"
 
 namespace dsc {
 
@@ -20,6 +23,10 @@ struct SubmeshOptions {
     /// A thread pays off from about this many interface vertices on; fewer threads are used if
     /// there is less to do. 1: always all of them.
     std::uint32_t vertices_per_thread = 48;
+    /// Use fewer threads than that where steps turn out to take no longer with them.
+    bool adapts_threads = true;
+    /// How long threads wait awake for the next section.
+    std::chrono::microseconds awake = default_awake_time();
     bool profile = false; ///< measure times: reads a clock twice for each pass and task
 };
 
@@ -123,6 +130,9 @@ private:
     std::size_t first_colour_ = 0;             // parts of the first colour
     Schedule aiming_;
     Schedule moving_;
+    ThreadPool pool_;
+    ThreadChoice choice_;
+    Timer step_timer_;
     Work<Real> whole_;                  // for what all colours left
     std::unique_ptr<Joined> joined_;    // made when a flow sees the interface
     std::vector<std::uint32_t> listed_; // scratch of hand_over

@@ -38,9 +38,10 @@ struct SubmeshExecutor<Real>::Part {
     std::vector<Pass<Real>> motion; // the algorithm's, each timed if times are measured
 
     // Short lists of two submeshes next to each other on the heap would share cache lines, and the
-    // threads would contend for them at each push.
+    // threads would contend for them at each push. As much as most submeshes fill: memory that is
+    // touched for the first time costs microseconds a page.
     void keep_apart() {
-        constexpr std::size_t entries = 512;
+        constexpr std::size_t entries = 128;
         const auto reserve = [](auto&... lists) { (lists.reserve(entries), ...); };
         reserve(work.interface, work.interface_next, work.movers, work.active, work.suspects,
                 work.deferred.entries);

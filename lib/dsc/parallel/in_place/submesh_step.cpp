@@ -161,8 +161,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     std::size_t pass = 0;
     const auto task = [&](std::size_t i) { aim_part(*parts_[i], pass, flow, time, dt); };
     for (; pass < sections; ++pass) {
-        aiming_.run(threads_, submeshes_.assignment,
-                    std::cref(task)); // by reference: no allocation
+        aiming_.run(pool_, threads_, submeshes_.assignment, task);
     }
     const double wall = timer.lap();
     collect_edits();
@@ -294,7 +293,7 @@ Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, 
         return aim_again_by_sight(flow, time, dt);
     }
     const Velocity<Real>& velocity = *flow.velocity();
-    aiming_.run(threads_, submeshes_.assignment, [&](std::size_t i) {
+    aiming_.run(pool_, threads_, submeshes_.assignment, [&](std::size_t i) {
         Part& part = *parts_[i];
         part.aimed.reach = find_targets(part.work, velocity, time, dt);
     });
@@ -325,7 +324,7 @@ MoveReport SubmeshExecutor<Real>::move() {
         hand_out_resized();
     }
     const double hand_over = timer.lap();
-    moving_.run(threads_, submeshes_.assignment, [&](std::size_t task) { move_part(task); });
+    moving_.run(pool_, threads_, submeshes_.assignment, [&](std::size_t task) { move_part(task); });
     const double wall = timer.lap();
     collect_edits();
     for (const auto& part : parts_) {

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/parallel/threads/thread_choice.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+namespace {
+
+constexpr std::uint32_t steps_of_a_try = 4;
+constexpr std::uint32_t least_pause = 16;
+constexpr std::uint32_t most_pause = 2048;
+/// Where other programs run, a few steps take ten times as long as the others, and what counts is
+/// the mean of many.
+constexpr std::uint32_t steps_of_a_mean = 32;
+/// No single step counts for more than so many others.
+constexpr double most_of_a_step = 4;
+/// A try that takes so much longer than the steps before ends at once.
+constexpr double hopeless = 1.15;
+/// Steps that take so much longer than at the last try are the reason for another one.
+constexpr double much_slower = 1.5;
+/// Fewer or more threads have to save so much, so that noise does not change them.
+constexpr double worthwhile = 0.97;
+
+} // namespace
+
+// Fewer threads and more of them by turns, where there are both.
+ThreadChoice::Level ThreadChoice::neighbour() {
+    const bool can_be_more = home_ > 0;
+    const bool can_be_fewer = home_ + 1 < levels && (most_ >> home_) > 1;
+    was_fewer_ = can_be_fewer && (!can_be_more || !was_fewer_);
+    return was_fewer_ ? home_ + 1 : home_ - 1;
+}
+
+void ThreadChoice::took(double seconds, double work) {
+    if (!(work > 0) || most_ <= 1) {
+        return;
+    }
+    if (warm_up_ > 0) {
+        --warm_up_;
+        return;
+    }
+    Mean& mean = means_[now_];
+    double one = seconds / work;
+    if (mean.steps > 0) {
+        one = std::min(one, most_of_a_step * mean.value);
+    }
+    mean.steps = std::min(mean.steps + 1, steps_of_a_mean);
+    mean.value += (one - mean.value) / mean.steps;
+
+    if (tries_left_ > 0) {
+        --tries_left_;
+        const bool is_hopeless = mean.steps > 1 && mean.value > hopeless * means_[home_].value;
+        if (tries_left_ == 0 || is_hopeless) {
+            end_try();
+        }
+        return;
+    }
+    // If steps have become much slower, something else may be running since.
+    until_try_ = settled_ > 0 && mean.value > much_slower * settled_ ? 0 : until_try_ - 1;
+    if (until_try_ == 0) {
+        now_ = neighbour();
+        means_[now_] = {};
+        tries_left_ = steps_of_a_try;
+    }
+}
+
+void ThreadChoice::end_try() {
+    tries_left_ = 0;
+    if (means_[now_].value < worthwhile * means_[home_].value) {
+        home_ = now_;
+        pause_ = least_pause;
+    } else {
+        pause_ = std::min(2 * pause_, most_pause);
+    }
+    now_ = home_;
+    until_try_ = pause_;
+    settled_ = means_[home_].value;
+}
+
+} // namespace dsc

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// How many threads a step uses, by what steps have taken. The result of a step does not depend on
+// it, so it may be measured: a short interface does not pay for a second thread, and neither does a
+// machine on which another program has the second core.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace dsc {
+
+/// Begins with all threads that are allowed, tries half or twice as many now and then, for a few
+/// steps, and stays with what takes less time for the same work. Tries that change nothing become
+/// rarer, down to four in two thousand steps. O(1) for each step.
+class ThreadChoice {
+public:
+    /// At most so many threads.
+    explicit ThreadChoice(std::uint32_t most) : most_(most) {}
+
+    /// The threads for the next step.
+    [[nodiscard]] std::uint32_t threads() const { return std::max(most_ >> now_, 1U); }
+    /// What that step took, in seconds, for its work: in any unit, if always the same.
+    void took(double seconds, double work);
+
+private:
+    /// Halvings from the threads that are allowed: 0 is all of them.
+    using Level = std::size_t;
+    static constexpr Level levels = 12;
+    struct Mean {
+        double value = 0;        ///< seconds for each unit of work
+        std::uint32_t steps = 0; ///< that it is the mean of, the later ones with more weight
+    };
+
+    [[nodiscard]] Level neighbour();
+    void end_try();
+
+    std::array<Mean, levels> means_{};
+    std::uint32_t most_;
+    Level home_ = 0;               ///< what steps use
+    Level now_ = 0;                ///< what the next one does: another while it is tried
+    std::uint32_t warm_up_ = 4;    ///< steps that do not count
+    std::uint32_t tries_left_ = 0; ///< steps of the present try
+    std::uint32_t until_try_ = 8;  ///< steps
+    std::uint32_t pause_ = 16;     ///< steps from the last try to the next one
+    double settled_ = 0;           ///< the mean at the last try
+    bool was_fewer_ = false;       ///< the last try was of fewer threads
+};
+
+} // namespace dsc

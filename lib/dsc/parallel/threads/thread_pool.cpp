@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/parallel/threads/thread_pool.h"
+
+#include "dsc/parallel/threads/placement.h"
+#include "dsc/parallel/threads/waiting.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+namespace dsc {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t is_open = 1;
+constexpr std::uint32_t one_inside = 2;
+
+/// Looks at the bell between two looks at the clock: a few microseconds.
+constexpr int looks = 64;
+
+} // namespace
+
+std::chrono::microseconds default_awake_time() {
+    const char* policy = std::getenv("OMP_WAIT_POLICY"); // NOLINT: nobody here sets variables
+    const bool is_passive = policy != nullptr && (std::string_view(policy) == "passive" ||
+                                                  std::string_view(policy) == "PASSIVE");
+    return std::chrono::microseconds(is_passive ? 0 : 2000);
+}
+
+/// One thread, and the bell that calls it: on a cache line of its own.
+struct alignas(64) ThreadPool::Worker {
+    std::atomic<std::uint32_t> bell = 0; ///< rings so far
+    std::uint32_t number = 0;            ///< 0 for the first one
+    std::thread thread;
+};
+
+ThreadPool::ThreadPool(std::chrono::microseconds awake) : awake_(awake) {}
+
+void ThreadPool::start(std::uint32_t threads) {
+    callers_core_.store(current_core(), std::memory_order_relaxed);
+    for (std::uint32_t thread = size(); thread < threads && !is_refused_; ++thread) {
+        auto worker = std::make_unique<Worker>();
+        worker->number = thread - 1;
+        try {
+            worker->thread =
+                std::thread([this, thread, one = worker.get()] { serve(thread, *one); });
+        } catch (const std::system_error&) {
+            is_refused_ = true; // the others do its work
+            break;
+        }
+        workers_.push_back(std::move(worker));
+    }
+}
+
+ThreadPool::~ThreadPool() {
+    has_ended_.store(true, std::memory_order_release);
+    ring(size());
+    for (const auto& worker : workers_) {
+        worker->thread.join();
+    }
+}
+
+void ThreadPool::wake(std::uint32_t threads) {
+    callers_core_.store(current_core(), std::memory_order_relaxed);
+    ring(threads);
+}
+
+void ThreadPool::ring(std::uint32_t threads) {
+    for (std::uint32_t i = 0; i + 1 < std::min(threads, size()); ++i) {
+        workers_[i]->bell.fetch_add(1, std::memory_order_release);
+        workers_[i]->bell.notify_one();
+    }
+}
+
+void ThreadPool::run(std::uint32_t threads, FunctionRef<void(std::uint32_t)> work) {
+    if (threads <= 1 || workers_.empty()) {
+        work(0);
+        return;
+    }
+    work_ = &work;
+    wanted_ = threads;
+    ++section_;
+    door_.store(is_open, std::memory_order_release);
+    ring(threads);
+    work(0);
+    door_.fetch_and(~is_open, std::memory_order_acq_rel);
+    for (WaitingTurns turns; door_.load(std::memory_order_acquire) != 0;) {
+        turns.wait(); // for those who are still inside
+    }
+}
+
+void ThreadPool::serve(std::uint32_t thread, Worker& worker) {
+    std::uint32_t heard = 0;
+    std::uint64_t served = 0; // the last section that it worked in
+    while (true) {
+        await_ring(worker, heard);
+        heard = worker.bell.load(std::memory_order_acquire);
+        if (has_ended_.load(std::memory_order_acquire)) {
+            return;
+        }
+        // One that comes late finds the door closed, or that of the next section open.
+        std::uint32_t door = door_.load(std::memory_order_acquire);
+        while ((door & is_open) != 0) {
+            if (door_.compare_exchange_weak(door, door + one_inside, std::memory_order_acq_rel,
+                                            std::memory_order_acquire)) {
+                // A ring that comes while it is here, or a little later, may be for this section.
+                if (thread < wanted_ && served != section_) {
+                    served = section_;
+                    (*work_)(thread);
+                }
+                door_.fetch_sub(one_inside, std::memory_order_release);
+                break;
+            }
+        }
+    }
+}
+
+// Off the core of the caller, which would otherwise have to wait while the worker does.
+void ThreadPool::stay_apart(const Worker& worker) const {
+    const int core = callers_core_.load(std::memory_order_relaxed);
+    if (core >= 0 && core == current_core()) {
+        leave_core(core, worker.number);
+    }
+}
+
+void ThreadPool::await_ring(const Worker& worker, std::uint32_t heard) const {
+    if (awake_.count() > 0) {
+        const Clock::time_point begin = Clock::now();
+        do {
+            stay_apart(worker);
+            for (int look = 0; look < looks; ++look) {
+                if (worker.bell.load(std::memory_order_relaxed) != heard) {
+                    return;
+                }
+                pause_briefly();
+            }
+        } while (Clock::now() - begin < awake_);
+    }
+    worker.bell.wait(heard, std::memory_order_acquire);
+}
+
+} // namespace dsc

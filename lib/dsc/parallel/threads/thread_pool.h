@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Threads that are there when a parallel section begins. A section of a step lasts tens of
+// microseconds, and an application works between two steps for longer than OpenMP's threads stay
+// awake; to wake one that sleeps takes as long as the section. So workers wait awake for a time
+// that can be set, and a section never waits for a worker that comes late: it ends when its work is
+// done, whoever did it.
+#pragma once
+
+#include "dsc/base/function_ref.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace dsc {
+
+/// How long workers wait awake for the next section before they sleep, if nothing else is said: 2
+/// milliseconds; nothing if the environment variable OMP_WAIT_POLICY is `passive`, as on machines
+/// whose cores are shared.
+[[nodiscard]] std::chrono::microseconds default_awake_time();
+
+/// The caller and its workers. Sections of one pool are run one after the other, by one caller.
+class ThreadPool {
+public:
+    /// `awake`: how long a worker waits awake for the next section before it sleeps.
+    explicit ThreadPool(std::chrono::microseconds awake = default_awake_time());
+    /// Ends the workers, which takes no longer than to wake them.
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+    ThreadPool(ThreadPool&&) = delete;
+    ThreadPool& operator=(ThreadPool&&) = delete;
+
+    /// Starts workers until there are so many threads with the caller, or until the system grants
+    /// no more. A worker is started once and stays.
+    void start(std::uint32_t threads);
+    /// The caller and the workers there are.
+    [[nodiscard]] std::uint32_t size() const {
+        return static_cast<std::uint32_t>(workers_.size()) + 1;
+    }
+
+    /// A section for so many threads follows soon: workers that sleep get up. Does not wait.
+    void wake(std::uint32_t threads);
+
+    /// Calls `work(thread)`, with 0 in the caller and with 1, 2, ... in those workers that come
+    /// before the caller's own call has returned. Returns when all of these calls have. So the work
+    /// has to be shared out in such a way that any of the threads can do it, or the caller's call
+    /// has to wait for the others. `work` must not throw. No allocation.
+    void run(std::uint32_t threads, FunctionRef<void(std::uint32_t thread)> work);
+
+private:
+    struct Worker;
+
+    void serve(std::uint32_t thread, Worker& worker);
+    void ring(std::uint32_t threads);
+    void await_ring(const Worker& worker, std::uint32_t heard) const;
+    void stay_apart(const Worker& worker) const;
+
+    std::chrono::microseconds awake_;
+    std::vector<std::unique_ptr<Worker>> workers_;
+    bool is_refused_ = false; ///< the system grants no more
+    std::atomic<bool> has_ended_ = false;
+    std::atomic<int> callers_core_ = -1; ///< at its last call of `start` or `wake`
+    // The section: written while the door is closed and nobody is inside.
+    const FunctionRef<void(std::uint32_t)>* work_ = nullptr;
+    std::uint32_t wanted_ = 0;
+    std::uint64_t section_ = 0;
+    /// The lowest bit: the section takes workers in; above it: how many of them are inside.
+    alignas(64) std::atomic<std::uint32_t> door_ = 0;
+};
+
+} // namespace dsc

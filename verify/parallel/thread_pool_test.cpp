@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Workers come to a section, or come too late for it; both awake and asleep; and the number of
+// threads follows what steps take.
+#include "dsc/parallel/threads/thread_choice.h"
+#include "dsc/parallel/threads/thread_pool.h"
+#include "dsc/parallel/threads/waiting.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace dsc {
+namespace {
+
+using std::chrono::microseconds;
+
+// Each section writes plain numbers that the next one reads: a race for the thread sanitizer if a
+// section does not order the two.
+void expect_sections(ThreadPool& pool, int sections, microseconds between) {
+    std::vector<int> shares(64, 0);
+    for (int section = 1; section <= sections; ++section) {
+        std::array<std::atomic<int>, 8> calls{};
+        std::atomic<std::size_t> next = 0;
+        const std::uint32_t threads = 1 + static_cast<std::uint32_t>(section) % 4;
+        pool.run(threads, [&](std::uint32_t thread) {
+            ASSERT_LT(thread, threads);
+            ++calls[thread];
+            for (std::size_t i = next++; i < shares.size(); i = next++) {
+                ASSERT_EQ(shares[i], section - 1);
+                shares[i] = section;
+            }
+        });
+        for (std::size_t thread = 0; thread < calls.size(); ++thread) {
+            const int most = thread < threads ? 1 : 0;
+            ASSERT_LE(calls[thread], most) << "section " << section << ", thread " << thread;
+        }
+        ASSERT_EQ(calls[0], 1);
+        for (const int share : shares) {
+            ASSERT_EQ(share, section);
+        }
+        if (between.count() > 0) {
+            std::this_thread::sleep_for(between);
+        }
+    }
+}
+
+TEST(ThreadPool, DoesTheWorkOfASectionOnceWhoeverComes) {
+    for (const microseconds awake : {microseconds(0), microseconds(100), microseconds(1000000)}) {
+        ThreadPool pool(awake);
+        expect_sections(pool, 20, microseconds(0)); // nobody but the caller
+        pool.start(4);
+        expect_sections(pool, 2000, microseconds(0));
+        expect_sections(pool, 50, microseconds(200));
+    }
+}
+
+TEST(ThreadPool, CallsEveryWorkerThatIsWaitedFor) {
+    for (const microseconds awake : {microseconds(0), microseconds(1000000)}) {
+        ThreadPool pool(awake);
+        pool.start(3);
+        ASSERT_EQ(pool.size(), 3U);
+        for (int section = 0; section < 200; ++section) {
+            std::atomic<std::uint32_t> came = 0;
+            pool.run(3, [&](std::uint32_t) {
+                ++came;
+                for (WaitingTurns turns; came < 3;) {
+                    turns.wait();
+                }
+            });
+            ASSERT_EQ(came, 3U);
+        }
+    }
+}
+
+// Rings that come while a section is under way are not for a second part in it.
+TEST(ThreadPool, CallsAWorkerOnceHoweverOftenItIsRung) {
+    ThreadPool pool(microseconds(1000000));
+    pool.start(2);
+    ASSERT_EQ(pool.size(), 2U);
+    for (int section = 0; section < 20; ++section) {
+        std::atomic<int> calls = 0;
+        pool.run(2, [&](std::uint32_t thread) {
+            if (thread != 0) {
+                ++calls;
+                return;
+            }
+            while (calls == 0) {
+                std::this_thread::yield();
+            }
+            for (int ring = 0; ring < 20; ++ring) {
+                pool.wake(2);
+                std::this_thread::sleep_for(microseconds(50));
+            }
+        });
+        ASSERT_EQ(calls, 1) << "section " << section;
+    }
+}
+
+TEST(ThreadPool, GrowsAndNeverShrinks) {
+    ThreadPool pool;
+    EXPECT_EQ(pool.size(), 1U);
+    pool.start(3);
+    EXPECT_EQ(pool.size(), 3U);
+    pool.start(2);
+    EXPECT_EQ(pool.size(), 3U);
+    pool.wake(3);
+    pool.wake(64); // those that there are
+}
+
+TEST(ThreadPool, SleepsAtOnceWhereWaitingIsToBePassive) {
+    const char* before = std::getenv("OMP_WAIT_POLICY");
+    const std::string kept = before == nullptr ? "" : before;
+    ASSERT_EQ(setenv("OMP_WAIT_POLICY", "passive", 1), 0);
+    EXPECT_EQ(default_awake_time().count(), 0);
+    ASSERT_EQ(unsetenv("OMP_WAIT_POLICY"), 0);
+    EXPECT_GT(default_awake_time().count(), 0);
+    if (before != nullptr) {
+        ASSERT_EQ(setenv("OMP_WAIT_POLICY", kept.c_str(), 1), 0);
+    }
+}
+
+// A machine on which a step of one unit of work takes `seconds(threads)`.
+struct Machine {
+    double one, two, four;
+    [[nodiscard]] double seconds(std::uint32_t threads) const {
+        return threads == 1 ? one : threads == 2 ? two : four;
+    }
+};
+
+// Steps of each number of threads, of the last `counted` ones.
+std::array<int, 5> run(ThreadChoice& choice, const Machine& machine, int steps, int counted) {
+    std::array<int, 5> used{};
+    for (int step = 0; step < steps; ++step) {
+        const std::uint32_t threads = choice.threads();
+        used.at(threads) += step >= steps - counted ? 1 : 0;
+        const double work = 1 + step % 7; // the same time for each unit of it
+        choice.took(machine.seconds(threads) * work, work);
+    }
+    return used;
+}
+
+TEST(ThreadChoice, StaysWithAllThreadsWhereTheyPay) {
+    ThreadChoice choice(2);
+    EXPECT_EQ(choice.threads(), 2U);
+    const auto used = run(choice, {1.0, 0.6, 0}, 2000, 2000);
+    EXPECT_GT(used[2], 1970) << "tries are short, and become rare";
+    EXPECT_GT(used[1], 4) << "tries are made";
+}
+
+TEST(ThreadChoice, LeavesOutThreadsThatDoNotPay) {
+    ThreadChoice choice(4);
+    const auto used = run(choice, {0.5, 0.8, 1.0}, 400, 200);
+    EXPECT_GT(used[1], 180);
+}
+
+TEST(ThreadChoice, FindsTheBestInTheMiddle) {
+    ThreadChoice choice(4);
+    const auto used = run(choice, {1.0, 0.6, 0.9}, 400, 200);
+    EXPECT_GT(used[2], 170);
+}
+
+TEST(ThreadChoice, FollowsWhatElseRunsOnTheMachine) {
+    ThreadChoice choice(2);
+    (void)run(choice, {1.0, 0.6, 0}, 3000, 1); // tries have become rare
+    const auto busy = run(choice, {1.0, 2.0, 0}, 200, 100);
+    EXPECT_GT(busy[1], 85) << "a step that takes three times as long is noticed at once";
+    const auto quiet = run(choice, {1.0, 0.6, 0}, 400, 100);
+    EXPECT_GT(quiet[2], 85) << "and so is that the others have gone, if not at once";
+}
+
+TEST(ThreadChoice, IsNotDeceivedByOneSlowStep) {
+    ThreadChoice choice(2);
+    (void)run(choice, {1.0, 0.6, 0}, 100, 1);
+    choice.took(1000, 1);
+    const auto used = run(choice, {1.0, 0.6, 0}, 100, 100);
+    EXPECT_GT(used[2], 90);
+}
+
+TEST(ThreadChoice, HasNothingToChooseForOneThread) {
+    ThreadChoice choice(1);
+    EXPECT_EQ(run(choice, {1.0, 0, 0}, 100, 100)[1], 100);
+}
+
+} // namespace
+} // namespace dsc
