@@ -59,6 +59,15 @@ BusyTime busy_so_far() {
 
 std::uint32_t core_count() { return static_cast<std::uint32_t>(omp_get_num_procs()); }
 
+std::vector<std::uint32_t> thread_counts() {
+    std::vector<std::uint32_t> counts;
+    for (std::uint32_t n = 1; n < core_count(); n *= 2) {
+        counts.push_back(n);
+    }
+    counts.push_back(core_count());
+    return counts;
+}
+
 double other_load() {
     // The kernel counts in hundredths of a second: shorter spans say nothing.
     static constexpr auto shortest = std::chrono::milliseconds(300);

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace dsc::bench {
 
 /// Cores that this process may use; binding threads to cores does not change it.
 [[nodiscard]] std::uint32_t core_count();
+
+/// 1, 2, 4, ... and the number of cores.
+[[nodiscard]] std::vector<std::uint32_t> thread_counts();
 
 /// Cores that other programs keep busy: since the last call, or of the last span of at least 0.3 s.
 /// Unlike the load average, it has forgotten a build as soon as that has ended. Not thread safe.

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     dsc::bench::add_context();
+    dsc::bench::register_runs();
     dsc::bench::register_steps();
     dsc::bench::register_operations();
     dsc::bench::register_flows();

@@ -13,6 +13,7 @@ import unittest
 PROGRAM = ""
 FILTER = ("^(operation/edge_flip|kernel/gather_ring|flow/|"
           "(scaling|four_circles)_step/strategy:(sequential|counting)/triangles:28000/|"
+          "scaling_run/strategy:(sequential|cells)/triangles:28000/(threads:[0-9]+/)?between_us:100/|"
           "scaling_step/strategy:cells/triangles:28000/submeshes:0/threads:2/modelled:1)")
 
 # Google Benchmark's own keys of one repetition, then ours; numbers are masked by their type.
@@ -30,6 +31,9 @@ MODEL = {**ITERATION, **dict.fromkeys((
     "us_per_step", "modelled", "serial_share", "busy_share", "fork_join_us", "load", "us_set_up",
     "us_hand_over", "us_clean_up", "us_driver", "us_upkeep", "us_velocities", "us_movement",
     "us_mesh_update", "us_later_colours"), "number")}
+RUN = {**ITERATION, **dict.fromkeys((
+    "us_per_step", "construction_us", "first_step_us", "us_per_vertex_step", "interface_vertices",
+    "triangles", "min_quality", "area_error_rel", "load", "oversubscribed"), "number")}
 OPERATION = {**ITERATION, "items_per_second": "number", "batch": "number", "label": "text"}
 FLOW = {**ITERATION, "items_per_second": "number", "ratio": "number", "label": "text"}
 KERNEL = {**ITERATION, "items_per_second": "number", "label": "text"}
@@ -79,7 +83,7 @@ class Schema(unittest.TestCase):
         self.assertIn(self.context["dsc_native"], ("ON", "OFF"))
 
     def test_rows_have_these_keys_and_no_others(self):
-        for name, schema in (("scaling_step", STEP), ("four_circles_step", STEP),
+        for name, schema in (("scaling_run", RUN), ("scaling_step", STEP), ("four_circles_step", STEP),
                              ("operation", OPERATION), ("kernel", KERNEL),
                              ("flow", FLOW)):
             for row in self.family(name):

@@ -249,16 +249,6 @@ std::uint32_t submeshes_of(Strategy strategy, std::uint32_t threads) {
     return std::max(strategy == Strategy::blocks ? 2 * slabs : slabs, threads);
 }
 
-/// 1, 2, 4, ... and the number of cores.
-std::vector<std::uint32_t> thread_counts() {
-    std::vector<std::uint32_t> counts;
-    for (std::uint32_t n = 1; n < core_count(); n *= 2) {
-        counts.push_back(n);
-    }
-    counts.push_back(core_count());
-    return counts;
-}
-
 // A cell for each thread, and no more: the least boundary that so many can have.
 void add_few_cells(const std::string& family, int triangles) {
     for (const std::uint32_t threads : thread_counts()) {

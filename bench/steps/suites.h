@@ -14,4 +14,8 @@ void register_flows();
 /// section 9.7.
 void register_steps();
 
+/// `scaling_run/...` and `four_circles_run/...`: whole runs of these scenes, with other work
+/// between their steps.
+void register_runs();
+
 } // namespace dsc::bench
