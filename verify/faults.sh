@@ -6,15 +6,18 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-usage: verify/faults.sh [--tenth HASH | --only NAME...] [--own] [--baseline] [--jobs N]
+usage: verify/faults.sh [--tenth HASH | --room NAME | --only NAME...] [--own] [--baseline] [--jobs N]
        verify/faults.sh --mutants [--count N] [--seed TEXT] [--jobs N]
+       verify/faults.sh --build
   --tenth HASH  the tenth of the faults that belongs to a commit
+  --room NAME   the faults of one room
   --only NAME   these faults alone, tried anew
   --own         by the tests of each fault's own room alone
   --baseline    measures anew how long the tests take without a fault
   --jobs N      so many faults at the same time; by default one for each core
   --mutants     in place of them a sample of small changes made by rule, 200 by default: a score for
                 each room, and what survives, in build/faults/mutants.md
+  --build       builds the copy and tests nothing
 The build takes a quarter of an hour of CPU time, and all faults another half at least; an interrupted run
 goes on where it stopped. The results are build/faults/faults.json and the table build/faults/faults.md. Installs missing Debian packages as root
 or through sudo. Exit code: 0 all were caught, 1 some were not, 2 nothing was run.
@@ -48,5 +51,8 @@ mapfile -t targets < <("$python" verify/faults/programs.py)
 if ! cmake --build "$folder/build" --parallel "$jobs" --target "${targets[@]}" -- --quiet; then
     say "the build failed: nothing was tested"
     exit 2
+fi
+if [[ ${1:-} == --build ]]; then
+    exit 0
 fi
 exec "$python" "verify/faults/$program" "$folder" --jobs "$jobs" "$@"

@@ -6,19 +6,21 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-usage: verify/fuzz.sh [TARGET|all] [SECONDS] [libFuzzer options]
-       verify/fuzz.sh --total
+usage: verify/fuzz.sh [--no-build] [TARGET|all] [SECONDS] [libFuzzer options]
+       verify/fuzz.sh --build | --total
   TARGET    a folder of verify/fuzz/corpus; all (the default): one after the other
   SECONDS   of search in each, 60 unless given
   --total   the sums of all searches so far, by target
+  --build   builds the program and searches nothing; --no-build searches with the program as it is
 New inputs are kept in build/fuzz/search/TARGET/inputs, findings beside them with the sentence of how to
 run them again, and a line for each search in build/fuzz/search/searches.txt. Installs missing Debian
-packages as root or through sudo. DSC_JOBS sets the number of jobs of the build.
+packages as root or through sudo. DSC_JOBS sets the number of jobs of the build, DSC_FUZZ_SEARCH another
+folder in place of build/fuzz/search.
 Exit code: 0 nothing was found, 1 something was, 2 nothing was run.
 USAGE
 }
 
-search=build/fuzz/search
+search=${DSC_FUZZ_SEARCH:-build/fuzz/search}
 program=build/fuzz/verify/fuzz/dsc_fuzz
 
 print_total() {
@@ -47,6 +49,16 @@ if [[ ${1-} == --total ]]; then
     exit 0
 fi
 
+with_build=true
+if [[ ${1-} == --no-build ]]; then
+    with_build=false
+    shift
+fi
+build_only=false
+if [[ ${1-} == --build ]]; then
+    build_only=true
+    shift
+fi
 target=${1:-all}
 seconds=${2:-60}
 fuzzer_options=("${@:3}")
@@ -63,10 +75,16 @@ if [[ ! $seconds =~ ^[1-9][0-9]*$ ]]; then
     give_up "not a number of seconds: '$seconds'"
 fi
 
-install_packages "${build_packages[@]}" "${tsan_packages[@]}"
-say "building preset fuzz with $jobs jobs"
-quietly cmake --preset fuzz
-quietly cmake --build build/fuzz --parallel "$jobs" --target dsc_fuzz
+if $with_build; then
+    install_packages "${build_packages[@]}" "${tsan_packages[@]}"
+    say "building preset fuzz with $jobs jobs"
+    quietly cmake --preset fuzz
+    quietly cmake --build build/fuzz --parallel "$jobs" --target dsc_fuzz
+fi
+if $build_only; then
+    exit 0
+fi
+[[ -x $program ]] || give_up "there is no $program: build it first with --build"
 
 symbolizer=$(command -v llvm-symbolizer-14 || true)
 export ASAN_OPTIONS="${symbolizer:+external_symbolizer_path=$symbolizer:}detect_stack_use_after_return=1"

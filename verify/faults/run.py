@@ -172,6 +172,9 @@ def chosen(faults, arguments):
             if name not in known:
                 sys.exit(f"run.py: no fault is named '{name}'")
         return [fault for fault in faults if fault.name in arguments.only]
+    if arguments.room is not None:
+        mine = [fault for fault in faults if fault.room == arguments.room]
+        return mine or sys.exit(f"run.py: no fault is of a room '{arguments.room}'")
     if arguments.tenth is not None:
         share = zlib.crc32(arguments.tenth.encode()) % 10
         return [fault for fault in faults if zlib.crc32(fault.name.encode()) % 10 == share]
@@ -189,6 +192,7 @@ def main():
     parser.add_argument("folder", type=pathlib.Path, help="DIR")
     parser.add_argument("--only", nargs="+", metavar="NAME", help="these faults, tried anew")
     parser.add_argument("--tenth", metavar="HASH", help="the tenth that belongs to a commit")
+    parser.add_argument("--room", metavar="NAME", help="the faults of one room")
     parser.add_argument("--own", dest="all_tests", action="store_false",
                         help="the tests of each fault's room alone")
     parser.add_argument("--jobs", type=int, default=1, help="faults at the same time")
