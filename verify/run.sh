@@ -120,7 +120,8 @@ if $quick; then
     run_gate "${quick_checks[@]}" || failed+=("gate")
     with_release=false
 elif $all; then
-    install_packages "${guide_packages[@]}" "${browser_packages[@]}" "${reader_packages[@]}"
+    install_packages "${guide_packages[@]}" "${browser_packages[@]}" "${reader_packages[@]}" \
+        "${sweep_packages[@]}"
 fi
 if $with_sanitizers; then
     set_up tsan

@@ -16,12 +16,14 @@ from store import Store
 
 
 def stop_on_signals():
-    """An event that is set by the first signal to end; a second one ends this at once."""
+    """An event that is set by the first signal to end; a second Ctrl-C ends this at once. Further signals
+    of the other kind do not: one comes for each thread of a Snakemake that has been killed."""
     stop = threading.Event()
 
     def on_signal(number, _):
         stop.set()
-        signal.signal(number, signal.SIG_DFL)
+        if number == signal.SIGINT:
+            signal.signal(number, signal.SIG_DFL)
 
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, on_signal)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The error of scenes against CPU time and against the edge length, a picture of each for every scene."""
-from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
+import math
+
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 import records
 from accuracy import precision, precision_data
@@ -57,13 +59,13 @@ def conditions(points):
     return text
 
 
-def _line(axes, x, y, line, look):
-    """x, y: the spreads of its points."""
+def _line(axes, x, y, line, look, of_time=False):
+    """x, y: the spreads of its points; those whose time is rough are marked."""
     colour, marker = look
     axes.errorbar([s.median for s in x], [s.median for s in y], xerr=bars(x), yerr=bars(y),
                   color=colour, linewidth=1.4, elinewidth=1, capsize=2.5, zorder=3)
     for point, a, b in zip(line, x, y):
-        marks = style.doubtful(colour) if point.is_doubtful else style.solid(colour)
+        marks = style.doubtful(colour) if of_time and point.is_doubtful else style.solid(colour)
         axes.plot([a.median], [b.median], marker=marker, linestyle="none", zorder=4, **marks)
 
 
@@ -71,30 +73,38 @@ def _power(value, _):
     return f"{value:.0e}".replace("e-0", "e-").replace("e+0", "e")
 
 
-def _axes(look, title):
+def _more_ticks(axis, low, high):
+    """At 1, 2 and 5 where there would be hardly any at powers of ten."""
+    if math.log10(high / low) < 2:
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+
+
+def _axes(look):
     fig, grid = style.figure(7.4, 5.0)
     axes = grid[0][0]
     precision.logarithmic(axes)
-    axes.set_title(title)
     return fig, axes, [style.key(label, *which, width=1.4) for label, which in look.items()]
 
 
 def against_time(scene, some, context, name):
     points = [p for line in some.values() for p in line]
     look = looks(some)
-    fig, axes, handles = _axes(look, scene)
-    for label, line in some.items():
+    fig, axes, handles = _axes(look)
+    for k, (label, line) in enumerate(some.items()):
         _line(axes, [p.spread(ERROR) for p in line], [p.spread(TIME) for p in line], line,
-              look[label])
+              look[label], of_time=True)
         for p in line:
+            # Lines take turns to have their words above and below.
             axes.annotate(f"h = {precision_data.length(p.h)}",
-                          (p.spread(ERROR).median, p.spread(TIME).median), (6, 4),
+                          (p.spread(ERROR).median, p.spread(TIME).median),
+                          (-7, -9) if k % 2 else (7, 4), ha="right" if k % 2 else "left",
                           textcoords="offset points", fontsize=7, color=look[label][0])
     axes.set_xlabel("error: symmetric difference over the first area")
     axes.set_ylabel("CPU time of all steps")
     axes.yaxis.set_major_formatter(FuncFormatter(precision.seconds))
     axes.margins(0.12)
-    style.finish(fig, "Error against time", style.caption_text(
+    _more_ticks(axes.yaxis, *axes.get_ylim())
+    style.finish(fig, f"Error against time: {scene}", style.caption_text(
         context, f"{counts_of(points)} {conditions(points)}Lower left is better."), handles)
     best = min(points, key=lambda p: p.spread(ERROR).median)
     return style.Picture(
@@ -115,7 +125,7 @@ def against_length(scene, some, context, name):
     points = [p for line in some.values() for p in line]
     look = looks(some)
     orders = {label: order(line) for label, line in some.items()}
-    fig, axes, _ = _axes(look, scene)
+    fig, axes, _ = _axes(look)
     handles = [style.key(f"{label}: order {orders[label]}" if orders[label] else label, *which,
                          width=1.4) for label, which in look.items()]
     for label, line in some.items():
@@ -136,8 +146,9 @@ def against_length(scene, some, context, name):
     axes.yaxis.set_minor_formatter(NullFormatter())
     axes.yaxis.set_major_formatter(FuncFormatter(_power))
     axes.set_xlabel("edge length h (domain units)")
-    axes.set_ylabel("error: symmetric difference over the first area")
-    style.finish(fig, "Order of convergence", style.caption_text(
+    axes.set_ylabel("error: symmetric difference / area")
+    _more_ticks(axes.yaxis, *axes.get_ylim())
+    style.finish(fig, f"Order of convergence: {scene}", style.caption_text(
         context, f"{counts_of(points)} Order: least squares over four edge lengths or more; in brackets "
         "the smallest and largest between neighbours."), handles)
     told = [f"{value.fitted:.1f} ({label})" for label, value in orders.items() if value]

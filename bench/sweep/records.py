@@ -58,7 +58,10 @@ class Point:
 
     @property
     def scene(self):
-        return self.identity["scene"]
+        """Its name; that of a file with the beginning of its digest, for a file that was changed is
+        another scene."""
+        digest = self.identity.get("sha256")
+        return self.identity["scene"] + (f" {digest[:6]}" if digest else "")
 
     @property
     def strategy(self):
@@ -107,7 +110,7 @@ class Point:
     @property
     def problem(self):
         """Everything but strategy, division and threads: what a speed-up compares."""
-        return (self.scene, self.identity.get("sha256"), self.is_timed,
+        return (self.scene, self.is_timed,
                 tuple(sorted(self.identity["values"].items())))
 
 

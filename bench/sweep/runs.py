@@ -48,7 +48,7 @@ class Run:
             words.append(identity["strategy"])
             words += [f"{key}={identity[key]}" for key in ("submeshes", "angle") if key in identity]
         words += [f"{key}={identity[key]}" for key in ("threads", "seed") if key in identity]
-        if "repeat" in identity:
+        if identity["repeat"] > 1 or self.timed:
             words.append(f"repeat {identity['repeat']}")
         return f"{self.row}: " + " ".join(words)
 
@@ -112,11 +112,9 @@ def _of_row(row, table, trees):
             raise TableError("a key that both set and cases give", row.where,
                              ", ".join(sorted(set(case) & set(dict(chosen)))), "one of the two")
         tree = trees[commit]
-        identity = {"commit": tree.label, "native": table.native, "values": values}
+        identity = {"commit": tree.label, "native": table.native, "values": values, "repeat": repeat}
         if row.timed:
             identity["timed"] = True
-        if row.repeats > 1 or row.timed:
-            identity["repeat"] = repeat
         if seed is not None:
             identity["seed"] = seed
         if scene is not None:

@@ -15,7 +15,7 @@ DONE, FAILED = ".json", ".failed.json"
 class Store:
     def __init__(self, folder, machine, of_any_machine=False):
         """`of_any_machine`: a run that has a result of another machine is not run again."""
-        self.folder = pathlib.Path(folder)
+        self.folder = pathlib.Path(folder).absolute()  # runs are made in other folders
         self.machine = machine
         self.of_any_machine = of_any_machine
 

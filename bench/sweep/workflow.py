@@ -35,13 +35,13 @@ def call(chunks, store, jobs, again, profile, stopped):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     guard = "setpriv --pdeathsig TERM --" if shutil.which("setpriv") and not profile else ""
-    plans.write(folder / "plan.json", chunks, folder=str(store.folder.resolve()), again=again,
+    plans.write(folder / "plan.json", chunks, folder=str(store.folder), again=again,
                 machine=None if profile else store.machine, of_any_machine=store.of_any_machine,
                 jobs=jobs, is_cluster=bool(profile), python=sys.executable, guard=guard,
                 batch=os.path.join(HERE, "batch.py"))
     # Each result is guarded by a lock of its own, which is taken off when its holder is killed.
     words = [program(), "--snakefile", os.path.join(HERE, "Snakefile"), "--directory", str(folder),
-             "--config", f"plan={folder.resolve() / 'plan.json'}", "--nolock", "--keep-going",
+             "--config", f"plan={folder / 'plan.json'}", "--nolock", "--keep-going",
              "--scheduler", "greedy", "--quiet", "rules", "progress"]
     words += ["--profile", find_profile(profile), "--jobs", str(jobs)] if profile else \
         ["--cores", str(jobs)]
