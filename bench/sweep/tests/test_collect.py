@@ -72,9 +72,10 @@ class Report(unittest.TestCase):
         some += [scene(0.1, t, "cells", 2) for t in (2, 3, 4)]
         some += [scene(0.1, 1, "cells", 2, machine="two"), scene(0.1, 1, "cells", 2, commit="def"),
                  scene(0.2, 1, "cells", 2), scene(0.1, 1, "cells", 2, values={"steps": 9})]
-        beside = scene(0.1, 1, "cells", 2)
-        del beside["identity"]["timed"]
-        found = [s for g in self.groups(some + [beside]) for s in speedups.find(records.points(g))]
+        beside = [scene(0.1, 1, "cells", 2), scene(0.1, 3)]
+        for record in beside:
+            del record["identity"]["timed"]
+        found = [s for g in self.groups(some + beside) for s in speedups.find(records.points(g))]
         self.assertEqual([(s.s, s.low, s.high) for s in found], [(6 / 3, 6 / 3.5, 6 / 2.5)])
 
     def test_orders(self):

@@ -38,6 +38,15 @@ def overlapping(records):
             and a["result"][0] < b["result"][1] and b["result"][0] < a["result"][1]]
 
 
+def is_running(pid):
+    """Whether there is such a process; one that has ended and that nobody has waited for is none."""
+    try:
+        with open(f"/proc/{pid}/stat", encoding="utf-8") as stream:
+            return stream.read().rpartition(")")[2].split()[0] not in "ZX"
+    except OSError:
+        return False
+
+
 class Plain(unittest.TestCase):
     def setUp(self):
         self.project = Project(self)
@@ -74,6 +83,7 @@ class Plain(unittest.TestCase):
         done = self.run_some()
         self.assertEqual(done.returncode, 1)  # what has failed is named again
         self.assertIn("exit code 7", done.stdout)
+        self.assertIn("4 runs in table, 0 due", done.stdout)
         self.assertEqual(set(self.project.begun().values()), {1})
         self.assertEqual(self.project.results(), before)
 
@@ -121,17 +131,28 @@ class Plain(unittest.TestCase):
         self.assertEqual(len(found), 7)
         self.assertEqual(overlapping(found), [])
 
+    def start(self, table, *options):
+        return subprocess.Popen(self.project.words("--plain", *options, table=table),
+                                stdout=subprocess.DEVNULL, env=self.project.environment)
+
     def test_timed_runs_are_alone_beside_another_sweep(self):
-        self.project.table(WATCHED)
-        self.project.table(WATCHED.replace("1, 2, 3, 4", "5, 6, 7, 8")
-                           .replace("repeats = 3", "repeats = 4"), "other.toml")
-        both = [subprocess.Popen(self.project.words("--plain", table=name), stdout=subprocess.DEVNULL,
-                                 env=self.project.environment) for name in ("table.toml", "other.toml")]
-        self.assertEqual([process.wait() for process in both], [0, 0])
+        beside, alone = WATCHED.split("[[run]]")[1:]
+        self.project.table("[[run]]" + beside.replace("1, 2, 3, 4", str(list(range(12)))[1:-1]))
+        self.project.table("[[run]]" + alone, "alone.toml")
+        first = self.start("table.toml", "--jobs", "1")
+        while not self.project.results():
+            time.sleep(0.01)
+        self.assertEqual((self.start("alone.toml").wait(), first.wait()), (0, 0))
         found = list(self.project.results().values())
-        self.assertEqual(len(found), 8 + 4)  # three timed ones are those of both
-        self.assertEqual(set(self.project.begun().values()), {1})
+        self.assertEqual(len(found), 12 + 3)
         self.assertEqual(overlapping(found), [])
+
+    def test_two_sweeps_of_one_table_run_each_once(self):
+        self.project.table('[[run]]\nname = "a"\ncommand = ["sleep", "0.3"]\n'
+                           'with = {i = [1, 2, 3, 4]}\n')
+        both = [self.start("table.toml", "--jobs", "2") for _ in range(2)]
+        self.assertEqual([process.wait() for process in both], [0, 0])
+        self.assertEqual(list(self.project.begun().values()), [1] * 4)
 
     def test_runs_of_several_cores(self):
         self.project.table(WATCHED.replace('name = "beside"', 'name = "beside"\ncores = 2'))
@@ -141,12 +162,13 @@ class Plain(unittest.TestCase):
         self.assertTrue(all(a[1] <= b[0] for a, b in zip(times, times[1:])), times)
 
     def test_an_interrupted_sweep_leaves_whole_results_and_goes_on(self):
-        self.project.table('[[run]]\nname = "a"\ncommand = ["sleep", "{s}"]\n'
-                           'with = {s = [0.01, 30]}\n')
+        self.project.table('[[run]]\nname = "a"\ncommand = ["bash", "-c", "sleep {s} & echo $! > pid{s}; '
+                           'wait"]\nwith = {s = [0.01, 30]}\n')
         process = subprocess.Popen(self.project.words("--plain", "--jobs", "2"), text=True,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                                    env=self.project.environment)
-        while len(self.project.results()) < 1 or len(self.project.begun()) < 2:
+        other = self.project.root / "pid30"
+        while len(self.project.results()) < 1 or not other.exists() or not other.read_text().strip():
             time.sleep(0.02)
         process.send_signal(signal.SIGTERM)
         self.assertIn("interrupted", process.communicate()[1])
@@ -154,6 +176,7 @@ class Plain(unittest.TestCase):
         self.assertEqual(len(self.project.results()), 1)
         self.assertEqual(self.project.results(".failed.json"), {})
         self.assertEqual(os.listdir(self.project.out / "here/running"), [])
+        self.assertFalse(is_running(int(other.read_text())))  # nor what the run had started
 
     def test_what_else_makes_a_run_fail(self):
         self.project.table("".join(
