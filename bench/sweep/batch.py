@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""batch.py PLAN NUMBER: the runs of one job, one after the other; those that have a result are skipped.
+"""batch.py PLAN NUMBER: the runs of one job, one after the other; those that have a result are
+skipped.
 
 A run that fails is recorded and the others go on. Exit: 0 all have been tried, 1 it was stopped."""
 import json
@@ -16,8 +17,9 @@ from store import Store
 
 
 def stop_on_signals():
-    """An event that is set by the first signal to end; a second Ctrl-C ends this at once. Further signals
-    of the other kind do not: one comes for each thread of a Snakemake that has been killed."""
+    """An event that is set by the first signal to end; a second Ctrl-C ends this at once. Further
+    signals of the other kind do not: one comes for each thread of a Snakemake that has been
+    killed."""
     stop = threading.Event()
 
     def on_signal(number, _):

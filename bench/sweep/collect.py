@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The report of all results in some folders: index.html and pictures, each machine and commit by itself."""
+"""The report of all results in some folders: index.html and pictures, each machine and commit by
+itself."""
 import argparse
 import os
 import pathlib
@@ -7,7 +8,7 @@ import sys
 import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-sys.path.append(os.path.join(ROOT, "plots"))  # behind our own: no module of theirs is taken for ours
+sys.path.append(os.path.join(ROOT, "plots"))  # behind our own, which may have the same names
 
 import errors_drawn  # noqa: E402
 import records  # noqa: E402
@@ -133,12 +134,13 @@ def build(folders, out, jobs):
     sections = [(f"group{k + 1}", f"{group.machine}, {group.commit}", section(group, drawn[str(k)]))
                 for k, group in enumerate(groups)]
     paths = [r["path"] for group in groups for r in group.records + group.failures]
-    sections.append(("files", "Files", tables.files(paths, out), "the results as they were written"))
+    sections.append(("files", "Files", tables.files(paths, out),
+                     "the results as they were written"))
     machines = len({group.machine for group in groups})
     commits = len({group.commit for group in groups})
     lead = (f"{style.counted(len(paths), 'run')} on {style.counted(machines, 'machine')} at "
-            f"{style.counted(commits, 'commit')}; each machine and commit by itself, nothing is averaged "
-            "over them.")
+            f"{style.counted(commits, 'commit')}; each machine and commit by itself, nothing is "
+            "averaged over them.")
     text = page.document("Sweep", lead, "", sections)
     path = os.path.join(out, "index.html")
     style.write_bytes(path, text.encode("utf-8"))
@@ -148,8 +150,10 @@ def build(folders, out, jobs):
 def main(argv):
     parser = argparse.ArgumentParser(prog="sweep.sh collect", description=__doc__)
     parser.add_argument("folders", nargs="+", metavar="DIR", help="where the results of sweeps are")
-    parser.add_argument("--report", metavar="DIR", help="where the report goes (default DIR/report)")
-    parser.add_argument("--jobs", type=int, default=drawing.cores(), help="pictures at the same time")
+    parser.add_argument("--report", metavar="DIR",
+                        help="where the report goes (default DIR/report)")
+    parser.add_argument("--jobs", type=int, default=drawing.cores(),
+                        help="pictures at the same time")
     options = parser.parse_args(argv)
     out = options.report or os.path.join(options.folders[0], "report")
     try:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The error of scenes against CPU time and against the edge length, a picture of each for every scene."""
+"""The error of scenes against CPU time and against the edge length, a picture of each for every
+scene."""
 import math
 
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator
@@ -20,7 +21,8 @@ def looks(labels):
 
 
 def lines(points):
-    """{scene: {label: points from coarse to fine}} of what has an error at two edge lengths or more."""
+    """{scene: {label: points from coarse to fine}} of what has an error at two edge lengths or
+    more."""
     found = {}
     for point in points:
         error = point.spread(ERROR)
@@ -46,7 +48,8 @@ def bars(spreads):
 def counts_of(points):
     """How often each was run, in words."""
     counts = sorted({len(p.records) for p in points})
-    runs = style.counted(counts[0], "run") if len(counts) == 1 else f"{counts[0]} to {counts[-1]} runs"
+    runs = style.counted(counts[0], "run") if len(counts) == 1 else \
+        f"{counts[0]} to {counts[-1]} runs"
     return f"Medians and quartiles of {runs} each." if counts[-1] > 1 else "One run each."
 
 
@@ -55,7 +58,8 @@ def conditions(points):
         return "Not timed: other runs were beside these, so that their times are rough. "
     text = "Timed runs, alone on the machine. "
     if any(p.is_doubtful for p in points):
-        text += f"Half filled: not timed, or others kept more than {records.BUSY:g} cores busy meanwhile. "
+        text += (f"Half filled: not timed, or others kept more than {records.BUSY:g} cores busy "
+                 "meanwhile. ")
     return text
 
 
@@ -112,7 +116,8 @@ def against_time(scene, some, context, name):
         f"The smallest error in {scene} is {style.digits(best.spread(ERROR).median)}, at "
         f"h = {precision_data.length(best.h)} ({best.label}), after "
         f"{style.duration(1e6 * best.spread(TIME).median)} of CPU time.", fig,
-        ["run", "h", "error", "lower quartile", "upper", "CPU s", "lower quartile", "upper", "runs"],
+        ["run", "h", "error", "lower quartile", "upper", "CPU s", "lower quartile", "upper",
+         "runs"],
         [[p.label, precision_data.length(p.h), *_digits(p.spread(ERROR)), *_digits(p.spread(TIME)),
           str(len(p.records))] for p in points])
 
@@ -149,11 +154,12 @@ def against_length(scene, some, context, name):
     axes.set_ylabel("error: symmetric difference / area")
     _more_ticks(axes.yaxis, *axes.get_ylim())
     style.finish(fig, f"Order of convergence: {scene}", style.caption_text(
-        context, f"{counts_of(points)} Order: least squares over four edge lengths or more; in brackets "
-        "the smallest and largest between neighbours."), handles)
+        context, f"{counts_of(points)} Order: least squares over four edge lengths or more; in "
+        "brackets the smallest and largest between neighbours."), handles)
     told = [f"{value.fitted:.1f} ({label})" for label, value in orders.items() if value]
-    sentence = f"In {scene} the error falls with h to the power {style.listing(told)}." if told else \
-        f"{scene} was run at fewer than four edge lengths, too few for an order."
+    sentence = f"{scene} was run at fewer than four edge lengths, too few for an order."
+    if told:
+        sentence = f"In {scene} the error falls with h to the power {style.listing(told)}."
     return style.Picture(
         name, f"Order of convergence: {scene}", sentence, fig,
         ["run", "order", "smallest", "largest", "edge lengths"],

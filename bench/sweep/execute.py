@@ -32,8 +32,9 @@ class NotKept(Exception):
 
 
 def run_once(run, store, stopped, again=False):
-    """Runs it, unless it has a result, and gives 'done', 'failed' or 'skipped'. With `again` a run that
-    has failed is run again. Raises Interrupted when `stopped` says so; nothing is left then."""
+    """Runs it, unless it has a result, and gives 'done', 'failed' or 'skipped'. With `again` a run
+    that has failed is run again. Raises Interrupted when `stopped` says so; nothing is left
+    then."""
     if _is_settled(run, store, again):
         return "skipped"
     path = store.lock(run)
@@ -140,7 +141,8 @@ def _search_path(run):
 
 
 def _wait(process, timeout_s, stopped):
-    """(exit code, CPU seconds, whether the run took too long). Tells at once when the process ends."""
+    """(exit code, CPU seconds, whether the run took too long). Tells at once when the process
+    ends."""
     end, was_late = time.monotonic() + timeout_s, False
     watch = os.pidfd_open(process.pid)
     try:

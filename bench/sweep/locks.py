@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Locks that the kernel takes off when the last process that holds them has gone. A run inherits the locks
-that it is made under, so that what a killed sweep has left running still holds them."""
+"""Locks that the kernel takes off when the last process that holds them has gone. A run inherits
+the locks that it is made under, so that what a killed sweep has left running still holds them."""
 import contextlib
 import fcntl
 import os
@@ -31,6 +31,7 @@ def hold(path, is_shared=False, stopped=lambda: False):
 
 
 def machine_path():
-    """The lock of this user on this machine: many untimed runs hold it together, a timed one alone."""
+    """The lock of this user on this machine: many untimed runs hold it together, a timed one
+    alone."""
     return os.environ.get(MACHINE_VARIABLE) or os.path.join(
         tempfile.gettempdir(), f"dsc-sweep-{os.getuid()}.lock")

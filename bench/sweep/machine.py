@@ -26,8 +26,8 @@ def cores():
 
 
 def name():
-    """The name of the folder of this machine's results: what DSC_SWEEP_MACHINE says, or the host's name,
-    the processor and the number of its cores."""
+    """The name of the folder of this machine's results: what DSC_SWEEP_MACHINE says, or the host's
+    name, the processor and the number of its cores."""
     given = os.environ.get(NAME_VARIABLE)
     return slug(given or f"{socket.gethostname()} {model()} {os.cpu_count()} cores")
 

@@ -30,4 +30,5 @@ def put_in(text, values):
 
 def fill(text, paths):
     """The text without placeholders."""
-    return WORD.sub(lambda found: paths[found.group(1)] if found.group(1) else found.group()[0], text)
+    return WORD.sub(lambda found: paths[found.group(1)] if found.group(1) else found.group()[0],
+                    text)

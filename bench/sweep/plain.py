@@ -32,8 +32,8 @@ class Cores:
 
 
 def loop(chunks, store, jobs, again, stopped, say):
-    """Runs everything, `jobs` cores at a time; what has to be alone comes last. A failed run is recorded
-    and the others go on. Raises Interrupted when `stopped` says so."""
+    """Runs everything, `jobs` cores at a time; what has to be alone comes last. A failed run is
+    recorded and the others go on. Raises Interrupted when `stopped` says so."""
     cores = Cores(jobs)
 
     def one(run, taken):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """What is due, and how it is shared out among jobs.
 
-A job of a workflow engine costs a second or so, a run often less: so a job does many runs, one after the
-other. The first jobs are long and the last ones short, so that the cores are busy to the end. Runs that
-are timed stand in one job for each row, in which the repeats take turns: what else the machine does then
-meets all of them alike."""
+A job of a workflow engine costs a second or so, a run often less: so a job does many runs, one
+after the other. The first jobs are long and the last ones short, so that the cores are busy to the
+end. Runs that are timed stand in one job for each row, in which the repeats take turns: what else
+the machine does then meets all of them alike."""
 import dataclasses
 import json
 import math

@@ -77,7 +77,8 @@ class Point:
 
     @property
     def is_doubtful(self):
-        """Its times are those of runs beside others, or of more threads than the machine has cores."""
+        """Its times are those of runs beside others, or of more threads than the machine has
+        cores."""
         return not self.is_timed or any((r["others_busy"] or 0) > BUSY or
                                         self.threads > r["machine"].get("cores", self.threads)
                                         for r in self.records)
@@ -122,7 +123,8 @@ def read(folders):
         for path in (path for path in paths if path.parent.name != "running"):
             record = load.read_json(str(path))
             if load.need(record, "format", str(path), int) != FORMAT:
-                raise load.InputFault(f"{path} has format {record['format']}, where {FORMAT} is expected.")
+                raise load.InputFault(f"{path} has format {record['format']}, where {FORMAT} is "
+                                      "expected.")
             for key in ("machine", "identity"):
                 load.need(record, key, str(path), dict)
             for key in ("commit", "key", "row", "what", "again"):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The runs that the rows of a table stand for, and the key of each.
 
-What a run is, is all that its result depends on beside the machine: the commit, the scene or what is in
-its file, the settings, the strategy, the threads, the seed, whether it is timed, and which repeat it is. The
-key is a digest of that, so that the same run in another table, or in a row of another name, is the same."""
+What a run is, is all that its result depends on beside the machine: the commit, the scene or what
+is in its file, the settings, the strategy, the threads, the seed, whether it is timed, and which
+repeat it is. The key is a digest of that, so that the same run in another table, or in a row of
+another name, is the same."""
 import dataclasses
 import hashlib
 import itertools
@@ -112,15 +113,17 @@ def _of_row(row, table, trees):
             raise TableError("a key that both set and cases give", row.where,
                              ", ".join(sorted(set(case) & set(dict(chosen)))), "one of the two")
         tree = trees[commit]
-        identity = {"commit": tree.label, "native": table.native, "values": values, "repeat": repeat}
+        identity = {"commit": tree.label, "native": table.native, "values": values,
+                    "repeat": repeat}
         if row.timed:
             identity["timed"] = True
         if seed is not None:
             identity["seed"] = seed
         if scene is not None:
             identity.update(strategy=strategy, threads=1 if strategy in SERIAL else threads)
-            identity.update({key: value for key, value in (("submeshes", submeshes), ("angle", angle))
-                             if value is not None and strategy not in SERIAL})
+            identity.update({
+                key: value for key, value in (("submeshes", submeshes), ("angle", angle))
+                if value is not None and strategy not in SERIAL})
             yield _scene_run(row, table, tree, scene, identity)
         else:
             yield _command_run(row, table, tree, {**values, "threads": str(threads),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""S(n): the time of the sequential driver over that of n threads, on the same machine, commit, scene
-and settings, and only among timed runs. The time is the wall time of all steps; medians are divided, and the
-spread is that of the quartiles of the time of n threads."""
+"""S(n): the time of the sequential driver over that of n threads, on the same machine, commit,
+scene and settings, and only among timed runs. The time is the wall time of all steps; medians are
+divided, and the spread is that of the quartiles of the time of n threads."""
 import dataclasses
 
 import records
@@ -30,7 +30,8 @@ class Speedup:
     @property
     def name(self):
         """Of its line: the strategy and what else is set beside the size."""
-        return ", ".join([self.point.strategy] + ([self.point.setting] if self.point.setting else []))
+        setting = self.point.setting
+        return ", ".join([self.point.strategy, setting] if setting else [self.point.strategy])
 
 
 def find(points):

@@ -29,8 +29,10 @@ def _ideal(axes, threads):
 
 
 def _looks(found):
-    """A strategy has the colour that it has in all pictures, unless it is divided in several ways."""
-    names = list(dict.fromkeys(s.name for s in sorted(found, key=lambda s: style.order(s.point.strategy))))
+    """A strategy has the colour that it has in all pictures, unless it is divided in several
+    ways."""
+    found = sorted(found, key=lambda s: style.order(s.point.strategy))
+    names = list(dict.fromkeys(s.name for s in found))
     known = [name for name in names if name in style.STRATEGIES]
     if len(known) == len(names):
         return {name: style.look(name) for name in names}
@@ -42,8 +44,8 @@ def _conditions(found):
     repeats = counts[0] if len(counts) == 1 else f"{counts[0]} to {counts[-1]}"
     return (f"S(n): median wall time of all steps by the sequential driver over that of n threads; "
             f"bars: quartiles of {repeats} runs. Timed runs, alone on the machine. "
-            f"Half filled: others kept more than {records.BUSY:g} cores busy meanwhile, or threads are "
-            "more than cores.")
+            f"Half filled: others kept more than {records.BUSY:g} cores busy meanwhile, or threads "
+            "are more than cores.")
 
 
 def _marks(axes, x, line, look, shift=1.0):
@@ -76,12 +78,14 @@ def over_threads(scene, found, context, cores, name):
             # Lines are shifted sideways so that bars of equal height stay visible.
             _marks(axes, [s.point.threads for s in line], line, looks[line_name], 1 + 0.012 * k)
         _ideal(axes, top)
-        axes.set_title(f"{style.whole(size)} triangles, {style.duration(1e6 * here[0].base.median)}")
+        axes.set_title(f"{style.whole(size)} triangles, "
+                       f"{style.duration(1e6 * here[0].base.median)}")
         axes.set_xlabel("threads $n$")
         axes.set_xlim(0.8, top + 0.3)
         axes.xaxis.set_major_locator(FixedLocator(sorted({s.point.threads for s in found})))
         if cores and 1 < cores <= top:
-            axes.axvline(cores, color=style.MUTED, linewidth=0.9, linestyle=(0, (1, 1.5)), zorder=1.5)
+            axes.axvline(cores, color=style.MUTED, linewidth=0.9, linestyle=(0, (1, 1.5)),
+                         zorder=1.5)
     grid[0][0].set_ylabel("speed-up $S(n)$")
     grid[0][0].set_ylim(0, 1.1 * max([top, *(s.high for s in found)]))
     handles = [style.key(line_name, *look, width=1.4) for line_name, look in looks.items()]
@@ -116,11 +120,13 @@ def over_sizes(scene, found, context, name):
     axes.set_xlabel("triangles at the start")
     axes.set_ylabel("speed-up $S(n)$")
     axes.set_ylim(0, 1.1 * max(s.high for s in found))
-    style.finish(fig, f"Speed-up over sizes: {scene}", style.caption_text(context, _conditions(found)),
+    style.finish(fig, f"Speed-up over sizes: {scene}",
+                 style.caption_text(context, _conditions(found)),
                  [style.key(label, *look, width=1.4) for label, look in looks.items()])
     largest = max(map(_size, found))
     top = max((s for s in found if _size(s) == largest), key=lambda s: s.s)
     return style.Picture(
         name, f"Speed-up over sizes: {scene}",
-        f"At {style.whole(largest)} triangles {top.name} on {style.counted(top.point.threads, 'thread')} "
-        f"is {top.s:.2f} times as fast as the sequential driver.", fig)
+        f"At {style.whole(largest)} triangles {top.name} on "
+        f"{style.counted(top.point.threads, 'thread')} is {top.s:.2f} times as fast as the "
+        "sequential driver.", fig)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Where results are: FOLDER/MACHINE/COMMIT/KEY.json for a run that has ended well, KEY.failed.json for
-one that has not, and FOLDER/MACHINE/attempts.log, which only grows, with a line for each beginning and end.
+"""Where results are: FOLDER/MACHINE/COMMIT/KEY.json for a run that has ended well, KEY.failed.json
+for one that has not, and FOLDER/MACHINE/attempts.log, which only grows, with a line for each
+beginning and end.
 
-A result is written beside and renamed: of a sweep that is killed each result is there as a whole or not
-at all."""
+A result is written beside and renamed: of a sweep that is killed each result is there as a whole or
+not at all."""
 import json
 import os
 import pathlib
@@ -89,8 +90,8 @@ def read(path):
 
 
 def attempts(folder):
-    """The lines of all logs below a folder, in their order; half a line at the end of a log, of a machine
-    that lost power, is none."""
+    """The lines of all logs below a folder, in their order; half a line at the end of a log, of a
+    machine that lost power, is none."""
     found = []
     for path in sorted(pathlib.Path(folder).glob("*/attempts.log")):
         for line in path.read_text(encoding="utf-8").split("\n")[:-1]:

@@ -18,20 +18,24 @@ from errors import Interrupted, SweepError
 from store import Store
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-EPILOGUE = """Exit: 0 every run has a result, 1 some have failed or were not run, 2 nothing could be run,
-130 interrupted. sweep.sh list TABLE.toml shows the runs; sweep.sh collect DIR... makes the report."""
+EPILOGUE = """Exit: 0 every run has a result, 1 some have failed or were not run, 2 nothing could be
+run, 130 interrupted. sweep.sh list TABLE.toml shows the runs; sweep.sh collect DIR... makes the
+report."""
 
 
 def parse_arguments(argv):
     parser = argparse.ArgumentParser(prog="sweep.sh", description=__doc__, epilog=EPILOGUE)
     parser.add_argument("table", metavar="TABLE.toml")
-    parser.add_argument("--out", metavar="DIR", help="where the results are (default build/sweep/TABLE)")
+    parser.add_argument("--out", metavar="DIR",
+                        help="where the results are (default build/sweep/TABLE)")
     parser.add_argument("--jobs", type=int, metavar="N", default=machine.cores(),
                         help="cores of this machine, or jobs that a cluster has at a time")
-    parser.add_argument("--profile", metavar="P", help="of Snakemake: slurm, or the folder of your own")
+    parser.add_argument("--profile", metavar="P",
+                        help="of Snakemake: slurm, or the folder of your own")
     parser.add_argument("--plain", action="store_true", help="a plain loop in place of Snakemake")
     parser.add_argument("--batch", type=int, metavar="N", help="runs of one job of Snakemake")
-    parser.add_argument("--retry-failed", action="store_true", help="those that failed before as well")
+    parser.add_argument("--retry-failed", action="store_true",
+                        help="those that failed before as well")
     parser.add_argument("--no-build", action="store_true", help="with the programs as they are")
     options = parser.parse_args(argv)
     for name in ("jobs", "batch"):
@@ -116,8 +120,9 @@ def run_all(options):
     if missing:
         print(f"\nnot run: {len(missing)}, the first is {missing[0].what}")
         print("\n".join(f"  | {line}" for line in words))
-    say(f"{len(done)} done ({before} of them before), {len(failed)} failed, {len(missing)} not run; "
-        f"{time.monotonic() - began:.1f} s; results in {sweep.store.folder}")
+    say(f"{len(done)} done ({before} of them before), {len(failed)} failed, "
+        f"{len(missing)} not run; {time.monotonic() - began:.1f} s; results in "
+        f"{sweep.store.folder}")
     if failed and not options.retry_failed:
         print("What has failed is run again with --retry-failed.")
     return 1 if failed or missing else 0

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Reads a table of what to run; tables/example.toml shows all that may stand in one.
 
-A table is a TOML file with `about`, and a `[[run]]` for each row. A row runs a scene or any command, once
-for each combination of what it lists. Lists are combined in the order in which they stand here: `cases` or
-`with`, `set`, `strategy`, `submeshes`, `threads`, `seed`, `commit`, and at last `repeats`."""
+A table is a TOML file with `about`, and a `[[run]]` for each row. A row runs a scene or any
+command, once for each combination of what it lists. Lists are combined in the order in which they
+stand here: `cases` or `with`, `set`, `strategy`, `submeshes`, `threads`, `seed`, `commit`, and at
+last `repeats`."""
 import dataclasses
 import os
 import re
@@ -39,7 +40,7 @@ class Row:
     scenes: tuple = ()
     command: tuple = ()
     cases: tuple = ({},)       # values that belong together
-    lists: dict = dataclasses.field(default_factory=dict)  # key -> values, all of which are combined
+    lists: dict = dataclasses.field(default_factory=dict)  # key -> values that are combined
     strategies: tuple = ("sequential",)
     submeshes: tuple = (None,)
     angles: tuple = (None,)
@@ -68,8 +69,8 @@ class Table:
 
 
 def read(path, root):
-    """The table in a file. `root` is the project's folder, where values that commands list are asked for.
-    Raises TableError."""
+    """The table in a file. `root` is the project's folder, where values that commands list are
+    asked for. Raises TableError."""
     try:
         with open(path, "rb") as stream:
             data = tomllib.load(stream)
@@ -106,7 +107,8 @@ def _values(entry, key, default, where):
     kinds, takes_list = KEYS[key]
     value = entry[key]
     values = value if isinstance(value, list) and takes_list else [value]
-    names = " or ".join(kind.__name__ for kind in kinds) + (", or a list of these" if takes_list else "")
+    names = " or ".join(kind.__name__ for kind in kinds)
+    names += ", or a list of these" if takes_list else ""
     _check(values, "an empty list", f"{where}: {key}", "[]", names)
     for one in values:
         is_good = isinstance(one, kinds) and (bool in kinds or not isinstance(one, bool))
@@ -168,7 +170,8 @@ def _row(entry, where, path, root):
     _check(name is not None and NAME.fullmatch(name), "a row needs a name", where, name,
            "letters, digits and . + - _")
     where = f"{where} ({name})"
-    for key, low in (("threads", 1), ("submeshes", 1), ("repeats", 1), ("cores", 1), ("timeout", 0)):
+    for key, low in (("threads", 1), ("submeshes", 1), ("repeats", 1), ("cores", 1),
+                     ("timeout", 0)):
         for value in values[key] or ():
             _check(value >= low and value == value, "too small", f"{where}: {key}", value,
                    f"{low} and more")

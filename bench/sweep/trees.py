@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The sources and the builds of the commits that a table names.
 
-"." is the working tree, built in build/release as always; its label names its last commit and, if there
-are changes since, a digest of them, so that results of yesterday's changes are not taken for today's. Any
-other commit is built once, in a git worktree of its own under build/sweep/commits."""
+"." is the working tree, built in build/release as always; its label names its last commit and, if
+there are changes since, a digest of them, so that results of yesterday's changes are not taken for
+today's. Any other commit is built once, in a git worktree of its own under build/sweep/commits."""
 import dataclasses
 import hashlib
 import os

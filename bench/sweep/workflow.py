@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The jobs of a plan by Snakemake: on the cores of this machine, or wherever a profile says.
 
-What was done is known by the results alone; Snakemake's own notes are thrown away before each call."""
+What was done is known by the results alone; Snakemake's own notes are thrown away before each
+call."""
 import os
 import shutil
 import signal
@@ -20,8 +21,8 @@ def program():
 
 
 def find_profile(name):
-    """The folder of a profile: one of the user's own by its path, one of ours by its name, or else what
-    Snakemake finds by that name."""
+    """The folder of a profile: one of the user's own by its path, one of ours by its name, or else
+    what Snakemake finds by that name."""
     for folder in (name, os.path.join(HERE, "profiles", name)):
         if os.path.isfile(os.path.join(folder, "config.yaml")):
             return os.path.abspath(folder)
@@ -29,8 +30,8 @@ def find_profile(name):
 
 
 def call(chunks, store, jobs, again, profile, stopped):
-    """Runs everything. Raises Interrupted when `stopped` says so, and SweepError where Snakemake itself
-    cannot go on; a failed run is recorded and the others go on."""
+    """Runs everything. Raises Interrupted when `stopped` says so, and SweepError where Snakemake
+    itself cannot go on; a failed run is recorded and the others go on."""
     folder = store.folder / "snakemake"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -62,7 +63,8 @@ def _wait(process, is_cluster, stopped):
         except subprocess.TimeoutExpired:
             if stopped() and not asked:
                 asked = True
-                # A cluster's jobs are Snakemake's to cancel. Jobs here are told to end when it is gone.
+                # A cluster's jobs are Snakemake's to cancel. Jobs here are told to end when it is
+                # gone.
                 process.send_signal(signal.SIGINT if is_cluster else signal.SIGKILL)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The report: medians and quartiles of the right runs, machines and commits apart, orders and speed-ups of
-made-up results, and pictures of them."""
+"""The report: medians and quartiles of the right runs, machines and commits apart, orders and
+speed-ups of made-up results, and pictures of them."""
 import itertools
 import json
 import pathlib
@@ -17,7 +17,8 @@ from errors import SweepError
 COUNTER = itertools.count()
 
 
-def scene(h, wall_s, strategy="sequential", threads=1, machine="one", commit="abc", error=None, **more):
+def scene(h, wall_s, strategy="sequential", threads=1, machine="one", commit="abc", error=None,
+          **more):
     """A result; its error is h squared unless another is given."""
     values = {"h": str(h), **{key: str(value) for key, value in more.pop("values", {}).items()}}
     identity = {"scene": "swirl", "strategy": strategy, "threads": threads, "values": values,
@@ -40,7 +41,8 @@ class Report(unittest.TestCase):
 
     def write(self, some, suffix=".json"):
         for record in some:
-            path = self.folder / record["machine"]["name"] / record["commit"] / (record["key"] + suffix)
+            folder = self.folder / record["machine"]["name"] / record["commit"]
+            path = folder / (record["key"] + suffix)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(json.dumps(record))
 
@@ -55,9 +57,11 @@ class Report(unittest.TestCase):
         self.assertIsNone(point.spread("no_such_figure"))
 
     def test_seeds_are_a_spread_and_settings_are_not(self):
-        group, = self.groups([scene(0.1, 1, seed=s, error=e) for s, e in (("1", 1), ("2", 3), ("3", 2))]
-                             + [scene(0.1, 1, error=9, values={"integrator": "euler"})])
-        self.assertEqual(sorted(p.spread("sd_rel_last").median for p in records.points(group)), [2, 9])
+        group, = self.groups(
+            [scene(0.1, 1, seed=s, error=e) for s, e in (("1", 1), ("2", 3), ("3", 2))]
+            + [scene(0.1, 1, error=9, values={"integrator": "euler"})])
+        errors = [p.spread("sd_rel_last").median for p in records.points(group)]
+        self.assertEqual(sorted(errors), [2, 9])
 
     def test_machines_and_commits_are_never_put_together(self):
         groups = self.groups([scene(0.1, t, machine=m, commit=c) for t, m, c in (
@@ -68,7 +72,7 @@ class Report(unittest.TestCase):
                          [1, 10000, 100])
 
     def test_a_speed_up_is_of_one_machine_and_one_problem(self):
-        some = [scene(0.1, t, seq) for t, seq in ((4, "sequential"), (6, "sequential"), (8, "sequential"))]
+        some = [scene(0.1, t) for t in (4, 6, 8)]
         some += [scene(0.1, t, "cells", 2) for t in (2, 3, 4)]
         some += [scene(0.1, 1, "cells", 2, machine="two"), scene(0.1, 1, "cells", 2, commit="def"),
                  scene(0.2, 1, "cells", 2), scene(0.1, 1, "cells", 2, values={"steps": 9})]
@@ -83,7 +87,8 @@ class Report(unittest.TestCase):
         group, = self.groups([scene(h, 1 / h, error=7 * h ** p, values={"insertion": p})
                               for h in (0.1, 0.05, 0.02, 0.01) for p in (1, 2, 3)])
         lines = errors_drawn.lines(records.points(group))["swirl"]
-        self.assertEqual([round(errors_drawn.order(line).fitted, 6) for line in lines.values()], [1, 2, 3])
+        orders = [errors_drawn.order(line).fitted for line in lines.values()]
+        self.assertEqual([round(order, 6) for order in orders], [1, 2, 3])
 
     def test_the_page(self):
         some = [scene(h, (1 + 0.1 * k) / h / s, strategy, s, machine=m)
@@ -112,8 +117,9 @@ class Report(unittest.TestCase):
         del record["identity"]["scene"]
         record["result"] = None
         record["files"] = {f"{h}.json": {
-            "flow": "zalesak", "flow_title": "Zalesak's disc", "method": "default", "group": "default",
-            "parameters": {"h": h}, "sd_rel_last": h, "cpu_s": 1 / h} for h in (0.1, 0.05)}
+            "flow": "zalesak", "flow_title": "Zalesak's disc", "method": "default",
+            "group": "default", "parameters": {"h": h}, "sd_rel_last": h, "cpu_s": 1 / h}
+            for h in (0.1, 0.05)}
         group, = self.groups([record])
         self.assertEqual([(r.h, r.error) for r in collect.precision_runs(group)],
                          [(0.1, 0.1), (0.05, 0.05)])

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A sweep of 200 runs that is killed five times and goes on: no run is lost and none is run twice.
 
-A run that was killed in its middle is begun again. What is run twice would be one that is begun although
-it has a result, or that ends twice; the log of attempts and the results at each kill show whether there is
-one. DSC_KILL_SEED chooses when to kill; it is printed."""
+A run that was killed in its middle is begun again. What is run twice would be one that is begun
+although it has a result, or that ends twice; the log of attempts and the results at each kill show
+whether there is one. DSC_KILL_SEED chooses when to kill; it is printed."""
 import os
 import random
 import shutil
@@ -55,14 +55,15 @@ class Killed(unittest.TestCase):
         witness = (project.root / "begun").read_text().split()
         self.assertLessEqual(len(witness), sum(begun.values()))
         print(f"{RUNS} runs, killed {KILLS} times: {RUNS - len(results)} lost, "
-              f"{len(ended) - len(set(ended))} run twice; {again} begun again because they were killed",
-              flush=True)
+              f"{len(ended) - len(set(ended))} run twice; {again} begun again because they were "
+              "killed", flush=True)
 
     def kill_after(self, project, options, count, seconds):
         """As soon as there are so many results, and a little later."""
         process = subprocess.Popen(project.words("--jobs", str(JOBS), *options),
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                   env=project.environment, cwd=project.root, start_new_session=True)
+                                   env=project.environment, cwd=project.root,
+                                   start_new_session=True)
         while len(list(project.out.glob("*/*/*.json"))) < count:
             self.assertIsNone(process.poll(), "the sweep has ended before it was killed")
             time.sleep(0.01)
@@ -79,7 +80,7 @@ class Killed(unittest.TestCase):
     def test_in_a_plain_loop(self):
         self.check("--plain")
 
-    @unittest.skipUnless(shutil.which("snakemake"), "Snakemake is not installed (Debian: snakemake)")
+    @unittest.skipUnless(shutil.which("snakemake"), "no Snakemake (Debian: snakemake)")
     def test_by_snakemake(self):
         self.check()
 

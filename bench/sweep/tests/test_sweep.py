@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Sweeps in a plain loop: each run once, failures named, timed runs alone, machines and commits apart."""
+"""Sweeps in a plain loop: each run once, failures named, timed runs alone, machines and commits
+apart."""
 import json
 import os
 import signal
@@ -13,7 +14,8 @@ from tests.support import Project
 SOME = '''
 [[run]]
 name = "some"
-command = ["bash", "-c", "echo word {i}; [ {i} != 3 ] || {{ cat answer >&2; exit 7; }}; echo '[{i}]' > {out}/result.json"]
+command = ["bash", "-c", """
+echo word {i}; [ {i} != 3 ] || {{ cat answer >&2; exit 7; }}; echo '[{i}]' > {out}/result.json"""]
 with = { i = [1, 2, 3, 4] }
 accept = [0]
 '''
@@ -21,11 +23,17 @@ accept = [0]
 WATCHED = '''
 [[run]]
 name = "beside"
-command = ["python3", "-S", "-c", "import json,time; a=time.monotonic(); time.sleep(0.1); json.dump([a,time.monotonic()],open('{out}/result.json','w'))"]
+command = ["python3", "-S", "-c", """
+import json, time
+began = time.monotonic(); time.sleep(0.1)
+json.dump([began, time.monotonic()], open('{out}/result.json', 'w'))"""]
 with = { i = [1, 2, 3, 4] }
 [[run]]
 name = "alone"
-command = ["python3", "-S", "-c", "import json,time; a=time.monotonic(); time.sleep(0.1); json.dump([a,time.monotonic()],open('{out}/result.json','w'))"]
+command = ["python3", "-S", "-c", """
+import json, time
+began = time.monotonic(); time.sleep(0.1)
+json.dump([began, time.monotonic()], open('{out}/result.json', 'w'))"""]
 timed = true
 repeats = 3
 '''
@@ -39,7 +47,7 @@ def overlapping(records):
 
 
 def is_running(pid):
-    """Whether there is such a process; one that has ended and that nobody has waited for is none."""
+    """Whether there is such a process, and it has not ended."""
     try:
         with open(f"/proc/{pid}/stat", encoding="utf-8") as stream:
             return stream.read().rpartition(")")[2].split()[0] not in "ZX"
@@ -67,7 +75,8 @@ class Plain(unittest.TestCase):
         self.assertEqual(sorted(r["result"][0] for r in found.values()), [1, 2, 4])
         failed, = self.project.results(".failed.json").values()
         self.assertEqual((failed["exit_code"], failed["problem"]), (7, "exit code 7"))
-        self.assertEqual(failed["last_words"], {"stdout": ["word 3"], "stderr": ["something is wrong"]})
+        self.assertEqual(failed["last_words"],
+                         {"stdout": ["word 3"], "stderr": ["something is wrong"]})
 
     def test_the_command_that_is_named_can_be_typed(self):
         self.run_some()
@@ -75,7 +84,8 @@ class Plain(unittest.TestCase):
         done = subprocess.run(["bash", "-c", failed["again"]], capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stderr), (7, "something is wrong\n"))
         other = next(iter(self.project.results().values()))
-        self.assertEqual(subprocess.run(["bash", "-c", other["again"]], capture_output=True).returncode, 0)
+        done = subprocess.run(["bash", "-c", other["again"]], capture_output=True)
+        self.assertEqual(done.returncode, 0)
 
     def test_nothing_is_run_twice(self):
         self.run_some()
@@ -102,7 +112,8 @@ class Plain(unittest.TestCase):
         self.run_some()
         for path, record in self.project.results().items():
             self.assertEqual(path, f"here/unknown/{record['key']}.json")
-            for key in ("command", "again", "begun", "ended", "wall_s", "cpu_s", "machine", "identity"):
+            for key in ("command", "again", "begun", "ended", "wall_s", "cpu_s", "machine",
+                        "identity"):
                 self.assertIn(key, record)
         self.assertEqual(sorted(os.listdir(self.project.out / "here")),
                          ["attempts.log", "running", "unknown"])
@@ -162,13 +173,14 @@ class Plain(unittest.TestCase):
         self.assertTrue(all(a[1] <= b[0] for a, b in zip(times, times[1:])), times)
 
     def test_an_interrupted_sweep_leaves_whole_results_and_goes_on(self):
-        self.project.table('[[run]]\nname = "a"\ncommand = ["bash", "-c", "sleep {s} & echo $! > pid{s}; '
-                           'wait"]\nwith = {s = [0.01, 30]}\n')
+        self.project.table('[[run]]\nname = "a"\ncommand = ["bash", "-c", "sleep {s} & '
+                           'echo $! > pid{s}; wait"]\nwith = {s = [0.01, 30]}\n')
         process = subprocess.Popen(self.project.words("--plain", "--jobs", "2"), text=True,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                                    env=self.project.environment)
         other = self.project.root / "pid30"
-        while len(self.project.results()) < 1 or not other.exists() or not other.read_text().strip():
+        while len(self.project.results()) < 1 or not other.exists() or \
+                not other.read_text().strip():
             time.sleep(0.02)
         process.send_signal(signal.SIGTERM)
         self.assertIn("interrupted", process.communicate()[1])
@@ -182,7 +194,8 @@ class Plain(unittest.TestCase):
         self.project.table("".join(
             f'[[run]]\nname = "r{k}"\ncommand = {json.dumps(command)}\n{more}\n'
             for k, (command, more) in enumerate((
-                (["sleep", "20"], "timeout = 0.2"), (["no-such-program"], ""), (["bash", "-c", "kill -SEGV $$"], ""),
+                (["sleep", "20"], "timeout = 0.2"), (["no-such-program"], ""),
+                (["bash", "-c", "kill -SEGV $$"], ""),
                 (["bash", "-c", "echo '[1' > {out}/result.json"], ""),
                 (["true"], 'files = ["no-such-file"]')))))
         done = self.project.sweep("--plain")

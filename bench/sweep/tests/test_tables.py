@@ -46,15 +46,16 @@ class Expansion(OneTable):
         self.assertEqual([run.cores for run in found[:3]], [1, 1, 2])
 
     def test_the_command_of_a_scene(self):
-        run, = self.runs('[[run]]\nscene = "swirl"\nset = {h = 0.02}\nseed = 7\nstrategy = "active"\n'
-                         'submeshes = 4\nthreads = 2\n')
+        run, = self.runs('[[run]]\nscene = "swirl"\nset = {h = 0.02}\nseed = 7\n'
+                         'strategy = "active"\nsubmeshes = 4\nthreads = 2\n')
         self.assertEqual(" ".join(run.command),
                          "{build}/lib/scenes/dsc_scene run swirl --set h=0.02 --set seed=7 "
                          "--strategy active --threads 2 --submeshes 4 --json {out}/result.json")
 
     def test_a_run_of_two_rows_is_one(self):
         row = '[[run]]\nname = "{}"\nscene = "swirl"\nset = {{h = {}}}\n'
-        self.assertEqual(len(self.runs(row.format("a", "[0.02, 0.01]") + row.format("b", "0.01"))), 2)
+        found = self.runs(row.format("a", "[0.02, 0.01]") + row.format("b", "0.01"))
+        self.assertEqual(len(found), 2)
 
     def test_a_sequential_run_has_one_thread(self):
         found = self.runs('[[run]]\nscene = "swirl"\nstrategy = ["sequential", "cells"]\n'
@@ -82,7 +83,8 @@ class Expansion(OneTable):
 
 class Keys(OneTable):
     """A key is all that a result depends on."""
-    row = '[[run]]\nname = "{name}"\nscene = "{scene}"\nset = {{h = {h}}}\ncommit = "{commit}"\n{more}'
+    row = ('[[run]]\nname = "{name}"\nscene = "{scene}"\nset = {{h = {h}}}\ncommit = "{commit}"\n'
+           '{more}')
     usual = {"name": "a", "scene": "swirl", "h": 0.01, "commit": ".", "more": ""}
 
     def key(self, **changed):
@@ -94,7 +96,8 @@ class Keys(OneTable):
             {"scene": "zalesak"}, {"h": 0.02}, {"commit": "there"}, {"more": "seed = 1"},
             {"more": "timed = true"}, {"more": "timed = true\nrepeats = 2"},
             {"more": 'strategy = "cells"'}, {"more": 'strategy = "cells"\nthreads = 2'},
-            {"more": 'strategy = "cells"\nsubmeshes = 9'}, {"more": 'strategy = "cells"\nangle = "shape"'})]
+            {"more": 'strategy = "cells"\nsubmeshes = 9'},
+            {"more": 'strategy = "cells"\nangle = "shape"'})]
         # The first of two repeats is the one of a single repeat: more repeats keep what is there.
         self.assertEqual(keys[5], keys[6])
         del keys[6]
@@ -131,7 +134,8 @@ class BadTables(OneTable):
                 (scene + "threads = []\n", "an empty list"), (scene + "timed = 1\n", "wrong type"),
                 (scene + "set = {h = true}\n", "wrong type"), (scene + "set = {h = []}\n", "empty"),
                 (scene + "timeout = nan\n", "too small"), (scene + scene, "two rows of one name"),
-                (scene + "files = ['a']\n", "another kind"), (command + "set = {h = 1}\n", "another kind"),
+                (scene + "files = ['a']\n", "another kind"),
+                (command + "set = {h = 1}\n", "another kind"),
                 ('[[run]]\ncommand = ["x"]\n', "a row needs a name"),
                 ('[[run]]\nname = "a/b"\ncommand = ["x"]\n', "a row needs a name"),
                 ('[[run]]\nname = "a"\nscene = "no/such.toml"\n', "no such scene file"),
@@ -175,8 +179,9 @@ class Shares(OneTable):
             self.assertLessEqual(sizes[0], max(1, -(-count // jobs)))
 
     def test_timed_runs_of_a_row_are_one_job_alone(self):
-        found = self.runs('[[run]]\nscene = "swirl"\nset = {h = [1, 2, 3]}\ntimed = true\nrepeats = 4\n'
-                          '[[run]]\nname = "b"\nscene = "zalesak"\nset = {h = [1, 2, 3]}\n')
+        found = self.runs('[[run]]\nscene = "swirl"\nset = {h = [1, 2, 3]}\ntimed = true\n'
+                          'repeats = 4\n[[run]]\nname = "b"\nscene = "zalesak"\n'
+                          'set = {h = [1, 2, 3]}\n')
         chunks = plan.chunks(found, 2)
         self.assertEqual([chunk.timed for chunk in chunks], [False] * (len(chunks) - 1) + [True])
         self.assertTrue(chunks[-1].alone)
