@@ -93,7 +93,7 @@ class Report(unittest.TestCase):
     def test_the_page(self):
         some = [scene(h, (1 + 0.1 * k) / h / s, strategy, s, machine=m)
                 for h in (0.1, 0.05, 0.02, 0.01) for k in range(3) for m in ("one", "two")
-                for strategy, s in (("sequential", 1), ("cells", 2))]
+                for strategy, s in (("sequential", 1), ("cells", 2)) if m == "one" or h == 0.1]
         command = scene(1, 1)
         del command["identity"]["scene"]
         self.write(some + [command])
@@ -102,15 +102,16 @@ class Report(unittest.TestCase):
         failed["last_words"]["stderr"] = ["the <last> words"]
         self.write([failed], ".failed.json")
         path, lead = collect.build([self.folder], self.folder / "report", 1)
-        self.assertIn("50 runs on 2 machines at 1 commit", lead)
+        self.assertIn("32 runs on 2 machines at 1 commit", lead)
         text = pathlib.Path(path).read_text("utf-8")
         for words in ("CPU of one", "CPU of two", "exit code 3", "the &lt;last&gt; words",
                       "cd x &amp;&amp; y", "falls with h to the power 2.0", "word &lt;b&gt;",
                       "The largest speed-up in swirl is 2.00"):
             self.assertIn(words, text)
         pictures = {p.name for p in (self.folder / "report").glob("*.png")}
-        self.assertEqual(pictures, {f"group{k}_swirl_{what}.png" for k in (1, 2) for what in (
-            "error_against_time", "order", "speedup_over_threads", "speedup_over_sizes")})
+        self.assertEqual(pictures, {f"group1_swirl_{what}.png" for what in (
+            "error_against_time", "order", "speedup_over_threads", "speedup_over_sizes")}
+            | {"group2_swirl_speedup_over_threads.png"})
 
     def test_precision_runs_are_drawn_by_the_report_s_own_pictures(self):
         record = scene(1, 1)
