@@ -83,18 +83,26 @@ def prepare(tree, root, targets, commands, say):
         git(root, "worktree", "add", "--force", "--detach", tree.source, tree.commit)
     if targets:
         say(f"building {', '.join(sorted(targets))} of {tree.label}")
-        options = [] if tree.is_working_tree and tree.native else [
-            "-D", f"DSC_NATIVE={'ON' if tree.native else 'OFF'}", "-D", "DSC_STRICT=OFF"]
-        launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")
-        if launcher and options:
-            options += ["-D", f"CMAKE_CXX_COMPILER_LAUNCHER={launcher}"]
-        _call(["cmake", "--preset", "release", "-B", tree.build, *options], tree.source)
+        _call(["cmake", *_options(tree)], tree.source)
         _call(["cmake", "--build", tree.build, "--parallel",
                os.environ.get("DSC_JOBS") or str(os.cpu_count()), "--target", *sorted(targets)],
               tree.source)
     for command in commands:
         say(f"first: {' '.join(command)}")
         _call(command, tree.source)
+
+
+def _options(tree):
+    """Those of cmake to configure a build, again where there is one: then it names today's commit."""
+    native = f"DSC_NATIVE={'ON' if tree.native else 'OFF'}"
+    if os.path.exists(os.path.join(tree.build, "CMakeCache.txt")):
+        return [tree.build, "-D", native]  # with what else somebody has chosen for it
+    options = ["--preset", "release", "-B", tree.build, "-D", native]
+    launcher = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")
+    if launcher:
+        options += ["-D", f"CMAKE_CXX_COMPILER_LAUNCHER={launcher}"]
+    # A warning of this compiler is of no interest in an old commit.
+    return options if tree.is_working_tree else [*options, "-D", "DSC_STRICT=OFF"]
 
 
 def _call(command, folder):

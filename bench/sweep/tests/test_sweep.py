@@ -265,6 +265,32 @@ class Scenes(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("the program was built from 0123456789, not ", done.stdout)
 
+    def test_programs_are_built_before_the_runs(self):
+        """By a cmake that notes what it is asked for: configured anew where there is a build."""
+        folder = self.project.root / "build/bin"
+        folder.mkdir()
+        (folder / "cmake").write_text('#!/bin/sh\necho "$@" >> "$CMAKE_LOG"\n')
+        (folder / "cmake").chmod(0o755)
+        log = self.project.root / "build/cmake.log"
+        self.project.environment.update(PATH=f"{folder}:{os.environ['PATH']}", CMAKE_LOG=str(log),
+                                        DSC_JOBS="3")
+        self.project.environment.pop("CMAKE_CXX_COMPILER_LAUNCHER", None)
+        words = [word for word in self.project.words("--plain") if word != "--no-build"]
+
+        def asked(name):
+            self.project.table(f'[[run]]\nscene = "swirl"\nset = {{name = "{name}"}}\n')
+            self.git("commit", "-qam", name)
+            self.program(self.git("describe", "--always", "--abbrev=10"))
+            log.unlink(missing_ok=True)
+            subprocess.run(words, check=True, capture_output=True, env=self.project.environment)
+            return log.read_text().splitlines()
+
+        build = self.project.root / "build/release"
+        target = f"--build {build} --parallel 3 --target dsc_scene"
+        self.assertEqual(asked("one"), [f"--preset release -B {build} -D DSC_NATIVE=ON", target])
+        (build / "CMakeCache.txt").write_text("")
+        self.assertEqual(asked("two"), [f"{build} -D DSC_NATIVE=ON", target])
+
     def test_a_commit_that_is_not_there(self):
         self.project.table('[[run]]\nscene = "swirl"\ncommit = "no-such-tag"\n')
         done = self.project.sweep("--plain")
