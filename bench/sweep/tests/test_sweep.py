@@ -38,6 +38,16 @@ timed = true
 repeats = 3
 '''
 
+CMAKE = '''#!/bin/sh
+echo "$@" >> "$CMAKE_LOG"
+[ "$1" = --build ] || exit 0
+program=$2/lib/scenes/dsc_scene
+mkdir -p "$2/lib/scenes"
+printf '#!/bin/sh\\nfor last; do :; done\\necho "{\\\\"commit\\\\": \\\\"%s\\\\"}" > $last\\n' \\
+    "$(git describe --always --dirty=+ --abbrev=10)" > "$program"
+chmod +x "$program"
+'''
+
 
 def overlapping(records):
     """Pairs of runs that ran at the same time, one of them timed."""
@@ -265,31 +275,55 @@ class Scenes(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("the program was built from 0123456789, not ", done.stdout)
 
-    def test_programs_are_built_before_the_runs(self):
-        """By a cmake that notes what it is asked for: configured anew where there is a build."""
+    def build_by_stand_in(self):
+        """A cmake that notes what it is asked for, and the program that it makes names its commit."""
         folder = self.project.root / "build/bin"
         folder.mkdir()
-        (folder / "cmake").write_text('#!/bin/sh\necho "$@" >> "$CMAKE_LOG"\n')
+        (folder / "cmake").write_text(CMAKE)
         (folder / "cmake").chmod(0o755)
         log = self.project.root / "build/cmake.log"
         self.project.environment.update(PATH=f"{folder}:{os.environ['PATH']}", CMAKE_LOG=str(log),
                                         DSC_JOBS="3")
         self.project.environment.pop("CMAKE_CXX_COMPILER_LAUNCHER", None)
+        return log
+
+    def sweep_and_build(self):
         words = [word for word in self.project.words("--plain") if word != "--no-build"]
+        return subprocess.run(words, capture_output=True, text=True, env=self.project.environment)
 
-        def asked(name):
-            self.project.table(f'[[run]]\nscene = "swirl"\nset = {{name = "{name}"}}\n')
-            self.git("commit", "-qam", name)
-            self.program(self.git("describe", "--always", "--abbrev=10"))
-            log.unlink(missing_ok=True)
-            subprocess.run(words, check=True, capture_output=True, env=self.project.environment)
-            return log.read_text().splitlines()
-
+    def test_programs_are_built_before_the_runs(self):
+        log = self.build_by_stand_in()
         build = self.project.root / "build/release"
         target = f"--build {build} --parallel 3 --target dsc_scene"
-        self.assertEqual(asked("one"), [f"--preset release -B {build} -D DSC_NATIVE=ON", target])
-        (build / "CMakeCache.txt").write_text("")
-        self.assertEqual(asked("two"), [f"{build} -D DSC_NATIVE=ON", target])
+        for name, options in (("one", f"--preset release -B {build} -D DSC_NATIVE=ON"),
+                              ("two", f"{build} -D DSC_NATIVE=ON")):  # with what was chosen for it
+            self.project.table(f'[[run]]\nscene = "swirl"\nset = {{name = "{name}"}}\n')
+            self.commit()
+            log.unlink(missing_ok=True)
+            self.assertEqual(self.sweep_and_build().returncode, 0)
+            self.assertEqual(log.read_text().splitlines(), [options, target])
+            (build / "CMakeCache.txt").write_text("")
+
+    def test_each_commit_is_checked_out_and_built_once(self):
+        (self.project.root / "new").write_text("")
+        self.commit()
+        log = self.build_by_stand_in()
+        hashes = self.git("rev-parse", "HEAD", "HEAD~1").splitlines()
+        commits = json.dumps(hashes)
+        for h in ("0.1, 0.2", "0.1, 0.2, 0.3"):
+            self.project.table(f'[[run]]\nscene = "swirl"\nset = {{h = [{h}]}}\n'
+                               f'commit = {commits}\n')
+            done = self.sweep_and_build()
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("6 done (4 of them before)", done.stdout)
+        for path, record in self.project.results().items():
+            label = path.split("/")[1]
+            self.assertTrue(label.startswith(record["result"]["commit"]), label)
+        folders = sorted((self.project.root / "build/sweep/commits").iterdir())
+        self.assertEqual([folder.name for folder in folders], sorted(h[:12] for h in hashes))
+        self.assertEqual([(folder / "source/new").exists() for folder in folders],
+                         [folder.name == hashes[0][:12] for folder in folders])
+        self.assertEqual(log.read_text().count("--build"), 4)  # the later ones have nothing to do
 
     def test_a_commit_that_is_not_there(self):
         self.project.table('[[run]]\nscene = "swirl"\ncommit = "no-such-tag"\n')
