@@ -27,7 +27,7 @@ enum class Owned : std::uint8_t {
 /// its sides, which are right however small the differences are, in whole lanes.
 template <class Real>
 [[gnu::always_inline]] inline bool owns_link(const Region& box, const Ring<Real>& ring) {
-    std::int64_t inside = -1; // the highest bit counts
+    std::uint64_t inside = ~std::uint64_t{0}; // the highest bit counts
     for (std::uint32_t first = 0; first < ring.size; first += Ring<Real>::lanes) {
         const Real* x = ring.x.data() + first;
         const Real* y = ring.y.data() + first;
@@ -35,13 +35,13 @@ template <class Real>
         for (std::uint32_t i = 0; i < Ring<Real>::lanes; ++i) {
             const double px = static_cast<double>(x[i]);
             const double py = static_cast<double>(y[i]);
-            inside &= ~std::bit_cast<std::int64_t>(px - box.low) &
-                      std::bit_cast<std::int64_t>(px - box.high) &
-                      ~std::bit_cast<std::int64_t>(py - box.side_low) &
-                      std::bit_cast<std::int64_t>(py - box.side_high);
+            inside &= ~std::bit_cast<std::uint64_t>(px - box.low) &
+                      std::bit_cast<std::uint64_t>(px - box.high) &
+                      ~std::bit_cast<std::uint64_t>(py - box.side_low) &
+                      std::bit_cast<std::uint64_t>(py - box.side_high);
         }
     }
-    return inside < 0;
+    return inside >> 63U != 0;
 }
 
 /// Writes a star into a ring, triangle by triangle, counter-clockwise.

@@ -161,11 +161,11 @@ hausdorff_last = 0.30000000000000004
         EXPECT_EQ(second.limits[i].least, first.limits[i].least);
         EXPECT_EQ(second.limits[i].most, first.limits[i].most);
     }
-    RunOptions options;
-    options.measures = first.measures;
-    const RunResult a = run_scene(first.scene, first.scene.defaults, options);
-    options.measures = second.measures;
-    const RunResult b = run_scene(second.scene, second.scene.defaults, options);
+    RunOptions run;
+    run.measures = first.measures;
+    const RunResult a = run_scene(first.scene, first.scene.defaults, run);
+    run.measures = second.measures;
+    const RunResult b = run_scene(second.scene, second.scene.defaults, run);
     EXPECT_EQ(a.mesh_hash, b.mesh_hash);
     ASSERT_EQ(a.last.size(), 4U);
     ASSERT_EQ(b.last.size(), 4U);

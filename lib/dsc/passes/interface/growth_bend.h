@@ -9,7 +9,7 @@ namespace dsc {
 
 /// The curve at a vertex with two interface edges; the larger phase is on the left.
 template <class Real>
-struct Bend {
+struct GrowthBend {
     std::uint32_t in = no_id;  ///< spoke to the previous vertex
     std::uint32_t out = no_id; ///< spoke to the next one
     Point<Real> from = Point<Real>::Zero();
@@ -22,9 +22,9 @@ struct Bend {
 
 /// The corner of a ring. O(degree).
 template <class Real>
-[[nodiscard]] Bend<Real> bend_of(const Ring<Real>& ring, const GrowthOptions<Real>& options,
-                                 Real time) {
-    Bend<Real> bend;
+[[nodiscard]] GrowthBend<Real> bend_of(const Ring<Real>& ring, const GrowthOptions<Real>& options,
+                                       Real time) {
+    GrowthBend<Real> bend;
     const Spokes spokes = interface_spokes(ring);
     if (spokes.count != 2 || !ring.closed) {
         return bend;
@@ -45,7 +45,7 @@ template <class Real>
 /// Whether both edges are longer than that. Shorter ones may turn sharply for a while, until upkeep
 /// has removed them: such a turn is no corner.
 template <class Real>
-[[nodiscard]] bool has_longer_edges(const Bend<Real>& bend, Real length) {
+[[nodiscard]] bool has_longer_edges(const GrowthBend<Real>& bend, Real length) {
     return (bend.from - bend.at).squaredNorm() > length * length &&
            (bend.to - bend.at).squaredNorm() > length * length;
 }

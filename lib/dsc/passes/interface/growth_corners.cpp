@@ -49,7 +49,7 @@ private:
     }
     [[nodiscard]] Real lengths(double relative) const { return static_cast<Real>(relative) * h_; }
 
-    [[nodiscard]] Bend<Real> bend_of(const Ring<Real>& ring) const {
+    [[nodiscard]] GrowthBend<Real> bend_of(const Ring<Real>& ring) const {
         return dsc::bend_of(ring, options_, work_.time);
     }
 
@@ -61,7 +61,7 @@ private:
         if (!gather(complex_, work_.submesh.region, v, ring)) {
             return;
         }
-        const Bend<Real> bend = bend_of(ring);
+        const GrowthBend<Real> bend = bend_of(ring);
         if (!bend.known) {
             rays_[Vertex{v}] = {};
             return;
@@ -105,7 +105,7 @@ private:
         flags = corner ? flags | vertex_corner : flags & ~std::uint32_t{vertex_corner};
     }
 
-    void mark(std::uint32_t v, const Bend<Real>& bend) {
+    void mark(std::uint32_t v, const GrowthBend<Real>& bend) {
         if (std::abs(bend.turn) < smooth_) {
             set_corner(v, false);
         } else if (bend.turn * bend.speed < 0 && std::abs(bend.turn) > notch_ &&
@@ -120,7 +120,7 @@ private:
     }
 
     // How far a notch comes along its sheets in this sub-step; it moves by the sub-step's most.
-    [[nodiscard]] Real reach(const Bend<Real>& notch) const {
+    [[nodiscard]] Real reach(const GrowthBend<Real>& notch) const {
         const Real half = std::abs(notch.turn) / 2;
         const Real most = lengths(work_.options.sub_step) * std::cos(half);
         return (std::min(way(notch.speed), most) + lengths(margin)) * std::tan(half);
@@ -128,7 +128,7 @@ private:
 
     // Whether the vertex was in the way of a notch at the end of one of its edges, and has gone.
     // True as well where only another submesh can tell.
-    bool is_run_over(const Ring<Real>& ring, const Bend<Real>& bend, std::uint32_t spoke,
+    bool is_run_over(const Ring<Real>& ring, const GrowthBend<Real>& bend, std::uint32_t spoke,
                      std::uint32_t other) {
         const std::uint32_t u = ring.link[spoke];
         const Point<Real> notch = link_point(ring, spoke);
@@ -144,7 +144,7 @@ private:
             work_.deferred.upkeep(ring.vertex);
             return true;
         }
-        const Bend<Real> there = gathered ? bend_of(star) : Bend<Real>{};
+        const GrowthBend<Real> there = gathered ? bend_of(star) : GrowthBend<Real>{};
         if (!there.known || there.turn * there.speed >= 0 || std::abs(there.turn) < smooth_) {
             return false;
         }
@@ -165,7 +165,7 @@ private:
 
     // --- fans ---------------------------------------------------------------------------------
     // The normal at the corner of the sheet on one side. False if only another submesh sees it.
-    bool sheet_normal(const Ring<Real>& ring, const Bend<Real>& bend, std::uint32_t spoke,
+    bool sheet_normal(const Ring<Real>& ring, const GrowthBend<Real>& bend, std::uint32_t spoke,
                       Point<Real>& normal) {
         Ring<Real>& star = work_.other_ring;
         const bool gathered = gather(complex_, work_.submesh.region, ring.link[spoke], star);
@@ -174,7 +174,7 @@ private:
         }
         const Point<Real> before = link_point(ring, spoke);
         Point<Real> first = before;
-        if (const Bend<Real> next = gathered ? bend_of(star) : Bend<Real>{};
+        if (const GrowthBend<Real> next = gathered ? bend_of(star) : GrowthBend<Real>{};
             next.known && !is_corner(star.vertex)) {
             first = spoke == bend.in ? next.from : next.to;
         }
@@ -184,7 +184,7 @@ private:
         return true;
     }
 
-    void open(std::uint32_t v, const Bend<Real>& bend) {
+    void open(std::uint32_t v, const GrowthBend<Real>& bend) {
         const Ring<Real>& ring = work_.ring;
         Point<Real> first;
         Point<Real> last;
@@ -259,7 +259,7 @@ private:
         return count;
     }
 
-    void tend(const Ring<Real>& ring, const Bend<Real>& bend) {
+    void tend(const Ring<Real>& ring, const GrowthBend<Real>& bend) {
         const Vertex v{ring.vertex};
         FanRay<Real>& ray = rays_[v];
         const FanRay<Real>& before = rays_[Vertex{ring.link[bend.in]}];
@@ -306,7 +306,7 @@ private:
     // A fan that would vanish in this sub-step. The sheets meet in a notch at its end, on the other
     // side of the source: there the last vertex goes, and the others to places close to it on the
     // first sheet, from which they can be removed at no cost.
-    void close(const Ring<Real>& ring, const Bend<Real>& bend, bool is_inside) {
+    void close(const Ring<Real>& ring, const GrowthBend<Real>& bend, bool is_inside) {
         FanRay<Real>& ray = rays_[Vertex{ring.vertex}];
         const Real radius = along(ray, bend.at);
         const Real time = way(bend.speed) / std::abs(bend.speed);
@@ -332,7 +332,7 @@ private:
         ray.state = FanState::closing;
     }
 
-    void end_closing(const Ring<Real>& ring, const Bend<Real>& bend) {
+    void end_closing(const Ring<Real>& ring, const GrowthBend<Real>& bend) {
         FanRay<Real>& ray = rays_[Vertex{ring.vertex}];
         const bool is_last = ray.to_last == 0;
         if (is_last || !(collapse_into(ring, bend.out) || collapse_into(ring, bend.in))) {

@@ -12,7 +12,7 @@ namespace dsc::scenes {
 
 namespace {
 
-using Json = nlohmann::json;
+using GeoJson = nlohmann::json;
 
 /// Collections within collections.
 constexpr int deepest_collection = 8;
@@ -21,23 +21,23 @@ class GeoJsonReader {
 public:
     explicit GeoJsonReader(const std::string& where) : where_(where) {}
 
-    void read(const Json& object, int depth = 0) {
-        const std::string type = object.is_object() ? object.value("type", Json()).dump() : "";
+    void read(const GeoJson& object, int depth = 0) {
+        const std::string type = object.is_object() ? object.value("type", GeoJson()).dump() : "";
         if (depth > deepest_collection) {
             refuse("collections too deep", type, "at most 8 levels");
         }
         if (type == "\"FeatureCollection\"") {
-            for (const Json& feature : list(object, "features")) {
+            for (const GeoJson& feature : list(object, "features")) {
                 read(feature, depth + 1);
             }
         } else if (type == "\"Feature\"") {
             read(member(object, "geometry"), depth + 1);
         } else if (type == "\"GeometryCollection\"") {
-            for (const Json& geometry : list(object, "geometries")) {
+            for (const GeoJson& geometry : list(object, "geometries")) {
                 read(geometry, depth + 1);
             }
         } else if (type == "\"MultiPolygon\"") {
-            for (const Json& polygon : list(object, "coordinates")) {
+            for (const GeoJson& polygon : list(object, "coordinates")) {
                 add_lines(polygon, true);
             }
         } else if (type == "\"Polygon\"") {
@@ -62,7 +62,7 @@ private:
             {.what = what, .where = where_, .value = excerpt(value), .allowed = allowed});
     }
 
-    [[nodiscard]] const Json& member(const Json& object, const char* name) const {
+    [[nodiscard]] const GeoJson& member(const GeoJson& object, const char* name) const {
         const auto found = object.find(name);
         if (found == object.end()) {
             refuse("member missing", "none", name);
@@ -70,29 +70,29 @@ private:
         return *found;
     }
 
-    [[nodiscard]] const Json& list(const Json& object, const char* name) const {
-        const Json& value = member(object, name);
+    [[nodiscard]] const GeoJson& list(const GeoJson& object, const char* name) const {
+        const GeoJson& value = member(object, name);
         if (!value.is_array()) {
             refuse("not a list", value.dump(), std::string("a list of ") + name);
         }
         return value;
     }
 
-    void add_lines(const Json& lines, bool is_polygon) {
+    void add_lines(const GeoJson& lines, bool is_polygon) {
         if (!lines.is_array()) {
             refuse("not a list of lines", lines.dump(), "a list");
         }
-        for (const Json& line : lines) {
+        for (const GeoJson& line : lines) {
             add_line(line, is_polygon);
         }
     }
 
-    void add_line(const Json& positions, bool is_closed) {
+    void add_line(const GeoJson& positions, bool is_closed) {
         if (!positions.is_array()) {
             refuse("not a list of positions", positions.dump(), "a list");
         }
         Piece piece;
-        for (const Json& position : positions) {
+        for (const GeoJson& position : positions) {
             const bool is_pair = position.is_array() && position.size() >= 2 &&
                                  position[0].is_number() && position[1].is_number();
             const double x = is_pair ? position[0].get<double>() : NAN;
@@ -119,10 +119,10 @@ private:
 } // namespace
 
 std::vector<Piece> read_geojson(const std::string& text, const std::string& where) {
-    Json json;
+    GeoJson json;
     try {
-        json = Json::parse(text);
-    } catch (const Json::exception& error) {
+        json = GeoJson::parse(text);
+    } catch (const GeoJson::exception& error) {
         throw InputError({.what = "no JSON",
                           .where = where,
                           .value = excerpt(error.what()),
