@@ -7,29 +7,35 @@ set -euo pipefail
 usage() {
     cat <<'USAGE'
 usage: bench/compare.sh BASE [FILTER] [--pairs N] [--native] [--no-times] [--no-counts]
+       bench/compare.sh --growth
   BASE         a commit, tag or branch; built in a git worktree of its own in build/compare/base
   FILTER       a regular expression for the runs: swirl, single-vortex, zalesak, drop-and-pool,
                growing-circle
   --pairs N    how often each run is made by both (default 15)
   --native     tuned for this processor, as the preset release is; valgrind may not know it then
   --no-times   counts alone, which a busy machine does not disturb; --no-counts: times alone
+  --growth     in place of all that: how the instructions of a step of the working tree grow from 28
+               thousand to 2.8 million triangles, which is held to a limit (bench/compare/growth.py says
+               which); build/compare/growth.json; takes ten minutes and 3 GB
 Both are built by the preset release, but for any processor, and run on one thread. Slower is: a ratio
 of medians of more than 1.05 in time whose confidence interval lies above 1; more than 1.02 in
 instructions; half an allocation more in a step (the latter two where valgrind is installed).
 Leaves build/compare/base.json and new.json, which Google Benchmark's compare.py reads as well, and
 the worktree, for the next time; `git worktree remove --force build/compare/base` removes it.
-Exit code: 0 not slower, 1 slower, 2 bad usage or nothing was measured.
+Exit code: 0 not slower, 1 slower or growing with the mesh, 2 bad usage or nothing was measured.
 USAGE
 }
 
 base=
 filter=
 native=OFF
+growth=false
 options=()
 while [[ $# -gt 0 ]]; do
     case $1 in
         -h | --help) usage; exit 0 ;;
         --native) native=ON ;;
+        --growth) growth=true ;;
         --no-times | --no-counts) options+=("$1") ;;
         --pairs)
             options+=(--pairs "${2:?--pairs: how many?}")
@@ -49,7 +55,12 @@ while [[ $# -gt 0 ]]; do
     esac
     shift
 done
-if [[ -z $base ]]; then
+if $growth; then
+    if [[ -n $base || $native == ON || ${#options[@]} -gt 0 ]]; then
+        usage >&2
+        exit 2
+    fi
+elif [[ -z $base ]]; then
     usage >&2
     exit 2
 fi
@@ -57,20 +68,9 @@ fi
 # shellcheck source=verify/setup.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/../verify/setup.sh"
 
-commit=$(git rev-parse --verify --quiet "$base^{commit}") ||
-    give_up "no such commit: got '$base'; allowed: a commit, tag or branch of this repository"
 folder=build/compare
+program=lib/scenes/dsc_scene
 mkdir -p "$folder"
-
-say "base: $(git log -1 --format='%h %s' "$commit")"
-if [[ -e $folder/base/.git ]]; then
-    quietly git -C "$folder/base" checkout --force --detach "$commit" ||
-        give_up "the worktree $folder/base cannot be moved to $commit"
-else
-    git worktree prune
-    quietly git worktree add --force --detach "$folder/base" "$commit" ||
-        give_up "no worktree could be made in $folder/base"
-fi
 
 # build SOURCE FOLDER
 build() {
@@ -82,10 +82,25 @@ build() {
         give_up "$1 could not be built"
 }
 
+if $growth; then
+    build . "$project_root/$folder/of_new"
+    exec python3 bench/compare/growth.py --program "$folder/of_new/$program" --out "$folder/growth.json"
+fi
+
+commit=$(git rev-parse --verify --quiet "$base^{commit}") ||
+    give_up "no such commit: got '$base'; allowed: a commit, tag or branch of this repository"
+say "base: $(git log -1 --format='%h %s' "$commit")"
+if [[ -e $folder/base/.git ]]; then
+    quietly git -C "$folder/base" checkout --force --detach "$commit" ||
+        give_up "the worktree $folder/base cannot be moved to $commit"
+else
+    git worktree prune
+    quietly git worktree add --force --detach "$folder/base" "$commit" ||
+        give_up "no worktree could be made in $folder/base"
+fi
 build "$folder/base" "$project_root/$folder/of_base"
 build . "$project_root/$folder/of_new"
 
 say "comparing"
-program=lib/scenes/dsc_scene
 exec python3 bench/compare/compare.py --base "$folder/of_base/$program" \
     --new "$folder/of_new/$program" --out "$folder" --filter "$filter" "${options[@]}"

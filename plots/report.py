@@ -3,7 +3,7 @@
 """Draws every picture and writes index.html from result files.
 
 report.py --bench FILE... --scenes FILE... --precision FILE... --hard FILE --verify FILE...
-          --frames DIR --published DIR --out DIR [--formats png,svg,pdf] [--jobs N]
+          --faults FILE --mutants FILE --frames DIR --published DIR --out DIR [--formats png,svg,pdf] [--jobs N]
 
 What was not run is said plainly in the page and is no error. Exit 0 done; 2 bad usage or a file
 that cannot be used, with one sentence on the error stream.
@@ -22,7 +22,7 @@ except ImportError:
 from accuracy import hard_cases, precision_data
 from look import style
 from mesh import frames
-from page import contents, drawing
+from page import contents, drawing, faults
 from page import document as page
 from parallel import submeshes
 from results import load
@@ -47,6 +47,8 @@ def arguments(argv):
         parser.add_argument(f"--{name}", nargs="*", action="extend", default=[], metavar="FILE",
                             help=what)
     parser.add_argument("--hard", metavar="FILE", help="JSON of dsc_hard")
+    parser.add_argument("--faults", metavar="FILE", help="faults.json of verify/faults.sh")
+    parser.add_argument("--mutants", metavar="FILE", help="mutants.json of verify/faults.sh --mutants")
     parser.add_argument("--frames", metavar="DIR", help="frames that dsc_scene wrote")
     parser.add_argument("--published", metavar="DIR", help="the figures to compare with")
     parser.add_argument("--out", required=True, metavar="DIR", help="where the report goes")
@@ -70,13 +72,16 @@ def read(options):
         "precision": [precision_data.read(path) for path in options.precision],
         "hard": hard_cases.read(options.hard) if options.hard else None,
         "verify": load.read_verify(options.verify) if options.verify else None,
+        "faults": faults.read(options.faults) if options.faults else None,
+        "mutants": faults.read_mutants(options.mutants) if options.mutants else None,
         "published": load.read_published(options.published) if options.published else {},
         "frames": options.frames,
         "runs": frames.read(options.frames) if options.frames else [],
         "divided": submeshes.read(options.frames) if options.frames else [],
     }
     found["files"] = [*options.bench, *options.scenes, *options.verify,
-                      *([options.hard] if options.hard else []), *options.precision]
+                      *(one for one in (options.hard, options.faults, options.mutants) if one),
+                      *options.precision]
     return found
 
 

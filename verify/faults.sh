@@ -7,7 +7,7 @@ set -euo pipefail
 usage() {
     cat <<'USAGE'
 usage: verify/faults.sh [--tenth HASH | --room NAME | --only NAME...] [--own] [--baseline] [--jobs N]
-       verify/faults.sh --mutants [--count N] [--seed TEXT] [--jobs N]
+       verify/faults.sh --mutants [--count N] [--seed TEXT] [--seconds S] [--survivors] [--jobs N]
        verify/faults.sh --build
   --tenth HASH  the tenth of the faults that belongs to a commit
   --room NAME   the faults of one room
@@ -15,8 +15,10 @@ usage: verify/faults.sh [--tenth HASH | --room NAME | --only NAME...] [--own] [-
   --own         by the tests of each fault's own room alone
   --baseline    measures anew how long the tests take without a fault
   --jobs N      so many faults at the same time; by default one for each core
-  --mutants     in place of them a sample of small changes made by rule, 200 by default: a score for
-                each room, and what survives, in build/faults/mutants.md
+  --mutants     in place of them a sample of small changes of lib/dsc made by rule, 1000 by default, in
+                a build of their own: a score for each room, and what survives, in
+                build/mutants/mutants.md; --seconds: CPU time of tests that one has to survive;
+                --survivors: what survived is tried again, by the tests that are new
   --build       builds the copy and tests nothing
 The build takes a quarter of an hour of CPU time, and all faults another half at least; an interrupted run
 goes on where it stopped. The results are build/faults/faults.json and the table build/faults/faults.md. Installs missing Debian packages as root
@@ -29,15 +31,14 @@ for argument in "$@"; do
         -h | --help) usage; exit 0 ;;
     esac
 done
-program=run.py
-if [[ ${1:-} == --mutants ]]; then
-    program=mutate.py
-    shift
-fi
-
 # shellcheck source=verify/setup.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
 set_up plain
+
+if [[ ${1:-} == --mutants ]]; then
+    shift
+    exec "$python" verify/faults/mutate.py build/mutants --jobs "$jobs" "$@"
+fi
 
 folder=build/faults
 mkdir -p "$folder"
@@ -55,4 +56,4 @@ fi
 if [[ ${1:-} == --build ]]; then
     exit 0
 fi
-exec "$python" "verify/faults/$program" "$folder" --jobs "$jobs" "$@"
+exec "$python" verify/faults/run.py "$folder" --jobs "$jobs" "$@"

@@ -46,12 +46,14 @@ def parse(lines):
     return total, allocations
 
 
-def count(command):
-    """(instructions, allocations) of the command. Raises NotCounted."""
+def count(command, within=None):
+    """(instructions, allocations) of the command, or of the functions alone whose names match the
+    pattern `within`, with what they call. Raises NotCounted."""
+    only = [f"--toggle-collect={within}"] if within else []
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "callgrind.out")
         done = subprocess.run(
-            ["valgrind", "--tool=callgrind", f"--callgrind-out-file={path}", *command],
+            ["valgrind", "--tool=callgrind", f"--callgrind-out-file={path}", *only, *command],
             capture_output=True, text=True, check=False,
             env={**os.environ, "OMP_NUM_THREADS": "1"})
         if done.returncode != 0:
@@ -60,4 +62,7 @@ def count(command):
                     if "SIGILL" in done.stderr else "")
             raise NotCounted(f"valgrind ended with {done.returncode} ({last}){hint}")
         with open(path, encoding="utf-8", errors="replace") as stream:
-            return parse(stream)
+            counted = parse(stream)
+    if within and counted[0] == 0:
+        raise NotCounted(f"the program has called no function named {within}")
+    return counted

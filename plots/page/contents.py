@@ -10,7 +10,7 @@ from accuracy import convergence, hard_cases, precision, precision_data
 from look import style
 from mesh import frames, histograms
 from page import document as page
-from page import drawing, findings, tables, verdicts
+from page import drawing, faults, findings, tables, verdicts
 from parallel import (breakdown, granularity, per_operation, series, speedup, step_cost,
                       submeshes)
 from results import load
@@ -133,6 +133,9 @@ def _details(contents, results, out):
         "hard", "Hard cases", "what happens far outside of ordinary use",
         hard_cases.table(hard) if hard else "", "The hard cases (dsc_hard) were not run."
         if hard is None else "The list of hard cases is empty, so it proves nothing.")
+    contents.look_up(
+        "faults", "What the tests notice", "seeded faults, and which test caught each",
+        faults.section(results.get("faults"), results.get("mutants")), faults.NOT_RUN)
     modelled = bench and series.modelled(bench)
     contents.look_up(
         "breakdown", "Where the time of a step goes", "on one thread, and modelled on more",

@@ -1,154 +1,149 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Runs the tests on a sample of mutants of lib/dsc (mutants.py), each by the programs that reach it.
+"""mutate.py DIR: runs the tests on a sample of the mutants of lib/dsc (mutants.py), each by the tests
+that come by it.
 
-DIR/source is the copy with the switches and DIR/build its build, which verify/faults.sh has made: sources
-get the switches of mutants in place of those of faults, and headers stay, so that little is compiled. A first
-pass without a mutant notes which switches each program comes by; a mutant that none does survives
-without a run. Results are kept in DIR/mutants.json as they come; DIR/mutants.md is the score by room and
-the list of survivors."""
+DIR/source is a copy of the sources with the switches, DIR/build its build. Results are kept in
+DIR/mutants.json as they come, so that a run that was interrupted goes on where it stopped, and one with
+new tests tries these alone on what survived (--survivors). DIR/mutants.md is the score by room and the list
+of survivors. Exit: 0 at least as many were caught as LEAST asks, 1 fewer."""
 import argparse
-import collections
 import concurrent.futures
 import json
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
-import threading
-import zlib
 
-import catalogue
 import mutants
 import overlay
 import programs
-import run
+import score
+import trials
 
-# Long, and nearly all of what they reach is reached by others.
-LEFT_OUT = {"figures", "gate", "hashes", *programs.PYTHON}
-WRONG = re.compile(r"source/(lib/dsc/[\w/]+\.cpp):(\d+)(?::\d+)?: error")
-
-
-def targets():
-    return [name for name in programs.targets() if name.startswith("test_")
-            and name.removeprefix("test_") not in LEFT_OUT]
+LEAST = 0.9     # of those that are not equivalent
+# Names what one test program is made of; the copy's have the listener besides.
+SOURCES = "add_executable(${name} ${arg_SOURCES} ${arg_APART}"
+LISTENER = "lib/fault/reach.cpp"
+PLACE = re.compile(r"source/(lib/dsc/[\w/]+\.(?:cpp|h)):(\d+)")
+WRONG = re.compile(PLACE.pattern + r"(?::\d+)?: error")
 
 
 def write_copy(root, folder, sample):
-    """The sources with the switches of the sample, and the headers with those of the faults."""
-    instead = {"lib/fault/mutant.h": (root / "verify/faults/mutant.h.in").read_text("utf-8")}
+    here = root / "verify/faults"
+    numbered = list(enumerate(sample, 1))
+    tests = (root / "verify/CMakeLists.txt").read_text("utf-8")
+    if SOURCES not in tests:
+        sys.exit(f"mutate.py: verify/CMakeLists.txt has no line '{SOURCES}'")
+    instead = {"lib/fault/mutant.h": (here / "mutant.h.in").read_text("utf-8"),
+               LISTENER: (here / "reach.cpp.in").read_text("utf-8"),
+               "verify/CMakeLists.txt": tests.replace(
+                   SOURCES, SOURCES + " ${PROJECT_SOURCE_DIR}/" + LISTENER)}
     for file in sorted({mutant.file for mutant in sample}):
-        mine = [mutant for mutant in sample if mutant.file == file]
+        mine = [(number, mutant) for number, mutant in numbered if mutant.file == file]
         instead[file] = mutants.with_switches((root / file).read_text("utf-8"), mine)
-    in_headers = [fault for fault in catalogue.read_table() if fault.file.endswith(".h")]
-    overlay.make(root, folder / "source", in_headers, instead)
+    overlay.make(root, folder / "source", [], instead)
+
+
+def without(sample, output):
+    """The sample without those whose lines the compiler complains of."""
+    errors = WRONG.findall(output)
+    for places in (errors, PLACE.findall(output)):  # the latter: where a template was asked for
+        wrong = {(file, int(line) - 1) for file, line in places}  # the include is the first line
+        fewer = [mutant for mutant in sample if (mutant.file, mutant.line) not in wrong]
+        if len(fewer) < len(sample):
+            return fewer
+    sys.exit("mutate.py: the copy does not compile:\n" + output[-6000:])
+
+
+def library_commands(build):
+    """How each file of the library is compiled; without generating code."""
+    entries = json.loads((build / "compile_commands.json").read_text())
+    return [(entry["directory"], [*shlex.split(entry["command"]), "-fsyntax-only"])
+            for entry in entries if "/lib/dsc/CMakeFiles/dsc.dir/" in entry["command"]
+            and "cmake_pch.hxx.gch" not in entry["command"].split(" -o ")[1]]
+
+
+def check(command):
+    folder, words = command
+    done = subprocess.run(words, cwd=folder, capture_output=True, text=True)
+    return None if done.returncode == 0 else done.stderr
+
+
+def compilable(root, folder, sample, jobs):
+    """Leaves out those that do not compile: file by file, which is quicker than to build."""
+    commands = library_commands(folder / "build")
+    while commands:
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+            complaints = list(pool.map(check, commands))
+        commands = [command for command, words in zip(commands, complaints) if words is not None]
+        if commands:
+            fewer = without(sample, "\n".join(words for words in complaints if words is not None))
+            print(f"{len(sample) - len(fewer)} mutants do not compile", flush=True)
+            sample = fewer
+            write_copy(root, folder, sample)
+    return sample
 
 
 def build(root, folder, sample, jobs):
-    """The sample without those that do not compile."""
-    for _ in range(8):
-        write_copy(root, folder, sample)
-        done = subprocess.run(["cmake", "--build", folder / "build", "--parallel", str(jobs),
-                               "--target", *targets()], capture_output=True, text=True)
+    """The sample without those that do not compile, and its test programs."""
+    known = folder / "compile.json"
+    dropped = set(json.loads(known.read_text())) if known.exists() else None
+    asked = [mutant.key for mutant in sample]
+    if dropped is not None:
+        sample = [mutant for mutant in sample if mutant.key not in dropped]
+    write_copy(root, folder, sample)
+    # As CI runs them under the sanitizers: asserts, and checks of the standard library.
+    configure = ["cmake", "-S", folder / "source", "-B", folder / "build", "-G", "Ninja",
+                 "-D", "CMAKE_BUILD_TYPE=Release",
+                 "-D", "CMAKE_CXX_FLAGS_RELEASE=-O1 -D_GLIBCXX_ASSERTIONS",
+                 "-D", "DSC_PRECOMPILE=ON", "-D", "DSC_UNITY=ON", "-D", "DSC_BUILD_HARNESS=ON",
+                 "-D", f"DSC_PYTHON={sys.executable}"]
+    subprocess.run(configure, check=True, stdout=subprocess.DEVNULL)
+    make = ["cmake", "--build", folder / "build", "--parallel", str(jobs), "--target"]
+    if dropped is None:
+        subprocess.run([*make, "lib/dsc/CMakeFiles/dsc.dir/cmake_pch.hxx.gch"], check=True,
+                       stdout=subprocess.DEVNULL)
+        sample = compilable(root, folder, sample, jobs)
+    while True:
+        done = subprocess.run([*make, *programs.test_targets(root), "--", "-k", "0"],
+                              capture_output=True, text=True)
         if done.returncode == 0:
-            return sample
-        wrong = {(file, int(line) - 1) for file, line in WRONG.findall(done.stdout + done.stderr)}
-        fewer = [mutant for mutant in sample if (mutant.file, mutant.line) not in wrong]
-        if len(fewer) == len(sample):
-            sys.exit(done.stdout[-4000:] + done.stderr[-2000:])
-        print(f"{len(sample) - len(fewer)} mutants do not compile and are dropped", flush=True)
-        sample = fewer
-    sys.exit("the mutants do not compile")
-
-
-class Runner:
-    def __init__(self, folder, sample):
-        self.folder, self.sample, self.lock = folder, sample, threading.Lock()
-        self.results = folder / "mutants.json"
-        self.data = {"baseline": {}, "reached": {}, "mutants": {}}
-
-    def program(self, name, **environment):
-        one = programs.program(name, self.folder / "source", self.folder / "build")
-        return programs.Program(one.name, one.command, one.folder, tuple(environment.items()))
-
-    def reach(self):
-        """Which switches each program comes by, and how long it takes."""
-        for name in (target.removeprefix("test_") for target in targets()):
-            note = self.folder / f"reached.{name}"
-            note.unlink(missing_ok=True)
-            ended, test, cpu, _ = run.call(self.program(name, DSC_REACHED=str(note)), None, 1800)
-            if ended != "passed":
-                sys.exit(f"without a mutant {name} {ended}: {test}")
-            self.data["baseline"][name] = round(cpu, 2)
-            numbers = note.read_text().split() if note.exists() else []
-            self.data["reached"][name] = sorted({int(number) for number in numbers})
-            print(f"{name}: {cpu:.1f} s, reaches {len(self.data['reached'][name])}", flush=True)
-
-    def try_mutant(self, mutant):
-        names = [name for name, numbers in self.data["reached"].items()
-                 if mutant.number in numbers]
-        own = programs.OWN.get(mutant.room, [])
-        names.sort(key=lambda name: (name not in own, self.data["baseline"][name]))
-        for name in names:
-            usual = self.data["baseline"][name]
-            ended, test, _, _ = run.call(
-                self.program(name, DSC_MUTANT=str(mutant.number)), None,
-                int(run.SLOWER * usual + run.SPARE_S))
-            if ended != "passed":
-                return {"killed_by": name, "how": ended, "test": test}
-        return {"killed_by": None, "reached_by": names}
-
-    def note(self, mutant, entry):
-        with self.lock:
-            self.data["mutants"][mutant.number] = {
-                "file": mutant.file, "line": mutant.line, "room": mutant.room, "rule": mutant.rule,
-                "original": mutant.original, "changed": mutant.changed, **entry}
-            self.results.write_text(json.dumps(self.data, indent=1) + "\n")
-        print(f"{mutant.file}:{mutant.line}: {mutant.rule}: {entry['killed_by'] or 'SURVIVES'}",
-              flush=True)
-
-
-def markdown(entries):
-    """The score by room, and the survivors."""
-    rooms = collections.defaultdict(lambda: [0, 0])
-    for entry in entries:
-        rooms[entry["room"]][0] += 1
-        rooms[entry["room"]][1] += entry["killed_by"] is not None
-    rooms["all"] = [len(entries), sum(killed for _, killed in rooms.values())]
-    lines = ["| room | mutants | killed | score |", "| --- | --- | --- | --- |"]
-    lines += [f"| {room} | {count} | {killed} | {100 * killed / max(count, 1):.0f} % |"
-              for room, (count, killed) in rooms.items()]
-    lines += ["", "| survivor | rule | original | changed | reached by |",
-              "| --- | --- | --- | --- | --- |"]
-    for entry in entries:
-        if entry["killed_by"] is None:
-            cells = [f"{entry['file']}:{entry['line']}", entry["rule"], f"`{entry['original']}`",
-                     f"`{entry['changed']}`", ", ".join(entry["reached_by"]) or "nothing"]
-            lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
-    return "\n".join(lines) + "\n"
+            break
+        sample = without(sample, done.stdout + done.stderr)
+        write_copy(root, folder, sample)
+    dropped = (dropped or set()) | (set(asked) - {mutant.key for mutant in sample})
+    known.write_text(json.dumps(sorted(dropped)) + "\n")
+    return sample
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=pathlib.Path, help="DIR")
-    parser.add_argument("--count", type=int, default=200, help="size of the sample")
+    parser.add_argument("--count", type=int, default=1000, help="size of the sample")
     parser.add_argument("--seed", default="1", help="of the sample, e.g. a commit's hash")
     parser.add_argument("--jobs", type=int, default=1, help="mutants at the same time")
+    parser.add_argument("--seconds", type=float, default=60,
+                        help="CPU seconds of tests that a mutant has to survive (%(default)s)")
+    parser.add_argument("--survivors", action="store_true",
+                        help="what survived is tried by the tests that were not tried on it yet")
     arguments = parser.parse_args()
     root = pathlib.Path(__file__).resolve().parents[2]
     folder = arguments.folder.resolve()
-    total, sample = mutants.sample(root, arguments.count, zlib.crc32(arguments.seed.encode()))
-    print(f"{len(sample)} of {total} mutants", flush=True)
+    folder.mkdir(parents=True, exist_ok=True)
+    found = mutants.candidates(root)
+    sample = mutants.sample(found, arguments.count, arguments.seed)
+    print(f"{len(sample)} of {len(found)} mutants", flush=True)
     sample = build(root, folder, sample, arguments.jobs)
-    runner = Runner(folder, sample)
-    runner.reach()
-    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        running = {pool.submit(runner.try_mutant, mutant): mutant for mutant in sample}
-        for done in concurrent.futures.as_completed(running):
-            runner.note(running[done], done.result())
-    entries = list(runner.data["mutants"].values())
-    (folder / "mutants.md").write_text(markdown(entries), encoding="utf-8")
-    print(markdown(entries))
+    print(f"{len(sample)} compile", flush=True)
+    runner = trials.Runner(root, folder, sample, arguments.seconds)
+    runner.reach(arguments.jobs)
+    runner.try_all(mutants.read_equivalent(), arguments.survivors, arguments.jobs)
+    entries = runner.entries()
+    (folder / "mutants.md").write_text(score.markdown(entries, len(found)), encoding="utf-8")
+    print(score.summary(entries))
+    sys.exit(0 if score.share(entries) >= LEAST else 1)
 
 
 if __name__ == "__main__":

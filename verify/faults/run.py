@@ -26,9 +26,10 @@ import table
 SLOWER = 4          # a test that takes this many times its CPU time, and...
 SPARE_S = 20        # ...this long besides, does not end
 MEMORY = 6 << 30    # bytes
+LONGEST_PAUSE_S = 0.5
 
 
-def call(program, fault, cpu_s):
+def call(program, fault, cpu_s, wall_s=None):
     """(how it ended, which test, CPU seconds, output); it ends by passing or failing, it crashes, or
     it does not end."""
     environment = {**os.environ, "OMP_WAIT_POLICY": "passive", **dict(program.environment)}
@@ -40,7 +41,7 @@ def call(program, fault, cpu_s):
         process = subprocess.Popen([*limits, *program.command], cwd=program.folder, env=environment,
                                    stdin=subprocess.DEVNULL, stdout=stream,
                                    stderr=subprocess.STDOUT, start_new_session=True)
-        code, spent, timed_out = wait(process, 60 + 10 * cpu_s)
+        code, spent, timed_out = wait(process, wall_s or 60 + 10 * cpu_s)
         stream.seek(0)
         output = stream.read()
     if code == 0:
@@ -53,17 +54,20 @@ def call(program, fault, cpu_s):
 
 
 def wait(process, wall_s):
-    """(exit code, CPU seconds, whether it was stopped) of one child, with all of its own."""
-    end, timed_out = time.monotonic() + wall_s, False
+    """(exit code, CPU seconds, whether it was stopped) of one child, with all of its own. Time in which
+    this process stood still counts as a moment, for then the child may have stood still as well."""
+    last, waited, timed_out = time.monotonic(), 0.0, False
     while True:
         pid, status, usage = os.wait4(process.pid, os.WNOHANG)
         if pid != 0:
             process.returncode = os.waitstatus_to_exitcode(status)
             return process.returncode, usage.ru_utime + usage.ru_stime, timed_out
-        if not timed_out and time.monotonic() > end:
+        now = time.monotonic()
+        waited, last = waited + min(now - last, LONGEST_PAUSE_S), now
+        if not timed_out and waited > wall_s:
             timed_out = True
             os.killpg(process.pid, signal.SIGKILL)
-        time.sleep(0.02)
+        time.sleep(0.01)
 
 
 def failed_test(output):
