@@ -30,9 +30,22 @@ PLACE = re.compile(r"source/(lib/dsc/[\w/]+\.(?:cpp|h)):(\d+)")
 WRONG = re.compile(PLACE.pattern + r"(?::\d+)?: error")
 
 
-def write_copy(root, folder, sample):
+def numbers_of(folder, sample):
+    """{key: number of its switch}, the same as in the last run, so that no more is compiled again than
+    has changed."""
+    path = folder / "numbers.json"
+    known = json.loads(path.read_text()) if path.exists() else {}
+    free = max(known.values(), default=0) + 1
+    for mutant in sample:
+        if mutant.key not in known:
+            known[mutant.key] = free
+            free += 1
+    path.write_text(json.dumps(known) + "\n")
+    return known
+
+
+def write_copy(root, folder, sample, numbers):
     here = root / "verify/faults"
-    numbered = list(enumerate(sample, 1))
     tests = (root / "verify/CMakeLists.txt").read_text("utf-8")
     if SOURCES not in tests:
         sys.exit(f"mutate.py: verify/CMakeLists.txt has no line '{SOURCES}'")
@@ -41,7 +54,7 @@ def write_copy(root, folder, sample):
                "verify/CMakeLists.txt": tests.replace(
                    SOURCES, SOURCES + " ${PROJECT_SOURCE_DIR}/" + LISTENER)}
     for file in sorted({mutant.file for mutant in sample}):
-        mine = [(number, mutant) for number, mutant in numbered if mutant.file == file]
+        mine = [(numbers[mutant.key], mutant) for mutant in sample if mutant.file == file]
         instead[file] = mutants.with_switches((root / file).read_text("utf-8"), mine)
     overlay.make(root, folder / "source", [], instead)
 
@@ -71,7 +84,7 @@ def check(command):
     return None if done.returncode == 0 else done.stderr
 
 
-def compilable(root, folder, sample, jobs):
+def compilable(root, folder, sample, numbers, jobs):
     """Leaves out those that do not compile: file by file, which is quicker than to build."""
     commands = library_commands(folder / "build")
     while commands:
@@ -82,18 +95,18 @@ def compilable(root, folder, sample, jobs):
             fewer = without(sample, "\n".join(words for words in complaints if words is not None))
             print(f"{len(sample) - len(fewer)} mutants do not compile", flush=True)
             sample = fewer
-            write_copy(root, folder, sample)
+            write_copy(root, folder, sample, numbers)
     return sample
 
 
-def build(root, folder, sample, jobs):
+def build(root, folder, sample, numbers, tests, jobs):
     """The sample without those that do not compile, and its test programs."""
     known = folder / "compile.json"
     dropped = set(json.loads(known.read_text())) if known.exists() else None
     asked = [mutant.key for mutant in sample]
     if dropped is not None:
         sample = [mutant for mutant in sample if mutant.key not in dropped]
-    write_copy(root, folder, sample)
+    write_copy(root, folder, sample, numbers)
     # As CI runs them under the sanitizers: asserts, and checks of the standard library.
     configure = ["cmake", "-S", folder / "source", "-B", folder / "build", "-G", "Ninja",
                  "-D", "CMAKE_BUILD_TYPE=Release",
@@ -105,14 +118,14 @@ def build(root, folder, sample, jobs):
     if dropped is None:
         subprocess.run([*make, "lib/dsc/CMakeFiles/dsc.dir/cmake_pch.hxx.gch"], check=True,
                        stdout=subprocess.DEVNULL)
-        sample = compilable(root, folder, sample, jobs)
+        sample = compilable(root, folder, sample, numbers, jobs)
     while True:
-        done = subprocess.run([*make, *programs.test_targets(root), "--", "-k", "0"],
+        done = subprocess.run([*make, *tests, "--", "-k", "0"],
                               capture_output=True, text=True)
         if done.returncode == 0:
             break
         sample = without(sample, done.stdout + done.stderr)
-        write_copy(root, folder, sample)
+        write_copy(root, folder, sample, numbers)
     dropped = (dropped or set()) | (set(asked) - {mutant.key for mutant in sample})
     known.write_text(json.dumps(sorted(dropped)) + "\n")
     return sample
@@ -126,6 +139,8 @@ def main():
     parser.add_argument("--jobs", type=int, default=1, help="mutants at the same time")
     parser.add_argument("--seconds", type=float, default=60,
                         help="CPU seconds of tests that a mutant has to survive (%(default)s)")
+    parser.add_argument("--programs", nargs="+", metavar="TEST",
+                        help="test programs to build and run, e.g. test_io; by default all")
     parser.add_argument("--survivors", action="store_true",
                         help="what survived is tried by the tests that were not tried on it yet")
     arguments = parser.parse_args()
@@ -135,9 +150,15 @@ def main():
     found = mutants.candidates(root)
     sample = mutants.sample(found, arguments.count, arguments.seed)
     print(f"{len(sample)} of {len(found)} mutants", flush=True)
-    sample = build(root, folder, sample, arguments.jobs)
+    numbers = numbers_of(folder, sample)
+    tests = programs.test_targets(root)
+    for name in arguments.programs or []:
+        if name not in tests:
+            parser.error(f"--programs: got {name}; allowed: {', '.join(tests)}")
+    tests = arguments.programs or tests
+    sample = build(root, folder, sample, numbers, tests, arguments.jobs)
     print(f"{len(sample)} compile", flush=True)
-    runner = trials.Runner(root, folder, sample, arguments.seconds)
+    runner = trials.Runner(folder, sample, numbers, tests, arguments.seconds)
     runner.reach(arguments.jobs)
     runner.try_all(mutants.read_equivalent(), arguments.survivors, arguments.jobs)
     entries = runner.entries()

@@ -47,9 +47,9 @@ def rounds_of(tests):
 
 
 class Runner:
-    def __init__(self, root, folder, sample, seconds):
-        self.folder, self.sample, self.seconds = folder, sample, seconds
-        self.names = [name.removeprefix("test_") for name in programs.test_targets(root)]
+    def __init__(self, folder, sample, numbers, tests, seconds):
+        self.folder, self.sample, self.numbers, self.seconds = folder, sample, numbers, seconds
+        self.names = [name.removeprefix("test_") for name in tests]
         self.results, self.lock = folder / "mutants.json", threading.Lock()
         self.data = {"reached": {}, "mutants": {}}
         if self.results.exists():
@@ -79,11 +79,11 @@ class Runner:
         ended, test, cpu, output = run.call(self.program(name, DSC_REACHED=str(note)), None, 3600)
         if ended != "passed":
             raise run.NotSound(f"without a mutant {name} {ended}: {test}\n{output[-3000:]}")
-        keys = [mutant.key for mutant in self.sample]
+        keys = {self.numbers[mutant.key]: mutant.key for mutant in self.sample}
         shared, tests = {}, []
         for line in note.read_text().splitlines():
             test, seconds, numbers = line.split("\t")
-            mine = {keys[int(number) - 1] for number in numbers.split()}
+            mine = {keys[int(number)] for number in numbers.split()}
             if test.endswith("*"):
                 shared[test] = shared.get(test, set()) | mine
             else:
@@ -106,7 +106,7 @@ class Runner:
                     found.setdefault(key, []).append(test)
         return found
 
-    def try_mutant(self, number, mutant, tests, before):
+    def try_mutant(self, mutant, tests, before):
         """An entry of the results."""
         own = programs.OWN.get(mutant.room, [])
 
@@ -129,7 +129,7 @@ class Runner:
                 with tempfile.TemporaryDirectory() as empty:
                     ended, test, cpu, _ = run.call(
                         self.program(name, ":".join(test.name for test in mine),
-                                     DSC_MUTANT=str(number), TMPDIR=empty, TEST_TMPDIR=empty),
+                                     DSC_MUTANT=str(self.numbers[mutant.key]), TMPDIR=empty, TEST_TMPDIR=empty),
                         None, limit, WAITS * limit)
                 spent, used = spent + cpu, used + cpu
                 if ended != "passed":
@@ -147,10 +147,10 @@ class Runner:
         by = self.tests_by_mutant()
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
             running = {}
-            for number, mutant in enumerate(self.sample, 1):
+            for mutant in self.sample:
                 if self.is_due(mutant, equivalent, survivors):
                     before = self.data["mutants"].get(mutant.key, {})
-                    running[pool.submit(self.try_mutant, number, mutant, by.get(mutant.key, []),
+                    running[pool.submit(self.try_mutant, mutant, by.get(mutant.key, []),
                                         before)] = mutant
             for done in concurrent.futures.as_completed(running):
                 self.note(running[done], done.result())

@@ -7,7 +7,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 import growth  # noqa: E402
 
-OF_A_VERTEX = 4000  # instructions, about what a step takes
+OF_A_VERTEX = 7000  # instructions, about what a step takes
 
 
 def rows(of_a_triangle=0.0, of_a_vertex=lambda n: OF_A_VERTEX):
