@@ -128,5 +128,18 @@ TEST(Archives, RefuseWhatCannotBe) {
     EXPECT_THROW(archive(ball), FileError);
 }
 
+TEST(Archives, WhatIsNotThereReplacesWhatIs) {
+    Archive out;
+    std::optional<double> nothing;
+    std::vector<double> none;
+    out(nothing, none);
+    Archive in(out.bytes(), "here");
+    std::optional<double> weight = 3;
+    std::vector<double> list{1, 2};
+    in(weight, list);
+    EXPECT_FALSE(weight.has_value());
+    EXPECT_TRUE(list.empty());
+}
+
 } // namespace
 } // namespace dsc

@@ -40,7 +40,7 @@ def call(program, fault, cpu_s, wall_s=None):
     with tempfile.TemporaryFile("w+", errors="replace") as stream:
         process = subprocess.Popen([*limits, *program.command], cwd=program.folder, env=environment,
                                    stdin=subprocess.DEVNULL, stdout=stream,
-                                   stderr=subprocess.STDOUT, start_new_session=True)
+                                   stderr=subprocess.STDOUT, process_group=0)
         code, spent, timed_out = wait(process, wall_s or 60 + 10 * cpu_s)
         stream.seek(0)
         output = stream.read()

@@ -19,8 +19,8 @@ SPARE_S = 3         # ...this long besides, does not end
 WAITS = 12          # a run that waits for this many times as long does not end either
 FIRST_S = 0.3       # usual time of the tests of the first round; each round has twice that of the last
 # What is tried later than its time says: it notices nearly everything, and says nothing about what is
-# wrong; and earlier, because it is there for that purpose.
-BROAD, OWN = 4.0, 0.5
+# wrong. What survived is tried by that first. And earlier, because it is there for that purpose.
+BROAD, BROAD_AGAIN, OWN = 4.0, 0.25, 0.5
 
 
 @dataclasses.dataclass(frozen=True)
@@ -110,8 +110,10 @@ class Runner:
         """An entry of the results."""
         own = programs.OWN.get(mutant.room, [])
 
+        broad = BROAD_AGAIN if before else BROAD
+
         def order(test):
-            weight = BROAD if test.program in programs.BROAD else OWN if test.program in own else 1.0
+            weight = broad if test.program in programs.BROAD else OWN if test.program in own else 1.0
             return weight * test.seconds
 
         tried = set(before.get("tried", []))

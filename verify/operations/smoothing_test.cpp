@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace dsc::test {
@@ -248,6 +249,18 @@ TYPED_TEST(Smoothing, CornersStayAndNoCurveRunsThroughThem) {
     expect_valid(K);
     EXPECT_EQ(K.position(v).y(), TypeParam(4));
     EXPECT_NEAR(K.position(v).x(), 3, 1e-6);
+}
+
+TYPED_TEST(Smoothing, TakesAnglesFromNoneToAllOfAHalfTurn) {
+    using Real = TypeParam;
+    auto complex = grid<Real>(6, 0.1, 1, 2);
+    for (const double degrees : {0.0, 0.5, 180.0}) {
+        EXPECT_NO_THROW((void)interface_smoothing(complex, Vertex{10}, {.corner_degrees = degrees}));
+    }
+    for (const double degrees : {-0.5, 180.5, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_THROW((void)interface_smoothing(complex, Vertex{10}, {.corner_degrees = degrees}),
+                     InputError);
+    }
 }
 
 } // namespace

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Stars at the domain boundary and of too many triangles; numbering about the origin; sums of areas of
+// very different size; what insertion refuses.
+#include "dsc/algebra/mesh_functions.h"
+#include "dsc/base/error.h"
+#include "dsc/complex/gather.h"
+#include "dsc/complex/numbering.h"
+
+#include "support/small_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace dsc {
+namespace {
+
+TEST(RingLimits, BeyondTheEndsOfAnOpenStarLiesTheBorder) {
+    const auto complex = test::grid<double>(3, 0, 1, 1.2);
+    Ring<double> ring;
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        ASSERT_TRUE(gather(complex, Region{}, v, ring));
+        if (!ring.closed) {
+            EXPECT_EQ(ring.phase_before(0), border_phase);
+            EXPECT_EQ(ring.phase_after(ring.size), border_phase);
+            EXPECT_TRUE(ring.is_constrained(0));
+            EXPECT_TRUE(ring.is_constrained(ring.size));
+        }
+    }
+}
+
+Complex<double> wheel(std::uint32_t n) {
+    std::vector<Point<double>> points{{0, 0}};
+    std::vector<test::Indices> triangles;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        points.emplace_back(std::cos(angle), std::sin(angle));
+        triangles.push_back({0, i + 1, (i + 1) % n + 1});
+    }
+    return test::build<double>(points, triangles, std::vector<Phase>(n, 0));
+}
+
+TEST(RingLimits, AStarOfOneTriangleTooManyIsNotGathered) {
+    constexpr auto most = static_cast<std::uint32_t>(Ring<double>::capacity);
+    Ring<double> ring;
+    EXPECT_TRUE(gather(wheel(most), Region{}, 0, ring));
+    EXPECT_EQ(ring.size, most);
+    EXPECT_FALSE(gather(wheel(most + 1), Region{}, 0, ring));
+    EXPECT_FALSE(gather(wheel(most + 2), Region{}, 0, ring));
+}
+
+// All coordinates are binary fractions, so that both meshes lie alike in their boxes, exactly.
+TEST(NumberingLimits, TheOrderDoesNotDependOnWhereTheOriginLies) {
+    const auto moved = [](double by) {
+        auto complex = test::grid<double>(8);
+        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+            const Point<double> p = complex.position(Vertex{v});
+            complex.set_position(Vertex{v}, Point<double>(p.x() + by, p.y() + by));
+        }
+        return renumber(complex).vertices;
+    };
+    const auto order = moved(0);
+    EXPECT_EQ(moved(-4), order);
+    EXPECT_EQ(moved(-8), order);
+    EXPECT_EQ(moved(16), order);
+}
+
+TEST(AreaLimits, SmallTrianglesCountBesideALargeOne) {
+    Complex<double> complex;
+    const auto triangle = [&](double x, double y, double side, double height) {
+        const Vertex a = insert_vertex(complex, Point<double>(x, y));
+        const Vertex b = insert_vertex(complex, Point<double>(x + side, y));
+        const Vertex c = insert_vertex(complex, Point<double>(x, y + height));
+        (void)insert_triangle(complex, a, b, c, 1);
+    };
+    constexpr double side = 134217728.0; // 2^27: the area is 2^54, where doubles are 4 apart
+    triangle(0, 0, side, 2 * side);
+    for (int i = 0; i < 16; ++i) {
+        triangle(-4.0 - 4.0 * i, 0, 2, 1);
+    }
+    EXPECT_EQ(phase_area(complex, 1), side * side + 16);
+}
+
+TEST(InsertionLimits, ATriangleNamesThreeVertices) {
+    auto complex = test::hexagon<double>();
+    const Vertex a{1};
+    const Vertex b{3};
+    const std::vector<std::array<Vertex, 3>> twice{{a, a, b}, {a, b, b}, {b, a, b}, {a, a, a}};
+    for (const auto& v : twice) {
+        try {
+            (void)insert_triangle(complex, v[0], v[1], v[2], 0);
+            ADD_FAILURE() << "no error";
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("named twice"), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(AttributeLimits, EntriesThatAreExchangedBringTheirBounds) {
+    AttributeSet few;
+    AttributeSet many;
+    few.resize_vertices(2);
+    few.resize_triangles(3);
+    many.resize_vertices(5);
+    many.resize_triangles(7);
+    few.swap_entries(many);
+    EXPECT_EQ((few.add<Vertex>("a", 0.0).size()), 5U);
+    EXPECT_EQ((few.add<Triangle>("b", 0.0).size()), 7U);
+    EXPECT_EQ((many.add<Vertex>("a", 0.0).size()), 2U);
+    EXPECT_EQ((many.add<Triangle>("b", 0.0).size()), 3U);
+    AttributeSet whole;
+    whole.append(SimplexKind::vertex, AttributeSet{}, {0, 1, 2});
+    whole.append(SimplexKind::triangle, AttributeSet{}, {0, 1, 2, 3});
+    EXPECT_EQ((whole.add<Vertex>("a", 0.0).size()), 3U);
+    EXPECT_EQ((whole.add<Triangle>("b", 0.0).size()), 4U);
+}
+
+} // namespace
+} // namespace dsc
