@@ -240,8 +240,8 @@ draw() {
         cp build/faults/faults.json "$report/faults.json"
         cases+=(--faults "$report/faults.json")
     fi
-    if [[ -f build/mutants/mutants.json ]]; then
-        cp build/mutants/mutants.json "$report/mutants.json"
+    if [[ -f build/mutants/score.json ]]; then
+        cp build/mutants/score.json "$report/mutants.json"
         cases+=(--mutants "$report/mutants.json")
     fi
     say "plots"

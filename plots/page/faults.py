@@ -28,7 +28,7 @@ def read(path):
 
 
 def read_mutants(path):
-    """The entries of mutants.json."""
+    """The entries of score.json."""
     found = load.need(load.read_json(path), "mutants", path, dict)
     for name, entry in found.items():
         where = f"mutant '{name}'"

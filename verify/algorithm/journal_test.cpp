@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The journal of a complex is emptied by its last reader, and a step that was done as a whole was not
-// interrupted.
+// The journal of a complex is emptied by its last reader, and a step that was done as a whole was
+// not interrupted.
 #include "support/courses.h"
 
 #include "dsc/algorithm/simulation.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stars at the domain boundary and of too many triangles; numbering about the origin; sums of areas of
-// very different size; what insertion refuses.
+// Stars at the domain boundary and of too many triangles; numbering about the origin; sums of areas
+// of very different size; what insertion refuses.
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/gather.h"
@@ -92,7 +92,8 @@ TEST(InsertionLimits, ATriangleNamesThreeVertices) {
             (void)insert_triangle(complex, v[0], v[1], v[2], 0);
             ADD_FAILURE() << "no error";
         } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find("named twice"), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find("named twice"), std::string::npos)
+                << error.what();
         }
     }
 }

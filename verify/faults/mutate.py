@@ -5,8 +5,9 @@ that come by it.
 
 DIR/source is a copy of the sources with the switches, DIR/build its build. Results are kept in
 DIR/mutants.json as they come, so that a run that was interrupted goes on where it stopped, and one with
-new tests tries these alone on what survived (--survivors). DIR/mutants.md is the score by room and the list
-of survivors. Exit: 0 at least as many were caught as LEAST asks, 1 fewer."""
+new tests tries these alone on what survived (--survivors). DIR/mutants.md is the score by room and the
+list of survivors, DIR/score.json what the report shows of it. Exit: 0 at least as many were caught
+as LEAST asks, 1 fewer."""
 import argparse
 import concurrent.futures
 import json
@@ -30,6 +31,13 @@ PLACE = re.compile(r"source/(lib/dsc/[\w/]+\.(?:cpp|h)):(\d+)")
 WRONG = re.compile(PLACE.pattern + r"(?::\d+)?: error")
 
 
+def write(path, text):
+    """Beside its place, then renamed."""
+    part = path.with_name(path.name + ".part")
+    part.write_text(text, encoding="utf-8")
+    part.replace(path)
+
+
 def numbers_of(folder, sample):
     """{key: number of its switch}, the same as in the last run, so that no more is compiled again than
     has changed."""
@@ -40,7 +48,7 @@ def numbers_of(folder, sample):
         if mutant.key not in known:
             known[mutant.key] = free
             free += 1
-    path.write_text(json.dumps(known) + "\n")
+    write(path, json.dumps(known) + "\n")
     return known
 
 
@@ -127,7 +135,7 @@ def build(root, folder, sample, numbers, tests, jobs):
         sample = without(sample, done.stdout + done.stderr)
         write_copy(root, folder, sample, numbers)
     dropped = (dropped or set()) | (set(asked) - {mutant.key for mutant in sample})
-    known.write_text(json.dumps(sorted(dropped)) + "\n")
+    write(known, json.dumps(sorted(dropped)) + "\n")
     return sample
 
 
@@ -162,7 +170,8 @@ def main():
     runner.reach(arguments.jobs)
     runner.try_all(mutants.read_equivalent(), arguments.survivors, arguments.jobs)
     entries = runner.entries()
-    (folder / "mutants.md").write_text(score.markdown(entries, len(found)), encoding="utf-8")
+    write(folder / "score.json", json.dumps(runner.summary(), indent=1) + "\n")
+    write(folder / "mutants.md", score.markdown(entries, len(found)))
     print(score.summary(entries))
     sys.exit(0 if score.share(entries) >= LEAST else 1)
 

@@ -131,7 +131,8 @@ class Runner:
                 with tempfile.TemporaryDirectory() as empty:
                     ended, test, cpu, _ = run.call(
                         self.program(name, ":".join(test.name for test in mine),
-                                     DSC_MUTANT=str(self.numbers[mutant.key]), TMPDIR=empty, TEST_TMPDIR=empty),
+                                     DSC_MUTANT=str(self.numbers[mutant.key]), TMPDIR=empty,
+                                     TEST_TMPDIR=empty),
                         None, limit, WAITS * limit)
                 spent, used = spent + cpu, used + cpu
                 if ended != "passed":
@@ -159,6 +160,13 @@ class Runner:
         for mutant in self.sample:
             self.data["mutants"][mutant.key]["equivalent"] = equivalent.get(mutant.says)
         self.save()
+
+    def summary(self):
+        """What the report shows."""
+        return {"mutants": {mutant.key: {key: self.data["mutants"][mutant.key][key]
+                                         for key in ("file", "line", "room", "rule", "killed_by",
+                                                     "equivalent")}
+                            for mutant in self.sample}}
 
     def note(self, mutant, entry):
         with self.lock:

@@ -26,7 +26,8 @@ TEST(InputLimits, AnOutlineMayBeginAtAnyOfItsVerticesAndGoEitherWay) {
     for (int way = 0; way < 2; ++way, std::reverse(points.begin(), points.end())) {
         for (std::size_t first = 0; first < points.size(); ++first) {
             const std::vector<Shape> shapes{{points, 1}};
-            const auto complex = initial_complex<double>({{-1, -2}, {6, 6}}, shapes, {.edge_length = 1});
+            const auto complex =
+                initial_complex<double>({{-1, -2}, {6, 6}}, shapes, {.edge_length = 1});
             EXPECT_TRUE(validate(complex).ok());
             EXPECT_NEAR(phase_area(complex, 1), doubled / 2, 1e-12) << way << ' ' << first;
             std::rotate(points.begin(), points.begin() + 1, points.end());
@@ -36,9 +37,11 @@ TEST(InputLimits, AnOutlineMayBeginAtAnyOfItsVerticesAndGoEitherWay) {
 
 TEST(InputLimits, TheLeastEdgeLengthsAreAllowed) {
     const double h = initial::least_initial_edge_length;
-    EXPECT_TRUE(validate(initial_complex<double>({{0, 0}, {4 * h, 4 * h}}, {}, {.edge_length = h})).ok());
-    EXPECT_THROW((void)initial_complex<double>({{0, 0}, {4 * h, 4 * h}}, {}, {.edge_length = h / 2}),
-                 InputError);
+    EXPECT_TRUE(
+        validate(initial_complex<double>({{0, 0}, {4 * h, 4 * h}}, {}, {.edge_length = h})).ok());
+    EXPECT_THROW(
+        (void)initial_complex<double>({{0, 0}, {4 * h, 4 * h}}, {}, {.edge_length = h / 2}),
+        InputError);
     const double steps = initial::least_steps * std::numeric_limits<double>::epsilon();
     const Rectangle far{{1 - 4 * steps, 1 - 4 * steps}, {1, 1}};
     EXPECT_TRUE(validate(initial_complex<double>(far, {}, {.edge_length = steps})).ok());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the improvement of the first mesh decides at a single star, against the plainest way to the same
-// answer; and that each part does nothing where there is nothing to do.
+// What the improvement of the first mesh decides at a single star, against the plainest way to the
+// same answer; and that each part does nothing where there is nothing to do.
 #include "dsc/complex/gather.h"
 #include "dsc/geometry/triangle.h"
 #include "dsc/initial/build/clearing.h"
@@ -52,9 +52,11 @@ double after_collapse(const Ring<double>& ring, std::uint32_t k, double longest)
         if (from == k || to == k) {
             continue;
         }
-        const bool is_long = std::max((link(from) - target).norm(), (link(to) - target).norm()) > longest;
+        const bool is_long =
+            std::max((link(from) - target).norm(), (link(to) - target).norm()) > longest;
         const bool turns = area<double>(target, link(from), link(to)) <= 0;
-        worst = is_long || turns ? 0 : std::min(worst, quality<double>(target, link(from), link(to)));
+        worst =
+            is_long || turns ? 0 : std::min(worst, quality<double>(target, link(from), link(to)));
     }
     return worst;
 }
@@ -90,7 +92,8 @@ TEST(Improvement, DoesNothingWhereThereIsNothing) {
     auto complex = test::grid<double>(4);
     EXPECT_EQ(split_long(complex, std::span<const std::uint32_t>{}, 0.1), 0U);
     EXPECT_EQ(refine(complex, std::span<const std::uint32_t>{}, {}), 0U);
-    EXPECT_EQ(clear_lattice(complex, fit_lattice({0, 0}, {4, 4}, 1), std::span<const Path>{}, 1), 0U);
+    EXPECT_EQ(clear_lattice(complex, fit_lattice({0, 0}, {4, 4}, 1), std::span<const Path>{}, 1),
+              0U);
     const auto done = improve(complex, std::span<const std::uint32_t>{}, 1, 4, {});
     EXPECT_EQ(done.insertions, 0U);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files at the limits of what is allowed: nothing in an array, narrow views and lines, names that are
-// taken, kinds of eight bytes.
+// Files at the limits of what is allowed: nothing in an array, narrow views and lines, names that
+// are taken, kinds of eight bytes.
 #include "dsc/base/error.h"
 #include "dsc/io/appended_data.h"
 #include "dsc/io/sealed_file.h"
@@ -70,7 +70,8 @@ TEST_F(FileLimits, AThinInterfaceIsDrawnAndOneOfNoWidthIsNot) {
 TEST_F(FileLimits, ARangeOfColoursHasTwoFiniteEnds) {
     const std::array<double, 2> values{0, 1};
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    for (const auto& [low, high] : {std::pair{1.0, 0.0}, {1.0, 1.0}, {-infinity, 0.0}, {0.0, infinity}}) {
+    for (const auto& [low, high] :
+         {std::pair{1.0, 0.0}, {1.0, 1.0}, {-infinity, 0.0}, {0.0, infinity}}) {
         EXPECT_THROW((void)fill_by_value("a", values, low, high), InputError) << low << ' ' << high;
     }
     EXPECT_EQ(fill_by_value("a", values, 0, 1).of, (std::vector<std::uint32_t>{0, 31}));
@@ -84,7 +85,8 @@ TEST_F(FileLimits, AnAttributeDoesNotTakeTheNameOfAnArrayThatIsThere) {
     const std::string text = text_of("a.vtu");
     const auto count = [&](const std::string& words) {
         std::size_t found = 0;
-        for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
+        for (std::size_t at = text.find(words); at != std::string::npos;
+             at = text.find(words, at + 1)) {
             ++found;
         }
         return found;

@@ -54,7 +54,8 @@ TEST(CurvatureFlowOptions, KeptAreasArePositive) {
         expect_refused({.kept_areas = {{.phase = 1, .area = bad}}}, "not an area");
     }
     expect_refused({.kept_areas = {{.phase = exterior_phase, .area = 1}}}, "cannot be kept");
-    expect_refused({.kept_areas = {{.phase = 1, .area = 1}, {.phase = 1, .area = 2}}}, "kept twice");
+    expect_refused({.kept_areas = {{.phase = 1, .area = 1}, {.phase = 1, .area = 2}}},
+                   "kept twice");
     EXPECT_NO_THROW((void)curvature_flow<double>({.kept_areas = {{.phase = 1, .area = 1}}}));
 }
 

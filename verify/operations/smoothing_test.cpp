@@ -255,7 +255,8 @@ TYPED_TEST(Smoothing, TakesAnglesFromNoneToAllOfAHalfTurn) {
     using Real = TypeParam;
     auto complex = grid<Real>(6, 0.1, 1, 2);
     for (const double degrees : {0.0, 0.5, 180.0}) {
-        EXPECT_NO_THROW((void)interface_smoothing(complex, Vertex{10}, {.corner_degrees = degrees}));
+        EXPECT_NO_THROW(
+            (void)interface_smoothing(complex, Vertex{10}, {.corner_degrees = degrees}));
     }
     for (const double degrees : {-0.5, 180.5, std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_THROW((void)interface_smoothing(complex, Vertex{10}, {.corner_degrees = degrees}),

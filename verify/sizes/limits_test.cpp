@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Targets at the domain boundary, of phases with a single triangle in a star, and the extent of small
-// meshes.
+// Targets at the domain boundary, of phases with a single triangle in a star, and the extent of
+// small meshes.
 #include "dsc/complex/gather.h"
 #include "dsc/sizes/field.h"
 #include "dsc/sizes/measure.h"
