@@ -71,7 +71,7 @@ class Sample(unittest.TestCase):
         there = {mutant.says for mutant in self.found}
         for says, why in mutants.read_equivalent().items():
             with self.subTest(says):
-                self.assertIn(says, there)
+                self.assertTrue(says in there, "the sources have no such line, or no such change of it")
                 self.assertGreater(len(why), 20)
 
     def test_all_test_programs_are_asked(self):
