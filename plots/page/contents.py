@@ -12,7 +12,7 @@ from mesh import frames, histograms
 from page import document as page
 from page import drawing, faults, findings, tables, verdicts
 from parallel import (breakdown, granularity, per_operation, series, speedup, step_cost,
-                      submeshes)
+                      submeshes, whole_runs)
 from results import load
 
 FIRST = ("swirl", "drop-and-pool", "grains")  # the meshes that are shown before others
@@ -28,6 +28,7 @@ def tasks(results):
     found = [("frames", partial(frames.draw, [run], drawn_by)) for run in runs]
     if bench:
         found += [("steps", partial(step_cost.draw, bench, published)),
+                  ("speedup", partial(whole_runs.draw, bench)),
                   ("speedup", partial(speedup.draw, bench, published)),
                   ("breakdown", partial(breakdown.draw, bench)),
                   ("granularity", partial(granularity.draw, bench)),

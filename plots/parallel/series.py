@@ -14,6 +14,7 @@ STRUCTURAL = {"strategy", "triangles", "threads", "submeshes", "iterations", "re
               "min_time", "min_warmup_time", "warmup", "h", "steps", "modelled"}
 SERIAL = ("reference", "sequential")
 FAMILY_TITLES = {"scaling_step": "scaling of a circle", "four_circles_step": "four circles",
+                 "scaling_run": "scaling of a circle", "four_circles_run": "four circles",
                  "swirl_step": "swirl", "granularity_step": "scaling of a circle, many sizes"}
 MUCH = 0.25  # of all cores: from here on a measurement is marked
 GRANULARITY = "granularity_step"  # has a picture of its own
@@ -98,11 +99,16 @@ def modelled(bench):
     return _labelled(list(fastest.values()))
 
 
-def _all(bench):
+def whole_runs(bench):
+    """All rows of whole runs (FAMILY_run/...), which mix with those of steps nowhere."""
+    return _labelled(_all(bench, "_run"))
+
+
+def _all(bench, ending="_step"):
     found = []
     for m in bench.measurements:
         triangles = m.number("triangles")
-        if not m.family.endswith("_step") or not m.strategy or not triangles:
+        if not m.family.endswith(ending) or not m.strategy or not triangles:
             continue
         times = m.step_us()
         if min(times) <= 0:

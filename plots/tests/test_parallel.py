@@ -20,6 +20,7 @@ from parallel import speedup_text
 from parallel import step_cost
 from look import style
 from parallel import submeshes
+from parallel import whole_runs
 from tests.samples import PUBLISHED, VTU, Case, row
 
 PROFILE = {"us_set_up": 1, "us_hand_over": 0, "us_clean_up": 0, "us_driver": 1,
@@ -224,6 +225,32 @@ class Parallel(Case):
         results = self.results()
         self.assertEqual([f.name for f in speedup.gather(results, {})], ["scaling_step"])
         self.assertNotIn("many sizes", step_cost.draw(results, {})[0].sentence)
+
+    # Whole runs.
+
+    def test_whole_runs_are_held_against_those_with_as_much_other_work(self):
+        rows = []
+        for between, sequential, cells in ((0, 100, 50), (1000, 130, 100)):
+            of = "scaling_run/strategy:{}/triangles:28000/{}between_us:" + str(between)
+            of += "/iterations:1/manual_time"
+            counters = {"construction_us": 500 + between, "first_step_us": 70}
+            rows += row(of.format("sequential", ""), [sequential] * 3, **counters)
+            rows += row(of.format("cells", "threads:2/"), [cells, cells - 10, cells + 10],
+                        **counters)
+        results = load.read_bench([self.write("bench.json", {
+            **parallel_bench(), "benchmarks": rows})])
+        points = sorted(whole_runs.points(results), key=lambda p: whole_runs.between(p.row))
+        self.assertEqual([(whole_runs.between(p.row), p.s) for p in points],
+                         [(0, 2.0), (1000, 1.3)])
+        self.assertEqual(series.rows(results), [])
+        picture = next(whole_runs.draw(results))
+        self.assertIn("2.00 (scaling of a circle", picture.sentence)
+        self.assertIn("S(2) is 1.30 to 2.00", picture.details)
+        self.assertIn("500 µs to 1.50 ms", picture.details)
+        self.assertEqual([t.get_text() for t in picture.figure.axes[0].get_xticklabels()],
+                         ["0", "1,000"])
+        plt.close(picture.figure)
+        self.assertEqual(list(whole_runs.draw(self.results())), [])
 
     # Copies.
 
