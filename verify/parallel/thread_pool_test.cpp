@@ -134,13 +134,14 @@ struct Machine {
 };
 
 // Steps of each number of threads, of the last `counted` ones.
-std::array<int, 5> run(ThreadChoice& choice, const Machine& machine, int steps, int counted) {
+std::array<int, 5> run(ThreadChoice& choice, const Machine& machine, int steps, int counted,
+                       std::uint32_t useful = 4) {
     std::array<int, 5> used{};
     for (int step = 0; step < steps; ++step) {
         const std::uint32_t threads = choice.threads();
         used.at(threads) += step >= steps - counted ? 1 : 0;
         const double work = 1 + step % 7; // the same time for each unit of it
-        choice.took(machine.seconds(threads) * work, work);
+        choice.took(machine.seconds(threads) * work, work, useful);
     }
     return used;
 }
@@ -177,9 +178,17 @@ TEST(ThreadChoice, FollowsWhatElseRunsOnTheMachine) {
 TEST(ThreadChoice, IsNotDeceivedByOneSlowStep) {
     ThreadChoice choice(2);
     (void)run(choice, {1.0, 0.6, 0}, 100, 1);
-    choice.took(1000, 1);
+    choice.took(1000, 1, 2);
     const auto used = run(choice, {1.0, 0.6, 0}, 100, 100);
     EXPECT_GT(used[2], 90);
+}
+
+// As long as the interface is too short for a second thread, the numbers differ by noise alone.
+TEST(ThreadChoice, BeginsWithAllThreadsOnceTheyHaveSomethingToDo) {
+    ThreadChoice choice(2);
+    (void)run(choice, {0.9, 1.0, 0}, 5000, 1, 1);
+    const auto used = run(choice, {1.0, 0.6, 0}, 40, 40, 2);
+    EXPECT_GT(used[2], 30);
 }
 
 TEST(ThreadChoice, HasNothingToChooseForOneThread) {

@@ -159,9 +159,10 @@ void SubmeshExecutor<Real>::begin_step() {
 template <class Real>
 void SubmeshExecutor<Real>::choose_threads() {
     const std::size_t pay_off = interface_size() / submeshes_.vertices_per_thread;
-    const std::size_t most = std::min<std::size_t>(
-        submeshes_.adapts_threads ? choice_.threads() : submeshes_.threads, first_colour_);
-    threads_ = static_cast<std::uint32_t>(std::clamp<std::size_t>(pay_off, 1, most));
+    useful_threads_ =
+        static_cast<std::uint32_t>(std::clamp<std::size_t>(pay_off, 1, first_colour_));
+    threads_ = std::min(useful_threads_,
+                        submeshes_.adapts_threads ? choice_.threads() : submeshes_.threads);
     pool_.start(threads_);
 }
 
@@ -345,7 +346,7 @@ void SubmeshExecutor<Real>::end_step() {
         give_back(part->pool, most, 2 * most);
     }
     count_lent();
-    choice_.took(step_timer_.lap(), static_cast<double>(examined));
+    choice_.took(step_timer_.lap(), static_cast<double>(examined), useful_threads_);
 }
 
 template <class Real>

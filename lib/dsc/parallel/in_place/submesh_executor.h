@@ -138,6 +138,7 @@ private:
     std::vector<std::uint32_t> listed_; // scratch of hand_over
     std::vector<Point<double>> listed_places_;
     std::uint32_t threads_ = 1;
+    std::uint32_t useful_threads_ = 1; // that have enough to do in this step
     std::uint32_t epoch_ = 0;
     bool under_way_ = false; // still true at the end of a step: something threw
     StepProfile profile_;

@@ -32,8 +32,12 @@ ThreadChoice::Level ThreadChoice::neighbour() {
     return was_fewer_ ? home_ + 1 : home_ - 1;
 }
 
-void ThreadChoice::took(double seconds, double work) {
+void ThreadChoice::took(double seconds, double work, std::uint32_t useful) {
     if (!(work > 0) || most_ <= 1) {
+        return;
+    }
+    if (useful <= 1) {
+        *this = ThreadChoice(most_); // noise alone would have chosen
         return;
     }
     if (warm_up_ > 0) {

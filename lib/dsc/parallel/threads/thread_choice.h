@@ -21,8 +21,10 @@ public:
 
     /// The threads for the next step.
     [[nodiscard]] std::uint32_t threads() const { return std::max(most_ >> now_, 1U); }
-    /// What that step took, in seconds, for its work: in any unit, if always the same.
-    void took(double seconds, double work);
+    /// What that step took, in seconds, for its work: in any unit, if always the same. `useful`: so
+    /// many threads had anything to do in it, whatever was chosen; with one there was no choice,
+    /// and the next step that has one begins with all threads again.
+    void took(double seconds, double work, std::uint32_t useful);
 
 private:
     /// Halvings from the threads that are allowed: 0 is all of them.
