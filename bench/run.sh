@@ -92,8 +92,8 @@ await_quiet() {
 run_benchmarks() {
     local result=$report/bench.json code=0
     say "benchmarks"
-    # Threads that wander between cores make figures that cannot be repeated.
-    OMP_PROC_BIND=${OMP_PROC_BIND:-true} "$bench" "${bench_options[@]}" \
+    # OMP_PROC_BIND would bind this process, and with it the workers of the pool, to one core.
+    env -u OMP_PROC_BIND "$bench" "${bench_options[@]}" \
         --benchmark_out="$result.part" --benchmark_out_format=json \
         "${user_options[@]}" </dev/null || code=$?
     if [[ $code -le 1 ]] && ! "$python" -m json.tool "$result.part" >/dev/null 2>&1; then

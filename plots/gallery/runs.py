@@ -4,7 +4,6 @@ import csv
 import functools
 import json
 import math
-import os
 import pathlib
 import re
 import subprocess
@@ -128,7 +127,7 @@ class Program:
     def _call(self, words):
         try:
             done = subprocess.run([self.path, *words], capture_output=True, text=True, check=False,
-                                  timeout=TIME_LIMIT, env={"OMP_PROC_BIND": "true", **os.environ})
+                                  timeout=TIME_LIMIT)
         except OSError as fault:
             raise NotRun(f"{self.path} cannot be run: {fault.strerror}.") from fault
         except subprocess.TimeoutExpired as fault:
