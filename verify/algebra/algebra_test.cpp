@@ -15,7 +15,7 @@
 
 #include <algorithm>
 
-namespace dsc {
+namespace dsc::algebra_test {
 namespace {
 
 using test::everything;
@@ -345,4 +345,4 @@ TEST(SimplexSets, ObeyTheLawsOfSets) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::algebra_test

@@ -18,7 +18,7 @@
 #include <string>
 #include <utility>
 
-namespace dsc {
+namespace dsc::mesh_functions_test {
 namespace {
 
 using test::everything;
@@ -302,4 +302,4 @@ TYPED_TEST(MeshFunctions, SubmeshBoundary) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::mesh_functions_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc {
+namespace dsc::curvature_flow_test {
 namespace {
 
 using std::numbers::pi;
@@ -292,4 +292,4 @@ TEST(CurvatureFlow, RefusesBadOptions) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::curvature_flow_test

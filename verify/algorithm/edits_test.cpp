@@ -23,7 +23,7 @@
 #include <memory>
 #include <vector>
 
-namespace dsc {
+namespace dsc::edits_test {
 namespace {
 
 using namespace test;
@@ -392,4 +392,4 @@ TEST(EditsInSteps, AMovedVertexIsInContactNoMore) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::edits_test

@@ -24,7 +24,7 @@
 #include <sstream>
 #include <string>
 
-namespace dsc {
+namespace dsc::fuzz_test {
 namespace {
 
 using test::Dice;
@@ -170,4 +170,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Fuzz,
                          [](const auto& one) { return std::string(one.param.name); });
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::fuzz_test

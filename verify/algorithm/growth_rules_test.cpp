@@ -11,7 +11,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace dsc {
+namespace dsc::growth_rules_test {
 namespace {
 
 using test::complex_of;
@@ -233,4 +233,4 @@ TEST(GrowthRules, AVertexWithoutAFiniteSpeedIsHeld) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::growth_rules_test

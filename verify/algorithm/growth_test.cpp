@@ -11,7 +11,7 @@
 #include <array>
 #include <limits>
 
-namespace dsc {
+namespace dsc::growth_test {
 namespace {
 
 using std::numbers::pi;
@@ -168,4 +168,4 @@ TEST(Growth, TheVerticesOfAnEllipseStayOnItsParallelCurveToFourthOrder) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::growth_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc {
+namespace dsc::interface_flow_test {
 namespace {
 
 using std::numbers::pi;
@@ -176,4 +176,4 @@ TEST(InterfaceFlow, MovesAComplexOfFloats) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::interface_flow_test

@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace dsc {
+namespace dsc::interface_graph_test {
 namespace {
 
 // A graph of a complex, with the positions of its vertices.
@@ -215,4 +215,4 @@ TEST(InterfaceGraph, IsTheSameInAnyRangesAndLeavesOutWhatIsNotListed) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::interface_graph_test

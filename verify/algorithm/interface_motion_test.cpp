@@ -12,7 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace dsc {
+namespace dsc::interface_motion_test {
 namespace {
 
 using test::coarse;
@@ -133,4 +133,4 @@ TEST(InterfaceMotion, WhatItThrowsComesOut) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::interface_motion_test

@@ -23,7 +23,7 @@
 #include <numbers>
 #include <string>
 
-namespace dsc {
+namespace dsc::invariance_test {
 namespace {
 
 using test::Way;
@@ -332,4 +332,4 @@ TEST(Invariance, FilmsOpenInAnotherOrderOfPlaces) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::invariance_test

@@ -9,7 +9,7 @@
 
 #include <atomic>
 
-namespace dsc {
+namespace dsc::journal_test {
 namespace {
 
 using test::disc;
@@ -49,4 +49,4 @@ TEST(Interruption, AfterTheLastSubStepChangesNothing) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::journal_test

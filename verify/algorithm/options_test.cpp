@@ -12,7 +12,7 @@
 #include <atomic>
 #include <memory>
 
-namespace dsc {
+namespace dsc::options_test {
 namespace {
 
 using test::all_courses;
@@ -135,4 +135,4 @@ TEST(SimulationOptions, TheJournalOfACopyIsItsOwn) {
 INSTANTIATE_TEST_SUITE_P(Options, EveryWay, testing::ValuesIn(all_courses), course_name);
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::options_test

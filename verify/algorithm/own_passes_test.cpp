@@ -18,7 +18,7 @@
 #include <memory>
 #include <string>
 
-namespace dsc {
+namespace dsc::own_passes_test {
 namespace {
 
 using test::coarse;
@@ -113,4 +113,4 @@ TYPED_TEST(OwnPasses, TheSeedOnlyChangesTheOrder) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::own_passes_test

@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace dsc {
+namespace dsc::phases_test {
 namespace {
 
 using test::coarse;
@@ -145,4 +145,4 @@ TYPED_TEST(Phases, EndsWherePhasesTouch) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::phases_test

@@ -19,7 +19,7 @@
 #include <memory>
 #include <string>
 
-namespace dsc {
+namespace dsc::simulation_test {
 namespace {
 
 using test::coarse;
@@ -318,4 +318,4 @@ TYPED_TEST(Driver, RefusesOptionsThatMakeNoSense) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::simulation_test

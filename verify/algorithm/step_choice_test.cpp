@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace dsc {
+namespace dsc::step_choice_test {
 namespace {
 
 using test::options_for;
@@ -229,4 +229,4 @@ TEST_F(Turning, SaysWhoAskedForTooMuch) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::step_choice_test

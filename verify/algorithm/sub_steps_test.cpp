@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dsc {
+namespace dsc::sub_steps_test {
 namespace {
 
 using test::disc_complex;
@@ -76,4 +76,4 @@ TEST(SubSteps, AreAsManyAsTheWayAsksFor) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::sub_steps_test

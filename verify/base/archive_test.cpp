@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dsc {
+namespace dsc::archive_test {
 namespace {
 
 enum class Colour : std::uint8_t { red, green, blue };
@@ -142,4 +142,4 @@ TEST(Archives, WhatIsNotThereReplacesWhatIs) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::archive_test

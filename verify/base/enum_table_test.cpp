@@ -15,7 +15,7 @@
 
 #include <set>
 
-namespace dsc {
+namespace dsc::enum_table_test {
 namespace {
 
 using test::is_complete;
@@ -76,4 +76,4 @@ TEST(EnumTable, DiceDrawEachValue) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::enum_table_test

@@ -6,7 +6,7 @@
 
 #include <cerrno>
 
-namespace dsc {
+namespace dsc::error_test {
 namespace {
 
 TEST(InputErrors, KeepTheirFieldsApart) {
@@ -30,4 +30,4 @@ TEST(FileErrors, GiveTheReasonOfTheSystem) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::error_test

@@ -23,7 +23,7 @@
 
 #include <type_traits>
 
-namespace dsc::test {
+namespace dsc::test::attributes_test {
 namespace {
 
 template <class A, class Handle>
@@ -306,4 +306,4 @@ TEST(OwnAttributes, AreConservedWhereAFlowTurnsBack) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::attributes_test

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace dsc {
+namespace dsc::cuts_test {
 namespace {
 
 // Three by three boxes of side 1, the outer ones without an outer bound.
@@ -56,4 +56,4 @@ TEST(Cuts, OfSlabsThatWrapAroundBelongToOneOfThem) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::cuts_test

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc {
+namespace dsc::limits_test {
 namespace {
 
 TEST(RingLimits, BeyondTheEndsOfAnOpenStarLiesTheBorder) {
@@ -118,4 +118,4 @@ TEST(AttributeLimits, EntriesThatAreExchangedBringTheirBounds) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::limits_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-namespace dsc {
+namespace dsc::make_complex_test {
 namespace {
 
 using test::Indices;
@@ -76,4 +76,4 @@ TEST(MakeComplex, RefusesNumbersThatMeanNothing) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::make_complex_test

@@ -20,7 +20,7 @@
 #include <numeric>
 #include <set>
 
-namespace dsc {
+namespace dsc::numbering_test {
 namespace {
 
 using test::build;
@@ -356,4 +356,4 @@ TYPED_TEST(Hash, MinusZeroIsZeroAndFloatsAreDoubles) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::numbering_test

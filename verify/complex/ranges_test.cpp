@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <type_traits>
 
-namespace dsc {
+namespace dsc::ranges_test {
 namespace {
 
 using test::grid;
@@ -185,4 +185,4 @@ TYPED_TEST(Ranges, AreWalkedMoreThanOnce) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::ranges_test

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace dsc {
+namespace dsc::submesh_test {
 namespace {
 
 using test::Dice;
@@ -263,4 +263,4 @@ TEST(Submesh, OwnsAStarIfItOwnsAllItsVertices) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::submesh_test

@@ -15,7 +15,7 @@
 #include <numbers>
 #include <string>
 
-namespace dsc {
+namespace dsc::allocations_test {
 namespace {
 
 using test::Way;
@@ -145,4 +145,4 @@ TEST(Allocations, CarriedPhasesMakeAFewLists) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::allocations_test

@@ -16,7 +16,7 @@
 #include <functional>
 #include <string>
 
-namespace dsc {
+namespace dsc::touched_memory_test {
 namespace {
 
 using test::Way;
@@ -122,4 +122,4 @@ TEST_F(TouchedMemory, IsThatOfTheInterfaceWhereTheTopologyMayChange) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::touched_memory_test

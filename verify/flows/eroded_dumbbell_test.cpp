@@ -12,10 +12,9 @@
 #include <numbers>
 #include <vector>
 
+namespace dsc::scenes::eroded_dumbbell_test {
 namespace {
 
-using namespace dsc;
-using namespace dsc::scenes;
 using std::numbers::pi;
 
 const Dumbbell straight; // the neck closes at 0.03
@@ -180,3 +179,5 @@ TEST(Dumbbell, MayHaveAWaist) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::eroded_dumbbell_test

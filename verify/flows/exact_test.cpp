@@ -17,10 +17,8 @@
 #include <utility>
 #include <vector>
 
+namespace dsc::scenes::exact_test {
 namespace {
-
-using namespace dsc;
-using namespace dsc::scenes;
 
 using std::numbers::pi;
 using Random = std::mt19937_64;
@@ -315,3 +313,5 @@ TEST(Exact, CornersStayVertices) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::exact_test

@@ -12,10 +12,9 @@
 #include <numbers>
 #include <vector>
 
+namespace dsc::scenes::junction_solutions_test {
 namespace {
 
-using namespace dsc;
-using namespace dsc::scenes;
 using std::numbers::pi;
 
 double degrees(double angle) { return angle * pi / 180; }
@@ -272,3 +271,5 @@ TEST(GrainArea, ChangesByTheNumberOfSides) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::junction_solutions_test

@@ -12,10 +12,9 @@
 #include <numbers>
 #include <vector>
 
+namespace dsc::scenes::two_discs_test {
 namespace {
 
-using namespace dsc;
-using namespace dsc::scenes;
 using std::numbers::pi;
 
 // The area of the points of the union that are farther than `shrinkage` from its complement. By
@@ -111,3 +110,5 @@ TEST(TwoDiscs, RefuseWhatIsNoShape) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::two_discs_test

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace dsc::fuzz {
+namespace dsc::fuzz::corpus_test {
 namespace {
 
 std::vector<std::filesystem::path> inputs_of(const Target& target) {
@@ -46,4 +46,4 @@ INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpus, testing::ValuesIn(targets()),
                          [](const auto& one) { return one.param.name; });
 
 } // namespace
-} // namespace dsc::fuzz
+} // namespace dsc::fuzz::corpus_test

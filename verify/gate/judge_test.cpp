@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace dsc::gate {
+namespace dsc::gate::judge_test {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -82,4 +82,4 @@ TEST(Checks, AreNotMadeOfARunThatGaveUp) {
 }
 
 } // namespace
-} // namespace dsc::gate
+} // namespace dsc::gate::judge_test

@@ -16,7 +16,7 @@
 #include <numbers>
 #include <random>
 
-namespace dsc {
+namespace dsc::formulas_test {
 namespace {
 
 using P = Point<double>;
@@ -199,4 +199,4 @@ TEST(Segments, MeetWhereTheyShareAPoint) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::formulas_test

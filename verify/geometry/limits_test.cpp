@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dsc {
+namespace dsc::limits_test {
 namespace {
 
 TEST(Limits, ASegmentOfNoLengthIsItsFirstEnd) {
@@ -34,4 +34,4 @@ TEST(Limits, ABoxAsFarAwayAsItIsLargeHasItsCornerAsTheOrigin) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::limits_test

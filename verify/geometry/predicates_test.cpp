@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace dsc {
+namespace dsc::predicates_test {
 namespace {
 
 __extension__ using Wide = __int128;
@@ -263,4 +263,4 @@ TEST(InCircle, IsPositiveInsideOfACounterClockwiseCircle) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::predicates_test

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dsc {
+namespace dsc::unit_map_test {
 namespace {
 
 TEST(UnitMap, BringsTheLargerSideToOneToTwo) {
@@ -151,4 +151,4 @@ TEST(UnitMap, VelocityIsAskedInTheWorldAndGivenInUnits) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::unit_map_test

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <numbers>
 
-namespace dsc {
+namespace dsc::pieces_test {
 namespace {
 
 class Pieces : public testing::Test {
@@ -95,4 +95,4 @@ TEST_F(Pieces, AReportOfAStep) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::pieces_test

@@ -2,7 +2,7 @@
 // The hard cases that take minutes.
 #include "hard/expect_case.h"
 
-namespace dsc {
+namespace dsc::hard_long_test {
 namespace {
 
 class HardLong : public testing::TestWithParam<hard::HardCase> {};
@@ -13,4 +13,4 @@ INSTANTIATE_TEST_SUITE_P(Cases, HardLong, testing::ValuesIn(hard::cases_that_are
                          hard::test_name);
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::hard_long_test

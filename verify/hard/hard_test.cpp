@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dsc {
+namespace dsc::hard_test {
 namespace {
 
 class Hard : public testing::TestWithParam<hard::HardCase> {};
@@ -82,4 +82,4 @@ TEST(Watch, SeesAVertexThatIsNotListed) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::hard_test

@@ -13,13 +13,12 @@
 #include <random>
 #include <string>
 
+namespace dsc::curve_errors_test {
 namespace {
 
-using dsc::Curve;
-using dsc::Point;
-using dsc::initial::EdgeContact;
-using dsc::initial::NetworkEdge;
-using dsc::initial::NetworkPiece;
+using initial::EdgeContact;
+using initial::NetworkEdge;
+using initial::NetworkPiece;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -281,3 +280,5 @@ TEST(CurveContacts, AreFoundAmongManyLinesThatAreApart) {
 }
 
 } // namespace
+
+} // namespace dsc::curve_errors_test

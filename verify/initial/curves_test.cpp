@@ -9,12 +9,10 @@
 #include <ostream>
 #include <set>
 
+namespace dsc::curves_test {
 namespace {
 
-using dsc::Curve;
-using dsc::Phase;
-using dsc::Point;
-using dsc::testing::CurveScenery;
+using test::CurveScenery;
 
 using std::numbers::pi;
 
@@ -115,13 +113,13 @@ class InitialCurves : public ::testing::TestWithParam<Case> {};
 
 TEST_P(InitialCurves, ComeOutAsTheyWentIn) {
     const Case& test = GetParam();
-    const auto complex = dsc::testing::complex_of<double>(test.scenery);
-    dsc::testing::expect_sound(complex, test.scenery);
-    const double angle = dsc::testing::smallest_angle(complex);
+    const auto complex = test::complex_of<double>(test.scenery);
+    test::expect_sound(complex, test.scenery);
+    const double angle = test::smallest_angle(complex);
     RecordProperty("smallest_angle_deg", std::to_string(angle));
     EXPECT_GE(angle, test.smallest_angle);
     if (!test.areas.empty()) {
-        const auto areas = dsc::testing::areas_by_phase(complex);
+        const auto areas = test::areas_by_phase(complex);
         ASSERT_EQ(areas.size(), test.areas.size());
         for (const auto& [phase, area] : test.areas) {
             EXPECT_NEAR(areas.at(phase), area, 1e-14) << "phase " << phase;
@@ -131,18 +129,18 @@ TEST_P(InitialCurves, ComeOutAsTheyWentIn) {
 
 TEST_P(InitialCurves, ComeOutAsTheyWentInAsFloat) {
     const Case& test = GetParam();
-    const auto complex = dsc::testing::complex_of<float>(test.scenery);
-    dsc::testing::expect_sound(complex, test.scenery);
-    EXPECT_GE(dsc::testing::smallest_angle(complex), 0.97 * test.smallest_angle);
-    const auto areas = dsc::testing::areas_by_phase(complex);
+    const auto complex = test::complex_of<float>(test.scenery);
+    test::expect_sound(complex, test.scenery);
+    EXPECT_GE(test::smallest_angle(complex), 0.97 * test.smallest_angle);
+    const auto areas = test::areas_by_phase(complex);
     for (const auto& [phase, area] : test.areas) {
         EXPECT_NEAR(areas.at(phase), area, 2e-7) << "phase " << phase;
     }
 }
 
 TEST_P(InitialCurves, AreDeterministic) {
-    const auto one = dsc::testing::complex_of<double>(GetParam().scenery);
-    const auto two = dsc::testing::complex_of<double>(GetParam().scenery);
+    const auto one = test::complex_of<double>(GetParam().scenery);
+    const auto two = test::complex_of<double>(GetParam().scenery);
     EXPECT_EQ(dsc::mesh_hash(one), dsc::mesh_hash(two));
 }
 
@@ -153,9 +151,9 @@ TEST_P(InitialCurves, MayRunEitherWay) {
         std::reverse(curve.points.begin(), curve.points.end());
         std::swap(curve.left, curve.right);
     }
-    const auto complex = dsc::testing::complex_of<double>(backwards);
-    dsc::testing::expect_sound(complex, backwards);
-    EXPECT_GE(dsc::testing::smallest_angle(complex), 0.9 * GetParam().smallest_angle);
+    const auto complex = test::complex_of<double>(backwards);
+    test::expect_sound(complex, backwards);
+    EXPECT_GE(test::smallest_angle(complex), 0.9 * GetParam().smallest_angle);
 }
 
 INSTANTIATE_TEST_SUITE_P(Networks, InitialCurves, ::testing::ValuesIn(cases()),
@@ -173,8 +171,8 @@ TEST(InitialCurvesSizes, CurvesToTheSidesAnywhereGetGoodTriangles) {
         const Curve curve{upwards ? std::vector<Point<double>>{{from, 0}, {to, 1}}
                                   : std::vector<Point<double>>{{0, from}, {1, to}},
                           1, 0};
-        const auto complex = dsc::testing::complex_of<double>({{curve}, 0.05 - 0.0007 * i});
-        EXPECT_GE(dsc::testing::smallest_angle(complex), 29) << i;
+        const auto complex = test::complex_of<double>({{curve}, 0.05 - 0.0007 * i});
+        EXPECT_GE(test::smallest_angle(complex), 29) << i;
     }
 }
 
@@ -220,3 +218,5 @@ TEST(InitialCurvesAndShapes, WithoutCurvesThereIsNoInterface) {
 }
 
 } // namespace
+
+} // namespace dsc::curves_test

@@ -16,15 +16,11 @@
 #include <random>
 #include <string>
 
+namespace dsc::initial_complex_test {
 namespace {
 
-using dsc::Complex;
-using dsc::Corner;
-using dsc::Point;
-using dsc::Shape;
-using dsc::Vertex;
-using dsc::testing::Scenery;
-using dsc::testing::Sizes;
+using test::Scenery;
+using test::Sizes;
 
 using std::numbers::pi;
 
@@ -131,7 +127,7 @@ std::size_t expect_outline(const Complex<Real>& complex, const Scenery& scenery,
     if (dsc::scenes::signed_area(outline) < 0) {
         std::reverse(outline.begin(), outline.end());
     }
-    const auto found = dsc::testing::vertices_by_position(complex);
+    const auto found = test::vertices_by_position(complex);
     const auto id_of = [&](const Point<double>& p) {
         const auto at = found.find({static_cast<Real>(p.x()), static_cast<Real>(p.y())});
         return at == found.end() ? dsc::no_id : at->second;
@@ -156,7 +152,7 @@ std::size_t expect_outline(const Complex<Real>& complex, const Scenery& scenery,
         ADD_FAILURE() << "the first vertex is not on the interface";
         return 0;
     }
-    const auto loop = dsc::testing::loop_from(complex, start);
+    const auto loop = test::loop_from(complex, start);
     std::size_t place = 0;
     dsc::scenes::Outline result;
     const Point<double> origin = outline.front(); // exact to subtract, and it saves digits
@@ -195,14 +191,14 @@ void expect_good(const Complex<Real>& complex, const Case& test) {
     EXPECT_EQ(report.components, 1U);
     EXPECT_EQ(report.boundary_loops, 1U);
     EXPECT_EQ(report.unused_vertices, 0U);
-    const Sizes sizes = dsc::testing::sizes_of(complex);
+    const Sizes sizes = test::sizes_of(complex);
     const auto& domain = scenery.domain;
     const double whole = (domain.high - domain.low).prod();
     EXPECT_NEAR(sizes.area, whole, 1e-6 * whole);
     EXPECT_EQ(sizes.not_delaunay, 0U);
     EXPECT_GE(sizes.worst_quality, test.worst_quality);
     EXPECT_LE(sizes.longest, 1.8 * scenery.edge_length);
-    const auto found = dsc::testing::vertices_by_position(complex);
+    const auto found = test::vertices_by_position(complex);
     for (const double x : {domain.low.x(), domain.high.x()}) {
         for (const double y : {domain.low.y(), domain.high.y()}) {
             EXPECT_EQ(found.count({static_cast<Real>(x), static_cast<Real>(y)}), 1U) << x << y;
@@ -213,7 +209,7 @@ void expect_good(const Complex<Real>& complex, const Case& test) {
         SCOPED_TRACE("phase " + std::to_string(shape.phase));
         pieces += expect_outline(complex, scenery, shape);
     }
-    EXPECT_EQ(dsc::testing::interface_edge_count(complex), pieces) << "edges of the interface";
+    EXPECT_EQ(test::interface_edge_count(complex), pieces) << "edges of the interface";
     std::size_t wrong_phases = 0;
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
         const auto& v = complex.triangles[t].v;
@@ -222,8 +218,7 @@ void expect_good(const Complex<Real>& complex, const Case& test) {
               complex.position(Vertex{v[2]})) /
              Real(3))
                 .template cast<double>();
-        wrong_phases +=
-            complex.triangles[t].phase != dsc::testing::innermost_phase(scenery.shapes, centre);
+        wrong_phases += complex.triangles[t].phase != test::innermost_phase(scenery.shapes, centre);
         EXPECT_EQ(complex.triangles[t].mark, 0U);
     }
     EXPECT_EQ(wrong_phases, 0U);
@@ -241,15 +236,15 @@ TEST_P(InitialComplex, IsValidWithoutImprovement) {
     test.worst_quality = 0;
     const auto complex = build<double>(test.scenery, 0);
     ASSERT_TRUE(dsc::validate(complex).ok());
-    EXPECT_EQ(dsc::testing::sizes_of(complex).not_delaunay, 0U);
+    EXPECT_EQ(test::sizes_of(complex).not_delaunay, 0U);
     for (const Shape& shape : test.scenery.shapes) {
         expect_outline(complex, test.scenery, shape);
     }
 }
 
 TEST_P(InitialComplex, ImprovementDoesNoHarm) {
-    const auto before = dsc::testing::sizes_of(build<double>(GetParam().scenery, 0));
-    const auto after = dsc::testing::sizes_of(build<double>(GetParam().scenery));
+    const auto before = test::sizes_of(build<double>(GetParam().scenery, 0));
+    const auto after = test::sizes_of(build<double>(GetParam().scenery));
     EXPECT_GE(after.worst_quality, before.worst_quality);
 }
 
@@ -279,7 +274,7 @@ TEST(InitialComplexSizes, ACircleGetsTrianglesOfTheSizeAskedFor) {
     const double h = 0.01;
     const std::vector<Shape> shapes{circle(0.5, 0.5, 0.25, h)};
     const auto complex = dsc::initial_complex<double>({}, shapes, {.edge_length = h});
-    const Sizes sizes = dsc::testing::sizes_of(complex);
+    const Sizes sizes = test::sizes_of(complex);
     EXPECT_GE(sizes.worst_quality, 0.5);
     EXPECT_GT(sizes.median_quality, 0.9);
     EXPECT_GE(sizes.shortest, 0.45 * h);
@@ -298,7 +293,7 @@ TEST(InitialComplexSizes, CirclesAnywhereGetGoodTriangles) {
                                                radius + 2 * h + room * share(random), radius, h)};
         const auto complex = dsc::initial_complex<double>({}, shapes, {.edge_length = h});
         SCOPED_TRACE("h " + std::to_string(h) + ", radius " + std::to_string(radius));
-        const Sizes sizes = dsc::testing::sizes_of(complex);
+        const Sizes sizes = test::sizes_of(complex);
         EXPECT_GE(sizes.worst_quality, 0.5);
         EXPECT_GE(sizes.shortest, 0.44 * h);
         EXPECT_LE(sizes.longest, 1.8 * h);
@@ -328,3 +323,5 @@ TEST(InitialComplexSizes, ScaleDoesNotMatter) {
 }
 
 } // namespace
+
+} // namespace dsc::initial_complex_test

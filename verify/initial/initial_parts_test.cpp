@@ -17,15 +17,11 @@
 #include <numbers>
 #include <random>
 
+namespace dsc::initial_parts_test {
 namespace {
 
-using dsc::Complex;
-using dsc::Point;
-using dsc::Rectangle;
-using dsc::Shape;
-using dsc::Vertex;
-using dsc::initial::Place;
-using dsc::initial::SweepPolygon;
+using initial::Place;
+using initial::SweepPolygon;
 
 using Polygon = std::vector<Point<double>>;
 
@@ -105,7 +101,7 @@ TEST(Locate, AgreesWithEveryTrianglesSigns) {
     EXPECT_GT(places[0], 20U);
     EXPECT_GT(places[1], 20U);
     EXPECT_GT(places[2], 20U);
-    EXPECT_EQ(dsc::testing::sizes_of(complex).not_delaunay, 0U);
+    EXPECT_EQ(test::sizes_of(complex).not_delaunay, 0U);
 }
 
 TEST(Locate, StopsAtTheSidesAndAtTheInterface) {
@@ -259,8 +255,7 @@ TEST(Sweep, AgreesWithAllPairs) {
             double least = 1e300;
             for (std::uint32_t q = 0; q < polygons.size(); ++q) {
                 const double size = std::abs(dsc::scenes::signed_area(polygons[q]));
-                if (q != p && size < least &&
-                    dsc::testing::is_inside(polygons[q], polygons[p].front())) {
+                if (q != p && size < least && test::is_inside(polygons[q], polygons[p].front())) {
                     parent = q;
                     least = size;
                 }
@@ -397,3 +392,5 @@ TEST(InitialErrors, FloatsThatCollide) {
 }
 
 } // namespace
+
+} // namespace dsc::initial_parts_test

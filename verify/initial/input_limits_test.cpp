@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dsc {
+namespace dsc::input_limits_test {
 namespace {
 
 TEST(InputLimits, AnOutlineMayBeginAtAnyOfItsVerticesAndGoEitherWay) {
@@ -66,4 +66,4 @@ TEST(InputLimits, CurvesAreRefusedFromTheirFirstPointOn) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::input_limits_test

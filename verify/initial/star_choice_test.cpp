@@ -18,7 +18,7 @@
 #include <limits>
 #include <random>
 
-namespace dsc::initial {
+namespace dsc::initial::star_choice_test {
 namespace {
 
 Ring<double> ring_of(const Complex<double>& complex, std::uint32_t vertex) {
@@ -107,4 +107,4 @@ TEST(Zone, EndsWhereTheMeshIsAsCoarseAsAskedFor) {
 }
 
 } // namespace
-} // namespace dsc::initial
+} // namespace dsc::initial::star_choice_test

@@ -6,11 +6,10 @@
 #include <numbers>
 #include <ostream>
 
+namespace dsc::scenes::voronoi_meshes_test {
 namespace {
 
-using namespace dsc;
-using namespace dsc::scenes;
-using dsc::testing::CurveScenery;
+using test::CurveScenery;
 
 using Sites = std::vector<Point<double>>;
 using Place = std::pair<double, double>;
@@ -65,10 +64,10 @@ protected:
 
     template <class Real>
     static Complex<Real> expect_good(const CurveScenery& scenery) {
-        const auto complex = dsc::testing::complex_of<Real>(scenery);
-        dsc::testing::expect_sound(complex, scenery);
+        const auto complex = test::complex_of<Real>(scenery);
+        test::expect_sound(complex, scenery);
         const double input = smallest_angle_between(scenery);
-        const double found = dsc::testing::smallest_angle(complex);
+        const double found = test::smallest_angle(complex);
         RecordProperty("smallest_angle_of_the_input_deg", std::to_string(input));
         RecordProperty("smallest_angle_deg", std::to_string(found));
         EXPECT_GE(found, std::min(17.0, 0.9 * input)) << "the input has " << input << " degrees";
@@ -82,7 +81,7 @@ TEST_P(VoronoiMeshes, HaveTheCellsAsPhases) {
     const auto complex =
         expect_good<double>({voronoi_curves({}, sites(), options), h, Rectangle{}});
     const auto cells = voronoi_cells({}, sites(), options);
-    const auto areas = dsc::testing::areas_by_phase(complex);
+    const auto areas = test::areas_by_phase(complex);
     ASSERT_EQ(areas.size(), cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
         EXPECT_NEAR(areas.at(static_cast<Phase>(i + 1)), signed_area(cells[i]), 1e-15);
@@ -100,8 +99,8 @@ TEST_P(SmallVoronoiMeshes, AreAsGoodAsFloat) {
 // Short edges and all: needles there, but a valid mesh.
 TEST_P(SmallVoronoiMeshes, AreSoundWithShortEdges) {
     const CurveScenery scenery{voronoi_curves({}, sites()), GetParam().h};
-    const auto complex = dsc::testing::complex_of<double>(scenery);
-    dsc::testing::expect_sound(complex, scenery, 2.2);
+    const auto complex = test::complex_of<double>(scenery);
+    test::expect_sound(complex, scenery, 2.2);
 }
 
 std::string name_of(const ::testing::TestParamInfo<Grains>& test) {
@@ -117,3 +116,5 @@ INSTANTIATE_TEST_SUITE_P(Cells, SmallVoronoiMeshes,
                          name_of);
 
 } // namespace
+
+} // namespace dsc::scenes::voronoi_meshes_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dsc {
+namespace dsc::edit_file_test {
 namespace {
 
 // In a folder for temporary files, where one of an earlier run may have been left.
@@ -125,4 +125,4 @@ TEST(EditFile, IsNotThereUntilItIsCommitted) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::edit_file_test

@@ -26,7 +26,7 @@
 
 #include <sys/resource.h>
 
-namespace dsc {
+namespace dsc::io_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -378,4 +378,4 @@ TEST(Base64, IsPaddedToFourDigits) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::io_test

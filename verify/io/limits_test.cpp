@@ -18,7 +18,7 @@
 #include <limits>
 #include <sstream>
 
-namespace dsc {
+namespace dsc::limits_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,4 @@ TEST_F(FileLimits, ASealedFileReadsBackAndTellsWhatIsWrong) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::limits_test

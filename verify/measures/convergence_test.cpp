@@ -10,10 +10,8 @@
 #include <cmath>
 #include <vector>
 
+namespace dsc::scenes::convergence_test {
 namespace {
-
-using namespace dsc;
-using namespace dsc::scenes;
 
 TEST(Order, OfAPowerIsItsExponent) {
     const std::array sizes{0.02, 0.005, 0.01, 0.04};
@@ -49,3 +47,5 @@ TEST(Order, RefusesWhatHasNone) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::convergence_test

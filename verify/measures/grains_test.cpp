@@ -12,7 +12,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dsc::test {
+namespace dsc::test::grains_test {
 namespace {
 
 using namespace dsc::scenes;
@@ -193,4 +193,4 @@ TEST(Grains, BadOptionsAreRefused) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::grains_test

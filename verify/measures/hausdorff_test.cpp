@@ -14,10 +14,8 @@
 #include <span>
 #include <vector>
 
+namespace dsc::scenes::hausdorff_test {
 namespace {
-
-using namespace dsc;
-using namespace dsc::scenes;
 
 using std::numbers::pi;
 using Random = std::mt19937_64;
@@ -127,3 +125,5 @@ TEST(Hausdorff, AgreesWithDenseSampling) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::hausdorff_test

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <vector>
 
-namespace dsc::scenes {
+namespace dsc::scenes::interface_outlines_test {
 namespace {
 
 Complex<double> complex_of(const Outline& outline, double h) {
@@ -97,4 +97,4 @@ TEST(InterfaceOutlines, ByTheCubicEndAtTheDomainBoundary) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::interface_outlines_test

@@ -18,10 +18,8 @@
 #include <utility>
 #include <vector>
 
+namespace dsc::scenes::jaggedness_test {
 namespace {
-
-using namespace dsc;
-using namespace dsc::scenes;
 
 using std::numbers::pi;
 
@@ -211,3 +209,5 @@ TEST(Jaggedness, OfNothing) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::jaggedness_test

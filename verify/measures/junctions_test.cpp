@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc::test {
+namespace dsc::test::junctions_test {
 namespace {
 
 using namespace dsc::scenes;
@@ -116,4 +116,4 @@ TEST(Junctions, MedianAndWorst) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::junctions_test

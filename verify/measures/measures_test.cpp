@@ -16,10 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace dsc::scenes::measures_test {
 namespace {
-
-using namespace dsc;
-using namespace dsc::scenes;
 
 using std::numbers::pi;
 
@@ -127,3 +125,5 @@ TEST(Measures, MayRestOnEachOther) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::measures_test

@@ -7,10 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace dsc::scenes::mesh_quality_test {
 namespace {
-
-using namespace dsc;
-using namespace dsc::scenes;
 
 TEST(MeshQuality, CountsTrianglesThatAreTurnedOver) {
     auto complex = test::hexagon<double>();
@@ -43,3 +41,5 @@ TEST(MeshQuality, IsThatOfTheWorstTriangleWhereverItIs) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::mesh_quality_test

@@ -9,7 +9,7 @@
 
 #include <tuple>
 
-namespace dsc::test {
+namespace dsc::test::phases_test {
 namespace {
 
 using namespace dsc::scenes;
@@ -78,4 +78,4 @@ TYPED_TEST(Phases, OfNothing) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::phases_test

@@ -17,10 +17,8 @@
 #include <utility>
 #include <vector>
 
+namespace dsc::scenes::symmetric_difference_test {
 namespace {
-
-using namespace dsc;
-using namespace dsc::scenes;
 
 using std::numbers::pi;
 using Random = std::mt19937_64;
@@ -276,3 +274,5 @@ TEST(SymmetricDifference, FollowsOffsetAndScale) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::symmetric_difference_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dsc {
+namespace dsc::integrator_test {
 namespace {
 
 // A turn about the origin whose speed changes: by sin(t) from time 0 to t.
@@ -126,4 +126,4 @@ TYPED_TEST(Stages, NoStepIsNoMove) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::integrator_test

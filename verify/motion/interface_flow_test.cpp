@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace dsc {
+namespace dsc::interface_flow_test {
 namespace {
 
 // One closed curve of phase 1 in phase 0.
@@ -158,4 +158,4 @@ TEST(InterfaceFlow, OfOneVertexFillsItsRange) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::interface_flow_test

@@ -14,7 +14,7 @@
 #include <set>
 #include <vector>
 
-namespace dsc {
+namespace dsc::interpolation_test {
 namespace {
 
 using Wide = Eigen::Matrix<long double, 2, 1>;
@@ -325,4 +325,4 @@ TEST(CubicInsertion, DoesNotLookAroundCorners) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::interpolation_test

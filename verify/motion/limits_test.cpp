@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dsc {
+namespace dsc::limits_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -90,4 +90,4 @@ TEST(MoveLimit, IsAShareOfTheWay) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::limits_test

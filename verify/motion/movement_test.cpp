@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dsc {
+namespace dsc::movement_test {
 namespace {
 
 // The least altitude over base of the triangles about vertex 0.
@@ -83,4 +83,4 @@ TEST(Movement, IsCertifiedWhereCoordinatesAreCoarse) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::movement_test

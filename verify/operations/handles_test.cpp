@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dsc::test {
+namespace dsc::test::handles_test {
 namespace {
 
 template <class Real>
@@ -75,4 +75,4 @@ TYPED_TEST(Handles, SplitTakesAnyPointOfAnEdge) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::handles_test

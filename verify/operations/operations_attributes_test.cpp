@@ -24,7 +24,7 @@
 #include <set>
 #include <utility>
 
-namespace dsc::test {
+namespace dsc::test::operations_attributes_test {
 namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -326,4 +326,4 @@ TEST(OperationsStorm, Double) { run_storms<double>(1); }
 TEST(OperationsStorm, Float) { run_storms<float>(5001); }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::operations_attributes_test

@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace dsc::test {
+namespace dsc::test::operations_test {
 namespace {
 
 template <class Real>
@@ -373,4 +373,4 @@ TYPED_TEST(Operations, SubdivisionOfTheSmallestTriangleInverts) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::operations_test

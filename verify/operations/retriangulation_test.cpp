@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc::test {
+namespace dsc::test::retriangulation_test {
 namespace {
 
 template <class Real>
@@ -239,4 +239,4 @@ TYPED_TEST(Retriangulation, DelaunayIsDelaunayAndBetter) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::retriangulation_test

@@ -12,7 +12,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dsc::test {
+namespace dsc::test::smoothing_test {
 namespace {
 
 template <class Real>
@@ -265,4 +265,4 @@ TYPED_TEST(Smoothing, TakesAnglesFromNoneToAllOfAHalfTurn) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::smoothing_test

@@ -11,7 +11,7 @@
 #include <map>
 #include <random>
 
-namespace dsc {
+namespace dsc::star_collapse_test {
 namespace {
 
 // Grids whose diagonals are flipped at random: stars of all degrees, many of them not convex.
@@ -62,4 +62,4 @@ TEST(StarCollapse, LeavesLockedVertices) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::star_collapse_test

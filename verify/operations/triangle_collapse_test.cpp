@@ -16,7 +16,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dsc::test {
+namespace dsc::test::triangle_collapse_test {
 namespace {
 
 template <class Real>
@@ -328,4 +328,4 @@ TYPED_TEST(TriangleCollapse, IsReplayedOnRandomComplexes) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::triangle_collapse_test

@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-namespace dsc {
+namespace dsc::cells_test {
 namespace {
 
 using test::Dice;
@@ -202,4 +202,4 @@ TEST(Cells, AreAsManyAsPay) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::cells_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc {
+namespace dsc::contact_test {
 namespace {
 
 constexpr double h = 0.025;
@@ -96,4 +96,4 @@ INSTANTIATE_TEST_SUITE_P(Strategies, Contact,
                          [](const auto& one) { return test::name_of(one.param); });
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::contact_test

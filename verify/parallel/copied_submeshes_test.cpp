@@ -18,7 +18,7 @@
 #include <string>
 #include <utility>
 
-namespace dsc {
+namespace dsc::copied_submeshes_test {
 namespace {
 
 using test::Dice;
@@ -243,4 +243,4 @@ TEST(CopiedSubmeshes, RefuseAMeshWhoseIdsAreLent) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::copied_submeshes_test

@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace dsc {
+namespace dsc::copy_failures_test {
 namespace {
 
 using test::everywhere;
@@ -160,4 +160,4 @@ TEST(CopyExecutor, RefusesOptionsThatMakeNoSense) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::copy_failures_test

@@ -27,7 +27,7 @@
 #include <string>
 #include <tuple>
 
-namespace dsc {
+namespace dsc::copy_test {
 namespace {
 
 using test::Dice;
@@ -386,4 +386,4 @@ TEST(CopyExecutor, GoesOnWhereIdsRunOut) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::copy_test

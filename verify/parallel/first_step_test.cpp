@@ -7,7 +7,7 @@
 #include <iterator>
 #include <thread>
 
-namespace dsc {
+namespace dsc::first_step_test {
 namespace {
 
 using test::Growing;
@@ -118,4 +118,4 @@ TEST(FirstStep, FindsItsThreadsStarted) {
 #endif
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::first_step_test

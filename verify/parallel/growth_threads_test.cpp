@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace dsc {
+namespace dsc::growth_threads_test {
 namespace {
 
 using test::complex_of;
@@ -81,4 +81,4 @@ INSTANTIATE_TEST_SUITE_P(Divisions, GrowthThreads,
                          });
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::growth_threads_test

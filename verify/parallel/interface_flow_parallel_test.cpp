@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace dsc {
+namespace dsc::interface_flow_parallel_test {
 namespace {
 
 constexpr double h = 0.02;
@@ -247,4 +247,4 @@ TEST(InterfaceFlowParallel, AVelocityThatIsNotFiniteHoldsItsVertex) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::interface_flow_parallel_test

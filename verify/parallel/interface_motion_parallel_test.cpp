@@ -15,7 +15,7 @@
 #include <atomic>
 #include <optional>
 
-namespace dsc {
+namespace dsc::interface_motion_parallel_test {
 namespace {
 
 constexpr double h = 0.02;
@@ -91,4 +91,4 @@ TEST(InterfaceMotionParallel, TheSameBitsForAnyNumberOfThreads) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::interface_motion_parallel_test

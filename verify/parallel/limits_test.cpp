@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace dsc {
+namespace dsc::limits_test {
 namespace {
 
 TEST(CutLimits, TwoSlabsOfEqualShareHaveOneCutBetweenThem) {
@@ -48,4 +48,4 @@ TEST(CopyLimits, ADivisionHasSubmeshesAndADirection) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::limits_test

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace dsc {
+namespace dsc::metis_test {
 namespace {
 
 struct Outcome {
@@ -95,4 +95,4 @@ TEST(Metis, SharesTheInterface) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::metis_test

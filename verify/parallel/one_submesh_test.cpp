@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace dsc {
+namespace dsc::one_submesh_test {
 namespace {
 
 using namespace test;
@@ -90,4 +90,4 @@ TEST(OneSubmesh, IsTheSequentialMethodBitForBit) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::one_submesh_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dsc {
+namespace dsc::parallel_test {
 namespace {
 
 using namespace test;
@@ -147,4 +147,4 @@ INSTANTIATE_TEST_SUITE_P(Parallel, EveryDivision, testing::ValuesIn(test::all_pa
                          [](const auto& one) { return std::string(to_string(one.param)); });
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::parallel_test

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace dsc {
+namespace dsc::partition_test {
 namespace {
 
 using test::Dice;
@@ -342,4 +342,4 @@ TEST(Partitioners, RefuseColoursThatMakeNoSense) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::partition_test

@@ -18,7 +18,7 @@
 #include <thread>
 #include <vector>
 
-namespace dsc {
+namespace dsc::schedule_test {
 namespace {
 
 using test::Dice;
@@ -316,4 +316,4 @@ TEST(Schedule, ThrowsOnWhatATaskThrewAndBeginsNoneOfThoseThatWaitForIt) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::schedule_test

@@ -14,7 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace dsc {
+namespace dsc::site_grid_test {
 namespace {
 
 using test::Dice;
@@ -143,4 +143,4 @@ TEST(Colour, AsksAPlaceFunctionOnce) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::site_grid_test

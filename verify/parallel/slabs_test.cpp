@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-namespace dsc {
+namespace dsc::slabs_test {
 namespace {
 
 using test::Dice;
@@ -252,4 +252,4 @@ TEST(Slabs, KnowHowFarTheDomainReachesAlongEveryDirection) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::slabs_test

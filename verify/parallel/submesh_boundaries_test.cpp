@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace dsc {
+namespace dsc::submesh_boundaries_test {
 namespace {
 
 using test::everywhere;
@@ -185,4 +185,4 @@ TEST(SubmeshExecutor, KeepsTheAreaWhereThatIsAskedFor) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::submesh_boundaries_test

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace dsc {
+namespace dsc::submesh_executor_test {
 namespace {
 
 using test::everywhere;
@@ -292,4 +292,4 @@ TEST(SubmeshExecutor, KeepsAccountOfTimesWhereAsked) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::submesh_executor_test

@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-namespace dsc {
+namespace dsc::thread_pool_test {
 namespace {
 
 using std::chrono::microseconds;
@@ -197,4 +197,4 @@ TEST(ThreadChoice, HasNothingToChooseForOneThread) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::thread_pool_test

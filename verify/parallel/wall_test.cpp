@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dsc {
+namespace dsc::wall_test {
 namespace {
 
 constexpr int columns = 40;
@@ -196,4 +196,4 @@ TEST_F(WallParts, AnObliqueMiddleThatRoundsOffTheWallIsNotTaken) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::wall_test

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace dsc {
+namespace dsc::work_shares_test {
 namespace {
 
 constexpr double h = 0.02;
@@ -67,4 +67,4 @@ TEST(Work, IsCountedWhereItIsDone) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::work_shares_test

@@ -26,7 +26,7 @@ std::atomic<std::uint64_t> allocations = 0;
     std::free(memory);
 }
 
-namespace dsc {
+namespace dsc::allocations_test {
 namespace {
 
 using test::disc_complex;
@@ -55,4 +55,4 @@ TEST(Allocations, AreNotMadeInAStep) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::allocations_test

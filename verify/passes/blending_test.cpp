@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace dsc {
+namespace dsc::blending_test {
 namespace {
 
 using test::disc_complex;
@@ -58,4 +58,4 @@ TEST(Blending, OfVerticesThatTheDriverMakes) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::blending_test

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <map>
 
-namespace dsc {
+namespace dsc::carried_phases_test {
 namespace {
 
 using test::Course;
@@ -172,4 +172,4 @@ TEST(CarriedPhases, RefuseAFlowThatIsNotKnownInside) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::carried_phases_test

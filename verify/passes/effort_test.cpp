@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace dsc {
+namespace dsc::effort_test {
 namespace {
 
 using test::disc_complex;
@@ -93,4 +93,4 @@ TEST(Passes, AreAsManyAsVerticesNeedToArrive) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::effort_test

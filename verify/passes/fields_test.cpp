@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace dsc {
+namespace dsc::fields_test {
 namespace {
 
 double plane_at(const Point<double>& p) { return 3 + p.x() - 2 * p.y(); }
@@ -55,4 +55,4 @@ TEST(Fields, AreFieldsInCopiesToo) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::fields_test

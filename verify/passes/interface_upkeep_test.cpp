@@ -19,7 +19,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc {
+namespace dsc::interface_upkeep_test {
 namespace {
 
 using test::options_for;
@@ -376,4 +376,4 @@ TEST(InterfaceOptions, AreRefusedWhereTheyMakeNoSense) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::interface_upkeep_test

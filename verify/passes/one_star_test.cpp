@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace dsc {
+namespace dsc::one_star_test {
 namespace {
 
 using test::honeycomb;
@@ -104,4 +104,4 @@ TEST(Walls, AreLeftByNoVertex) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::one_star_test

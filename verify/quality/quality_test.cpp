@@ -17,7 +17,7 @@
 #include <numbers>
 #include <string>
 
-namespace dsc {
+namespace dsc::quality_test {
 namespace {
 
 using test::grid;
@@ -321,4 +321,4 @@ TYPED_TEST(Measures, SelectTheWorstTrianglesOfAMesh) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::quality_test

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <random>
 
-namespace dsc {
+namespace dsc::ring_quality_test {
 namespace {
 
 double squared_quality(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
@@ -105,4 +105,4 @@ TEST(RingQuality, AStarThatPassesTheDelaunayTestHasNoMargin) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::ring_quality_test

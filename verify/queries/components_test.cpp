@@ -13,7 +13,7 @@
 #include <numeric>
 #include <set>
 
-namespace dsc::test {
+namespace dsc::test::components_test {
 namespace {
 
 // A grid whose squares (i, j) have the phases of the rows of `phases`, from below.
@@ -153,4 +153,4 @@ TEST(Components, AreThoseOfALiteralComputation) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::components_test

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dsc {
+namespace dsc::locate_test {
 namespace {
 
 using test::grid;
@@ -216,4 +216,4 @@ TEST(Locate, DoesNotGoInCircles) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::locate_test

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace dsc {
+namespace dsc::outlines_test {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
@@ -248,4 +248,4 @@ TEST(Outlines, HoldEachEdgeOfRandomMeshesOnce) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::outlines_test

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace dsc {
+namespace dsc::validate_embedding_test {
 namespace {
 
 using test::build;
@@ -169,4 +169,4 @@ TYPED_TEST(ValidateEmbedding, SeesComponentsThatOverlap) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::validate_embedding_test

@@ -16,7 +16,7 @@
 #include <limits>
 #include <string>
 
-namespace dsc {
+namespace dsc::validate_test {
 namespace {
 
 using test::build;
@@ -262,4 +262,4 @@ TYPED_TEST(Validate, SeesAnyOverwrittenLink) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::validate_test

@@ -11,9 +11,9 @@
 #include <cmath>
 #include <vector>
 
+namespace dsc::bare_markers_test {
 namespace {
 
-using namespace dsc;
 using reference::MarkerOptions;
 using reference::Markers;
 
@@ -165,3 +165,5 @@ TEST(BareMarkers, RefuseWhatMakesNoSense) {
 }
 
 } // namespace
+
+} // namespace dsc::bare_markers_test

@@ -18,7 +18,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dsc::test {
+namespace dsc::test::equivalence_test {
 namespace {
 
 template <class Real>
@@ -154,4 +154,4 @@ TEST(Equivalence, FloatWithReference) {
 }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::equivalence_test

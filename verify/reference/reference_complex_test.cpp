@@ -9,7 +9,7 @@
 
 #include <limits>
 
-namespace dsc::reference {
+namespace dsc::reference::reference_complex_test {
 namespace {
 
 // --- simplices and their sets [8.2]
@@ -162,4 +162,4 @@ TEST(ReferenceComplex, ArraysThereAndBack) {
 }
 
 } // namespace
-} // namespace dsc::reference
+} // namespace dsc::reference::reference_complex_test

@@ -11,7 +11,7 @@
 #include <map>
 #include <numbers>
 
-namespace dsc::reference {
+namespace dsc::reference::reference_dsc_test {
 namespace {
 
 // --- quality measures [4.3] and selection [8.8]
@@ -320,4 +320,4 @@ TEST(ReferenceDsc, EndsWhereTheWallEnds) {
 }
 
 } // namespace
-} // namespace dsc::reference
+} // namespace dsc::reference::reference_dsc_test

@@ -14,7 +14,7 @@
 
 #include <limits>
 
-namespace dsc::reference {
+namespace dsc::reference::reference_operations_test {
 namespace {
 
 // --- edge flip, algorithm 7.1
@@ -277,4 +277,4 @@ TEST(ReferenceSmoothing, Verdicts) {
 }
 
 } // namespace
-} // namespace dsc::reference
+} // namespace dsc::reference::reference_operations_test

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-namespace dsc::test {
+namespace dsc::test::triangle_collapse_equivalence_test {
 namespace {
 
 // At the default place, at a vertex, and where the centroid is in Real.
@@ -85,4 +85,4 @@ TEST(Equivalence, TriangleCollapseInDouble) { compare_many<double>(1, 1000); }
 TEST(Equivalence, TriangleCollapseInFloat) { compare_many<float>(1000001, 500); }
 
 } // namespace
-} // namespace dsc::test
+} // namespace dsc::test::triangle_collapse_equivalence_test

@@ -24,7 +24,7 @@
 
 #include <unistd.h>
 
-namespace dsc::scenes {
+namespace dsc::scenes::checkpoint_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -380,4 +380,4 @@ TEST_F(Checkpoints, AnInterruptedWriteKeepsTheOldOne) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::checkpoint_test

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc::scenes {
+namespace dsc::scenes::curvature_scenes_test {
 namespace {
 
 using std::numbers::pi;
@@ -89,4 +89,4 @@ TEST(Dumbbell, HasTheAreaOfItsOutline) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::curvature_scenes_test

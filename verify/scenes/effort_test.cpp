@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <string>
 
-namespace dsc::scenes {
+namespace dsc::scenes::effort_test {
 namespace {
 
 constexpr double most_of_sequential = 1.1;
@@ -47,4 +47,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Effort, testing::Values("swirl", "single-vortex
                          });
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::effort_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dsc::scenes {
+namespace dsc::scenes::growth_scenes_test {
 namespace {
 
 RunResult run(double h, Strategy strategy, const char* name = "grow-shrink") {
@@ -109,4 +109,4 @@ TEST(Topology, ScenesWithoutContactAreWhatTheyWere) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::growth_scenes_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dsc::scenes {
+namespace dsc::scenes::jaggedness_test {
 namespace {
 
 // What linear insertion does to a curve shows in its turns, not in its area.
@@ -26,4 +26,4 @@ TEST(Jagged, LinearInsertionIsJagged) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::jaggedness_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc::scenes {
+namespace dsc::scenes::meters_test {
 namespace {
 
 constexpr double h = 0.025;
@@ -100,4 +100,4 @@ TEST(Meters, CountTimeWithoutRoundingItStepByStep) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::meters_test

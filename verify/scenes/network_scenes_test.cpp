@@ -14,7 +14,7 @@
 #include <map>
 #include <vector>
 
-namespace dsc::scenes {
+namespace dsc::scenes::network_scenes_test {
 namespace {
 
 std::uint64_t count(const RunResult& result, EventKind kind) {
@@ -159,4 +159,4 @@ TEST(DropAndPool, TheDropIsAbsorbedInEveryStrategy) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::network_scenes_test

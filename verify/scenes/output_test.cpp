@@ -22,7 +22,7 @@
 
 #include <unistd.h>
 
-namespace dsc::scenes {
+namespace dsc::scenes::output_test {
 namespace {
 
 // Phase 1 with a hole, phase 2 in two pieces, of which one lies in the hole.
@@ -216,4 +216,4 @@ TEST(Pictures, HaveTheLayersThatAreAskedFor) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::output_test

@@ -16,7 +16,7 @@
 #include <set>
 #include <sstream>
 
-namespace dsc::scenes {
+namespace dsc::scenes::parameters_test {
 namespace {
 
 static_assert(test::is_complete(real_type_names));
@@ -299,4 +299,4 @@ TEST(Catalogue, FollowsItsParameters) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::parameters_test

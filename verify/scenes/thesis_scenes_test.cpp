@@ -17,7 +17,7 @@
 #include <array>
 #include <cmath>
 
-namespace dsc::scenes {
+namespace dsc::scenes::thesis_scenes_test {
 namespace {
 
 const Point<double> centre_of_domain(0.5, 0.5);
@@ -237,4 +237,4 @@ TEST(ThesisFrames, BeginWithAsManyTrianglesAsTheThesisWithinThreePerCent) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::thesis_scenes_test

@@ -11,10 +11,8 @@
 #include <span>
 #include <vector>
 
+namespace dsc::scenes::shapes_test {
 namespace {
-
-using namespace dsc;
-using namespace dsc::scenes;
 
 using std::numbers::pi;
 
@@ -108,3 +106,5 @@ TEST(Shapes, KeepTheirAreaCornersAndEdgeLength) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::shapes_test

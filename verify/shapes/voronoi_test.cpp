@@ -13,10 +13,8 @@
 #include <random>
 #include <set>
 
+namespace dsc::scenes::voronoi_test {
 namespace {
-
-using namespace dsc;
-using namespace dsc::scenes;
 
 using Sites = std::vector<Point<double>>;
 using Place = std::pair<double, double>;
@@ -47,7 +45,7 @@ TEST(Voronoi, ThePointsOfACellAreNearestToItsSite) {
         const double whole = (domain.high - domain.low).prod();
         EXPECT_NEAR(total_area(cells), whole, 1e-12 * whole);
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            EXPECT_TRUE(dsc::testing::is_inside(cells[i], sites[i])) << "site " << i;
+            EXPECT_TRUE(test::is_inside(cells[i], sites[i])) << "site " << i;
             EXPECT_TRUE(is_simple(cells[i])) << "site " << i;
         }
         for (int k = 0; k < 3000; ++k) {
@@ -55,7 +53,7 @@ TEST(Voronoi, ThePointsOfACellAreNearestToItsSite) {
             const double y = share(random);
             const Point<double> p =
                 domain.low + Point<double>(x, y).cwiseProduct(domain.high - domain.low);
-            EXPECT_TRUE(dsc::testing::is_inside(cells[nearest(sites, p)], p)) << p.transpose();
+            EXPECT_TRUE(test::is_inside(cells[nearest(sites, p)], p)) << p.transpose();
         }
     }
 }
@@ -328,3 +326,5 @@ TEST(VoronoiErrors, LatticesAreRefusedUnlessTheyAreHexagonal) {
 }
 
 } // namespace
+
+} // namespace dsc::scenes::voronoi_test

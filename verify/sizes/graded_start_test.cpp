@@ -20,7 +20,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc {
+namespace dsc::graded_start_test {
 namespace {
 
 constexpr double h = 0.01;
@@ -159,4 +159,4 @@ TEST(GradedStart, BadSizesAreRefused) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::graded_start_test

@@ -14,7 +14,7 @@
 #include <array>
 #include <cmath>
 
-namespace dsc {
+namespace dsc::interface_lengths_test {
 namespace {
 
 using test::Course;
@@ -166,4 +166,4 @@ TEST(InterfaceLength, IsNoShorterThanTheEdgeLengthAndNotWithoutGrowth) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::interface_lengths_test

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace dsc {
+namespace dsc::limits_test {
 namespace {
 
 // Only the first or the last vertex of the link has a low value.
@@ -60,4 +60,4 @@ TEST(SizeLimits, TheExtentIsThatOfTheVertices) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::limits_test

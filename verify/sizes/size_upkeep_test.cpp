@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace dsc {
+namespace dsc::size_upkeep_test {
 namespace {
 
 class Told : public testing::Test {
@@ -79,4 +79,4 @@ TEST_F(Told, ANewVertexBeginsWithTheMeanOfTheEndsOfItsEdge) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::size_upkeep_test

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dsc {
+namespace dsc::sizes_test {
 namespace {
 
 using test::all_courses;
@@ -240,4 +240,4 @@ TEST(Sizes, BadOptionsAreRefused) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::sizes_test

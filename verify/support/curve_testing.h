@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dsc::testing {
+namespace dsc::test {
 
 struct CurveScenery {
     std::vector<Curve> curves;
@@ -120,4 +120,4 @@ void expect_sound(const Complex<Real>& complex, const CurveScenery& scenery, dou
     expect_curves(complex, scenery);
 }
 
-} // namespace dsc::testing
+} // namespace dsc::test

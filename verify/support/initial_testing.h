@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace dsc::testing {
+namespace dsc::test {
 
 struct Scenery {
     Rectangle domain{};
@@ -160,4 +160,4 @@ inline Phase innermost_phase(const std::vector<Shape>& shapes, const Point<doubl
     return innermost != nullptr ? innermost->phase : exterior_phase;
 }
 
-} // namespace dsc::testing
+} // namespace dsc::test

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace dsc {
+namespace dsc::by_hand_test {
 namespace {
 
 std::vector<Suspect<double>> all_vertices(const Complex<double>& complex) {
@@ -74,4 +74,4 @@ TEST(ByHand, ASmallPieceGoesToWhomItBordersOnMost) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::by_hand_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dsc {
+namespace dsc::contact_check_test {
 namespace {
 
 TEST(ContactCheck, PairsWithAPhaseThatIsNotThereDoNotCount) {
@@ -23,4 +23,4 @@ TEST(ContactCheck, PairsWithAPhaseThatIsNotThereDoNotCount) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::contact_check_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace dsc {
+namespace dsc::film_rays_test {
 namespace {
 
 // A band of phase 0 from y = 1 to y = 4 between phase 1 and phase 2.
@@ -148,4 +148,4 @@ TEST(FilmRegion, IsDividedHalfway) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::film_rays_test

@@ -20,7 +20,7 @@
 #include <map>
 #include <vector>
 
-namespace dsc {
+namespace dsc::give_back_test {
 namespace {
 
 template <class Real>
@@ -225,4 +225,4 @@ TEST(GiveBack, IsTheSameForAnyNumberOfThreads) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::give_back_test

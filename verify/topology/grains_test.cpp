@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-namespace dsc {
+namespace dsc::grains_test {
 namespace {
 
 std::size_t count_phases(const Complex<double>& complex) {
@@ -84,4 +84,4 @@ TEST(Grains, CoarsenInTheSameWayForAnyNumberOfThreads) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::grains_test

@@ -21,7 +21,7 @@
 #include <set>
 #include <vector>
 
-namespace dsc {
+namespace dsc::junctions_test {
 namespace {
 
 using P = Point<double>;
@@ -210,4 +210,4 @@ TEST(Junctions, GrainsCoarsenInTheSameWayForAnyNumberOfThreads) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::junctions_test

@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-namespace dsc {
+namespace dsc::merging_test {
 namespace {
 
 using P = Point<double>;
@@ -87,4 +87,4 @@ TEST(Merging, NotesTheAreaThatCurvesSweep) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::merging_test

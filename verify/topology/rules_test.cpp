@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace dsc {
+namespace dsc::rules_test {
 namespace {
 
 using namespace test::growing_discs;
@@ -115,4 +115,4 @@ TEST(TopologyOptions, BadOnesAreRefused) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::rules_test

@@ -14,7 +14,7 @@
 #include <memory>
 #include <set>
 
-namespace dsc {
+namespace dsc::suspects_test {
 namespace {
 
 using namespace test::growing_discs;
@@ -89,4 +89,4 @@ TEST(Suspects, AreAllThatAreThinInSubmeshes) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::suspects_test

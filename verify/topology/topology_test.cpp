@@ -23,7 +23,7 @@
 #include <numbers>
 #include <vector>
 
-namespace dsc {
+namespace dsc::topology_test {
 namespace {
 
 using namespace test::growing_discs;
@@ -342,4 +342,4 @@ TEST(Topology, WhatVanishesIsNotLeftBehind) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::topology_test

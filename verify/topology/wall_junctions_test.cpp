@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-namespace dsc {
+namespace dsc::wall_junctions_test {
 namespace {
 
 using test::cells_of;
@@ -257,4 +257,4 @@ TEST(WallJunctions, APieceVanishesBelowTheLeastArea) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::wall_junctions_test

@@ -11,7 +11,7 @@
 #include "dsc/queries/locate.h"
 #include "dsc/topology/region.h"
 
-namespace dsc {
+namespace dsc::wide_contact_test {
 namespace {
 
 using test::count;
@@ -325,4 +325,4 @@ TEST(WideContactOf, AShrunkenPhaseIsNotRefused) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::wide_contact_test

@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace dsc {
+namespace dsc::wide_fuzz_test {
 namespace {
 
 using test::Dice;
@@ -129,4 +129,4 @@ TEST(WideFuzz, EveryStepEndsWithAValidComplex) {
 TEST(WideFuzz, JunctionsThatStayTwo) { (void)in_threads<double>(274); }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::wide_fuzz_test

@@ -3,7 +3,7 @@
 // shapes wider than that, sheets that move apart.
 #include "support/topology/wide_contact.h"
 
-namespace dsc {
+namespace dsc::wide_rest_test {
 namespace {
 
 using test::count;
@@ -120,4 +120,4 @@ TEST(WideContactOfNone, AFilamentThatIsDrawnOut) {
 }
 
 } // namespace
-} // namespace dsc
+} // namespace dsc::wide_rest_test

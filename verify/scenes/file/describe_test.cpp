@@ -13,7 +13,7 @@
 #include <bit>
 #include <cmath>
 
-namespace dsc::scenes {
+namespace dsc::scenes::describe_test {
 namespace {
 
 constexpr int described_steps = 4;
@@ -199,4 +199,4 @@ TEST(Describe, RefusesAFlowWithoutAName) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::describe_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace dsc::scenes {
+namespace dsc::scenes::examples_test {
 namespace {
 
 std::vector<std::string> names_of_examples() {
@@ -80,4 +80,4 @@ TEST(Examples, AreWhatTheyShow) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::examples_test

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace dsc::scenes {
+namespace dsc::scenes::figure_limits_test {
 namespace {
 
 /// Lines 1 to 4 of what follows.
@@ -94,4 +94,4 @@ TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::figure_limits_test

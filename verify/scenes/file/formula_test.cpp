@@ -15,7 +15,7 @@
 #include <random>
 #include <thread>
 
-namespace dsc::scenes {
+namespace dsc::scenes::formula_test {
 namespace {
 
 using std::numbers::pi;
@@ -244,4 +244,4 @@ TEST(Formula, ParametersHaveNamesOfTheirOwn) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::formula_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace dsc::scenes {
+namespace dsc::scenes::grid_test {
 namespace {
 
 Point<double> linear_field(double x, double y, double t) {
@@ -196,4 +196,4 @@ TEST(GridNpy, RefusesWhatItIsNot) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::grid_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc::scenes {
+namespace dsc::scenes::outline_sources_test {
 namespace {
 
 using std::numbers::pi;
@@ -228,4 +228,4 @@ TEST(GeoJson, RefusesWhatItIsNot) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::outline_sources_test

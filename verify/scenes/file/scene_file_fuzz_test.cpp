@@ -25,7 +25,7 @@
 #include <functional>
 #include <random>
 
-namespace dsc::scenes {
+namespace dsc::scenes::scene_file_fuzz_test {
 namespace {
 
 /// First complexes are made of scenes up to this size.
@@ -229,4 +229,4 @@ TEST(NamedFileFuzz, EndsWithAResultOrAnError) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::scene_file_fuzz_test

@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace dsc::scenes {
+namespace dsc::scenes::scene_file_test {
 namespace {
 
 /// Lines 1 to 4 of what follows.
@@ -356,4 +356,4 @@ TEST(SceneFile, IsWhatHasASlashOrEndsInToml) {
 }
 
 } // namespace
-} // namespace dsc::scenes
+} // namespace dsc::scenes::scene_file_test
