@@ -21,7 +21,7 @@ namespace {
 /// junctions exchange their neighbours, much of what one triangle takes the next one gives.
 constexpr double same_place = 4;
 /// How far a vertex may move, in edge lengths: too little to close or open anything.
-constexpr double farthest = 0.1;
+constexpr double farthest_move = 0.1;
 /// Fewer vertices would make a bump.
 constexpr std::size_t fewest_vertices = 6;
 /// The search for an interface of the two phases ends after so many vertices.
@@ -51,7 +51,7 @@ class GiveBack {
 public:
     explicit GiveBack(TopologyWork<Real>& work)
         : work_(work), complex_(work.complex), submesh_(whole_submesh(work.complex)),
-          farthest_(farthest * static_cast<double>(work.edge_length)) {}
+          farthest_(farthest_move * static_cast<double>(work.edge_length)) {}
 
     AreaAccount run() {
         AreaAccount account;
