@@ -25,8 +25,8 @@ template <class Real>
 
 /// Whether the polyline turns by less than the angle of this cosine at `at`.
 template <class Real>
-[[nodiscard]] bool turns_less(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
-                              Real cosine) {
+[[nodiscard, gnu::always_inline]] inline bool
+turns_less(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to, Real cosine) {
     // In scalars: a vector load waits for two scalar stores, if the points have just been made.
     const Real in_x = at.x() - from.x();
     const Real in_y = at.y() - from.y();

@@ -7,6 +7,9 @@
 #include "dsc/topology/give_back.h"
 #include "dsc/topology/junctions/junctions.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace dsc {
 
 template <class Real>
@@ -18,12 +21,18 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
                             .edge_length = edge_length,
                             .time = time,
                             .events = events};
+    // Most suspects have a thin triangle that bridges nothing: they count once something else has
+    // changed.
+    std::vector<Suspect<Real>> notable;
+    std::ranges::copy_if(suspects, std::back_inserter(notable), [](const Suspect<Real>& suspect) {
+        return suspect.is_facing || suspect.is_sharp;
+    });
     if (is_wide(largest_contact(options, edge_length), edge_length)) {
         open_wide_films(work, suspects);
     }
-    open_films(work, suspects);
-    change_junctions(work, suspects);
-    remove_remnants(work, suspects);
+    open_films<Real>(work, suspects, notable);
+    change_junctions<Real>(work, notable);
+    remove_remnants<Real>(work, notable);
     take_touched_apart(work);
     return give_back(work);
 }

@@ -21,29 +21,36 @@ struct Suspect {
 };
 
 /// True if the smallest height of a triangle of the star is below the contact distance: its area
-/// doubled is the height times the longest edge. All lanes at once; O(degree).
+/// doubled is the height times the longest edge. In whole lanes; O(degree).
 template <class Real>
-[[nodiscard]] bool has_thin_triangle(const Ring<Real>& ring, Real contact_squared) {
-    Real least = std::numeric_limits<Real>::max();
-    const std::uint32_t n = ring.padded();
-    const Real* x = ring.x.data();
-    const Real* y = ring.y.data();
-    const Real* x_next = ring.x_next.data();
-    const Real* y_next = ring.y_next.data();
+[[nodiscard, gnu::always_inline]] inline bool has_thin_triangle(const Ring<Real>& ring,
+                                                                Real contact_squared) {
+    const Real x0 = ring.x0;
+    const Real y0 = ring.y0;
+    for (std::uint32_t first = 0; first < ring.size; first += Ring<Real>::lanes) {
+        const Real* x = ring.x.data() + first;
+        const Real* y = ring.y.data() + first;
+        const Real* x_next = ring.x_next.data() + first;
+        const Real* y_next = ring.y_next.data() + first;
+        Real least = std::numeric_limits<Real>::max();
 #pragma omp simd reduction(min : least)
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = x[i] - ring.x0;
-        const Real ay = y[i] - ring.y0;
-        const Real bx = x_next[i] - ring.x0;
-        const Real by = y_next[i] - ring.y0;
-        const Real doubled = ax * by - ay * bx;
-        const Real cx = bx - ax;
-        const Real cy = by - ay;
-        const Real longest =
-            std::max(std::max(ax * ax + ay * ay, bx * bx + by * by), cx * cx + cy * cy);
-        least = std::min(least, doubled * doubled - contact_squared * longest);
+        for (std::uint32_t i = 0; i < Ring<Real>::lanes; ++i) {
+            const Real ax = x[i] - x0;
+            const Real ay = y[i] - y0;
+            const Real bx = x_next[i] - x0;
+            const Real by = y_next[i] - y0;
+            const Real doubled = ax * by - ay * bx;
+            const Real cx = bx - ax;
+            const Real cy = by - ay;
+            const Real longest =
+                std::max(std::max(ax * ax + ay * ay, bx * bx + by * by), cx * cx + cy * cy);
+            least = std::min(least, doubled * doubled - contact_squared * longest);
+        }
+        if (least < 0) {
+            return true;
+        }
     }
-    return least < 0;
+    return false;
 }
 
 /// Whether two successive vertices of the link are of the interface: only then can an edge opposite

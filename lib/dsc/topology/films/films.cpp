@@ -30,15 +30,21 @@ public:
         most_squared_ = static_cast<Real>(1 + rounding) * contact * contact;
     }
 
-    void run(std::span<const Suspect<Real>> suspects) {
+    void run(std::span<const Suspect<Real>> suspects, std::span<const Suspect<Real>> notable) {
+        // Which stars face a sheet was seen before anything changed.
+        if (work_.touched.empty()) {
+            find_near(notable, &Suspect<Real>::is_facing);
+        } else {
+            find_near(suspects, &Suspect<Real>::is_thin);
+        }
+        if (near_.empty()) {
+            return;
+        }
         Bridge<Real> bridge{};
         for (std::size_t i = 0; i < suspects.size(); ++i) {
             complex_.vertices[suspects[i].vertex].slot = static_cast<std::uint32_t>(i);
         }
         const std::size_t before = work_.events.size();
-        // Which stars face a sheet was seen before anything changed.
-        find_near(suspects,
-                  work_.touched.empty() ? &Suspect<Real>::is_facing : &Suspect<Real>::is_thin);
         const auto opens = [&](Triangle t) { return find_bridge(work_, suspects, t, bridge); };
         for (const Triangle t : thin_triangles(opens)) {
             if (is_thin(work_, t) && opens(t)) { // those before it may have closed it
@@ -343,11 +349,14 @@ private:
 } // namespace
 
 template <class Real>
-void open_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
-    Films<Real>(work).run(suspects);
+void open_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects,
+                std::span<const Suspect<Real>> notable) {
+    Films<Real>(work).run(suspects, notable);
 }
 
-template void open_films(TopologyWork<double>&, std::span<const Suspect<double>>);
-template void open_films(TopologyWork<float>&, std::span<const Suspect<float>>);
+template void open_films(TopologyWork<double>&, std::span<const Suspect<double>>,
+                         std::span<const Suspect<double>>);
+template void open_films(TopologyWork<float>&, std::span<const Suspect<float>>,
+                         std::span<const Suspect<float>>);
 
 } // namespace dsc
