@@ -92,7 +92,7 @@ await_quiet() {
 run_benchmarks() {
     local result=$report/bench.json code=0
     say "benchmarks"
-    # OMP_PROC_BIND would bind this process, and with it the workers of the pool, to one core.
+    # OMP_PROC_BIND would keep the calling thread on one core, which others may need.
     env -u OMP_PROC_BIND "$bench" "${bench_options[@]}" \
         --benchmark_out="$result.part" --benchmark_out_format=json \
         "${user_options[@]}" </dev/null || code=$?

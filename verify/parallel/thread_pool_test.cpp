@@ -11,9 +11,14 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 #include <thread>
 #include <vector>
+
+#if defined(__linux__)
+#include <sched.h>
+#endif
 
 namespace dsc::thread_pool_test {
 namespace {
@@ -124,6 +129,42 @@ TEST(ThreadPool, SleepsAtOnceWhereWaitingIsToBePassive) {
         ASSERT_EQ(setenv("OMP_WAIT_POLICY", kept.c_str(), 1), 0);
     }
 }
+
+#if defined(__linux__)
+int cores_of_this_thread() {
+    cpu_set_t allowed;
+    return sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? CPU_COUNT(&allowed) : -1;
+}
+
+// All that the system gives to the process, whatever the thread was bound to before.
+int cores_of_the_process() {
+    int cores = 0;
+    std::thread([&] {
+        cpu_set_t all;
+        std::memset(&all, 0xff, sizeof all);
+        sched_setaffinity(0, sizeof all, &all);
+        cores = cores_of_this_thread();
+    }).join();
+    return cores;
+}
+
+// Run once more with OMP_PROC_BIND set, which binds the thread that calls.
+TEST(ThreadPool, LetsWorkersUseAllCoresWhereOpenMPBindsTheCaller) {
+    const bool is_bound = std::getenv("OMP_PROC_BIND") != nullptr;
+    ThreadPool pool;
+    pool.start(2);
+    std::atomic<int> cores = 0;
+    pool.run(2, [&](std::uint32_t thread) {
+        if (thread == 1) {
+            cores = cores_of_this_thread();
+        }
+        for (WaitingTurns turns; thread == 0 && cores == 0;) {
+            turns.wait();
+        }
+    });
+    EXPECT_EQ(cores, is_bound ? cores_of_the_process() : cores_of_this_thread());
+}
+#endif
 
 // A machine on which a step of one unit of work takes `seconds(threads)`.
 struct Machine {

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <exception>
 #include <string_view>
-#include <system_error>
 
 namespace dsc {
 
@@ -41,17 +41,24 @@ ThreadPool::ThreadPool(std::chrono::microseconds awake) : awake_(awake) {}
 
 void ThreadPool::start(std::uint32_t threads) {
     callers_core_.store(current_core(), std::memory_order_relaxed);
-    for (std::uint32_t thread = size(); thread < threads && !is_refused_; ++thread) {
-        auto worker = std::make_unique<Worker>();
-        worker->number = thread - 1;
+    if (threads <= size() || is_refused_) {
+        return;
+    }
+    const std::vector<int> cores = cores_of_openmp();
+    for (std::uint32_t thread = size(); thread < threads; ++thread) {
+        workers_.push_back(std::make_unique<Worker>());
+        Worker& worker = *workers_.back();
+        worker.number = thread - 1;
         try {
-            worker->thread =
-                std::thread([this, thread, one = worker.get()] { serve(thread, *one); });
-        } catch (const std::system_error&) {
+            worker.thread = std::thread([this, thread, &worker, cores] {
+                use_cores(cores);
+                serve(thread, worker);
+            });
+        } catch (const std::exception&) {
+            workers_.pop_back();
             is_refused_ = true; // the others do its work
             break;
         }
-        workers_.push_back(std::move(worker));
     }
 }
 
