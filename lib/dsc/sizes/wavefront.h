@@ -27,8 +27,11 @@ Real least_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_
     const Real sideways = std::sqrt(std::max(Real(0), squared - rise * rise));
     const Real foot = along * sideways - across * rise; // over sideways: along the edge
     const Real value = value_a + slope * (rise * along + sideways * across) / squared;
-    return ((foot > 0) & (foot < squared * sideways)) ? value
-                                                      : std::numeric_limits<Real>::infinity();
+    // A choice between constants: between computed values it would become a branch, and a loop over
+    // lanes no loop over vectors.
+    constexpr Real infinity = std::numeric_limits<Real>::infinity();
+    const Real bound = std::min(foot, squared * sideways - foot) > 0 ? -infinity : infinity;
+    return std::max(bound, value);
 }
 
 /// The values at the link of a ring: as the ring's coordinates, padded, with those of the next link
@@ -42,17 +45,14 @@ struct LinkValues {
     template <class Value>
     void take(const Ring<Real>& ring, Value value) {
         const std::uint32_t n = ring.size;
-        for (std::uint32_t i = 0; i < n; ++i) {
-            at[i] = value(ring.link[i]);
-            next[i > 0 ? i - 1 : n - 1] = at[i];
-        }
-        if (!ring.closed) {
-            at[n] = value(ring.link[n]);
-            next[n - 1] = at[n];
+        at[0] = value(ring.link[0]);
+        for (std::uint32_t i = 1; i <= n; ++i) { // the last one of an open ring is not padding
+            const Real there = value(ring.link[i]);
+            at[i] = there;
+            next[i - 1] = there;
         }
         for (std::uint32_t i = n; i < ring.padded(); ++i) {
-            // The last value of an open ring is not padding.
-            at[i] = ring.closed || i > n ? at[0] : at[i];
+            at[i + 1] = at[0];
             next[i] = next[0];
         }
     }
