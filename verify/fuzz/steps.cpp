@@ -28,7 +28,7 @@ namespace {
 using test::Dice;
 
 constexpr int steps = 4;
-constexpr std::size_t most_edits = 10'000; // torn flows make interfaces of any length
+constexpr std::size_t enough_edits = 10'000; // torn flows make interfaces of any length
 
 template <class Real>
 Complex<Real> draw_complex(Dice& dice, double h) {
@@ -162,10 +162,10 @@ std::uint64_t run_scene(Dice& dice) {
     simulation->interrupt_by(&is_enough);
     simulation->add_listener([&](std::span<const Edit> some) {
         edits.insert(edits.end(), some.begin(), some.end());
-        is_enough = edits.size() > most_edits;
+        is_enough = edits.size() > enough_edits;
     });
     std::uint64_t examined = 0;
-    for (int i = 0; i < steps && !is_enough && examined < most_edits; ++i) {
+    for (int i = 0; i < steps && !is_enough && examined < enough_edits; ++i) {
         const StepReport report =
             step(*simulation, static_cast<Real>(i * dt), static_cast<Real>(dt));
         check(complex, *simulation, options, report);
