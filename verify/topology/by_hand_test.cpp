@@ -67,7 +67,8 @@ TEST(ByHand, ASmallPieceGoesToWhomItBordersOnMost) {
         options.pairs = {{.one = 2, .other = 3, .rule = Topology::keep}};
         std::vector<Event> events;
         const double before = area_of_phase(complex, most);
-        change_topology<double>(complex, options, 1.0, all_vertices(complex), 0, events);
+        std::vector<Suspect<double>> suspects = all_vertices(complex);
+        change_topology<double>(complex, options, 1.0, suspects, 0, events);
         EXPECT_EQ(area_of_phase(complex, 1), 0);
         EXPECT_NEAR(area_of_phase(complex, most), before + 0.5, 1e-12);
     }

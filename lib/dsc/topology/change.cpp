@@ -8,13 +8,12 @@
 #include "dsc/topology/junctions/junctions.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace dsc {
 
 template <class Real>
 AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>& options,
-                            Real edge_length, std::span<const Suspect<Real>> suspects, double time,
+                            Real edge_length, std::span<Suspect<Real>> suspects, double time,
                             std::vector<Event>& events) {
     TopologyWork<Real> work{.complex = complex,
                             .options = options,
@@ -23,12 +22,12 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
                             .events = events};
     // Most suspects have a thin triangle that bridges nothing: they count once something else has
     // changed.
-    std::vector<Suspect<Real>> notable;
-    std::ranges::copy_if(suspects, std::back_inserter(notable), [](const Suspect<Real>& suspect) {
+    const auto others = std::ranges::partition(suspects, [](const Suspect<Real>& suspect) {
         return suspect.is_facing || suspect.is_sharp;
     });
+    const std::span<const Suspect<Real>> notable(suspects.begin(), others.begin());
     if (is_wide(largest_contact(options, edge_length), edge_length)) {
-        open_wide_films(work, suspects);
+        open_wide_films<Real>(work, suspects);
     }
     open_films<Real>(work, suspects, notable);
     change_junctions<Real>(work, notable);
@@ -38,8 +37,8 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
 }
 
 template AreaAccount change_topology(Complex<double>&, const TopologyOptions<double>&, double,
-                                     std::span<const Suspect<double>>, double, std::vector<Event>&);
+                                     std::span<Suspect<double>>, double, std::vector<Event>&);
 template AreaAccount change_topology(Complex<float>&, const TopologyOptions<float>&, float,
-                                     std::span<const Suspect<float>>, double, std::vector<Event>&);
+                                     std::span<Suspect<float>>, double, std::vector<Event>&);
 
 } // namespace dsc
