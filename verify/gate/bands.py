@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""bands.py DSC_SCENE LIMITS_JSON: writes the limits of the parallel checks anew.
+"""bands.py DSC_SCENE LIMITS_JSON: writes the limits of the parallel checks anew, and those of the
+histograms against the reference.
 
 How far may a parallel run be from the sequential one? As far as two sequential runs are from each
 other that take the interface in different orders: each scene is run as it is and in fifty shuffled
 orders (--set seed=1..50), and the largest distance between any two of these runs, a tenth added, is
-the limit. To be run by hand when the
+the limit. The order changes how far a coarse run is from the reference by a factor of two as well, so
+that the farthest of these orders, a tenth added, is the limit there. To be run by hand when the
 algorithm changes; the gate itself never writes limits. Standard library only."""
 import itertools
 import json
@@ -18,6 +20,10 @@ import tempfile
 SEEDS = range(1, 51)
 MARGIN = 0.1
 # Runs of rigid motions end on the exact shape to rounding, in any order.
+# The coarse runs that are compared with the reference: those of runs.cpp.
+COARSE = ("h=0.05", "longest=1.4", "shortest=0.45", "deviation=0.02")
+AGAINST_REFERENCE = {"scaling": (), "translation": (), "rotation-rectangle": (),
+                     "speedup-four-circles": (), "swirl": (), "single-vortex": ("period=2",)}
 LEAST = {"parallel_area": 1e-12, "parallel_symmetric_difference": 1e-12}
 
 
@@ -26,10 +32,11 @@ def scenes(program):
     return [line.split()[0] for line in listed.splitlines() if line.strip()]
 
 
-def run(program, scene, seed):
+def run(program, scene, seed, settings=(), strategy="sequential"):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "result.json")
-        subprocess.run([program, "run", scene, "--set", f"seed={seed}", "--json", path],
+        chosen = [word for one in (f"seed={seed}", *settings) for word in ("--set", one)]
+        subprocess.run([program, "run", scene, *chosen, "--strategy", strategy, "--json", path],
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
         with open(path, encoding="utf-8") as stream:
             return json.load(stream)
@@ -78,6 +85,24 @@ def limit(name, values):
             "note": f"any two of {orders} differ by up to {max(values):.3g}; a tenth above"}
 
 
+def limit_against_reference(values):
+    return {"value": rounded(max(values) * (1 + MARGIN), True),
+            "note": f"in {len(values)} orders of the interface the library differs from the "
+                    f"reference by up to {max(values):.3g}; a tenth above"}
+
+
+def write_reference(program, limits):
+    for scene, more in AGAINST_REFERENCE.items():
+        settings = (*COARSE, *more)
+        literal = run(program, scene, 0, settings, "reference")["histograms"]
+        runs = [run(program, scene, seed, settings)["histograms"] for seed in (0, *SEEDS)]
+        for quantity in ("area", "quality"):
+            name = f"reference_{quantity}_histogram"
+            limits[name][scene] = limit_against_reference(
+                [distance(one[quantity], literal[quantity]) for one in runs])
+            print(f"{name} {scene}: {limits[name][scene]['value']}")
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
@@ -93,6 +118,7 @@ def main():
             values = [one[name] for one in found]
             data["limits"].setdefault(name, {})[scene] = limit(name, values)
             print(f"{name} {scene}: {data['limits'][name][scene]['value']}")
+    write_reference(program, data["limits"])
     with open(path + ".part", "w", encoding="utf-8") as stream:
         json.dump(data, stream, indent=2)
         stream.write("\n")
