@@ -65,7 +65,7 @@ std::uint64_t move_missed_of(Work<Real>& work, const std::vector<Pass<Real>>& pa
                              std::uint32_t& next_epoch) {
     const std::size_t missed = work.missed.size();
     std::erase_if(work.missed, [&](const Mover<Real>& mover) {
-        return moved_among<Real>(work.complex, work.options, {&mover.vertex, 1}).empty();
+        return !is_moved(work.complex, work.options, Vertex{mover.vertex});
     });
     if (work.missed.empty()) {
         return missed;
@@ -169,6 +169,7 @@ void SequentialExecutor<Real>::begin_step() {
     }
     ++steps_;
     work_.topology_suspects.clear(); // of a sub-step that gave up
+    work_.changed_interface.clear(); // there is no other list that would read it
 }
 
 template <class Real>

@@ -250,7 +250,13 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     tell_what_was_done(); // a sub-step that gives up has done its upkeep
     report.operations = executor_->take_counts();
     report.reached = static_cast<double>(time);
-    report.interface_vertices = static_cast<std::uint32_t>(interface_size());
+    if (options_.carried_phases.empty()) {
+        report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());
+    } else { // as `interface_size`, in room that is kept
+        to_sweep_.clear();
+        executor_->append_interface(to_sweep_);
+        report.interface_vertices = count_on_interface<Real>(complex_, to_sweep_);
+    }
     return report;
 }
 

@@ -152,7 +152,7 @@ private:
     std::vector<EventListener> event_listeners_;
     std::vector<Suspect<Real>> suspects_; ///< scratch of change_topology
     std::uint32_t swept_ = 0;             ///< the vertex at which the slow sweep goes on
-    std::vector<std::uint32_t> to_sweep_; ///< scratch of sweep
+    std::vector<std::uint32_t> to_sweep_; ///< scratch of sweep, and of the count of the interface
     std::size_t absorbed_ = 0;            ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;
     Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`

@@ -6,6 +6,7 @@
 #include "dsc/passes/interface/carried.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace dsc {
 
@@ -82,6 +83,12 @@ void wake(Work<Real>& work, std::span<const Edit> edits) {
 
 std::vector<std::uint32_t> interface_changes(std::span<const Edit> edits) {
     std::vector<std::uint32_t> changed;
+    find_interface_changes(edits, changed);
+    return changed;
+}
+
+void find_interface_changes(std::span<const Edit> edits, std::vector<std::uint32_t>& changed) {
+    changed.clear();
     const auto add = [&](std::initializer_list<Vertex> vertices) {
         for (const Vertex v : vertices) {
             if (v.is_valid()) {
@@ -111,24 +118,36 @@ std::vector<std::uint32_t> interface_changes(std::span<const Edit> edits) {
     }
     std::ranges::sort(changed);
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    return changed;
 }
 
 void take_off(std::vector<std::uint32_t>& list, std::span<const std::uint32_t> changed) {
     std::erase_if(list, [&](std::uint32_t v) { return std::ranges::binary_search(changed, v); });
 }
 
+namespace {
+
+template <class Real>
+bool is_listed_on(const Complex<Real>& complex, std::uint32_t v) {
+    return complex.is_alive(Vertex{v}) && complex.vertices[v].corner != no_id &&
+           is_interface(complex, Vertex{v});
+}
+
+} // namespace
+
 template <class Real>
 std::vector<std::uint32_t> on_interface(const Complex<Real>& complex,
                                         std::span<const std::uint32_t> changed) {
     std::vector<std::uint32_t> on;
-    for (const std::uint32_t v : changed) {
-        if (complex.is_alive(Vertex{v}) && complex.vertices[v].corner != no_id &&
-            is_interface(complex, Vertex{v})) {
-            on.push_back(v);
-        }
-    }
+    std::ranges::copy_if(changed, std::back_inserter(on),
+                         [&](std::uint32_t v) { return is_listed_on(complex, v); });
     return on;
+}
+
+template <class Real>
+std::uint32_t count_on_interface(const Complex<Real>& complex,
+                                 std::span<const std::uint32_t> list) {
+    return static_cast<std::uint32_t>(
+        std::ranges::count_if(list, [&](std::uint32_t v) { return is_listed_on(complex, v); }));
 }
 
 namespace {
@@ -174,13 +193,17 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
     if (!pass.attends) {
         wake(work, reading.edits());
     }
-    const std::vector<std::uint32_t> changed = interface_changes(reading.edits());
+    std::vector<std::uint32_t>& changed = work.changed;
+    find_interface_changes(reading.edits(), changed);
     if (changed.empty()) {
         return;
     }
     take_off(work.interface, changed);
-    const std::vector<std::uint32_t> on = moved_among(work.complex, work.options, changed);
-    work.interface.insert(work.interface.end(), on.begin(), on.end());
+    for (const std::uint32_t v : changed) {
+        if (is_moved(work.complex, work.options, Vertex{v})) {
+            work.interface.push_back(v);
+        }
+    }
     work.changed_interface.insert(work.changed_interface.end(), changed.begin(), changed.end());
 }
 
@@ -188,6 +211,8 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
     template void wake(Work<Real>&, std::span<const Edit>);                                        \
     template std::vector<std::uint32_t> on_interface(const Complex<Real>&,                         \
                                                      std::span<const std::uint32_t>);              \
+    template std::uint32_t count_on_interface(const Complex<Real>&,                                \
+                                              std::span<const std::uint32_t>);                     \
     template void run_pass(Work<Real>&, const Pass<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -23,6 +23,8 @@ void wake(Work<Real>& work, std::span<const Edit> edits);
 /// The vertices that the edits may have put on the interface, or taken off it; ascending, once
 /// each. Empty for most edits, which are inside a phase. O(edits log edits).
 [[nodiscard]] std::vector<std::uint32_t> interface_changes(std::span<const Edit> edits);
+/// The same in place of what a list holds, whose room is used again.
+void find_interface_changes(std::span<const Edit> edits, std::vector<std::uint32_t>& changed);
 
 /// Removes the vertices in `changed` (ascending) from the list. O(list log changed).
 void take_off(std::vector<std::uint32_t>& list, std::span<const std::uint32_t> changed);
@@ -31,6 +33,11 @@ void take_off(std::vector<std::uint32_t>& list, std::span<const std::uint32_t> c
 template <class Real>
 [[nodiscard]] std::vector<std::uint32_t> on_interface(const Complex<Real>& complex,
                                                       std::span<const std::uint32_t> changed);
+
+/// How many of a list are on the interface now. O(their degrees).
+template <class Real>
+[[nodiscard]] std::uint32_t count_on_interface(const Complex<Real>& complex,
+                                               std::span<const std::uint32_t> list);
 
 /// Runs a pass, and reads its log unless the pass attends to its own edits: calls `wake`, and
 /// applies the changes of the interface to `work.interface`, noting them in

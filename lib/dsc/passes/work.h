@@ -83,6 +83,7 @@ struct Work {
     Ring<Real> other_ring;                     ///< and a second one
     std::vector<Corner> suspects;              ///< edges to be tested for the Delaunay condition
     std::vector<std::uint32_t> interface_next; ///< of the interface list, while it is rebuilt
+    std::vector<std::uint32_t> changed;        ///< on the interface, by the pass that was run last
 
     /// Puts a vertex into the active set, unless it is there already.
     void activate(std::uint32_t vertex) {

@@ -120,7 +120,8 @@ void bucket_triangles(CopiedSubmeshes<Real>& submeshes) {
     }
     submeshes.by_submesh.resize(ends.back());
     submeshes.local_triangle.assign(submeshes.number.size(), border_triangle);
-    const std::vector<std::size_t> begins = ends;
+    auto& begins = submeshes.begins;
+    begins = ends;
     for (std::uint32_t t = 1; t < submeshes.number.size(); ++t) {
         const std::uint32_t i = submeshes.number[t];
         if (i != no_id) {

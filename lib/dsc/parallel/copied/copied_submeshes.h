@@ -85,6 +85,7 @@ struct CopiedSubmeshes {
     };
     std::vector<Key> keys;                     ///< of all triangles
     std::vector<std::size_t> cuts;             ///< into `keys`: where each share begins
+    std::vector<std::size_t> begins;           ///< into `by_submesh`, by submesh
     std::vector<std::uint32_t> local_triangle; ///< by triangle of the mesh: its id in its submesh
     std::vector<std::uint32_t> by_submesh;     ///< triangles of the mesh, submesh by submesh
     std::vector<std::uint32_t> order;          ///< of the copied entries of the attributes

@@ -25,6 +25,7 @@ void forget(Work<Real>& work) {
     work.active.clear();
     work.resized.clear();
     work.deferred.clear();
+    work.changed_interface.clear(); // nobody reads it here
 }
 
 } // namespace

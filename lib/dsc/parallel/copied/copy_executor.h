@@ -60,6 +60,7 @@ public:
     void begin_step() override {
         ++costs_.steps;
         whole_.topology_suspects.clear(); // of a sub-step that gave up
+        whole_.changed_interface.clear(); // there is no other list that would read it
     }
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;

@@ -85,7 +85,8 @@ std::uint64_t SubmeshExecutor<Real>::move_missed() {
 // Passes of an application may have changed the interface in a part listed by another submesh.
 template <class Real>
 void SubmeshExecutor<Real>::collect_changes() {
-    std::vector<std::uint32_t> changed;
+    std::vector<std::uint32_t>& changed = whole_.changed;
+    changed.clear();
     const auto take = [&](Work<Real>& work) {
         changed.insert(changed.end(), work.changed_interface.begin(), work.changed_interface.end());
         work.changed_interface.clear();
@@ -112,8 +113,10 @@ void SubmeshExecutor<Real>::change_interface(std::span<const std::uint32_t> chan
         take_off(parts_[i]->work.interface, changed);
     }
     take_off(whole_.interface, changed);
-    for (const std::uint32_t v : moved_among(complex_, options_, changed)) {
-        (parts_.empty() ? whole_ : owner_of(v).work).interface.push_back(v);
+    for (const std::uint32_t v : changed) {
+        if (is_moved(complex_, options_, Vertex{v})) {
+            (parts_.empty() ? whole_ : owner_of(v).work).interface.push_back(v);
+        }
     }
 }
 

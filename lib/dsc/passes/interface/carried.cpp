@@ -43,13 +43,18 @@ std::vector<std::uint32_t> collect_moved(const Complex<Real>& complex,
 }
 
 template <class Real>
+bool is_moved(const Complex<Real>& complex, const Options<Real>& options, Vertex vertex) {
+    return complex.is_alive(vertex) && complex.vertices[vertex.id].corner != no_id &&
+           (is_interface(complex, vertex) ||
+            is_carried<Real>(complex, options.carried_phases, vertex));
+}
+
+template <class Real>
 std::vector<std::uint32_t> moved_among(const Complex<Real>& complex, const Options<Real>& options,
                                        std::span<const std::uint32_t> changed) {
     std::vector<std::uint32_t> moved;
     for (const std::uint32_t v : changed) {
-        if (complex.is_alive(Vertex{v}) && complex.vertices[v].corner != no_id &&
-            (is_interface(complex, Vertex{v}) ||
-             is_carried<Real>(complex, options.carried_phases, Vertex{v}))) {
+        if (is_moved(complex, options, Vertex{v})) {
             moved.push_back(v);
         }
     }
@@ -59,6 +64,7 @@ std::vector<std::uint32_t> moved_among(const Complex<Real>& complex, const Optio
 #define DSC_INSTANTIATE(Real)                                                                      \
     template bool is_carried(const Complex<Real>&, std::span<const Phase>, Vertex);                \
     template std::vector<std::uint32_t> collect_moved(const Complex<Real>&, const Options<Real>&); \
+    template bool is_moved(const Complex<Real>&, const Options<Real>&, Vertex);                    \
     template std::vector<std::uint32_t> moved_among(const Complex<Real>&, const Options<Real>&,    \
                                                     std::span<const std::uint32_t>);
 DSC_INSTANTIATE(double)

@@ -23,6 +23,12 @@ template <class Real>
 [[nodiscard]] std::vector<std::uint32_t> collect_moved(const Complex<Real>& complex,
                                                        const Options<Real>& options);
 
+/// Whether a flow moves this vertex now: it lives, in a triangle, on the interface or carried.
+/// O(degree).
+template <class Real>
+[[nodiscard]] bool is_moved(const Complex<Real>& complex, const Options<Real>& options,
+                            Vertex vertex);
+
 /// Those among `changed` that a flow moves now. O(their degrees).
 template <class Real>
 [[nodiscard]] std::vector<std::uint32_t> moved_among(const Complex<Real>& complex,
