@@ -83,6 +83,10 @@ void expect_usual_effort(const RunResult& result) {
                          static_cast<double>(result.operations.at("moves"));
     EXPECT_LE(stars, most_of_usual * usual->stars) << "stars examined for each move";
     EXPECT_GE(stars, usual->stars / most_of_usual) << "usual_efforts.h is out of date";
+    const double passes = result.passes_per_vertex_step;
+    const double most = is_parallel(result.strategy) ? most_passes_in_submeshes : most_of_usual;
+    EXPECT_LE(passes, most * usual->passes) << "passes for each vertex and step";
+    EXPECT_GE(passes, usual->passes / most_of_usual) << "usual_efforts.h is out of date";
 }
 
 TEST_P(EveryScene, IsValidAfterEveryStep) {

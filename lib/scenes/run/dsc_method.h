@@ -195,6 +195,7 @@ private:
             result.carried = carried_->look();
         }
         vertex_steps_ += report.interface_vertices;
+        result.vertex_passes += std::uint64_t{report.passes} * report.interface_vertices;
         add_operations(result, report.operations);
         result.area += report.area;
         result.events.insert(result.events.end(), report.events.begin(), report.events.end());

@@ -158,6 +158,7 @@ std::string to_json(const RunResult& r) {
         {"wall_s", r.wall_s},
         {"step_us_median", r.step_us_median},
         {"us_per_vertex_step", r.us_per_vertex_step},
+        {"passes_per_vertex_step", finite(r.passes_per_vertex_step)},
         {"peak_memory_mb", r.peak_memory_mb},
         {"threads", r.threads},
         {"submeshes", r.submeshes},

@@ -28,8 +28,8 @@ void archive(Archive& archive, RunResult& result) {
     archive(result.steps, result.gave_up, result.triangles_first, result.interface_vertices_first,
             result.area_first, result.area_exact_first, result.half, result.min_quality_ever,
             result.quality_sampled_every, result.inverted, result.unreached, result.held,
-            result.sub_steps, result.operations, result.events, result.area, result.series,
-            result.cpu_s, result.wall_s);
+            result.sub_steps, result.vertex_passes, result.operations, result.events, result.area,
+            result.series, result.cpu_s, result.wall_s);
 }
 
 std::string identity_of(const RunResult& result, const Submeshing& submeshing) {
