@@ -116,6 +116,7 @@ void add_step(ModelRun& run, const SubmeshExecutor<double>& executor, double wal
         }
         inside += sub_step.serial + profile.aim_wall + profile.move_wall;
         add(run.total, profile);
+        run.total_tasks += sum(profile.aim) + sum(profile.move);
     }
     run.serial_outside.push_back(std::max(0.0, wall - inside));
 }
@@ -137,26 +138,27 @@ void take_least(ModelRun& run, const ModelRun& other) {
     }
     if (other.total.aim_wall + other.total.move_wall < run.total.aim_wall + run.total.move_wall) {
         run.total = other.total;
+        run.total_tasks = other.total_tasks;
     }
 }
 
 ModelTimes model(const ModelRun& run, std::uint32_t workers, double fork_join_s) {
-    const double sections = workers > 1 ? fork_join_s * std::ceil(std::log2(workers)) : 0;
-    double serial = sum(run.serial_outside);
-    double tasks = 0;
+    const double start = workers > 1 ? fork_join_s * std::ceil(std::log2(workers)) : 0;
+    ModelTimes times;
+    times.serial = sum(run.serial_outside);
     double parallel = 0;
     for (const auto& step : run.steps) {
         for (const ModelSubStep& sub_step : step) {
-            serial += sub_step.serial;
-            tasks += sum(sub_step.aim.seconds) + sum(sub_step.move.seconds);
-            parallel += makespan(sub_step.aim, workers, Assignment::queue) + sections +
-                        makespan(sub_step.move, workers, Assignment::queue) + sections;
+            times.serial += sub_step.serial;
+            times.tasks += sum(sub_step.aim.seconds) + sum(sub_step.move.seconds);
+            times.starts += 2 * start;
+            parallel += makespan(sub_step.aim, workers, Assignment::queue) +
+                        makespan(sub_step.move, workers, Assignment::queue) + 2 * start;
         }
     }
-    ModelTimes times;
-    times.seconds = serial + parallel;
-    times.serial_share = serial / (serial + tasks);
-    times.busy_share = tasks / (parallel * workers);
+    times.seconds = times.serial + parallel;
+    times.serial_share = times.serial / (times.serial + times.tasks);
+    times.busy_share = times.tasks / (parallel * workers);
     return times;
 }
 

@@ -35,7 +35,8 @@ struct ModelSubStep {
 struct ModelRun {
     std::vector<std::vector<ModelSubStep>> steps;
     std::vector<double> serial_outside; ///< by step, seconds
-    SubStepProfile total;               ///< sums over all sub-steps; no entries by task
+    SubStepProfile total;               ///< sums over all sub-steps of the fastest run
+    double total_tasks = 0;             ///< and of its tasks, in seconds
 };
 
 /// Keeps the account of one step. `wall`: the whole step, in seconds.
@@ -48,6 +49,9 @@ struct ModelTimes {
     double seconds = 0;      ///< of all steps
     double serial_share = 0; ///< serial parts over all work
     double busy_share = 0;   ///< of the workers' time in parallel sections, with tasks
+    double serial = 0;       ///< seconds that one worker takes for the serial parts...
+    double tasks = 0;        ///< ...and for all tasks
+    double starts = 0;       ///< seconds of starting and joining threads
 };
 
 /// `fork_join_s`: of two threads; a tree of more costs that for each level.

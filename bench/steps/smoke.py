@@ -28,8 +28,8 @@ STEP = {**ITERATION, **dict.fromkeys((
     "min_quality", "area_error_rel", "load", "oversubscribed", "peak_memory_mb",
     "flips_per_step", "examined_per_step"), "number")}
 MODEL = {**ITERATION, **dict.fromkeys((
-    "us_per_step", "modelled", "serial_share", "busy_share", "fork_join_us", "load", "us_set_up",
-    "us_hand_over", "us_clean_up", "us_driver", "us_upkeep", "us_velocities", "us_movement",
+    "us_per_step", "modelled", "serial_share", "busy_share", "fork_join_us", "load", "us_serial",
+    "us_tasks", "us_starts", "us_all_tasks", "us_set_up", "us_hand_over", "us_clean_up", "us_driver", "us_upkeep", "us_velocities", "us_movement",
     "us_mesh_update", "us_later_colours"), "number")}
 RUN = {**ITERATION, **dict.fromkeys((
     "us_per_step", "construction_us", "first_step_us", "us_per_vertex_step", "interface_vertices",
@@ -37,6 +37,7 @@ RUN = {**ITERATION, **dict.fromkeys((
 OPERATION = {**ITERATION, "items_per_second": "number", "batch": "number", "label": "text"}
 FLOW = {**ITERATION, "items_per_second": "number", "ratio": "number", "label": "text"}
 KERNEL = {**ITERATION, "items_per_second": "number", "label": "text"}
+ROUNDING = 1e-9
 CONTEXT = ("dsc_machine", "dsc_commit", "dsc_cores", "dsc_compiler", "dsc_build_type",
            "dsc_native", "dsc_load")
 
@@ -97,12 +98,20 @@ class Schema(unittest.TestCase):
             self.assertEqual(row["modelled"], 1)
             self.assertTrue(0 < row["serial_share"] < 0.5, row)
             self.assertTrue(0 < row["busy_share"] <= 1, row)
-            work = sum(row[key] for key in (
+            # What follows holds for any times, for that is how they are added up: two threads
+            # cannot take less than half of the tasks, nor more than all of them.
+            parallel = row["us_per_step"] - row["us_serial"] - row["us_starts"]
+            self.assertGreaterEqual(parallel * (1 + ROUNDING), row["us_tasks"] / 2)
+            self.assertLessEqual(parallel, row["us_tasks"] * (1 + ROUNDING))
+            self.assertAlmostEqual(row["us_serial"] / (row["us_serial"] + row["us_tasks"])
+                                   / row["serial_share"], 1, delta=ROUNDING)
+            # The least times of tasks are no longer than those of the run whose parts are shown,
+            # and the parts lie within its tasks.
+            self.assertLessEqual(row["us_tasks"], row["us_all_tasks"] * (1 + ROUNDING))
+            parts = sum(row[key] for key in (
                 "us_upkeep", "us_velocities", "us_movement", "us_mesh_update",
                 "us_later_colours"))
-            # Two threads cannot take less than half of the work, nor more than all of it.
-            self.assertGreater(row["us_per_step"], 0.45 * work)
-            self.assertLess(row["us_per_step"], 1.5 * work)
+            self.assertLessEqual(parts, row["us_all_tasks"] * (1 + ROUNDING))
 
     def test_names_say_what_was_run(self):
         names = {row["name"] for row in self.rows}

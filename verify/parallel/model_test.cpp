@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// The model of more threads than the machine has, with times that are given: a second for each
+// task.
+#include "steps/model.h"
+
+#include "support/submesh_executor_testing.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace dsc::model_test {
+namespace {
+
+constexpr double h = 0.04;
+
+struct Profiled {
+    bench::ModelRun run;
+    double tasks = 0; ///< as the executor counts them
+    double seconds = 0;
+};
+
+// A growing disc in four slabs.
+Profiled profiled_steps() {
+    auto complex = test::disc_complex<double>(h);
+    Options<double> options;
+    options.edge_length = h;
+    auto executor = std::make_unique<SubmeshExecutor<double>>(
+        complex, options, default_algorithm<double>(),
+        std::make_unique<SlabPartitioner<double>>(
+            SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .least_width = 4}),
+        SubmeshOptions{.threads = 1, .profile = true});
+    const SubmeshExecutor<double>& seen = *executor;
+    Simulation<double> simulation(complex, options, std::move(executor));
+    const Velocity<double> grow = [](std::span<const Point<double>> positions, double,
+                                     std::span<Point<double>> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = positions[i] - Point<double>(0.5, 0.5);
+        }
+    };
+    Profiled profiled;
+    for (int step = 0; step < 3; ++step) {
+        simulation.step(grow, 0, 0.2);
+        bench::add_step(profiled.run, seen, 1000);
+        for (const SubStepProfile& times : seen.profile().sub_steps) {
+            for (const auto* tasks : {&times.aim, &times.move}) {
+                profiled.tasks += static_cast<double>(tasks->size());
+                for (const double seconds : *tasks) {
+                    profiled.seconds += seconds;
+                }
+            }
+        }
+    }
+    return profiled;
+}
+
+// The same with a second for each task, and nothing beside them.
+bench::ModelRun in_seconds(bench::ModelRun run) {
+    run.serial_outside.assign(run.serial_outside.size(), 0);
+    for (auto& step : run.steps) {
+        for (bench::ModelSubStep& sub_step : step) {
+            sub_step.serial = 0;
+            sub_step.aim.seconds.assign(sub_step.aim.seconds.size(), 1);
+            sub_step.move.seconds.assign(sub_step.move.seconds.size(), 1);
+        }
+    }
+    return run;
+}
+
+TEST(Model, TakesAllTasksAndNoOthers) {
+    const Profiled profiled = profiled_steps();
+    ASSERT_GT(profiled.tasks, 24);
+    EXPECT_NEAR(profiled.run.total_tasks / profiled.seconds, 1, 1e-12);
+    EXPECT_NEAR(bench::model(profiled.run, 1, 0).tasks / profiled.seconds, 1, 1e-12);
+    const bench::ModelTimes one = bench::model(in_seconds(profiled.run), 1, 0);
+    EXPECT_EQ(one.tasks, profiled.tasks);
+    EXPECT_EQ(one.seconds, profiled.tasks);
+    EXPECT_EQ(one.busy_share, 1);
+}
+
+TEST(Model, TwoWorkersTakeAtLeastHalfOfIt) {
+    const Profiled profiled = profiled_steps();
+    const bench::ModelTimes two = bench::model(in_seconds(profiled.run), 2, 0);
+    EXPECT_GE(two.seconds, profiled.tasks / 2);
+    EXPECT_LT(two.seconds, 0.75 * profiled.tasks); // four slabs of either colour
+    EXPECT_EQ(two.busy_share, profiled.tasks / (2 * two.seconds));
+    // Serial parts and the start of each section come on top.
+    bench::ModelRun run = in_seconds(profiled.run);
+    double sections = 0;
+    for (auto& step : run.steps) {
+        sections += 2 * static_cast<double>(step.size());
+        step.front().serial = 5;
+    }
+    const bench::ModelTimes more = bench::model(run, 2, 0.25);
+    const double serial = 5 * static_cast<double>(run.steps.size());
+    EXPECT_EQ(more.serial, serial);
+    EXPECT_EQ(more.starts, 0.25 * sections);
+    EXPECT_EQ(more.seconds, two.seconds + serial + 0.25 * sections);
+    EXPECT_EQ(more.serial_share, serial / (serial + profiled.tasks));
+}
+
+TEST(Model, TheLeastOfSeveralRunsCounts) {
+    bench::ModelRun run = in_seconds(profiled_steps().run);
+    bench::ModelRun slower = run;
+    for (bench::ModelSubStep& sub_step : slower.steps.front()) {
+        sub_step.move.seconds.assign(sub_step.move.seconds.size(), 7);
+    }
+    const double before = bench::model(run, 2, 0).seconds;
+    bench::ModelRun least;
+    bench::take_least(least, slower);
+    EXPECT_GT(bench::model(least, 2, 0).seconds, before);
+    bench::take_least(least, run);
+    EXPECT_EQ(bench::model(least, 2, 0).seconds, before);
+}
+
+} // namespace
+} // namespace dsc::model_test
