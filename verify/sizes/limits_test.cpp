@@ -36,6 +36,29 @@ TEST(WavefrontLimits, BothEndsOfAnOpenLinkCount) {
     }
 }
 
+// Vertex 0 is reached late, from 1 alone; the front from the wall's edge between 0 and 3 arrives at
+// 2 before any that goes along an edge.
+TEST(WavefrontLimits, AFrontFromAWallReachesTheMeshBesideIt) {
+    const std::vector<Point<double>> points{{0, 0}, {0.3, 0.02}, {-1, 1}, {-2, 0}};
+    auto complex = test::build<double>(points, {{0, 1, 2}, {0, 2, 3}}, {0, 0});
+    const std::vector<double> wanted{100, 1.0001, 100, 1};
+    SizeOptions<double> sizes{.growth = 1.1, .longest = 100};
+    sizes.by_place = [&](const Point<double>& place, double, Phase) {
+        const auto at = std::ranges::find(points, place);
+        return wanted[static_cast<std::size_t>(at - points.begin())];
+    };
+    measure_sizes(complex, sizes, 1.0, 0.0);
+    const SizeField<double>& field = size_field(complex);
+    const double at_0 = wanted[1] + 0.1 * points[1].norm();
+    EXPECT_NEAR(field[Vertex{0}].length, at_0, 1e-12);
+    const Point<double> from_0 = points[0] - points[2];
+    const Point<double> from_3 = points[3] - points[2];
+    const double straight =
+        least_between<double>(from_3.x(), from_3.y(), 1, from_0.x(), from_0.y(), at_0, 0.1);
+    ASSERT_LT(straight, 1.12);
+    EXPECT_NEAR(field[Vertex{2}].length, straight, 1e-12);
+}
+
 TEST(SizeLimits, EachPhaseOfAStarIsAskedFor) {
     const std::vector<Point<double>> points{{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     const std::vector<test::Indices> triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};

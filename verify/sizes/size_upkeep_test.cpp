@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace dsc::size_upkeep_test {
@@ -56,6 +57,20 @@ TEST_F(Told, AreAllNeighboursOfATargetThatFalls) {
     EXPECT_EQ(told_of(2).size(), 6U);
 }
 
+// Over one edge it is lower than what they have, over two it would not be.
+TEST_F(Told, AreNeighboursThatAFallReachesJustSo) {
+    EXPECT_EQ(told_of(3.3).size(), 6U);
+}
+
+TEST_F(Told, AreVisitedInTheNextPassOnceEach) {
+    Work<double> work(complex, options);
+    work.epoch = 1;
+    work.resized = {3, 5, 3};
+    activate_resized(work);
+    EXPECT_EQ(work.active, (std::vector<std::uint32_t>{3, 5}));
+    EXPECT_TRUE(work.resized.empty());
+}
+
 TEST_F(Told, AreThoseWhomItHeldDownWhenItRises) {
     at_origin = 1;
     measure_sizes(complex, options.sizes, options.edge_length, 0.0);
@@ -76,6 +91,52 @@ TEST_F(Told, ANewVertexBeginsWithTheMeanOfTheEndsOfItsEdge) {
     ASSERT_EQ(split.verdict, Verdict::legal);
     EXPECT_EQ(field[split.vertex].length, 2);
     EXPECT_EQ(field[split.vertex].distance, 5);
+}
+
+// Vertex 0 of a honeycomb, and what its star knows.
+class Followed : public testing::Test {
+protected:
+    double follow() {
+        Work<double> work(complex, options);
+        SizeUpkeep<double> upkeep(work);
+        Ring<double> ring;
+        EXPECT_TRUE(gather(complex, Region{}, 0, ring));
+        const double length = upkeep.follow(ring);
+        told = work.resized.size();
+        return length;
+    }
+
+    std::size_t told = 0;
+    Complex<double> complex = test::honeycomb();
+    Options<double> options = test::options_for<double>(1);
+};
+
+// The interface has come to it.
+TEST_F(Followed, AVertexOfTheInterfaceHasTheFinestTarget) {
+    options.sizes.growth = 1.3;
+    options.sizes.longest = 4;
+    complex.set_phase(Triangle{triangle_of(complex.vertices[0].corner)}, 2);
+    auto& field = size_field(complex);
+    for (const Vertex v : vertices(complex)) {
+        field[v] = {.length = 4};
+    }
+    EXPECT_EQ(follow(), 1);
+    EXPECT_EQ(field[Vertex{0}].length, 1);
+    EXPECT_EQ(told, 6U);
+}
+
+// The target stays as it is, but not the distance that others have theirs from.
+TEST_F(Followed, ADistanceThatHasChangedIsToldToAll) {
+    options.sizes.growth = 1.3;
+    options.sizes.longest = 4;
+    options.sizes.by_distance = [](double) { return 4.0; };
+    auto& field = size_field(complex);
+    for (const Vertex v : vertices(complex)) {
+        field[v] = {.length = 4, .distance = v.id == 0 ? 20.0 : 10.0};
+    }
+    EXPECT_EQ(follow(), 4);
+    EXPECT_NEAR(field[Vertex{0}].distance, 10 + std::sqrt(3.0) / 2, 1e-12);
+    EXPECT_EQ(told, 6U);
 }
 
 } // namespace
