@@ -66,6 +66,22 @@ TEST(GrowthRules, AFactorByTimeOnlyChangesTheClock) {
     EXPECT_LT(difference(complex, {small_square}), 5e-3);
 }
 
+TEST(GrowthRules, OnlyVerticesOfTheInterfaceBecomeCorners) {
+    constexpr double h = 0.02;
+    auto complex = complex_of(small_square, h);
+    GrowingShape<double> growing(complex, h, {.speeds = {{1, 0, 1.0}}});
+    EXPECT_EQ(growing.run(0, 0.4 * h), 0U);
+    const auto on = test::on_interface(complex);
+    std::size_t corners = 0;
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if ((complex.vertices[v].flags & vertex_corner) != 0) {
+            EXPECT_EQ(on[v], 1) << v;
+            ++corners;
+        }
+    }
+    EXPECT_GT(corners, 8U); // a fan at each of the four
+}
+
 // A grid over the unit square, sheared by `slant` to the right, whose lines are interfaces where
 // the phases of the squares (by their lower left corner, before shearing) say so.
 template <class PhaseAt>

@@ -6,9 +6,11 @@
 
 #include "dsc/complex/ranges.h"
 #include "dsc/quality/measures.h"
+#include "dsc/topology/junctions/sectors.h"
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <vector>
 
 namespace dsc::by_hand_test {
@@ -72,6 +74,14 @@ TEST(ByHand, ASmallPieceGoesToWhomItBordersOnMost) {
         EXPECT_EQ(area_of_phase(complex, 1), 0);
         EXPECT_NEAR(area_of_phase(complex, most), before + 0.5, 1e-12);
     }
+}
+
+TEST(ByHand, AnglesAreCounterClockwiseUpToAFullTurn) {
+    using std::numbers::pi;
+    const Point<double> right(1, 0);
+    EXPECT_NEAR(angle_between<double>(right, {0, 1}), pi / 2, 1e-15);
+    EXPECT_NEAR(angle_between<double>(right, {0, -1}), 3 * pi / 2, 1e-15);
+    EXPECT_NEAR(angle_between<double>(right, {1, 0}), 2 * pi, 1e-15);
 }
 
 } // namespace

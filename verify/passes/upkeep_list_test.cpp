@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The list that the interface upkeep keeps: who stays on it, who leaves it, who is marked, woken or
+// put off.
+#include "dsc/passes/interface/upkeep.h"
+
+#include "support/simulation_testing.h"
+#include "support/small_meshes.h"
+
+#include "dsc/complex/circulate.h"
+#include "dsc/complex/gather.h"
+#include "dsc/passes/interface/curve.h"
+#include "dsc/passes/interface/list.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace dsc::upkeep_list_test {
+namespace {
+
+using std::numbers::pi;
+using test::options_for;
+
+// A curve of edges much shorter than the edge length, through a mesh as fine.
+constexpr double fine = 0.02;
+
+Complex<double> crowded() { return test::disc_complex<double>(fine); }
+
+Options<double> coarsening_by_area() {
+    auto options = options_for<double>(4 * fine);
+    options.interface.coarsening = Coarsening::area;
+    return options;
+}
+
+TEST(UpkeepList, VerticesOfNoInterfaceLeaveIt) {
+    auto complex = test::grid<double>(8, 0, 1, 2.5);
+    const auto options = options_for<double>(1.5);
+    Work<double> work(complex, options);
+    work.interface = collect_interface(complex);
+    const std::size_t before = work.interface.size();
+    work.interface.push_back(4 * 9 + 4); // in the middle of phase 1
+    upkeep_interface(work);
+    EXPECT_EQ(work.interface.size(), before);
+    EXPECT_EQ(test::interface_fault(complex, work.interface), "");
+}
+
+TEST(UpkeepList, AVertexOfTooManyTrianglesStaysOnIt) {
+    constexpr std::uint32_t degree = Ring<double>::capacity + 4;
+    std::vector<Point<double>> points{{0, 0}};
+    std::vector<test::Indices> triangles;
+    std::vector<Phase> phases;
+    for (std::uint32_t i = 0; i < degree; ++i) {
+        points.emplace_back(std::cos(2 * pi * i / degree), std::sin(2 * pi * i / degree));
+        triangles.push_back({0, i + 1, (i + 1) % degree + 1});
+        phases.push_back(i < degree / 2 ? 1 : 0);
+    }
+    auto complex = test::build<double>(points, triangles, phases);
+    const auto options = options_for<double>(1);
+    Work<double> work(complex, options);
+    work.interface = {0};
+    upkeep_interface(work);
+    EXPECT_EQ(work.interface, std::vector<std::uint32_t>{0});
+}
+
+TEST(UpkeepList, NewVerticesAreMarkedAsOfTheInterface) {
+    auto complex = test::disc_complex<double>(0.1);
+    auto options = options_for<double>(0.06);
+    options.topology.rule = Topology::change;
+    Work<double> work(complex, options);
+    work.interface = collect_interface(complex);
+    const std::size_t before = work.interface.size();
+    upkeep_interface(work);
+    ASSERT_GT(work.interface.size(), before);
+    for (const std::uint32_t v : work.interface) {
+        EXPECT_NE(complex.vertices[v].flags & vertex_on_interface, 0U) << v;
+    }
+}
+
+TEST(UpkeepList, TheStarOfAVertexThatKeepsTheAreaIsWoken) {
+    auto complex = crowded();
+    const auto options = coarsening_by_area();
+    std::size_t moved = 0;
+    const auto list = collect_interface(complex);
+    for (const std::uint32_t v : list) {
+        if (!complex.is_alive(Vertex{v})) {
+            continue;
+        }
+        Work<double> work(complex, options);
+        work.epoch = 1;
+        work.log.readers = 1;
+        for (auto& record : complex.vertices) {
+            record.stamp = 0;
+        }
+        work.interface = {v};
+        upkeep_interface(work);
+        for (const Edit& edit : work.log.records) {
+            if (edit.kind == EditKind::move) {
+                ++moved;
+                for_each_corner(complex, edit.vertex, [&](Corner c) {
+                    EXPECT_EQ(complex.vertices[complex.vertex(next(c))].stamp, work.epoch);
+                });
+            }
+        }
+    }
+    EXPECT_GT(moved, 10U);
+}
+
+std::uint32_t is_near(const void* context, double x, double y) {
+    const auto& centre = *static_cast<const Point<double>*>(context);
+    return (Point<double>(x, y) - centre).norm() < 1e-9 ? 1 : 0;
+}
+
+// The survivor of a collapse has to move, but another submesh has a vertex of its star.
+TEST(UpkeepList, AVertexWhoseNeighbourMayNotMoveIsPutOff) {
+    const auto options = coarsening_by_area();
+    std::ptrdiff_t put_off = 0;
+    const auto list = collect_interface(crowded());
+    for (std::size_t i = 2; i < list.size(); ++i) {
+        for (const std::size_t beyond : {i - 2, (i + 2) % list.size()}) {
+            auto complex = crowded();
+            Ring<double> ring;
+            ASSERT_TRUE(gather(complex, Region{}, list[i], ring));
+            if (std::ranges::count(ring.link, list[beyond]) > 0) {
+                continue;
+            }
+            const Point<double> foreign = complex.position(Vertex{list[beyond]});
+            Work<double> work(complex, options);
+            work.epoch = 1;
+            work.submesh.region.kind = Region::Kind::places;
+            work.submesh.region.place = &is_near;
+            work.submesh.region.context = &foreign;
+            work.interface = {list[i]};
+            upkeep_interface(work);
+            put_off +=
+                std::ranges::count(work.deferred.entries, list[i], &Deferred<double>::vertex);
+        }
+    }
+    EXPECT_GT(put_off, std::ssize(list) / 2);
+}
+
+// The remnant of a tip: shorter than five times the deviation, and not longer.
+TEST(UpkeepList, RemnantsOfTipsAreAsLongAsTheOptionsSay) {
+    constexpr double h = 0.05;
+    for (const double length : {0.09, 0.11}) { // a tenth of an edge is five times the deviation
+        std::vector<Point<double>> outline;
+        for (int i = 0; i < 60; ++i) {
+            outline.emplace_back(0.5 + 0.3 * std::cos(2 * pi * i / 60),
+                                 0.5 + 0.2 * std::sin(2 * pi * i / 60));
+        }
+        const Point<double> along = (outline[10] - outline[9]).normalized();
+        outline.insert(outline.begin() + 10,
+                       outline[10] + length * h * Point<double>(along.y(), -along.x()));
+        const std::vector<Shape> shapes{{outline, 1}};
+        auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
+        const auto options = options_for<double>(h);
+        Work<double> work(complex, options);
+        work.interface = collect_interface(complex);
+        upkeep_interface(work);
+        EXPECT_EQ(work.log.counts.interface_collapses, length < 0.1 ? 1U : 0U);
+    }
+}
+
+} // namespace
+} // namespace dsc::upkeep_list_test
