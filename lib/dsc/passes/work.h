@@ -76,6 +76,10 @@ struct Work {
     /// Interface vertices where the topology may have to change. Empty if it is kept.
     std::vector<Suspect<Real>> topology_suspects;
 
+    /// Vertices whose values a pass has written, while somebody has to be told (`touch`).
+    std::vector<std::uint32_t> touched;
+    bool notes_touched = false; ///< somebody has
+
     std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
 
     // Scratch, kept so that nothing is allocated from step to step.
@@ -91,6 +95,12 @@ struct Work {
         if (record.stamp != epoch) {
             record.stamp = epoch;
             active.push_back(vertex);
+        }
+    }
+    /// To be called by a pass that has written to an attribute of a vertex other than by an edit.
+    void touch(std::uint32_t vertex) {
+        if (notes_touched) {
+            touched.push_back(vertex);
         }
     }
     /// To be called when the options have changed.

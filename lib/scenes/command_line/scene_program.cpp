@@ -148,13 +148,15 @@ std::string names_of_strategies() {
     return names;
 }
 
-// Who asks for threads and nothing else gets submeshes that follow the interface, as many as its
-// length pays for: on any number of threads, so that the result depends on none.
+// Who asks for threads or processes and nothing else gets submeshes that follow the interface, as
+// many as its length pays for: on any number of threads, so that the result depends on none.
 Strategy strategy_of(const Arguments& arguments) {
     if (arguments.strategy) {
         return parse_strategy(*arguments.strategy);
     }
-    return arguments.threads ? Strategy::cells : Strategy::sequential;
+    const Ranks* ranks = arguments.run.submeshing.ranks;
+    const bool is_shared = ranks != nullptr && ranks->size() > 1;
+    return arguments.threads || is_shared ? Strategy::cells : Strategy::sequential;
 }
 
 // What the command line asks for.
@@ -175,6 +177,12 @@ Parameters with_settings(const Scene& scene, const std::vector<std::string>& set
         apply_setting(parameters, scene.keys, setting);
     }
     return parameters;
+}
+
+// Whether this process prints and writes.
+bool leads(const Arguments& arguments) {
+    const Ranks* ranks = arguments.run.submeshing.ranks;
+    return ranks == nullptr || ranks->rank() == 0;
 }
 
 void check_usage(const Arguments& arguments) {
@@ -200,8 +208,8 @@ void check_usage(const Arguments& arguments) {
     if (arguments.edits && arguments.resume) {
         refuse("a log of edits begins with the run", "--edits", "with --resume", "run SCENE");
     }
-    const auto check = [](const auto& path, const char* option) {
-        if (path) {
+    const auto check = [&](const auto& path, const char* option) {
+        if (path && leads(arguments)) {
             check_writable(*path, option);
         }
     };
@@ -225,6 +233,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     }
     origin.commit = commit();
     origin.submeshing.threads = arguments.threads.value_or(origin.submeshing.threads);
+    origin.submeshing.ranks = arguments.run.submeshing.ranks;
     const SceneFile file = scene_of(origin, scenes);
     const Scene& scene = file.scene;
     const Parameters parameters = with_settings(scene, origin.settings);
@@ -233,7 +242,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     options.measure_shape = file.measures_shape;
     options.strategy = origin.strategy;
     options.submeshing = origin.submeshing;
-    options.progress = isatty(STDERR_FILENO) != 0;
+    options.progress = leads(arguments) && isatty(STDERR_FILENO) != 0;
     options.interrupted = &interrupted;
     options.series_every = arguments.series ? arguments.every.value_or(1) : 0;
     options.edits = arguments.edits.value_or("");
@@ -248,10 +257,16 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
         options.checkpoint.origin.scene = std::filesystem::absolute(origin.scene).string();
     }
     options.resume = checkpoint ? &*checkpoint : nullptr;
+    if (Ranks* const ranks = origin.submeshing.ranks) {
+        ranks->stop_by(&interrupted);
+    }
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
 
     const RunResult result = run_scene(scene, parameters, options);
+    if (!leads(arguments)) {
+        return 0;
+    }
     print_summary(result);
     if (arguments.json) {
         write_file(*arguments.json, to_json(result));
@@ -279,16 +294,38 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     return result.holds() && !result.interrupted ? 0 : 1;
 }
 
+// Whatever ends the run in one process is told to the others, so that all of them end.
+int run_together(const std::string& program, const std::vector<Scene>& scenes,
+                 const Arguments& arguments) {
+    Ranks* const ranks = arguments.run.submeshing.ranks;
+    if (ranks == nullptr) {
+        return run(program, scenes, arguments);
+    }
+    try {
+        const int code = run(program, scenes, arguments);
+        ranks->wait_for_all();
+        return code;
+    } catch (...) {
+        ranks->leave(std::current_exception());
+        throw;
+    }
+}
+
 } // namespace
 
 int scene_program(const std::string& program, const std::vector<Scene>& scenes, int argc,
-                  const char* const* argv) {
+                  const char* const* argv, Ranks* ranks) {
+    if (ranks != nullptr && ranks->rank() != 0) { // the first one says it for all
+        std::cout.setstate(std::ios::failbit);
+        std::cerr.setstate(std::ios::failbit);
+    }
     CLI::App app{"Runs the scenes of a deformable simplicial complex and measures them."};
     app.require_subcommand(1);
     app.add_subcommand("list", "all scenes and the keys they take");
     auto* run_command = app.add_subcommand("run", "run one scene");
     run_command->footer(details());
     Arguments arguments;
+    arguments.run.submeshing.ranks = ranks;
     run_command->add_option(
         "scene", arguments.scene,
         "a name from the list, or a scene file: with a slash or ending in .toml");
@@ -369,7 +406,7 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
     };
     return call_command(app, program, argc, argv,
                         {{"list", list_all},
-                         {"run", [&] { return run(program, scenes, arguments); }},
+                         {"run", [&] { return run_together(program, scenes, arguments); }},
                          {"describe", describe_one}});
 }
 

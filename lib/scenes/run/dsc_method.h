@@ -78,7 +78,8 @@ public:
                                       algorithm ? &*algorithm : nullptr);
         submeshes_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
         simulation_ = std::make_unique<Simulation<Real>>(complex_, options_, std::move(executor));
-        if (!run.edits.empty()) {
+        const Ranks* ranks = run.submeshing.ranks;
+        if (!run.edits.empty() && (ranks == nullptr || ranks->rank() == 0)) {
             edits_.emplace(run.edits);
             simulation_->add_listener(
                 [this](std::span<const Edit> edits) { edits_->write(edits); });

@@ -171,6 +171,10 @@ std::string to_json(const RunResult& r) {
           {"quality", histogram_json(r.quality_histogram)},
           {"angle", histogram_json(r.angle_histogram)}}},
     });
+    if (r.ranks > 0) {
+        json["ranks"] = r.ranks;
+        json["bytes_per_step"] = finite(r.bytes_per_step);
+    }
     return json.dump(2) + "\n";
 }
 

@@ -73,11 +73,13 @@ public:
                           [this] { return measure_quality(complex()).min_angle_deg; });
         }
         save();
-        frames_.finish(result_.events);
+        if (leads()) {
+            frames_.finish(result_.events);
+        }
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
             method_.finish();
         }
-        if (!options_.outlines.empty()) {
+        if (!options_.outlines.empty() && leads()) {
             write_file(options_.outlines, outlines_to_geojson(complex()));
         }
         last(step_us_);
@@ -86,7 +88,19 @@ public:
 private:
     const auto& complex() { return method_.complex(); }
 
+    // Whether this process measures and writes. Others that share the work hold the same mesh.
+    [[nodiscard]] bool leads() const {
+        const Ranks* ranks = options_.submeshing.ranks;
+        return ranks == nullptr || ranks->rank() == 0;
+    }
+
+    // What all processes know of a signal to any of them, so that they end after the same step.
     [[nodiscard]] bool is_interrupted() const {
+        const Ranks* ranks = options_.submeshing.ranks;
+        if (ranks != nullptr && ranks->size() > 1) {
+            return ranks->is_to_stop() ||
+                   (options_.stop_after > 0 && result_.steps >= options_.stop_after);
+        }
         return (options_.interrupted != nullptr && options_.interrupted->load()) ||
                (options_.stop_after > 0 && result_.steps >= options_.stop_after);
     }
@@ -130,6 +144,9 @@ private:
         } else {
             const auto arrays =
                 method_.end_frame(leg_before(std::max(step, 1)), time_, step > 0 ? setup_.dt : 0);
+            if (!leads()) {
+                return;
+            }
             const std::string path = frames_.write(step, time_, complex(), arrays, result_.events);
             if (step > 0) { // nothing has been divided before
                 method_.map_submeshes(path);
@@ -183,7 +200,7 @@ private:
     }
 
     void save() {
-        if (options_.checkpoint.path.empty()) {
+        if (options_.checkpoint.path.empty() || !leads()) {
             return;
         }
         Archive state;
@@ -222,6 +239,10 @@ private:
     }
 
     void first() {
+        if (!leads()) {
+            observe(0);
+            return;
+        }
         result_.triangles_first = complex().triangle_count();
         result_.interface_vertices_first = method_.interface_vertices();
         result_.area_first = signed_area(outlines());
@@ -272,6 +293,10 @@ private:
     }
 
     void after(int step) {
+        if (!leads()) {
+            observe(step);
+            return;
+        }
         if (step % result_.quality_sampled_every == 0) {
             look_at_the_worst();
         }
@@ -285,6 +310,10 @@ private:
     void last(std::vector<double>& step_us) {
         result_.peak_memory_mb = peak_memory_mb();
         result_.triangles_last = complex().triangle_count();
+        result_.mesh_hash = mesh_hash(complex());
+        if (!leads()) {
+            return;
+        }
         result_.interface_vertices_last = method_.interface_vertices();
         result_.last = figures(options_.measures);
         result_.area_ratio = signed_area(outlines()) / result_.area_first;
@@ -294,7 +323,6 @@ private:
         result_.phases = measure_phases(complex());
         result_.junctions = summarise(measure_junctions(complex()));
         look_at_the_worst();
-        result_.mesh_hash = mesh_hash(complex());
         const double h = result_.parameters.h;
         result_.area_histogram = area_histogram(
             complex(), {.bins = 60, .low = 0, .high = 3 * std::sqrt(3.0) / 4 * h * h});
@@ -346,6 +374,15 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
                           .value = std::to_string(submeshing.threads),
                           .allowed = "1, or one of the strategies " + parallel_strategies()});
     }
+    Ranks* const ranks = submeshing.ranks;
+    if (ranks != nullptr && ranks->size() > 1 && !is_shared(options.strategy)) {
+        throw InputError(
+            {.what = "this strategy runs in one process",
+             .where = "--strategy",
+             .value = "'" + to_string(options.strategy) + "' in " + std::to_string(ranks->size()) +
+                      " processes",
+             .allowed = "a single process, or one of the strategies " + shared_strategies()});
+    }
     RunResult result;
     result.scene = scene.name;
     result.parameters = parameters;
@@ -378,6 +415,12 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
         run_method<DscMethod<double>>(setup, parameters, options, result);
     } else {
         run_method<DscMethod<float>>(setup, parameters, options, result);
+    }
+    if (ranks != nullptr) {
+        result.ranks = ranks->size();
+        result.bytes_per_step = result.steps > 0 ? static_cast<double>(ranks->bytes()) /
+                                                       static_cast<double>(result.steps)
+                                                 : 0;
     }
     return result;
 }

@@ -52,7 +52,9 @@ struct RunResult {
     Strategy strategy = Strategy::sequential;
     std::uint32_t submeshes = 1;
     std::uint32_t threads = 1;
-    int steps = 0; ///< done; fewer than asked for if `interrupted` or `gave_up`
+    std::uint32_t ranks = 0; ///< processes that shared the work; 0: it was not run by any launcher
+    double bytes_per_step = 0; ///< of all messages between them
+    int steps = 0;             ///< done; fewer than asked for if `interrupted` or `gave_up`
     bool interrupted = false;
     std::string gave_up; ///< empty, or the reason
     /// Not all steps have been done: the figures are those of the last one that was.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/in_place/submesh_part.h"
+#include "dsc/parallel/in_place/submesh_ranks.h"
 
 #include "dsc/base/require.h"
 #include "dsc/passes/interface/carried.h"
@@ -45,6 +45,7 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
     }
+    share_by(submeshes.ranks);
     // Until the first division all of the interface is in this list.
     whole_.interface = collect_moved(complex, options);
     // Everything that takes longer in a large mesh is done here rather than in a step: dividing it
@@ -151,6 +152,12 @@ void SubmeshExecutor<Real>::begin_step() {
     if (status_.step > 0) { // for the first step it was divided at construction
         divide();
     }
+    if (shared_) {
+        shared_->ranks.start_over();
+        if (submeshes_.checks_ranks) {
+            expect_agreement("before a step");
+        }
+    }
     ++status_.step;
     ++status_.steps_since_all;
     profile_.serial_outside = timer.lap();
@@ -158,9 +165,14 @@ void SubmeshExecutor<Real>::begin_step() {
 
 template <class Real>
 void SubmeshExecutor<Real>::choose_threads() {
-    const std::size_t pay_off = interface_size() / submeshes_.vertices_per_thread;
-    useful_threads_ =
-        static_cast<std::uint32_t>(std::clamp<std::size_t>(pay_off, 1, first_colour_));
+    const ShareOfRank own = shared_ ? shared_->share(0) : ShareOfRank{0, first_colour_};
+    std::size_t size = shared_ ? 0 : interface_size();
+    for (std::size_t i = own.begin; shared_ && i < own.end; ++i) {
+        size += parts_[i]->work.interface.size();
+    }
+    const std::size_t pay_off = size / submeshes_.vertices_per_thread;
+    useful_threads_ = static_cast<std::uint32_t>(
+        std::clamp<std::size_t>(pay_off, 1, std::max<std::size_t>(own.end - own.begin, 1)));
     threads_ = std::min(useful_threads_,
                         submeshes_.adapts_threads ? choice_.threads() : submeshes_.threads);
     pool_.start(threads_);
@@ -297,6 +309,7 @@ void SubmeshExecutor<Real>::connect() {
         before = first;
         first += count;
     }
+    share_out_parts();
 }
 
 template <class Real>
@@ -337,6 +350,7 @@ void SubmeshExecutor<Real>::recover() {
 template <class Real>
 void SubmeshExecutor<Real>::end_step() {
     if (under_way_) {
+        tell_failure();
         recover();
     }
     std::uint64_t examined = whole_.log.counts.examined;

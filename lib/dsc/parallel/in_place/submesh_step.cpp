@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The step itself: what the submeshes do, what they hand on, and what is left at the end.
-#include "dsc/parallel/in_place/submesh_part.h"
+#include "dsc/parallel/in_place/submesh_ranks.h"
 #include "dsc/passes/readers.h"
 
 #include <algorithm>
@@ -160,9 +160,11 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     const std::size_t sections = std::max<std::size_t>(algorithm_.upkeep.size(), 1);
     std::size_t pass = 0;
     const auto task = [&](std::size_t i) { aim_part(*parts_[i], pass, flow, time, dt); };
+    forget_others();
     for (; pass < sections; ++pass) {
-        aiming_.run(pool_, threads_, submeshes_.assignment, task);
+        run_aiming(pass + 1 < sections ? Section::upkeep : Section::aim, task);
     }
+    place_others();
     const double wall = timer.lap();
     collect_edits();
     AimReport<Real> report;
@@ -293,7 +295,7 @@ Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, 
         return aim_again_by_sight(flow, time, dt);
     }
     const Velocity<Real>& velocity = *flow.velocity();
-    aiming_.run(pool_, threads_, submeshes_.assignment, [&](std::size_t i) {
+    run_aiming(Section::aim_again, [&](std::size_t i) {
         Part& part = *parts_[i];
         part.aimed.reach = find_targets(part.work, velocity, time, dt);
     });
@@ -324,7 +326,7 @@ MoveReport SubmeshExecutor<Real>::move() {
         hand_out_resized();
     }
     const double hand_over = timer.lap();
-    moving_.run(pool_, threads_, submeshes_.assignment, [&](std::size_t task) { move_part(task); });
+    run_moving([&](std::size_t task) { move_part(task); });
     const double wall = timer.lap();
     collect_edits();
     for (const auto& part : parts_) {
@@ -335,6 +337,9 @@ MoveReport SubmeshExecutor<Real>::move() {
     collect_changes();
     report.unreached += report.held;
     under_way_ = false;
+    if (shared_ && submeshes_.checks_ranks) {
+        expect_agreement("after a sub-step");
+    }
     if (submeshes_.profile) {
         SubStepProfile& profile = profile_.sub_steps.back();
         profile.hand_over += hand_over;

@@ -64,6 +64,7 @@ private:
         const GrowthBend<Real> bend = bend_of(ring);
         if (!bend.known) {
             rays_[Vertex{v}] = {};
+            work_.touch(v);
             return;
         }
         const bool touches =
@@ -77,6 +78,7 @@ private:
             work_.deferred.upkeep(v);
             return;
         }
+        work_.touch(v); // most of what follows writes to its ray
         if (touches && (is_run_over(ring, bend, bend.in, bend.out) ||
                         is_run_over(ring, bend, bend.out, bend.in))) {
             return;
@@ -231,6 +233,7 @@ private:
                              k + 1 == count ? 0 : static_cast<float>(angle - by),
                              FanState::opening};
             set_corner(member.id, true);
+            work_.touch(member.id);
         }
     }
 
