@@ -2,7 +2,7 @@
 // Every scene by several ranks, to the bit as by one: the mesh, the counts and the events. The
 // ranks compare all that they hold after each sub-step.
 //
-//   DSC_RANKS=long   whole runs, every number of ranks and of threads, every division
+//   DSC_RANKS=long   more steps, every number of ranks and of threads, every division
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/run/run.h"
 #include "support/thread_ranks.h"
@@ -16,8 +16,6 @@
 namespace dsc::scenes::ranks_scenes_test {
 namespace {
 
-constexpr int first_steps = 8;
-
 bool is_long() {
     const char* asked = std::getenv("DSC_RANKS");
     return asked != nullptr && std::string(asked) == "long";
@@ -26,12 +24,9 @@ bool is_long() {
 // The first steps of a coarse run.
 Parameters shortened(const Scene& scene) {
     Parameters parameters = scene.defaults;
-    if (!is_long()) {
-        const Setup setup = scene.prepare(parameters);
-        parameters.dt = setup.dt;
-        parameters.steps =
-            setup.half_step && scene.defaults.steps > 0 ? first_steps / 2 : first_steps;
-    }
+    const int steps = is_long() ? 24 : 4;
+    parameters.dt = scene.prepare(parameters).dt;
+    parameters.steps = scene.counts_steps_each_way ? steps / 2 : steps;
     return parameters;
 }
 
@@ -81,6 +76,11 @@ TEST_P(RanksScenes, EndWithTheSameBits) {
     const Scene& scene = find_scene(GetParam());
     const Parameters parameters = shortened(scene);
     for (const Strategy strategy : {Strategy::cells, Strategy::active, Strategy::blocks}) {
+        // One of the other two, by the length of the name.
+        if (!is_long() && strategy != Strategy::cells &&
+            (strategy == Strategy::active) != (scene.name.size() % 2 == 0)) {
+            continue;
+        }
         const RunResult alone = run_scene(scene, parameters, options_for(strategy, 1, nullptr));
         if (!is_long()) {
             const std::uint32_t size = strategy == Strategy::cells ? 2 : 3;

@@ -5,6 +5,7 @@
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/command_line/command_line.h"
 #include "scenes/command_line/scene_source.h"
+#include "scenes/command_line/together.h"
 #include "scenes/file/describe.h"
 #include "scenes/output/event_lines.h"
 #include "scenes/output/machine.h"
@@ -179,12 +180,6 @@ Parameters with_settings(const Scene& scene, const std::vector<std::string>& set
     return parameters;
 }
 
-// Whether this process prints and writes.
-bool leads(const Arguments& arguments) {
-    const Ranks* ranks = arguments.run.submeshing.ranks;
-    return ranks == nullptr || ranks->rank() == 0;
-}
-
 void check_usage(const Arguments& arguments) {
     const auto refuse = [](const char* what, const char* where, const char* value,
                            const char* allowed) {
@@ -209,7 +204,7 @@ void check_usage(const Arguments& arguments) {
         refuse("a log of edits begins with the run", "--edits", "with --resume", "run SCENE");
     }
     const auto check = [&](const auto& path, const char* option) {
-        if (path && leads(arguments)) {
+        if (path && leads(arguments.run.submeshing.ranks)) {
             check_writable(*path, option);
         }
     };
@@ -242,7 +237,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     options.measure_shape = file.measures_shape;
     options.strategy = origin.strategy;
     options.submeshing = origin.submeshing;
-    options.progress = leads(arguments) && isatty(STDERR_FILENO) != 0;
+    options.progress = leads(arguments.run.submeshing.ranks) && isatty(STDERR_FILENO) != 0;
     options.interrupted = &interrupted;
     options.series_every = arguments.series ? arguments.every.value_or(1) : 0;
     options.edits = arguments.edits.value_or("");
@@ -264,7 +259,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     std::signal(SIGTERM, on_interrupt);
 
     const RunResult result = run_scene(scene, parameters, options);
-    if (!leads(arguments)) {
+    if (!leads(arguments.run.submeshing.ranks)) {
         return 0;
     }
     print_summary(result);
@@ -294,31 +289,11 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     return result.holds() && !result.interrupted ? 0 : 1;
 }
 
-// Whatever ends the run in one process is told to the others, so that all of them end.
-int run_together(const std::string& program, const std::vector<Scene>& scenes,
-                 const Arguments& arguments) {
-    Ranks* const ranks = arguments.run.submeshing.ranks;
-    if (ranks == nullptr) {
-        return run(program, scenes, arguments);
-    }
-    try {
-        const int code = run(program, scenes, arguments);
-        ranks->wait_for_all();
-        return code;
-    } catch (...) {
-        ranks->leave(std::current_exception());
-        throw;
-    }
-}
-
 } // namespace
 
 int scene_program(const std::string& program, const std::vector<Scene>& scenes, int argc,
                   const char* const* argv, Ranks* ranks) {
-    if (ranks != nullptr && ranks->rank() != 0) { // the first one says it for all
-        std::cout.setstate(std::ios::failbit);
-        std::cerr.setstate(std::ios::failbit);
-    }
+    silence_others(ranks);
     CLI::App app{"Runs the scenes of a deformable simplicial complex and measures them."};
     app.require_subcommand(1);
     app.add_subcommand("list", "all scenes and the keys they take");
@@ -404,10 +379,12 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         std::cout << describe(file, with_settings(file.scene, arguments.settings));
         return 0;
     };
-    return call_command(app, program, argc, argv,
-                        {{"list", list_all},
-                         {"run", [&] { return run_together(program, scenes, arguments); }},
-                         {"describe", describe_one}});
+    return call_command(
+        app, program, argc, argv,
+        {{"list", list_all},
+         {"run",
+          [&] { return end_together(ranks, [&] { return run(program, scenes, arguments); }); }},
+         {"describe", describe_one}});
 }
 
 } // namespace dsc::scenes

@@ -12,6 +12,7 @@
 #include "scenes/run/dsc_method.h"
 #include "scenes/run/reference_run.h"
 #include "scenes/run/result_archive.h"
+#include "scenes/run/usage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -367,56 +368,23 @@ void run_method(const Setup& setup, const Parameters& parameters, const RunOptio
 
 RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunOptions& options) {
     const Setup setup = scene.prepare(parameters);
-    const Submeshing& submeshing = options.submeshing;
-    if (!is_parallel(options.strategy) && submeshing.threads > 1) {
-        throw InputError({.what = "this strategy runs on one thread",
-                          .where = "--threads",
-                          .value = std::to_string(submeshing.threads),
-                          .allowed = "1, or one of the strategies " + parallel_strategies()});
-    }
-    Ranks* const ranks = submeshing.ranks;
-    if (ranks != nullptr && ranks->size() > 1 && !is_shared(options.strategy)) {
-        throw InputError(
-            {.what = "this strategy runs in one process",
-             .where = "--strategy",
-             .value = "'" + to_string(options.strategy) + "' in " + std::to_string(ranks->size()) +
-                      " processes",
-             .allowed = "a single process, or one of the strategies " + shared_strategies()});
-    }
+    check_usage(scene, setup, parameters, options);
     RunResult result;
     result.scene = scene.name;
     result.parameters = parameters;
     result.parameters.dt = setup.dt;
     result.parameters.steps = scene.counts_steps_each_way ? setup.steps / 2 : setup.steps;
     result.strategy = options.strategy;
-    result.submeshes = submeshes_of(options.strategy, submeshing);
-    result.threads = submeshing.threads;
+    result.submeshes = submeshes_of(options.strategy, options.submeshing);
+    result.threads = options.submeshing.threads;
     if (options.strategy == Strategy::reference) {
-        if (!options.checkpoint.path.empty() || options.resume != nullptr) {
-            throw InputError({.what = "the reference keeps no checkpoints",
-                              .where = "--strategy",
-                              .value = "'reference'",
-                              .allowed = "another strategy"});
-        }
-        if (parameters.real != RealType::double_precision) {
-            throw InputError({.what = "the reference is written for double",
-                              .where = "--set real",
-                              .value = "'float'",
-                              .allowed = "double"});
-        }
-        if (setup.sees_interface() || !setup.carried.empty()) {
-            throw InputError({.what = "the reference moves the interface alone, by velocities",
-                              .where = "--strategy",
-                              .value = "'reference'",
-                              .allowed = "another strategy for the scene " + scene.name});
-        }
         run_method<ReferenceMethod>(setup, parameters, options, result);
     } else if (parameters.real == RealType::double_precision) {
         run_method<DscMethod<double>>(setup, parameters, options, result);
     } else {
         run_method<DscMethod<float>>(setup, parameters, options, result);
     }
-    if (ranks != nullptr) {
+    if (const Ranks* const ranks = options.submeshing.ranks) {
         result.ranks = ranks->size();
         result.bytes_per_step = result.steps > 0 ? static_cast<double>(ranks->bytes()) /
                                                        static_cast<double>(result.steps)

@@ -164,21 +164,6 @@ void SubmeshExecutor<Real>::begin_step() {
 }
 
 template <class Real>
-void SubmeshExecutor<Real>::choose_threads() {
-    const ShareOfRank own = shared_ ? shared_->share(0) : ShareOfRank{0, first_colour_};
-    std::size_t size = shared_ ? 0 : interface_size();
-    for (std::size_t i = own.begin; shared_ && i < own.end; ++i) {
-        size += parts_[i]->work.interface.size();
-    }
-    const std::size_t pay_off = size / submeshes_.vertices_per_thread;
-    useful_threads_ = static_cast<std::uint32_t>(
-        std::clamp<std::size_t>(pay_off, 1, std::max<std::size_t>(own.end - own.begin, 1)));
-    threads_ = std::min(useful_threads_,
-                        submeshes_.adapts_threads ? choice_.threads() : submeshes_.threads);
-    pool_.start(threads_);
-}
-
-template <class Real>
 void SubmeshExecutor<Real>::divide() {
     const Recut recut = parts_.empty() ? Recut::all : partitioner_->is_due(status_);
     if (recut == Recut::none) {

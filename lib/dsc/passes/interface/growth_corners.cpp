@@ -54,11 +54,9 @@ private:
     }
 
     void visit(std::uint32_t v) {
-        if (!complex_.is_alive(Vertex{v}) || complex_.is_locked(Vertex{v})) {
-            return;
-        }
         Ring<Real>& ring = work_.ring;
-        if (!gather(complex_, work_.submesh.region, v, ring)) {
+        if (!complex_.is_alive(Vertex{v}) || complex_.is_locked(Vertex{v}) ||
+            !gather(complex_, work_.submesh.region, v, ring)) {
             return;
         }
         const GrowthBend<Real> bend = bend_of(ring);
@@ -233,7 +231,6 @@ private:
                              k + 1 == count ? 0 : static_cast<float>(angle - by),
                              FanState::opening};
             set_corner(member.id, true);
-            work_.touch(member.id);
         }
     }
 

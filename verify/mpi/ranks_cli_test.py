@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""Several processes share the work of a run: the same bits, one voice, one end."""
+import os
+import unittest
+
+from launcher import SHORT, Launched
+
+CELLS = ["--strategy", "cells", "--submeshes", "6"]
+
+
+class Ranks(Launched):
+    def test_the_result_is_that_of_one_process(self):
+        alone = self.result(None, "swirl", *SHORT, *CELLS)
+        self.assertNotIn("ranks", alone)
+        for ranks in (1, 3):
+            result = self.result(ranks, "swirl", *SHORT, *CELLS)
+            self.expect_same(result, alone, f"{ranks} ranks")
+            self.assertEqual(result["ranks"], ranks)
+            self.assertEqual(result["bytes_per_step"] > 0, ranks > 1)
+
+    def test_one_of_them_speaks(self):
+        code, out, words = self.call(2, "list")
+        self.assertEqual((code, words), (0, []))
+        self.assertEqual(out.count("speedup-four-circles"), 1)
+        code, out, words = self.call(2, "run", "swirl", *SHORT)
+        self.assertEqual((code, words), (0, []))
+        self.assertEqual(out.count("swirl (cells, 1 thread)"), 1, "cells are the choice")
+
+    def test_what_cannot_be_shared_is_refused(self):
+        for strategy in ("sequential", "reference", "copy"):
+            code, out, words = self.call(2, "run", "swirl", *SHORT, "--strategy", strategy)
+            self.assertEqual((code, out, len(words)), (2, "", 1), words)
+            for word in ("--strategy", f"'{strategy}' in 2 processes", "cells"):
+                self.assertIn(word, words[0])
+        code, out, words = self.call(1, "run", "swirl", *SHORT, "--strategy", "sequential")
+        self.assertEqual((code, words), (0, []))
+
+    def test_what_only_one_of_them_knows_ends_all(self):
+        code, out, words = self.call(3, "run", "swirl", *SHORT, "--json", "none/r.json")
+        self.assertEqual((code, out, len(words)), (2, "", 1), words)
+        self.assertIn("none/r.json", words[0])
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_a_checkpoint_goes_on_in_any_number(self):
+        whole = self.result(None, "grains", *SHORT, *CELLS)
+        self.result(2, "grains", *SHORT, *CELLS, "--checkpoint", "c", "--stop-after", "2", code=1)
+        for ranks in (None, 1, 3):
+            self.expect_same(self.result(ranks, "--resume", "c"), whole, f"{ranks} ranks")
+
+    def test_files_are_those_of_one_process(self):
+        outputs = ["--frames", "f", "--events", "e", "--edits", "d", "--series", "s",
+                   "--outlines", "o"]
+        contents = []
+        for ranks in (None, 2):
+            self.result(ranks, "drop-and-pool", *SHORT, *CELLS, *outputs)
+            read = {}
+            for folder, _, names in os.walk(self.folder):
+                for name in names:
+                    path = os.path.join(folder, name)
+                    with open(path, "rb") as stream:
+                        read[os.path.relpath(path, self.folder)] = stream.read()
+                    os.remove(path)
+            contents.append(read)
+        self.assertEqual(sorted(contents[0]), sorted(contents[1]))
+        for name, bytes_alone in contents[0].items():
+            if name == "s":  # times are among its columns
+                self.assertEqual(len(bytes_alone.splitlines()), len(contents[1][name].splitlines()))
+            elif not name.endswith(".submeshes.json"):  # has times as well
+                self.assertEqual(bytes_alone, contents[1][name], name)
+
+
+if __name__ == "__main__":
+    unittest.main()
