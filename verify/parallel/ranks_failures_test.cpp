@@ -127,6 +127,26 @@ TEST(RanksFailures, OneThatLeavesIsNotWaitedFor) {
     }
 }
 
+// The step itself tells the others, so that they do not depend on the application for it.
+TEST(RanksFailures, AListenerThatThrowsOnOneRankStopsAll) {
+    std::vector<std::string> texts(3);
+    (void)run_ranks(3, [&](Ranks& ranks) {
+        Own own(&ranks);
+        if (ranks.rank() == 2) {
+            own.simulation->add_listener(
+                [](std::span<const Edit>) { throw std::runtime_error("no more room"); });
+        }
+        try {
+            own.simulation->step(growing, 0, 0.1); // of several sub-steps
+        } catch (...) {
+            texts[ranks.rank()] = text_of(std::current_exception());
+        }
+        EXPECT_TRUE(ranks.has_failed());
+        ranks.start_over();
+    });
+    EXPECT_EQ(texts, std::vector<std::string>(3, "other: no more room"));
+}
+
 TEST(RanksFailures, ADifferenceBetweenTheRanksIsFound) {
     const auto thrown = run_ranks(2, [](Ranks& ranks) {
         Own own(&ranks);

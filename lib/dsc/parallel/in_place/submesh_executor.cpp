@@ -334,8 +334,8 @@ void SubmeshExecutor<Real>::recover() {
 
 template <class Real>
 void SubmeshExecutor<Real>::end_step() {
+    tell_failure();
     if (under_way_) {
-        tell_failure();
         recover();
     }
     std::uint64_t examined = whole_.log.counts.examined;

@@ -202,7 +202,7 @@ bool SubmeshExecutor<Real>::any_rank(bool mine) {
     return shared_ ? shared_->ranks.any(mine) : mine;
 }
 
-// The step has thrown what only this rank knows of: the others are told, and throw it too.
+// What ends a step on this rank alone, such as an error of a listener, is told to the others.
 template <class Real>
 void SubmeshExecutor<Real>::tell_failure() {
     const std::exception_ptr failure = std::current_exception();
