@@ -3,20 +3,9 @@
 
 #include "mpi/mpi_transport.h"
 
-#include <algorithm>
-#include <array>
-#include <cstdlib>
 #include <optional>
 
 namespace dsc {
-
-bool is_started_by_mpi() {
-    // Open MPI; MPICH and Intel's, under mpirun and under srun.
-    constexpr std::array names{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMI_RANK", "PMIX_RANK"};
-    return std::ranges::any_of(names, [](const char* name) {
-        return std::getenv(name) != nullptr; // NOLINT: nobody here sets variables
-    });
-}
 
 struct MpiSession::Connection {
     std::optional<MpiTransport> transport;

@@ -9,10 +9,6 @@
 
 namespace dsc {
 
-/// Whether a launcher of MPI (mpirun, srun) has started this process: by the environment alone, so
-/// that a program that was started by itself need not begin with MPI.
-[[nodiscard]] bool is_started_by_mpi();
-
 /// MPI_Init and a transport between all processes; MPI_Finalize at the end, or MPI_Abort where the
 /// others cannot be reached any more. One in a program.
 class MpiSession {

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Several processes share the work of a run: the same bits, one voice, one end."""
 import os
+import shutil
 import unittest
+import unittest.mock
 
+import launcher
 from launcher import SHORT, Launched
 
 CELLS = ["--strategy", "cells", "--submeshes", "6"]
@@ -34,6 +37,15 @@ class Ranks(Launched):
                 self.assertIn(word, words[0])
         code, out, words = self.call(1, "run", "swirl", *SHORT, "--strategy", "sequential")
         self.assertEqual((code, words), (0, []))
+
+    def test_a_program_without_mpi_says_so(self):
+        alone = self.path("dsc_scene")  # nothing beside it
+        shutil.copy(launcher.SCENE, alone)
+        with unittest.mock.patch.object(launcher, "SCENE", alone):
+            code, out, words = self.call(2, "run", "swirl", *SHORT)
+            self.assertEqual((code, out, len(words)), (2, "", 1), words)
+            self.assertIn("built without MPI: got 2 processes", words[0])
+            self.assertEqual(self.call(1, "run", "swirl", *SHORT)[0], 0)
 
     def test_what_only_one_of_them_knows_ends_all(self):
         code, out, words = self.call(3, "run", "swirl", *SHORT, "--json", "none/r.json")
