@@ -64,6 +64,10 @@ Seen simulate(std::uint64_t seed, Ranks* ranks, std::string& description) {
         options.sizes.growth = dice.in(1.1, 1.6);
         words << ", growth " << options.sizes.growth;
     }
+    if (dice.chance(0.25)) {
+        options.carried_phases = {1};
+        words << ", carried";
+    }
     const auto wildness =
         dice.chance(0.3) ? dice.one_of(test::wildness_names) : test::Wildness::none;
     const test::RandomFlow flow(dice, 1, wildness);
