@@ -31,6 +31,7 @@ struct Seen {
     std::vector<std::uint64_t> data; ///< after each step
     std::vector<Edit> edits;
     std::vector<std::uint64_t> unreached;
+    std::uint64_t passes = 0;
     std::size_t events = 0;
 };
 
@@ -39,6 +40,7 @@ void expect_same(const Seen& one, const Seen& other, const std::string& words) {
     EXPECT_EQ(one.data, other.data) << words;
     EXPECT_EQ(one.unreached, other.unreached) << words;
     EXPECT_EQ(one.events, other.events) << words;
+    EXPECT_EQ(one.passes, other.passes) << words;
     ASSERT_EQ(one.edits.size(), other.edits.size()) << words;
     for (std::size_t i = 0; i < one.edits.size(); ++i) {
         const Edit& a = one.edits[i];
@@ -101,6 +103,7 @@ Seen simulate(std::uint64_t seed, Ranks* ranks, std::string& description) {
             simulation.step(velocity, static_cast<Real>(step * dt), static_cast<Real>(dt));
         seen.unreached.push_back(report.unreached);
         seen.events += report.events.size();
+        seen.passes += report.passes;
         seen.ids.push_back(test::id_hash(complex));
         seen.data.push_back(data ? data->hash() : 0);
     }

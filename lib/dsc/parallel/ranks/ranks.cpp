@@ -8,9 +8,9 @@ namespace dsc {
 namespace {
 
 // The first byte of each message.
-constexpr std::byte failed{1};
-constexpr std::byte left{2}; // failed, and nothing but the failure follows
-constexpr std::byte stops{4};
+constexpr std::byte flag_failed{1};
+constexpr std::byte flag_left{2}; // failed, and nothing but the failure follows
+constexpr std::byte flag_stop{4};
 
 bool has(std::byte flags, std::byte flag) { return (flags & flag) != std::byte{0}; }
 
@@ -25,10 +25,10 @@ MessageWriter& Ranks::begin() {
 std::span<MessageReader> Ranks::exchange(std::exception_ptr failure) {
     std::byte flags = message_.at(0);
     if (stop_ != nullptr && stop_->load()) {
-        flags |= stops;
+        flags |= flag_stop;
     }
     if (failure) {
-        flags |= failed;
+        flags |= flag_failed;
         const auto place = static_cast<std::uint32_t>(message_.bytes().size());
         std::memcpy(&message_.at(1), &place, sizeof place);
         write_error(message_, failure);
@@ -46,9 +46,9 @@ std::span<MessageReader> Ranks::exchange(std::exception_ptr failure) {
         MessageReader& reader = readers_.emplace_back(all[rank]);
         const auto theirs = reader.one<std::byte>();
         const auto place = reader.one<std::uint32_t>();
-        is_to_stop_ = is_to_stop_ || has(theirs, stops);
-        has_left = has_left || has(theirs, left);
-        if (has(theirs, failed) && !failure_) {
+        is_to_stop_ = is_to_stop_ || has(theirs, flag_stop);
+        has_left = has_left || has(theirs, flag_left);
+        if (has(theirs, flag_failed) && !failure_) {
             failure_ = rank == this->rank() ? failure : read_error(all[rank].subspan(place));
         }
     }
@@ -67,7 +67,7 @@ void Ranks::leave(const std::exception_ptr& failure) noexcept {
     }
     try {
         begin();
-        message_.at(0) = left;
+        message_.at(0) = flag_left;
         (void)exchange(failure);
     } catch (...) { // NOLINT: what was told, or the others are gone: there is nobody left to tell
         has_failed_ = true;
