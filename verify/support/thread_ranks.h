@@ -8,7 +8,8 @@
 #include <barrier>
 #include <exception>
 #include <functional>
-#include <memory>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -19,6 +20,12 @@ class ThreadGroup {
 public:
     explicit ThreadGroup(std::uint32_t size)
         : bytes_(size), barrier_(static_cast<std::ptrdiff_t>(size)) {}
+
+    /// A rank has ended: the others are not to wait for it.
+    void end(std::uint32_t rank) {
+        bytes_[rank] = {};
+        barrier_.arrive_and_drop();
+    }
 
 private:
     friend class ThreadTransport;
@@ -43,6 +50,12 @@ public:
         }
         all_.assign(copies_.begin(), copies_.end());
         group_.barrier_.arrive_and_wait(); // until then the others read
+        for (std::size_t rank = 0; rank < all_.size(); ++rank) {
+            if (all_[rank].empty()) { // no message is
+                throw std::runtime_error("rank " + std::to_string(rank) +
+                                         " has ended before the others");
+            }
+        }
         return all_;
     }
 
@@ -71,6 +84,7 @@ inline std::vector<std::exception_ptr> run_ranks(std::uint32_t size,
                 thrown[rank] = std::current_exception();
                 ranks.leave(thrown[rank]);
             }
+            group.end(rank);
         });
     }
     for (std::thread& thread : threads) {
