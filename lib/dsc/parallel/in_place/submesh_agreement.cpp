@@ -108,6 +108,26 @@ std::string where_they_differ(const Item& item, const std::string& other) {
     return text;
 }
 
+template <class Real>
+void add_work(const std::string& whose, const Work<Real>& work, bool is_listed,
+              std::vector<Item>& items) {
+    if (is_listed) {
+        items.push_back(list_item("the interface of " + whose, work.interface));
+    }
+    items.push_back(list_item("the active set of " + whose, work.active));
+    items.push_back(list_item("the stars to be looked at again of " + whose, work.resized));
+    items.push_back(list_item("the changed interface of " + whose, work.changed_interface));
+    Item& others = items.emplace_back();
+    others.name = "the suspects, missed movements or counts of " + whose;
+    for (const Suspect<Real>& one : work.topology_suspects) {
+        put(others.bytes, one.vertex, one.x, one.y, one.is_thin, one.is_facing, one.is_sharp);
+    }
+    for (const Mover<Real>& one : work.missed) {
+        put(others.bytes, one.vertex, one.x, one.y);
+    }
+    put(others.bytes, work.log.counts);
+}
+
 } // namespace
 
 template <class Real>
@@ -115,33 +135,16 @@ void SubmeshExecutor<Real>::expect_agreement(const char* when) {
     std::vector<Item> items;
     add_complex(complex_, items);
     add_attributes(complex_, items);
-    const auto add_work = [&](const std::string& whose, const Work<Real>& work, bool is_listed) {
-        if (is_listed) {
-            items.push_back(list_item("the interface of " + whose, work.interface));
-        }
-        items.push_back(list_item("the active set of " + whose, work.active));
-        items.push_back(list_item("the stars to be looked at again of " + whose, work.resized));
-        items.push_back(list_item("the changed interface of " + whose, work.changed_interface));
-        Item& others = items.emplace_back();
-        others.name = "the suspects, missed movements or counts of " + whose;
-        for (const Suspect<Real>& one : work.topology_suspects) {
-            put(others.bytes, one.vertex, one.x, one.y, one.is_thin, one.is_facing, one.is_sharp);
-        }
-        for (const Mover<Real>& one : work.missed) {
-            put(others.bytes, one.vertex, one.x, one.y);
-        }
-        put(others.bytes, work.log.counts);
-    };
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         const std::string name = "submesh " + std::to_string(i);
-        add_work(name, parts_[i]->work, i < first_colour_);
+        add_work(name, parts_[i]->work, i < first_colour_, items);
         items.push_back(list_item("the free vertices of " + name, parts_[i]->pool.vertices));
         items.push_back(list_item("the free triangles of " + name, parts_[i]->pool.triangles));
         Item& examined = items.emplace_back();
         examined.name = "the stars examined in " + name;
         put(examined.bytes, parts_[i]->examined);
     }
-    add_work("what no submesh owns", whole_, true);
+    add_work("what no submesh owns", whole_, true, items);
 
     std::vector<std::uint64_t> hashes;
     for (const Item& item : items) {
