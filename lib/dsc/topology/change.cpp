@@ -22,10 +22,11 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
                             .events = events};
     // Most suspects have a thin triangle that bridges nothing: they count once something else has
     // changed.
-    const auto others = std::ranges::partition(suspects, [](const Suspect<Real>& suspect) {
-        return suspect.is_facing || suspect.is_sharp;
-    });
-    const std::span<const Suspect<Real>> notable(suspects.begin(), others.begin());
+    const auto others =
+        std::partition(suspects.begin(), suspects.end(), [](const Suspect<Real>& suspect) {
+            return suspect.is_facing || suspect.is_sharp;
+        });
+    const std::span<const Suspect<Real>> notable(suspects.begin(), others);
     if (is_wide(largest_contact(options, edge_length), edge_length)) {
         open_wide_films<Real>(work, suspects);
     }
