@@ -24,12 +24,12 @@ OWN = {
     "sizes": ["sizes"],
     "passes": ["passes", "effort", "sizes"],
     "algorithm": ["algorithm", "effort"],
-    "parallel": ["parallel"],
+    "parallel": ["parallel", "ranks"],
     "topology": ["topology"],
     "io": ["io", "checkpoints"],
     "measures": ["measures"],
     "flows": ["flows"],
-    "scenes": ["scenes", "scene_files", "output", "checkpoints", "scene_output_cli"],
+    "scenes": ["scenes", "scene_files", "scene_runs", "checkpoints", "scene_output_cli"],
     "reference": ["reference"],
     "gate": ["judge", "limits", "gate_cli"],
     "plots": ["plots"],
@@ -37,11 +37,14 @@ OWN = {
 # Cheap ones first. The hashes notice nearly everything and say nothing about what is wrong, so they
 # are asked last of all tests.
 OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "algorithm", "initial",
-          "sizes", "io", "measures", "geometry", "recipes", "scene_files", "output", "topology",
-          "fuzz", "hard", "reference", "scenes", "parallel", "velocities", "checkpoints", "figures",
-          "hashes", "gate"]
+          "sizes", "io", "measures", "geometry", "recipes", "scene_files", "scene_runs",
+          "topology", "fuzz", "hard", "reference", "scenes", "parallel", "ranks", "velocities",
+          "checkpoints", "figures", "hashes", "gate"]
 # Some suites of a test program, by a name of their own.
-SUITES = {"flows": ("figures", "Velocity.*:SineCosine.*:FlowMap.*:Exact.*:TwoDiscs.*:ErodedDumbbell.*")}
+SUITES = {
+    "flows": ("figures", "Velocity.*:SineCosine.*:FlowMap.*:Exact.*:TwoDiscs.*:ErodedDumbbell.*"),
+    "scene_runs": ("figures", "RunScene.*:SceneFileExact.*:Describe.*:Catalogue/Described.*"),
+}
 # What nobody has written to notice a fault in particular.
 BROAD = {"hashes", "gate", "hard", "figures"}
 QUICK_GATE = ["area_ratio", "symmetric_difference", "symmetric_difference_half", "inverted",

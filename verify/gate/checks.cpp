@@ -49,6 +49,9 @@ Names scenes_with_exact_shape() {
 // Scenes in which phases merge or part in a way that does not depend on the order of operations.
 const Names eventful{"grow-shrink", "erode-dumbbell", "drop-and-pool", "t1"};
 
+// Flows that stretch and fold the interface: many short edges, and many of them at boundaries.
+const Names winding{"swirl", "single-vortex", "swirl-zalesak"};
+
 // The parallel runs; two threads stand for any number, since `mesh_hash` shows no difference.
 std::vector<Configuration> parallel(const std::string& scene) {
     std::vector<Configuration> all;
@@ -183,6 +186,15 @@ double quality_distance(const RunResult& a, const RunResult& b) {
     return histogram_distance(a.quality_histogram, b.quality_histogram);
 }
 
+// Dividing the mesh makes no work: what a boundary keeps from being done for a while looks like a
+// fault of the mesh, and vertices that are made for it have to go again.
+double effort_ratio(const RunResult& a, const RunResult& b) {
+    const auto splits_and_collapses = [](const RunResult& r) {
+        return static_cast<double>(r.operations.at("splits") + r.operations.at("collapses"));
+    };
+    return splits_and_collapses(a) / splits_and_collapses(b);
+}
+
 // Of the kinds that say how pieces are joined; how often a seam goes on depends on the order.
 double event_difference(const RunResult& a, const RunResult& b) {
     double sum = 0;
@@ -233,6 +245,9 @@ std::vector<Check> make_scene_checks() {
     for (const Comparison& comparison : comparisons()) {
         checks.push_back(against_parallel(comparison));
     }
+    checks.push_back(
+        against_parallel({"parallel_effort", "splits and collapses, parallel over sequential",
+                          effort_ratio, winding}));
     std::vector<Check> of_parallel{
         least_of_parallel(
             "parallel_min_quality", "worst quality at the end, in parallel", "1",

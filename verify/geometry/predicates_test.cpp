@@ -169,6 +169,24 @@ TEST(Orientation, KnowsEveryPointOfTheGridNextToALine) {
     }
 }
 
+// Where factors vanish, the sign is that of the product that is left, however small it is.
+TEST(Orientation, KnowsUprightLinesAndEqualPoints) {
+    for (const double x : {0.0, 0.1, -1e300, 5e-324}) {
+        for (const auto [a, b, c] : {std::array{0.3, 0.7, 0.1}, std::array{0.3, 0.3, 0.1},
+                                     std::array{0.3, 0.7, 0.3}, std::array{0.3, 0.7, 0.7}}) {
+            EXPECT_EQ(orientation(x, a, x, b, x, c), 0);
+            EXPECT_EQ(orientation(a, x, b, x, c, x), 0);
+        }
+    }
+    for (const double small : {1.0, 1e-170, 5e-324}) {
+        EXPECT_EQ(orientation(0.5, 0.5, 0.5, 0.5 + small, 0.5 - small, 0.5), small == 1 ? 1 : 0);
+        EXPECT_EQ(orientation(0, 0, small, 0, 0, small), 1);
+        EXPECT_EQ(orientation(0, 0, 0, small, small, 0), -1);
+        EXPECT_EQ(orientation(0, 0, small, small, 0, small), 1);
+        EXPECT_EQ(orientation(0, 0, 0, small, small, small), -1);
+    }
+}
+
 TEST(Orientation, IsZeroForWhatIsNotFinite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();

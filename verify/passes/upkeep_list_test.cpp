@@ -117,10 +117,11 @@ std::uint32_t is_near(const void* context, double x, double y) {
 TEST(UpkeepList, AVertexWhoseNeighbourMayNotMoveIsPutOff) {
     const auto options = coarsening_by_area();
     std::ptrdiff_t put_off = 0;
-    const auto list = collect_interface(crowded());
+    const auto before = crowded();
+    const auto list = collect_interface(before);
     for (std::size_t i = 2; i < list.size(); ++i) {
         for (const std::size_t beyond : {i - 2, (i + 2) % list.size()}) {
-            auto complex = crowded();
+            auto complex = before;
             Ring<double> ring;
             ASSERT_TRUE(gather(complex, Region{}, list[i], ring));
             if (std::ranges::count(ring.link, list[beyond]) > 0) {

@@ -24,6 +24,11 @@ int orientation(double ax, double ay, double bx, double by, double cx, double cy
     if (!all_finite(ax, ay, bx, by, cx, cy)) {
         return 0;
     }
+    // Points of an upright wall are nearly all that is collinear to the bit: both products are of
+    // zero.
+    if ((bx == ax || cy == ay) && (by == ay || cx == ax)) {
+        return 0;
+    }
     const Rational x(ax);
     const Rational y(ay);
     const Rational left = (Rational(bx) - x) * (Rational(cy) - y);

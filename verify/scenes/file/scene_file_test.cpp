@@ -113,54 +113,6 @@ TEST(SceneFile, ScalesAndMovesWhatItReads) {
     EXPECT_EQ(setup.outlines.at(0), (Outline{{0.2, 0.8}, {0.7, 0.8}, {0.7, 0.30000000000000004}}));
 }
 
-TEST(SceneFile, KnowsExactShapes) {
-    const std::string vortex =
-        "[options]\nh = 0.1\ndt = 0.1\nperiod = 2\n[flow]\nswirl = { period = "
-        "2 }\n" +
-        disc;
-    const auto back = setup_of(vortex + "[exact]\nback = true").exact;
-    EXPECT_NEAR(back(0).area, 0.04 * 3.14159265358979, 1e-9);
-    EXPECT_NEAR(back(2).area, 0.04 * 3.14159265358979, 1e-9);
-    EXPECT_TRUE(std::isnan(back(1).area)) << "nobody knows";
-    const auto carried = setup_of(vortex + "[exact]\ncarried = true").exact;
-    EXPECT_NEAR(signed_area(carried(1).outlines), 0.04 * 3.14159265358979, 1e-6);
-    const auto circle =
-        setup_of(vortex + "[exact]\ncircle = { centre = [0.5, 0.5], radius = '0.2 + t' }").exact;
-    EXPECT_NEAR(circle(0.1).area, 0.09 * 3.14159265358979, 1e-9);
-    const auto holes =
-        setup_of(options + "[flow]\ntranslation = { velocity = [1, 0] }\n[[shape]]\n"
-                           "path = 'M.1.1h.4v.8h-.4z M.2.3h.2v.4h-.2z'\n[exact]\ncarried = true")
-            .exact;
-    EXPECT_NEAR(holes(0.1).area, 0.4 * 0.8 - 0.2 * 0.4, 1e-9);
-    EXPECT_NEAR(signed_area(holes(0.1).outlines), 0.4 * 0.8 - 0.2 * 0.4, 1e-6);
-}
-
-TEST(SceneFile, IsMeasuredWhereTheExactShapeIsKnown) {
-    const RunResult result =
-        run_text("[options]\nh = 0.05\ndt = 0.05\nperiod = 1\n[flow]\nswirl = { period = 1 }\n" +
-                 disc + "[exact]\nback = true");
-    EXPECT_LT(number(result.last, "sd_rel"), 0.01);
-    ASSERT_TRUE(result.half);
-    EXPECT_TRUE(std::isnan(number(*result.half, "sd_rel")));
-}
-
-TEST(SceneFile, BeginsAsASceneOfTheCatalogue) {
-    const Scene swirl = find_scene("swirl");
-    Parameters parameters = swirl.defaults;
-    parameters.h = 0.05;
-    parameters.steps = 3;
-    const Scene scene = read("scene = 'swirl'\n[options]\nh = 0.05\nsteps = 3\n").scene;
-    const RunResult result = run_scene(scene, scene.defaults, {});
-    EXPECT_EQ(result.mesh_hash, run_scene(swirl, parameters, {}).mesh_hash);
-    EXPECT_EQ(result.parameters.steps, 3) << "each way, as in the catalogue";
-    EXPECT_TRUE(std::isfinite(number(result.last, "sd_rel")));
-
-    const scenes::Setup other = setup_of("scene = 'swirl'\n" + disc);
-    EXPECT_EQ(other.steps, 520);
-    EXPECT_EQ(other.outlines.size(), 1U);
-    EXPECT_FALSE(other.exact) << "that of another shape";
-}
-
 // The vertices on the left have no velocity: they are held and counted, as for any flow.
 TEST(SceneFile, HoldsVerticesWhereAFormulaHasNoValue) {
     const RunResult result = run_text(options + "[flow]\nu = 'sqrt(x - 0.5)'\nv = '0'\n" + disc);

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The exact shape that a scene file names, and what is measured against it.
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/file/scene_file.h"
+#include "scenes/run/run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace dsc::scenes::scene_file_exact_test {
+namespace {
+
+const std::string options = "[options]\nh = 0.1\ndt = 0.01\nsteps = 2\n";
+const std::string disc = "[[shape]]\ncircle = { centre = [0.5, 0.5], radius = 0.2 }\n";
+
+SceneFile read(const std::string& text) { return read_scene_text(text, "s.toml"); }
+
+scenes::Setup setup_of(const std::string& text) {
+    const Scene scene = read(text).scene;
+    return scene.prepare(scene.defaults);
+}
+
+TEST(SceneFileExact, KnowsExactShapes) {
+    const std::string vortex =
+        "[options]\nh = 0.1\ndt = 0.1\nperiod = 2\n[flow]\nswirl = { period = "
+        "2 }\n" +
+        disc;
+    const auto back = setup_of(vortex + "[exact]\nback = true").exact;
+    EXPECT_NEAR(back(0).area, 0.04 * 3.14159265358979, 1e-9);
+    EXPECT_NEAR(back(2).area, 0.04 * 3.14159265358979, 1e-9);
+    EXPECT_TRUE(std::isnan(back(1).area)) << "nobody knows";
+    const auto carried = setup_of(vortex + "[exact]\ncarried = true").exact;
+    EXPECT_NEAR(signed_area(carried(1).outlines), 0.04 * 3.14159265358979, 1e-6);
+    const auto circle =
+        setup_of(vortex + "[exact]\ncircle = { centre = [0.5, 0.5], radius = '0.2 + t' }").exact;
+    EXPECT_NEAR(circle(0.1).area, 0.09 * 3.14159265358979, 1e-9);
+    const auto holes =
+        setup_of(options + "[flow]\ntranslation = { velocity = [1, 0] }\n[[shape]]\n"
+                           "path = 'M.1.1h.4v.8h-.4z M.2.3h.2v.4h-.2z'\n[exact]\ncarried = true")
+            .exact;
+    EXPECT_NEAR(holes(0.1).area, 0.4 * 0.8 - 0.2 * 0.4, 1e-9);
+    EXPECT_NEAR(signed_area(holes(0.1).outlines), 0.4 * 0.8 - 0.2 * 0.4, 1e-6);
+}
+
+TEST(SceneFileExact, IsMeasuredWhereTheExactShapeIsKnown) {
+    const Scene scene =
+        read("[options]\nh = 0.05\ndt = 0.05\nperiod = 1\n[flow]\nswirl = { period = 1 }\n" + disc +
+             "[exact]\nback = true")
+            .scene;
+    const RunResult result = run_scene(scene, scene.defaults, {});
+    EXPECT_LT(number(result.last, "sd_rel"), 0.01);
+    ASSERT_TRUE(result.half);
+    EXPECT_TRUE(std::isnan(number(*result.half, "sd_rel")));
+}
+
+TEST(SceneFileExact, BeginsAsASceneOfTheCatalogue) {
+    const Scene swirl = find_scene("swirl");
+    Parameters parameters = swirl.defaults;
+    parameters.h = 0.05;
+    parameters.steps = 3;
+    const Scene scene = read("scene = 'swirl'\n[options]\nh = 0.05\nsteps = 3\n").scene;
+    const RunResult result = run_scene(scene, scene.defaults, {});
+    EXPECT_EQ(result.mesh_hash, run_scene(swirl, parameters, {}).mesh_hash);
+    EXPECT_EQ(result.parameters.steps, 3) << "each way, as in the catalogue";
+    EXPECT_TRUE(std::isfinite(number(result.last, "sd_rel")));
+
+    const scenes::Setup other = setup_of("scene = 'swirl'\n" + disc);
+    EXPECT_EQ(other.steps, 520);
+    EXPECT_EQ(other.outlines.size(), 1U);
+    EXPECT_FALSE(other.exact) << "that of another shape";
+}
+
+} // namespace
+} // namespace dsc::scenes::scene_file_exact_test
