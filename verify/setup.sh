@@ -19,7 +19,7 @@ reader_packages=(python3-vtk9 python3-meshio)
 sweep_packages=(snakemake)
 mpi_packages=(libopenmpi-dev openmpi-bin)
 # The sanitizer's own runtime is only recommended by clang-14, so it is named.
-tsan_packages=(clang-14 libclang-rt-14-dev libomp-14-dev)
+tsan_packages=(clang-14 lld-14 libclang-rt-14-dev libomp-14-dev)
 
 jobs=${DSC_JOBS:-$(env -u OMP_NUM_THREADS nproc)}
 

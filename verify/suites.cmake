@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # Registers the suites of one GoogleTest program. CTest reads this when it starts, not the build when
 # it ends: the sanitizers' environment comes from the test preset. Set before: `name`, `program`,
-# `results`, `labels`, `processors`, `timeout`, and `each_case`, which names the suites whose cases
-# take long and are run each by itself; of all others one process runs the whole suite.
+# `results`, `labels`, `timeout`, and `each_case`, which names the suites whose cases take long and are
+# run each by itself; of all others one process runs the whole suite. Nothing is compared with a clock,
+# so that tests of threads may share the cores.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -48,6 +49,6 @@ foreach(line IN LISTS lines)
         add_test(${name}.${test} ${program} --gtest_filter=${filter} --gtest_brief=1
             --gtest_also_run_disabled_tests=0 --gtest_output=xml:${results}/${file}.xml)
         set_tests_properties(${name}.${test} PROPERTIES LABELS "${labels}"
-            PROCESSORS ${processors} TIMEOUT ${timeout})
+            TIMEOUT ${timeout})
     endif()
 endforeach()

@@ -10,7 +10,7 @@ from command_line import VERIFY, HARD, LIMITS, limited_to, CommandLine
 class Gate(CommandLine):
     """Of the gate's checks only the cheapest ones run here; all of them run as the gate."""
     program = VERIFY
-    cheap = "area_ratio"
+    cheap = "accuracy_area"
     with_reference = "reference_area"  # draws histograms as well
 
     def limits(self, change=lambda limits: None):
@@ -57,7 +57,7 @@ class Gate(CommandLine):
         strategies = {h["strategy"] for h in result["histograms"]}
         self.assertEqual(strategies, {"sequential", "reference"})
 
-        scene = "swirl"
+        scene = "vortex-square"
         tightened = self.limits(lambda limits: limits[self.cheap][scene].update(value=-1))
         done = self.call("run", self.cheap, "--limits", tightened, "--out", "out")
         self.assertEqual(done.returncode, 1)
