@@ -67,7 +67,7 @@ class Gate(CommandLine):
         self.assertEqual(set(verdicts.values()), {"pass"})
         suites = xml.parse(self.path("out/verify.xml")).getroot()
         self.assertEqual(suites.get("failures"), "1")
-        self.assertEqual(suites.get("tests"), str(len(result["checks"])))
+        self.assertEqual(suites.get("tests"), str(len(self.result()["checks"])))
         self.assertEqual(len(suites.findall(".//failure")), 1)
 
     def test_no_or_wrong_command(self):

@@ -20,8 +20,7 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
                             .edge_length = edge_length,
                             .time = time,
                             .events = events};
-    // Most suspects have a thin triangle that bridges nothing: they count once something else has
-    // changed.
+    // Most suspects face no sheet: they count once something else has changed.
     const auto others =
         std::partition(suspects.begin(), suspects.end(), [](const Suspect<Real>& suspect) {
             return suspect.is_facing || suspect.is_sharp;

@@ -8,15 +8,15 @@
 
 namespace dsc {
 
-/// An interface vertex at which the topology may have to change, and where it was before the
-/// sub-step.
+/// A vertex of the interface, where it was before the sub-step, and whether the topology may have to
+/// change there.
 template <class Real>
 struct Suspect {
     std::uint32_t vertex; ///< its id
     Real x;               ///< before the sub-step
     Real y;               ///< before the sub-step
-    bool is_thin;         ///< a triangle of its star is
-    bool is_facing;       ///< and an edge opposite to the vertex is of the interface, or may be
+    bool is_thin;         ///< a triangle of its star is, or may be
+    bool is_facing;       ///< one is, and the edge opposite to the vertex may be of the interface
     bool is_sharp;        ///< the interface turns sharply there, or has a junction
 };
 
