@@ -8,8 +8,8 @@
 
 namespace dsc {
 
-/// A vertex of the interface, where it was before the sub-step, and whether the topology may have to
-/// change there.
+/// A vertex of the interface, where it was before the sub-step, and whether the topology may have
+/// to change there.
 template <class Real>
 struct Suspect {
     std::uint32_t vertex; ///< its id
@@ -56,20 +56,20 @@ template <class Real>
 /// Whether two successive vertices of the link are of the interface: only then can an edge opposite
 /// to the centre be one of its edges, and a triangle bridge a film. O(degree).
 template <class Real>
-[[nodiscard]] bool may_face_a_sheet(const Complex<Real>& complex, const Ring<Real>& ring) {
+[[nodiscard, gnu::always_inline]] inline bool may_face_a_sheet(const Complex<Real>& complex,
+                                                               const Ring<Real>& ring) {
     const auto is_marked = [&](std::uint32_t i) {
         return (complex.vertices[ring.link[i]].flags & vertex_on_interface) != 0;
     };
+    // Of two that are successive one has an odd place, unless they close an odd ring.
     const std::uint32_t n = ring.link_size();
-    bool was_marked = ring.closed && is_marked(n - 1);
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const bool now = is_marked(i);
-        if (was_marked && now) {
+    for (std::uint32_t i = 1; i < n; i += 2) {
+        if (is_marked(i) &&
+            (is_marked(i - 1) || (i + 1 < n ? is_marked(i + 1) : ring.closed && is_marked(0)))) {
             return true;
         }
-        was_marked = now;
     }
-    return false;
+    return ring.closed && n % 2 == 1 && is_marked(n - 1) && is_marked(0);
 }
 
 } // namespace dsc
