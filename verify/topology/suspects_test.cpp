@@ -88,5 +88,31 @@ TEST(Suspects, AreAllThatAreThinInSubmeshes) {
     }
 }
 
+// Every set of marked vertices, on links of all sizes up to nine, against a look at each pair.
+TEST(Suspects, MayFaceASheetWhereTwoNeighboursOfTheLinkAreOfTheInterface) {
+    for (const bool closed : {true, false}) {
+        for (std::uint32_t n = 3; n <= 9; ++n) {
+            Complex<double> complex;
+            complex.vertices.resize(n);
+            Ring<double> ring;
+            ring.closed = closed;
+            ring.size = closed ? n : n - 1;
+            for (std::uint32_t i = 0; i < n; ++i) {
+                ring.link[i] = i;
+            }
+            for (std::uint32_t marks = 0; marks < 1U << n; ++marks) {
+                const auto is_marked = [&](std::uint32_t i) { return (marks >> i & 1U) != 0; };
+                bool expected = closed && is_marked(n - 1) && is_marked(0);
+                for (std::uint32_t i = 0; i < n; ++i) {
+                    complex.vertices[i].flags = is_marked(i) ? vertex_on_interface : 0U;
+                    expected |= i > 0 && is_marked(i - 1) && is_marked(i);
+                }
+                EXPECT_EQ(may_face_a_sheet(complex, ring), expected)
+                    << (closed ? "closed" : "open") << " link of " << n << ", marks " << marks;
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace dsc::suspects_test

@@ -121,9 +121,14 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
 template <class Real>
 void absorb_edits(Work<Real>& work, std::span<const Edit> edits);
 
-/// Appends the topology's suspects of a work to `list`, and empties them.
+/// Appends the topology's suspects of a work to `list`, and empties them. An empty list changes
+/// places with them: nearly every vertex of the interface is a suspect in each sub-step.
 template <class Real>
 void append_suspects(Work<Real>& work, std::vector<Suspect<Real>>& list) {
+    if (list.empty()) {
+        list.swap(work.topology_suspects);
+        return;
+    }
     list.insert(list.end(), work.topology_suspects.begin(), work.topology_suspects.end());
     work.topology_suspects.clear();
 }
