@@ -8,9 +8,8 @@
 #include "dsc/complex/ring.h"
 #include "dsc/complex/submesh.h"
 
-#include <algorithm>
-#include <bit>
 #include <cstdint>
+#include <limits>
 
 namespace dsc {
 
@@ -19,30 +18,31 @@ namespace detail {
 /// How a star is tested for ownership.
 enum class Owned : std::uint8_t {
     surely,  ///< the region is the whole mesh
-    upright, ///< an axis-aligned box: all of the link at once, when it has been walked
+    upright, ///< an axis-aligned box: by the bounds of the link
     tested,  ///< any other region: vertex by vertex
 };
 
-/// Whether an axis-aligned box owns all vertices of the link: by the signs of how far they lie from
-/// its sides, which are right however small the differences are, in whole lanes.
+/// The smallest axis-aligned box around the link. It is kept up while the link is walked, in
+/// registers: a look at the rows of the ring would have to wait for the stores that fill them.
 template <class Real>
-[[gnu::always_inline]] inline bool owns_link(const Region& box, const Ring<Real>& ring) {
-    std::uint64_t inside = ~std::uint64_t{0}; // the highest bit counts
-    for (std::uint32_t first = 0; first < ring.size; first += Ring<Real>::lanes) {
-        const Real* x = ring.x.data() + first;
-        const Real* y = ring.y.data() + first;
-#pragma omp simd reduction(& : inside)
-        for (std::uint32_t i = 0; i < Ring<Real>::lanes; ++i) {
-            const double px = static_cast<double>(x[i]);
-            const double py = static_cast<double>(y[i]);
-            inside &= ~std::bit_cast<std::uint64_t>(px - box.low) &
-                      std::bit_cast<std::uint64_t>(px - box.high) &
-                      ~std::bit_cast<std::uint64_t>(py - box.side_low) &
-                      std::bit_cast<std::uint64_t>(py - box.side_high);
-        }
+struct Bounds {
+    Real x_low = std::numeric_limits<Real>::infinity();
+    Real y_low = std::numeric_limits<Real>::infinity();
+    Real x_high = -std::numeric_limits<Real>::infinity();
+    Real y_high = -std::numeric_limits<Real>::infinity();
+
+    void add(Real x, Real y) {
+        x_low = x < x_low ? x : x_low;
+        y_low = y < y_low ? y : y_low;
+        x_high = x > x_high ? x : x_high;
+        y_high = y > y_high ? y : y_high;
     }
-    return inside >> 63U != 0;
-}
+    /// Whether an upright region owns all that has been added.
+    [[nodiscard]] bool lie_in(const Region& region) const {
+        return region.is_inside(static_cast<double>(x_low), static_cast<double>(y_low)) &&
+               region.is_inside(static_cast<double>(x_high), static_cast<double>(y_high));
+    }
+};
 
 /// Writes a star into a ring, triangle by triangle, counter-clockwise.
 template <Owned how, class Real>
@@ -83,6 +83,8 @@ public:
         const Real y = read(record.y);
         if constexpr (how == Owned::tested) {
             owns_ = owns_ && region_.owns(id, static_cast<double>(x), static_cast<double>(y));
+        } else if constexpr (how == Owned::upright) {
+            bounds_.add(x, y);
         }
         ring_.link[i] = id;
         ring_.x[i] = x;
@@ -121,10 +123,7 @@ public:
         fill(r.x_previous, n, x_previous);
         fill(r.y_previous, n, y_previous);
         if constexpr (how == Owned::upright) {
-            // The lanes have all of the link but the last vertex of an open one.
-            owns_ = owns_link(region_, r) &&
-                    (closed || region_.is_inside(static_cast<double>(r.x_next[n - 1]),
-                                                 static_cast<double>(r.y_next[n - 1])));
+            owns_ = bounds_.lie_in(region_);
         }
         r.owned = owns_;
     }
@@ -144,6 +143,7 @@ private:
     const VertexRecord<Real>* vertices_;
     Ring<Real>& ring_;
     const Region& region_;
+    Bounds<Real> bounds_;
     bool owns_ = true;
     Phase phase_ = 0;
     Phase differing_ = 0;
