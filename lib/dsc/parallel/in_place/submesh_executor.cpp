@@ -13,10 +13,6 @@ namespace dsc {
 
 namespace {
 
-/// Ids that each submesh holds in addition to one for each of its interface vertices; what does not
-/// fit is put off to the next colour, never lost.
-constexpr std::size_t spare_vertices = 64;
-
 void check(const SubmeshOptions& options) {
     require(options.threads >= 1 && options.threads <= 1024, "threads", options.threads,
             "1 to 1024");
@@ -51,6 +47,8 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
     // Everything that takes longer in a large mesh is done here rather than in a step: dividing it
     // for the first time, making room, lending ids, and starting threads.
     divide();
+    // All of them at once: a new thread takes milliseconds to get a core of its own.
+    pool_.start(submeshes_.threads);
     choose_threads();
     make_room();
     for (auto& part : parts_) {
@@ -69,61 +67,6 @@ SubmeshExecutor<Real>::~SubmeshExecutor() {
 }
 
 // --- set-up ------------------------------------------------------------------------------------
-
-template <class Real>
-void SubmeshExecutor<Real>::give_back(IdPool& pool, std::size_t vertices, std::size_t triangles) {
-    const auto give = [](std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& to,
-                         std::size_t keep) {
-        while (from.size() > keep) {
-            to.push_back(from.back());
-            from.pop_back();
-        }
-    };
-    give(pool.vertices, complex_.ids.vertices, vertices);
-    give(pool.triangles, complex_.ids.triangles, triangles);
-}
-
-template <class Real>
-std::size_t SubmeshExecutor<Real>::least_vertices(const Part& part) {
-    return part.work.submesh.region.is_whole() ? 0 // it uses those of the complex
-                                               : spare_vertices + part.work.interface.size() / 2;
-}
-
-// Room for what the pools are about to take, for what they take when a longer interface has more
-// submeshes, and for a mesh that grows by half: to copy the arrays in a step would take as long as
-// ten steps. What is never used of it is never touched, so it is no memory of the machine. Beyond
-// that the arrays double, as vectors do.
-template <class Real>
-void SubmeshExecutor<Real>::make_room() {
-    std::size_t lent = spare_vertices;
-    for (const auto& part : parts_) {
-        lent += 2 * least_vertices(*part);
-    }
-    const auto roomy = [lent](std::size_t bound, std::size_t each) {
-        return bound + bound / 2 + 4 * each * lent;
-    };
-    complex_.reserve(roomy(complex_.vertex_bound(), 1), roomy(complex_.triangle_bound(), 2));
-}
-
-template <class Real>
-void SubmeshExecutor<Real>::refill(Part& part) {
-    IdPool& pool = part.pool;
-    const std::size_t least = least_vertices(part);
-    if (pool.vertices.size() >= least && pool.triangles.size() >= 2 * least) {
-        return;
-    }
-    // Twice as many, so that this is rare.
-    while (pool.vertices.size() < 2 * least) {
-        const std::uint32_t id = complex_.take_vertex(complex_.ids);
-        complex_.vertices[id].flags = vertex_dead;
-        pool.vertices.push_back(id);
-    }
-    while (pool.triangles.size() < 4 * least) {
-        const std::uint32_t id = complex_.take_triangle(complex_.ids);
-        complex_.triangles[id].v = {no_id, no_id, no_id};
-        pool.triangles.push_back(id);
-    }
-}
 
 // Stamps for one parallel section: all its submeshes may use the same stamps, since they share no
 // vertices.
@@ -265,6 +208,9 @@ void SubmeshExecutor<Real>::hand_out(std::vector<std::uint32_t> list) {
         }
         parts_[at]->work.interface.push_back(v);
     }
+    for (std::size_t i = 0; i < first_colour_; ++i) {
+        parts_[i]->make_room(2 * parts_[i]->work.interface.size());
+    }
 }
 
 // Tasks: a submesh waits for those of the colour before it that it meets. It then has exclusive
@@ -341,21 +287,10 @@ void SubmeshExecutor<Real>::end_step() {
     std::uint64_t examined = whole_.log.counts.examined;
     for (auto& part : parts_) {
         examined += part->work.log.counts.examined;
-        const std::size_t most = 4 * (spare_vertices + part->work.interface.size());
-        give_back(part->pool, most, 2 * most);
+        give_back_surplus(*part);
     }
     count_lent();
     choice_.took(step_timer_.lap(), static_cast<double>(examined), useful_threads_);
-}
-
-template <class Real>
-void SubmeshExecutor<Real>::count_lent() {
-    complex_.lent_vertices = 0;
-    complex_.lent_triangles = 0;
-    for (const auto& part : parts_) {
-        complex_.lent_vertices += static_cast<std::uint32_t>(part->pool.vertices.size());
-        complex_.lent_triangles += static_cast<std::uint32_t>(part->pool.triangles.size());
-    }
 }
 
 // --- questions ---------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ struct SubmeshOptions {
     Assignment assignment = Assignment::queue; ///< which thread runs which submesh
     /// A thread pays off from about this many interface vertices on; fewer threads are used if
     /// there is less to do. 1: always all of them.
-    std::uint32_t vertices_per_thread = 48;
+    std::uint32_t vertices_per_thread = 32;
     /// Use fewer threads than that where steps turn out to take no longer with them.
     bool adapts_threads = true;
     /// How long threads wait awake for the next section.
@@ -108,6 +108,7 @@ private:
     void count_lent();
     void choose_threads();
     void give_back(IdPool& pool, std::size_t vertices, std::size_t triangles);
+    void give_back_surplus(Part& part);
     [[nodiscard]] std::uint32_t next_epochs();
     // Tasks.
     void begin_part(Part& part);

@@ -14,8 +14,10 @@ struct SubmeshExecutor<Real>::Part {
     Part(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {
         pool.may_grow = false;
         work.submesh.pool = &pool;
-        keep_apart();
+        make_room(least_room);
     }
+
+    static constexpr std::size_t least_room = 48; // vertices
 
     Work<Real> work;
     IdPool pool;
@@ -37,12 +39,12 @@ struct SubmeshExecutor<Real>::Part {
     std::vector<double> passes_s;
     std::vector<Pass<Real>> motion; // the algorithm's, each timed if times are measured
 
+    // Room for so many vertices of the interface, and for the movers and stars that come with them.
     // Short lists of two submeshes next to each other on the heap would share cache lines, and the
-    // threads would contend for them at each push. As much as most submeshes fill: memory that is
-    // touched for the first time costs microseconds a page.
-    void keep_apart() {
-        constexpr std::size_t entries = 128;
-        const auto reserve = [](auto&... lists) { (lists.reserve(entries), ...); };
+    // threads would contend for them at each push. Not much more than is filled, though: memory
+    // that is touched for the first time costs microseconds a page.
+    void make_room(std::size_t vertices) {
+        const auto reserve = [vertices](auto&... lists) { (lists.reserve(vertices), ...); };
         reserve(work.interface, work.interface_next, work.movers, work.active, work.suspects,
                 work.deferred.entries);
         reserve(work.aim.positions, work.aim.targets, work.aim.held, work.aim.scratch.first,
