@@ -77,6 +77,10 @@ struct Region {
     }
     /// Whether it owns a vertex that lies at (x, y). O(1), or what `place` takes.
     [[nodiscard]] bool owns(std::uint32_t vertex, double x, double y) const {
+        return kind == Kind::upright ? is_inside(x, y) : is_owner(vertex, x, y);
+    }
+    /// The same for any kind: the one that most submeshes are of needs no call.
+    [[nodiscard]] bool is_owner(std::uint32_t vertex, double x, double y) const {
         switch (kind) {
         case Kind::whole: return true;
         case Kind::box: return owns_place(x, y);
