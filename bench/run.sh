@@ -19,8 +19,8 @@ quick=false
 list_only=false
 # Left out, because they take minutes and say nothing that smaller ones or other scenes do not: the
 # fine swirl, four circles at 2.8 million triangles, there all strategies that do not follow the
-# interface, and copies of large meshes in more than one scene.
-large='380000|four_circles.*(2800000|copy.*280000/)|(fixed|counting|active|blocks)/.*2800000'
+# interface, copies of large meshes in more than one scene, and what options cost.
+large='^option/|380000|four_circles.*(2800000|copy.*280000/)|(fixed|counting|active|blocks)/.*2800000'
 # The file gets every repetition, the terminal medians and spread.
 bench_options=(--benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true
     --benchmark_repetitions=3 --benchmark_min_time=0.05 "--benchmark_filter=-$large")

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
     dsc::bench::register_steps();
     dsc::bench::register_operations();
     dsc::bench::register_flows();
+    dsc::bench::register_options();
     if (benchmark::RunSpecifiedBenchmarks() == 0) {
         std::fputs("dsc_bench: --benchmark_filter leaves no benchmark; --benchmark_list_tests "
                    "names all of them.\n",

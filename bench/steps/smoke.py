@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 PROGRAM = ""
-FILTER = ("^(operation/edge_flip|kernel/gather_ring|flow/|"
+FILTER = ("^(operation/edge_flip|kernel/gather_ring|flow/|option/topology_change/speedup|"
           "(scaling|four_circles)_step/strategy:(sequential|counting)/triangles:28000/|"
           "scaling_run/strategy:(sequential|cells)/triangles:28000/(threads:[0-9]+/)?between_us:100/|"
           "scaling_step/strategy:cells/triangles:28000/submeshes:0/threads:2/modelled:1)")
@@ -36,6 +36,9 @@ RUN = {**ITERATION, **dict.fromkeys((
     "triangles", "min_quality", "area_error_rel", "load", "oversubscribed"), "number")}
 OPERATION = {**ITERATION, "items_per_second": "number", "batch": "number", "label": "text"}
 FLOW = {**ITERATION, "items_per_second": "number", "ratio": "number", "label": "text"}
+OPTION = {**ITERATION, **dict.fromkeys((
+    "ratio", "ratio_low", "ratio_high", "us_per_step", "us_per_step_without"), "number"),
+    "label": "text"}
 KERNEL = {**ITERATION, "items_per_second": "number", "label": "text"}
 ROUNDING = 1e-9
 CONTEXT = ("dsc_machine", "dsc_commit", "dsc_cores", "dsc_compiler", "dsc_build_type",

@@ -18,4 +18,7 @@ void register_steps();
 /// between their steps.
 void register_runs();
 
+/// `option/NAME/SCENE`: what an option costs in a step, against the same scene without it.
+void register_options();
+
 } // namespace dsc::bench

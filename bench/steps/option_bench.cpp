@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// What an option costs in a step: the same scene with and without it, in runs that take turns, so
+// that whatever disturbs the one disturbs the other. The counter `ratio` is that of the sums over
+// all steps of the least time that each took in any run; noise can only add to a time.
+#include "refusal.h"
+#include "step_run.h"
+#include "suites.h"
+
+#include "dsc/base/error.h"
+#include "dsc/queries/hash.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/run/start.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace dsc::bench {
+
+namespace {
+
+using scenes::Parameters;
+
+constexpr int rounds = 15;
+constexpr int most_steps = 200;
+
+struct OptionCase {
+    std::string name; ///< of the option
+    std::string scene;
+    double h; ///< edge length
+    void (*choose)(Parameters& parameters);
+    bool keeps_bits; ///< the option must not change the result
+};
+
+/// One of the two that are compared: its beginning, and what its steps have taken.
+class Side {
+public:
+    Side(const scenes::Scene& scene, const Parameters& parameters)
+        : setup_(scene.prepare(parameters)),
+          complex_(scenes::first_complex<double>(setup_, parameters)),
+          options_(scenes::scene_options<double>(setup_, parameters)),
+          least_(static_cast<std::size_t>(std::min(setup_.steps, most_steps)), 1e9) {}
+
+    /// A run from the beginning. Throws InvariantError if a vertex does not arrive.
+    void run() {
+        using Clock = std::chrono::steady_clock;
+        Complex<double> complex = complex_;
+        const auto simulation =
+            scenes::make_simulation(complex, options_, scenes::Strategy::sequential, {});
+        double sum = 0;
+        for (std::size_t step = 0; step < least_.size(); ++step) {
+            const double time = static_cast<double>(step) * setup_.dt;
+            const auto& velocity = scenes::velocity_of_step(setup_.flow, time, time + setup_.dt);
+            const auto begin = Clock::now();
+            const StepReport report = simulation->step(velocity, time, setup_.dt);
+            const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+            if (report.unreached > 0 || report.gave_up != GiveUp::none) {
+                throw InvariantError("a vertex did not arrive in step " + std::to_string(step));
+            }
+            least_[step] = std::min(least_[step], seconds);
+            sum += seconds;
+        }
+        sums_.push_back(sum);
+        hash_ = mesh_hash(complex);
+    }
+    /// The least seconds of each step, summed.
+    [[nodiscard]] double least() const {
+        return std::accumulate(least_.begin(), least_.end(), 0.0);
+    }
+    [[nodiscard]] std::size_t steps() const { return least_.size(); }
+    /// Seconds of each run.
+    [[nodiscard]] const std::vector<double>& sums() const { return sums_; }
+    [[nodiscard]] std::uint64_t hash() const { return hash_; }
+
+private:
+    scenes::Setup setup_;
+    Complex<double> complex_;
+    Options<double> options_;
+    std::vector<double> least_;
+    std::vector<double> sums_;
+    std::uint64_t hash_ = 0;
+};
+
+void measure(benchmark::State& state, const OptionCase& c) {
+    const scenes::Scene& scene = scenes::find_scene(c.scene);
+    Parameters parameters = scene.defaults;
+    parameters.h = c.h;
+    Side without(scene, parameters);
+    c.choose(parameters);
+    Side with(scene, parameters);
+    for (auto _ : state) {
+        for (int round = 0; round < rounds; ++round) {
+            (round % 2 == 0 ? without : with).run();
+            (round % 2 == 0 ? with : without).run();
+        }
+        state.SetIterationTime(with.least());
+    }
+    if (c.keeps_bits && with.hash() != without.hash()) {
+        throw InvariantError("the option changes the mesh");
+    }
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < with.sums().size(); ++i) {
+        ratios.push_back(with.sums()[i] / without.sums()[i]);
+    }
+    std::sort(ratios.begin(), ratios.end());
+    const auto steps = static_cast<double>(with.steps());
+    state.counters["ratio"] = with.least() / without.least();
+    state.counters["ratio_low"] = ratios[ratios.size() / 4];
+    state.counters["ratio_high"] = ratios[ratios.size() * 3 / 4];
+    state.counters["us_per_step"] = with.least() * 1e6 / steps;
+    state.counters["us_per_step_without"] = without.least() * 1e6 / steps;
+    state.SetLabel("least times of " + std::to_string(rounds) + " runs each, in turn");
+}
+
+} // namespace
+
+void register_options() {
+    const auto change = [](Parameters& p) { p.topology = Topology::change; };
+    const auto grade = [](Parameters& p) { p.grade = 1.3; };
+    const std::vector<OptionCase> cases{
+        {"topology_change", "single-vortex", 0.01, change, true},
+        {"topology_change", "swirl", 0.01, change, true},
+        {"topology_change", "zalesak", 0.01, change, true},
+        {"topology_change", "translation", 0.01, change, true},
+        {"topology_change", "speedup-four-circles", 0.01, change, true},
+        {"grade_1.3", "swirl", 0.005, grade, false},
+    };
+    for (const OptionCase& c : cases) {
+        benchmark::RegisterBenchmark(
+            ("option/" + c.name + "/" + c.scene).c_str(),
+            [c](benchmark::State& state) {
+                guarded(state, [&c](benchmark::State& one) { measure(one, c); });
+            })
+            ->UseManualTime()
+            ->Iterations(1)
+            ->Unit(benchmark::kMillisecond);
+    }
+}
+
+} // namespace dsc::bench
