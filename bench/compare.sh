@@ -6,23 +6,29 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-usage: bench/compare.sh BASE [FILTER] [--pairs N] [--native] [--no-times] [--no-counts]
+usage: bench/compare.sh BASE [FILTER] [--pairs N] [--minutes M] [--native] [--no-times] [--no-counts]
        bench/compare.sh --growth
   BASE         a commit, tag or branch; built in a git worktree of its own in build/compare/base
   FILTER       a regular expression for the runs: swirl, single-vortex, zalesak, drop-and-pool,
                growing-circle
-  --pairs N    how often each run is made by both (default 15)
+  --pairs N, --minutes M   each run is made by both until it is decided, so often and so long at most
+               (default 300, 10)
   --native     tuned for this processor, as the preset release is; valgrind may not know it then
   --no-times   counts alone, which a busy machine does not disturb; --no-counts: times alone
   --growth     in place of all that: how the instructions of a step of the working tree grow from 28
                thousand to 2.8 million triangles, which is held to a limit (bench/compare/growth.py says
                which); build/compare/growth.json; takes ten minutes and 3 GB
-Both are built by the preset release, but for any processor, and run on one thread. Slower is: a ratio
-of medians of more than 1.05 in time whose confidence interval lies above 1; more than 1.02 in
-instructions; half an allocation more in a step (the latter two where valgrind is installed).
-Leaves build/compare/base.json and new.json, which Google Benchmark's compare.py reads as well, and
-the worktree, for the next time; `git worktree remove --force build/compare/base` removes it.
-Exit code: 0 not slower, 1 slower or growing with the mesh, 2 bad usage or nothing was measured.
+Both are built by the preset release, but for any processor, and run on one thread. To be caught are 5 %
+in time, 2 % in the instructions of steps and one allocation a step (the latter two where valgrind is
+installed); slower is more than half of each. The figure for time is the median of the ratios of pairs;
+pairs are run until its interval of 99.99 % is no wider than 5 % or lies on one side of the limit
+(bench/compare/judgement.py says why). The ratio of the medians is told beside it.
+Leaves build/compare/base.json and new.json, which Google Benchmark's compare.py reads as well,
+compare.json with the table, and the worktree, for the next time; `git worktree remove --force
+build/compare/base` removes it. bench/compare/trials.py tries the comparison on steps that are slower by
+known amounts, and on unchanged code.
+Exit code: 0 not slower, 1 slower or growing with the mesh, 2 bad usage or nothing was measured,
+3 undecided: an interval across the limit stayed too wide.
 USAGE
 }
 
@@ -37,8 +43,8 @@ while [[ $# -gt 0 ]]; do
         --native) native=ON ;;
         --growth) growth=true ;;
         --no-times | --no-counts) options+=("$1") ;;
-        --pairs)
-            options+=(--pairs "${2:?--pairs: how many?}")
+        --pairs | --minutes)
+            options+=("$1" "${2:?$1: how many?}")
             shift
             ;;
         -*) printf '%s: unknown option: got %s (see --help)\n' "$0" "$1" >&2; exit 2 ;;

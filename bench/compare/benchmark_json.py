@@ -12,12 +12,17 @@ def entries(name, times_us):
              "cpu_time": time, "time_unit": "us"} for i, time in enumerate(times_us)]
 
 
-def write(path, executable, series, context):
-    """`series`: {name: [microseconds]}. The file exists as a whole or not at all."""
-    data = {"context": {"executable": executable, "library_build_type": "release", **context},
-            "benchmarks": [entry for name, times in series.items()
-                           for entry in entries(name, times)]}
+def replace(path, data):
+    """Writes JSON. The file exists as a whole or not at all."""
     with open(path + ".part", "w", encoding="utf-8") as stream:
         json.dump(data, stream, indent=1)
         stream.write("\n")
     os.replace(path + ".part", path)
+
+
+def write(path, executable, series, context):
+    """`series`: {name: [microseconds]}."""
+    data = {"context": {"executable": executable, "library_build_type": "release", **context},
+            "benchmarks": [entry for name, times in series.items()
+                           for entry in entries(name, times)]}
+    replace(path, data)

@@ -13,6 +13,10 @@ class NotCounted(Exception):
     """Why."""
 
 
+class NotCalled(NotCounted):
+    """The program has not called the functions that were to be counted."""
+
+
 def is_installed():
     return shutil.which("valgrind") is not None
 
@@ -64,5 +68,5 @@ def count(command, within=None):
         with open(path, encoding="utf-8", errors="replace") as stream:
             counted = parse(stream)
     if within and counted[0] == 0:
-        raise NotCounted(f"the program has called no function named {within}")
+        raise NotCalled(f"the program has called no function named {within}")
     return counted

@@ -20,11 +20,11 @@ import sys
 import tempfile
 
 import callgrind
+from workloads import STEP
 
 SIZES = (28_000, 280_000, 2_800_000)
 STEPS = 8
 WAY = 0.3       # of a step, in edge lengths
-STEP = "dsc::Simulation<double>::step_along*"
 # Of instructions for each vertex of the interface against triangles, fitted and between neighbours.
 # Measured: -0.02 to -0.01, for what is done once in a step weighs less in a larger mesh. A loop of one
 # instruction for each triangle makes it 0.12 between the two largest meshes.
