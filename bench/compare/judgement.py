@@ -4,11 +4,11 @@
 Times. Both programs run in pairs, one right after the other and in an order drawn anew for each pair. The
 figure is the median of the pairs' ratios, new over base. Where neighbours make a machine busy, the load
 changes over seconds and minutes: it meets both of a pair and leaves their ratio, whereas medians or
-quartiles of each program by itself wander with it. Of 143 runs of one program against itself on a machine
-with three busy neighbours to each core, taken in blocks of 20, the median of ratios had a standard
-deviation of 0.3 to 1.7 % (0.8 in the middle), the ratio of lower quartiles 0.6 to 2.4 %, the mean of ratios
-0.9 to 2.6 %, and the ratio of medians 1.2 to 6.3 %; CPU time was as good as the median step, the wall time of
-whole runs three times as bad.
+quartiles of each program by itself wander with it. One program against itself, 143 pairs at a load of 7 to 9
+on two cores, in blocks of 20: the median of ratios had a standard deviation of 0.4 to 1.7 % (0.8 in the
+middle of 18 figures), the ratio of lower quartiles 0.6 to 2.4 %, the mean of ratios 0.9 to 2.3 %, and the
+ratio of medians 1.2 to 6.3 %. CPU time was as good as the median step; the wall time of whole runs had two
+to three times as much noise, and is left out.
 
 The interval of that median lies between two order statistics, as in the sign test: with n independent
 ratios, each above their median by the toss of a coin, it takes the k-th from both ends where so few tosses
@@ -16,9 +16,9 @@ have that chance. It needs no shape of the noise. Neither does it need noise wit
 are alike: which of a pair is the new one is drawn by lot, so that the ratio of each pair is above or below 1
 by that lot alone, whatever the machine does. For a program slower by a factor, the same holds around it.
 
-A slowdown of 5 % is to be caught, and none to be told of as one. So the limit is in the middle, 1.025, and
-pairs are run until the interval is no wider than 5 %: then either truth is half of that away from the limit,
-as far as the interval reaches, in which an error has a chance of one in ten thousand. Pairs end early where
+A slowdown of 5 % is to be caught, and unchanged code must not be taken for slower. So the limit is in the
+middle, 1.025, and pairs are run until the interval is no wider than 5 %: then both truths are half of that
+away from the limit, as far as the interval reaches, and an error has a chance of one in ten thousand. Pairs end early where
 the whole interval is on one side of the limit. Where it stays too wide, nothing is said: undecided.
 
 Instructions and allocations: counts of one run each, which repeat to within a few millionths. What is to be

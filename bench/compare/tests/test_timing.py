@@ -32,13 +32,13 @@ def verdict(seed, slowdown, **noise):
     return judgement.median_ratio(measured(seed, slowdown, **noise)).verdict
 
 
-def pairs_in_order(source, count, slowdown, by_lot=True):
-    """So many pairs, however soon they would be decided."""
+def so_many_pairs(source, count, slowdown):
+    """However soon they would be decided."""
     machine = Machine(source)
     pairs = []
     for _ in range(count):
         times = [0, 0]
-        for which in source.sample((0, 1), 2) if by_lot else (0, 1):
+        for which in source.sample((0, 1), 2):
             times[which] = machine.time((1, slowdown)[which])
         pairs.append(tuple(times))
     return pairs
@@ -49,7 +49,7 @@ class Coverage(unittest.TestCase):
         source = random.Random(f"{slowdown} {count}")
         held = 0
         for _ in range(runs):
-            ratio = judgement.median_ratio(pairs_in_order(source, count, slowdown), confidence)
+            ratio = judgement.median_ratio(so_many_pairs(source, count, slowdown), confidence)
             held += ratio.low <= slowdown <= ratio.high
         return held / runs
 
@@ -63,8 +63,16 @@ class Coverage(unittest.TestCase):
                         self.assertGreater(held, confidence - 3 * (0.1 * 0.9 / 600) ** 0.5)
                         self.assertLess(held, confidence + (1 - confidence) * 0.9 + 0.02)
 
+    def test_so_does_that_of_the_ratio_of_medians(self):
+        source = random.Random(60)
+        held = 0
+        for _ in range(100):
+            ratio = judgement.ratio_of_medians(so_many_pairs(source, 60, 1.05), 0.95, resamples=300)
+            held += ratio.low <= 1.05 <= ratio.high
+        self.assertGreaterEqual(held, 90)
+
     def test_the_rank_is_that_of_the_sign_test(self):
-        """5 of 15 tosses: 3.7 % on both sides together; tables of the sign test say 3 below 5 %."""
+        """At most 3 heads or 3 tails of 15 tosses have a chance of 3.5 %, 4 of 11.8 %."""
         self.assertEqual(judgement.rank_of_bounds(15, 0.95), 3)
         self.assertEqual(judgement.rank_of_bounds(20, 0.95), 5)
         self.assertEqual(judgement.rank_of_bounds(100, 0.95), 39)
