@@ -5,6 +5,7 @@ import shutil
 import unittest
 import unittest.mock
 
+import disks
 import launcher
 from launcher import SHORT, Launched
 
@@ -58,6 +59,23 @@ class Ranks(Launched):
         self.result(2, "grains", *SHORT, *CELLS, "--checkpoint", "c", "--stop-after", "2", code=1)
         for ranks in (None, 1, 3):
             self.expect_same(self.result(ranks, "--resume", "c"), whole, f"{ranks} ranks")
+
+    def test_a_damaged_checkpoint_is_refused_by_all(self):
+        self.result(2, "swirl", *SHORT, *CELLS, "--checkpoint", "c", "--stop-after", "2", code=1)
+        with open(self.path("c"), "r+b") as stream:
+            stream.truncate(1000)
+        for ranks in (None, 2):
+            code, out, words = self.call(ranks, "run", "--resume", "c", "--json", "r.json")
+            self.assertEqual((code, out, len(words)), (1, "", 1), words)
+            self.assertIn("c: is incomplete", words[0])
+        self.assertEqual(os.listdir(self.folder), ["c"])
+
+    def test_a_full_device_ends_all_with_one_sentence(self):
+        disks.lead_to_full(self.path("c.part"))
+        code, out, words = self.call(2, "run", "swirl", *SHORT, "--checkpoint", "c", "--every", "2")
+        self.assertEqual((code, out, len(words)), (1, "", 1), words)
+        self.assertIn("c: writing failed: No space left on device", words[0])
+        self.assertEqual(os.listdir(self.folder), [])
 
     def test_files_are_those_of_one_process(self):
         outputs = ["--frames", "f", "--events", "e", "--edits", "d", "--series", "s",

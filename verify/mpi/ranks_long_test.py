@@ -7,34 +7,11 @@ import time
 import unittest
 
 from launcher import Launched
+from processes import children, is_running
 
 CELLS = ["--strategy", "cells", "--submeshes", "8"]
 BEGINNING = ["--stop-after", "8"]  # interrupted: exit code 1
 LONG = ["--set", "h=0.01", "--set", "steps=100000", "--set", "dt=0.0005"]
-
-
-def children(parent: int) -> list[int]:
-    """The processes that this one has started."""
-    found = []
-    for entry in os.listdir("/proc"):
-        if entry.isdigit():
-            try:
-                with open(f"/proc/{entry}/stat", encoding="utf-8") as stream:
-                    fields = stream.read().rsplit(")", 1)[1].split()
-            except OSError:
-                continue  # has ended meanwhile
-            if int(fields[1]) == parent:
-                found.append(int(entry))
-    return sorted(found)
-
-
-def is_running(process: int) -> bool:
-    """Not if it has ended and nobody has asked how."""
-    try:
-        with open(f"/proc/{process}/stat", encoding="utf-8") as stream:
-            return stream.read().rsplit(")", 1)[1].split()[0] != "Z"
-    except OSError:
-        return False
 
 
 class EveryScene(Launched):

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import resource
 import signal
 import subprocess
 import time
@@ -115,6 +116,19 @@ class Checkpoints(CommandLine):
                             words=["--checkpoint", "allowed"])
         self.expect_refusal("run", "swirl", *SHORT, "--checkpoint", "d", "--strategy", "reference",
                             words=["reference"])
+        os.mkfifo(self.path("pipe"))  # a file would take its place
+        self.expect_refusal("run", "swirl", *SHORT, "--checkpoint", "pipe",
+                            words=["--checkpoint", "allowed"])
+
+    def test_a_file_that_may_not_grow_ends_the_run_with_a_sentence(self):
+        limits = (4096, 4096)  # bytes
+        done = subprocess.run([os.environ["DSC_SCENE"], "run", "swirl", *SHORT, "--checkpoint", "c"],
+                              cwd=self.folder, text=True, capture_output=True, check=False,
+                              timeout=PROMPTLY,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, limits))
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertEqual(done.stderr, "dsc_scene: c: writing failed: File too large\n")
+        self.assertEqual(os.listdir(self.folder), [])
 
 
 class Frames(CommandLine):

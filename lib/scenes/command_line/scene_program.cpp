@@ -257,6 +257,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     }
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk
 
     const RunResult result = run_scene(scene, parameters, options);
     if (!leads(arguments.run.submeshing.ranks)) {
