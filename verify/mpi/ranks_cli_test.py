@@ -22,6 +22,12 @@ class Ranks(Launched):
             self.assertEqual(result["ranks"], ranks)
             self.assertEqual(result["bytes_per_step"] > 0, ranks > 1)
 
+    def test_messages_longer_than_any_before_come_whole(self):
+        fine = ["grains", "--set", "h=0.01", "--stop-after", "2", *CELLS]
+        result = self.result(3, *fine, code=1)
+        self.expect_same(result, self.result(None, *fine, code=1), "long messages")
+        self.assertGreater(result["bytes_per_step"], 100_000)  # of some messages
+
     def test_one_of_them_speaks(self):
         code, out, words = self.call(2, "list")
         self.assertEqual((code, words), (0, []))

@@ -219,9 +219,18 @@ TEST(RanksFailures, CopiedSubmeshesAreRefused) {
         "processes: got copy; allowed: fixed, counting, active, blocks or cells");
 }
 
-// A pass of an application that writes to an attribute of its own, and says where.
+// Passes of an application that write to attributes of its own, and say where. What the first one
+// writes is blended where edges are split after it, in the same section.
 Algorithm<double> counting_visits() {
     Algorithm<double> algorithm = default_algorithm<double>();
+    algorithm.motion.insert(algorithm.motion.begin(),
+                            {"heats", [](Work<double>& work) {
+                                 auto& heats = work.complex.attributes.get<Vertex, double>("heats");
+                                 for (const std::uint32_t v : work.interface) {
+                                     heats[Vertex{v}] += 1 + v % 7;
+                                     work.touch(v);
+                                 }
+                             }});
     algorithm.upkeep.push_back({"visits", [](Work<double>& work) {
                                     auto& visits =
                                         work.complex.attributes.get<Vertex, int>("visits");
@@ -240,17 +249,20 @@ TEST(RanksFailures, ValuesThatAPassWritesAreTold) {
     run_all_ranks(2, [&](Ranks& ranks) {
         auto complex = test::disc_complex<double>(h);
         complex.attributes.add<Vertex, int>("visits", 0);
+        complex.attributes.add<Vertex, double>("heats", 0.0);
         Options<double> options;
         options.edge_length = h;
         Parallel parallel;
         parallel.submeshes = 6;
         parallel.ranks = &ranks;
-        parallel.checks_ranks = true; // compares the attribute as well
+        parallel.checks_ranks = true; // compares the attributes as well
         Simulation<double> simulation(complex, options,
                                       make_executor(complex, options, parallel, counting_visits()));
+        std::uint64_t splits = 0;
         for (int step = 0; step < 4; ++step) {
-            simulation.step(growing, 0.01 * step, 0.01);
+            splits += simulation.step(growing, 0.01 * step, 0.01).operations.splits;
         }
+        EXPECT_GT(splits, 0U);
         for (const int one : complex.attributes.get<Vertex, int>("visits").data()) {
             visits[ranks.rank()] += one;
         }
