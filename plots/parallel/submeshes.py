@@ -149,7 +149,7 @@ def read(folder):
             pair[0][0], style.order(pair[0][1]))):
         best = None
         for number, time, path in files:
-            beside = path[:-len(".vtu")] + load_frames.SUBMESHES
+            beside = os.path.splitext(path)[0] + load_frames.SUBMESHES
             if not os.path.exists(beside):
                 continue
             frame, colours = load_frames.read_frame(path), load_frames.read_submeshes(beside)

@@ -145,11 +145,9 @@ private:
         } else {
             const auto arrays =
                 method_.end_frame(leg_before(std::max(step, 1)), time_, step > 0 ? setup_.dt : 0);
-            if (!leads()) {
-                return;
-            }
-            const std::string path = frames_.write(step, time_, complex(), arrays, result_.events);
-            if (step > 0) { // nothing has been divided before
+            const std::string path = frames_.write(step, time_, complex(), arrays, result_.events,
+                                                   options_.submeshing.ranks);
+            if (step > 0 && leads()) { // nothing has been divided before
                 method_.map_submeshes(path);
             }
         }
