@@ -20,7 +20,7 @@ std::vector<Suspect<double>> all_vertices(const Complex<double>& complex) {
     std::vector<Suspect<double>> suspects;
     for (const Vertex v : vertices(complex)) {
         const Point<double> p = complex.position(v);
-        suspects.push_back({v.id, p.x(), p.y(), true, true, true});
+        suspects.push_back({p.x(), p.y(), v.id, true, true, true, true});
     }
     return suspects;
 }

@@ -157,7 +157,7 @@ Course change_grains(bool gives_back) {
         std::vector<Suspect<double>> suspects;
         for (const Vertex v : vertices(complex)) {
             const Point<double> p = complex.position(v);
-            suspects.push_back({v.id, p.x(), p.y(), true, true, true});
+            suspects.push_back({p.x(), p.y(), v.id, true, true, true, true});
         }
         const auto before = areas_of(complex);
         std::vector<Event> events;

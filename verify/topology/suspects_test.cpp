@@ -7,12 +7,16 @@
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/interface/suspects.h"
 #include "dsc/topology/suspicion.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <set>
+#include <utility>
 
 namespace dsc::suspects_test {
 namespace {
@@ -88,7 +92,8 @@ TEST(Suspects, AreAllThatAreThinInSubmeshes) {
     }
 }
 
-// Every set of marked vertices, on links of all sizes up to nine, against a look at each pair.
+// Every set of marked vertices and every pair of spokes, on links of all sizes up to nine, against
+// a look at each pair of neighbours. The short test may only say less than the long one.
 TEST(Suspects, MayFaceASheetWhereTwoNeighboursOfTheLinkAreOfTheInterface) {
     for (const bool closed : {true, false}) {
         for (std::uint32_t n = 3; n <= 9; ++n) {
@@ -109,9 +114,45 @@ TEST(Suspects, MayFaceASheetWhereTwoNeighboursOfTheLinkAreOfTheInterface) {
                 }
                 EXPECT_EQ(may_face_a_sheet(complex, ring), expected)
                     << (closed ? "closed" : "open") << " link of " << n << ", marks " << marks;
+                for (std::uint32_t i = 0; i < n; ++i) {
+                    for (std::uint32_t k = i + 1; k < n; ++k) {
+                        const bool are_neighbours = k == i + 1 || (i == 0 && k + 1 == n);
+                        const bool has_others = (marks & ~(1U << i | 1U << k)) != 0;
+                        EXPECT_EQ(has_other_company(complex, ring, Spokes{2, i, k}),
+                                  !closed || are_neighbours || has_others)
+                            << "link of " << n << ", marks " << marks << ", spokes " << i << ", "
+                            << k;
+                    }
+                }
+                EXPECT_TRUE(has_other_company(complex, ring, Spokes{3, 0, 2}));
             }
         }
     }
+}
+
+// The cosine of 45.57 degrees is 0.7.
+TEST(Suspects, AreSharpWhereTheInterfaceTurnsByMoreThanAnEighth) {
+    Ring<double> ring;
+    ring.closed = true;
+    ring.size = 6;
+    const Spokes spokes{2, 1, 4};
+    ring.x[1] = -2;
+    ring.y[1] = 0;
+    for (const auto& [degrees, is_sharp] : {std::pair{0.0, false},
+                                            {45.5, false},
+                                            {45.7, true},
+                                            {90.0, true},
+                                            {134.5, true},
+                                            {180.0, true},
+                                            {-45.5, false},
+                                            {-45.7, true},
+                                            {-135.0, true}}) {
+        ring.x[4] = 0.1 * std::cos(degrees * std::numbers::pi / 180);
+        ring.y[4] = 0.1 * std::sin(degrees * std::numbers::pi / 180);
+        EXPECT_EQ(turns_sharply(ring, spokes), is_sharp) << degrees;
+    }
+    ring.x[4] = ring.y[4] = 0;
+    EXPECT_TRUE(turns_sharply(ring, spokes)) << "an edge of no length";
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace dsc {
 template <class Real>
 void archive(Archive& archive, Suspect<Real>& suspect) {
     archive(suspect.vertex, suspect.x, suspect.y, suspect.is_thin, suspect.is_facing,
-            suspect.is_sharp);
+            suspect.is_sharp, suspect.is_junction);
 }
 
 /// The interface, the active set and what else waits for the next step; everything else of a work

@@ -70,8 +70,11 @@ template <class Real>
 /// Twice the area.
 template <class Real>
 [[nodiscard]] Real doubled_area(const Complex<Real>& complex, Triangle t) {
-    const Corner c = corner_of(t.id, 0);
-    return cross<Real>(direction(complex, c), direction(complex, next(c)));
+    const auto& v = complex.triangles[t.id].v;
+    const auto& a = complex.vertices[v[0]];
+    const auto& b = complex.vertices[v[1]];
+    const auto& c = complex.vertices[v[2]];
+    return (c.x - b.x) * (a.y - c.y) - (c.y - b.y) * (a.x - c.x);
 }
 
 /// The smallest height.

@@ -85,7 +85,7 @@ inline std::vector<Event> change(Complex<double>& complex,
     std::vector<Suspect<double>> suspects;
     for (const Vertex v : vertices(complex)) {
         const Point<double> p = complex.position(v);
-        suspects.push_back({v.id, p.x(), p.y(), true, true, true});
+        suspects.push_back({p.x(), p.y(), v.id, true, true, true, true});
     }
     std::vector<Event> events;
     change_topology<double>(complex, options, 1.0, suspects, 0.0, events);

@@ -120,7 +120,8 @@ void add_work(const std::string& whose, const Work<Real>& work, bool is_listed,
     Item& others = items.emplace_back();
     others.name = "the suspects, missed movements or counts of " + whose;
     for (const Suspect<Real>& one : work.topology_suspects) {
-        put(others.bytes, one.vertex, one.x, one.y, one.is_thin, one.is_facing, one.is_sharp);
+        put(others.bytes, one.vertex, one.x, one.y, one.is_thin, one.is_facing, one.is_sharp,
+            one.is_junction);
     }
     for (const Mover<Real>& one : work.missed) {
         put(others.bytes, one.vertex, one.x, one.y);

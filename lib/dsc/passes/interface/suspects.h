@@ -19,25 +19,82 @@ void mark_interface(Complex<Real>& complex, std::uint32_t v, bool is_on_interfac
     }
 }
 
-/// Names the centre of a star of the interface, and says whether there is a film, the end of a
-/// seam, or a small piece, whose outline turns sharply or ends soon. `contact`: the largest contact
-/// distance; `is_known`: the star is as it was gathered, and nobody else writes to it. O(degree).
+/// Whether the link has a vertex of the interface beside the ends of the two spokes, or these two
+/// are neighbours, or there are not two. False nearly everywhere. O(degree).
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline bool
+has_other_company(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes) {
+    const std::uint32_t between = spokes.second - spokes.first;
+    if (spokes.count != 2 || !ring.closed || between == 1 || between + 1 == ring.size) {
+        return true;
+    }
+    const auto has_mark = [&](std::uint32_t i, std::uint32_t end) {
+        for (; i < end; ++i) {
+            if ((complex.vertices[ring.link[i]].flags & vertex_on_interface) != 0) {
+                return true;
+            }
+        }
+        return false;
+    };
+    return has_mark(spokes.first + 1, spokes.second) || has_mark(0, spokes.first) ||
+           has_mark(spokes.second + 1, ring.size);
+}
+
+/// Whether the interface turns by more than the angle at which an outline counts as sharp. Squared:
+/// the root of `turns_less` would be a third of the time that the topology takes.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline bool turns_sharply(const Ring<Real>& ring,
+                                                            const Spokes& spokes) {
+    constexpr Real squared_cosine = Real(0.49);
+    const Real in_x = ring.x0 - ring.link_x(spokes.first);
+    const Real in_y = ring.y0 - ring.link_y(spokes.first);
+    const Real out_x = ring.link_x(spokes.second) - ring.x0;
+    const Real out_y = ring.link_y(spokes.second) - ring.y0;
+    const Real along = in_x * out_x + in_y * out_y;
+    return !(along > 0 && along * along > squared_cosine * (in_x * in_x + in_y * in_y) *
+                                              (out_x * out_x + out_y * out_y));
+}
+
+/// Names the centre of a star at which there may be a film, the end of a seam, or a small piece,
+/// whose outline turns sharply or ends soon. O(degree).
+template <class Real>
+[[gnu::noinline]] void suspect_in_full(Work<Real>& work, const Ring<Real>& ring,
+                                       const Spokes& spokes, Real contact, bool is_known) {
+    // Which of the stars that face no sheet are thin matters once something else has changed: they
+    // are looked at then.
+    const bool may_face = !is_known || may_face_a_sheet(work.complex, ring);
+    const bool is_thin = may_face ? has_thin_triangle(ring, contact * contact) : spokes.count > 0;
+    const bool is_sharp = spokes.count > 2 || (spokes.count == 2 && turns_sharply(ring, spokes));
+    if (is_thin || is_sharp) {
+        work.topology_suspects.push_back(
+            {.x = ring.x0,
+             .y = ring.y0,
+             .vertex = ring.vertex,
+             .is_thin = is_thin,
+             .is_facing = is_thin && may_face,
+             .is_sharp = is_sharp,
+             .is_junction = is_sharp && (spokes.count != 2 || !ring.closed)});
+    }
+}
+
+/// Names the centre of a star of the interface, and says what may be there. `contact`: the largest
+/// contact distance; `is_known`: the star is as it was gathered, and nobody else writes to it.
+/// Nearly no star faces a sheet or is sharp: the others get by without vectors, and the registers
+/// that these would have to save. O(degree).
 template <class Real>
 void suspect(Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes, Real contact,
              bool is_known) {
-    constexpr Real sharp = Real(0.7);
-    // Nearly no star of the interface faces a sheet. Which of the others are thin matters once
-    // something else has changed: they are looked at then.
-    const bool may_face = !is_known || may_face_a_sheet(work.complex, ring);
-    const bool is_thin = may_face ? has_thin_triangle(ring, contact * contact) : spokes.count > 0;
-    const bool is_sharp =
-        spokes.count > 2 ||
-        (spokes.count == 2 && !turns_less<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
-                                                link_point(ring, spokes.second), sharp));
-    if (is_thin || is_sharp) {
-        work.topology_suspects.push_back(
-            {ring.vertex, ring.x0, ring.y0, is_thin, is_thin && may_face, is_sharp});
+    if (!is_known || has_other_company(work.complex, ring, spokes) || turns_sharply(ring, spokes)) {
+        suspect_in_full(work, ring, spokes, contact, is_known);
+        return;
     }
+    work.topology_suspects.push_back({.x = ring.x0,
+                                      .y = ring.y0,
+                                      .vertex = ring.vertex,
+                                      .is_thin = true,
+                                      .is_facing = false,
+                                      .is_sharp = false,
+                                      .is_junction = false});
 }
 
 } // namespace dsc

@@ -2,6 +2,8 @@
 #include "dsc/topology/films/remnants.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <tuple>
 #include <utility>
 
@@ -52,24 +54,29 @@ private:
         return list;
     }
 
-    // Whether the triangles of the phase that are seen from here, from the first one at the vertex
-    // on, have less than the least area. Most pieces are ruled out by the first few triangles.
-    bool may_be_small(Corner first) const {
-        const Phase phase = complex_.phase_at(first);
+    // Whether the triangles of the phase around this one have less than the least area together. A
+    // handful rules out nearly every piece, long before its outline has been walked.
+    bool may_be_small(Corner at) const {
+        constexpr std::size_t handful = 16;
+        const Phase phase = complex_.phase_at(at);
+        std::array<std::uint32_t, handful> seen{triangle_of(at)};
+        std::size_t size = 1;
         Real doubled = 0;
-        std::uint32_t last = no_id; // the same triangle may lie across two edges of the link
-        Corner c = first;
-        do {
-            doubled += doubled_area(complex_, Triangle{triangle_of(c)});
-            const Corner across = complex_.twin(c);
-            if (complex_.phase_at(across) == phase && triangle_of(across) != last) {
-                last = triangle_of(across);
-                doubled += doubled_area(complex_, Triangle{last});
+        for (std::size_t i = 0; i < size; ++i) {
+            doubled += doubled_area(complex_, Triangle{seen[i]});
+            if (doubled / 2 >= least_area_) {
+                return false;
             }
-            c = corner_ccw(complex_, c);
-        } while (doubled / 2 < least_area_ && !is_border(c) && c != first &&
-                 complex_.phase_at(c) == phase);
-        return doubled / 2 < least_area_;
+            for (const Corner across : complex_.triangles[seen[i]].n) {
+                const std::uint32_t t = triangle_of(across);
+                const auto end = seen.begin() + static_cast<std::ptrdiff_t>(size);
+                if (size < handful && complex_.triangles[t].phase == phase &&
+                    std::find(seen.begin(), end, t) == end) {
+                    seen[size++] = t;
+                }
+            }
+        }
+        return true;
     }
 
     void visit(Corner start) {

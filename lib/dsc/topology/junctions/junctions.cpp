@@ -44,8 +44,11 @@ public:
 
     void run(std::span<const Suspect<Real>> suspects) {
         std::vector<Vertex> list;
+        // A sharp turn between two edges becomes a junction only where something has changed.
+        const bool is_changed = !work_.touched.empty();
         for (const auto& suspect : suspects) {
-            if (suspect.is_sharp && complex_.is_alive(Vertex{suspect.vertex}) &&
+            if ((is_changed ? suspect.is_sharp : suspect.is_junction) &&
+                complex_.is_alive(Vertex{suspect.vertex}) &&
                 may_come_apart(complex_, Vertex{suspect.vertex}, shortest_)) {
                 list.push_back(Vertex{suspect.vertex});
             }
