@@ -45,6 +45,9 @@ void least(std::vector<double>& values, const std::vector<double>& others) {
     }
 }
 
+// Of a tree of threads that wake each other.
+double levels(std::uint32_t workers) { return std::ceil(std::log2(workers)); }
+
 } // namespace
 
 double makespan(const Section& section, std::uint32_t workers, Assignment assignment) {
@@ -104,6 +107,8 @@ void add_step(ModelRun& run, const SubmeshExecutor<double>& executor, double wal
         sub_step.aim.tasks.add_colour(profile.aim.size());
         sub_step.aim.seconds = profile.aim;
         sub_step.move.seconds = profile.move;
+        sub_step.aim.wall = profile.aim_wall;
+        sub_step.move.wall = profile.move_wall;
         std::size_t first = 0;
         for (const Colour& colour : executor.partition().colours) {
             sub_step.move.tasks.add_colour(colour.regions.size());
@@ -134,6 +139,8 @@ void take_least(ModelRun& run, const ModelRun& other) {
             mine.serial = std::min(mine.serial, theirs.serial);
             least(mine.aim.seconds, theirs.aim.seconds);
             least(mine.move.seconds, theirs.move.seconds);
+            mine.aim.wall = std::min(mine.aim.wall, theirs.aim.wall);
+            mine.move.wall = std::min(mine.move.wall, theirs.move.wall);
         }
     }
     if (other.total.aim_wall + other.total.move_wall < run.total.aim_wall + run.total.move_wall) {
@@ -142,8 +149,8 @@ void take_least(ModelRun& run, const ModelRun& other) {
     }
 }
 
-ModelTimes model(const ModelRun& run, std::uint32_t workers, double fork_join_s) {
-    const double start = workers > 1 ? fork_join_s * std::ceil(std::log2(workers)) : 0;
+ModelTimes model(const ModelRun& run, std::uint32_t workers, double start_s) {
+    const double start = start_s * levels(workers);
     ModelTimes times;
     times.serial = sum(run.serial_outside);
     double parallel = 0;
@@ -160,6 +167,47 @@ ModelTimes model(const ModelRun& run, std::uint32_t workers, double fork_join_s)
     times.serial_share = times.serial / (times.serial + times.tasks);
     times.busy_share = times.tasks / (parallel * workers);
     return times;
+}
+
+double measured_start(const ModelRun& run, std::uint32_t workers) {
+    double rest = 0;
+    double sections = 0;
+    for (const auto& step : run.steps) {
+        for (const ModelSubStep& sub_step : step) {
+            for (const Section* section : {&sub_step.aim, &sub_step.move}) {
+                rest += section->wall - makespan(*section, workers, Assignment::queue);
+                ++sections;
+            }
+        }
+    }
+    return workers > 1 && sections > 0 ? std::max(0.0, rest / sections / levels(workers)) : 0;
+}
+
+double measure_bandwidth(std::uint32_t threads) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::size_t size = std::size_t{1} << 23U; // 64 MiB each
+    constexpr int passes = 8;
+    std::vector<double> a(size);
+    std::vector<double> b(size, 1.0);
+    std::vector<double> c(size, 2.0);
+    ThreadPool pool;
+    pool.start(threads);
+    Schedule schedule;
+    schedule.tasks.add_colour(threads);
+    double best = never;
+    for (int i = 0; i < passes; ++i) {
+        const auto begin = Clock::now();
+        schedule.run(pool, threads, Assignment::queue, [&](std::size_t task) {
+            for (std::size_t k = size * task / threads; k < size * (task + 1) / threads; ++k) {
+                a[k] = b[k] + 3 * c[k];
+            }
+        });
+        best = std::min(best, std::chrono::duration<double>(Clock::now() - begin).count());
+    }
+    if (a[size / 2] != 7) {
+        throw InvariantError("the sums of the bandwidth test are wrong");
+    }
+    return 3 * sizeof(double) * static_cast<double>(size) / best;
 }
 
 double measure_fork_join(std::uint32_t threads) {

@@ -2,9 +2,13 @@
 // A model of a step with more threads than the machine has; wherever its results appear they are
 // labelled as modelled. The tasks of a step are the same in every run, bit for bit, so that the
 // shortest of several measured times is the task's own. They are scheduled on n workers by the
-// rules of dsc/parallel/in_place/schedule.h; serial parts and a measured cost of starting and
-// joining threads are added. Shared caches and memory are not modelled: n workers are as fast as
-// one.
+// rules of dsc/parallel/in_place/schedule.h; serial parts and the measured cost of a section's
+// start and end are added.
+//
+// For more than one worker the times are those of runs in which all cores of this machine were at
+// work, so that what they share, caches and memory, has slowed them down as it does here: each of n
+// workers is as fast as each of these cores. A machine whose memory serves n cores worse than this
+// one serves its own is slower; `measure_bandwidth` says how well it does.
 #pragma once
 
 #include "dsc/parallel/in_place/submesh_executor.h"
@@ -18,6 +22,7 @@ namespace dsc::bench {
 struct Section {
     TaskGraph tasks;
     std::vector<double> seconds; ///< by task
+    double wall = 0;             ///< seconds that the section took as it was measured
 };
 
 /// The time from the first task's begin to the last one's end on so many workers, in seconds.
@@ -54,8 +59,18 @@ struct ModelTimes {
     double starts = 0;       ///< seconds of starting and joining threads
 };
 
-/// `fork_join_s`: of two threads; a tree of more costs that for each level.
-[[nodiscard]] ModelTimes model(const ModelRun& run, std::uint32_t workers, double fork_join_s);
+/// `start_s`: what starting and ending a section costs two threads; a tree of more costs that for
+/// each level.
+[[nodiscard]] ModelTimes model(const ModelRun& run, std::uint32_t workers, double start_s);
+
+/// What a section took longer than its tasks on so many workers, in the mean: waking the workers,
+/// and fetching what another core has written. In seconds, for two threads as in `model`. `run`:
+/// measured with so many threads.
+[[nodiscard]] double measured_start(const ModelRun& run, std::uint32_t workers);
+
+/// Bytes per second that so many threads read and write together, in arrays that are larger than
+/// caches: the best of several passes of a = b + 3 c.
+[[nodiscard]] double measure_bandwidth(std::uint32_t threads);
 
 /// The cost of a parallel section without any work on so many threads: the median of many, in
 /// seconds.

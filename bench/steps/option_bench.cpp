@@ -130,11 +130,11 @@ void register_options() {
         {"grade_1.3", "swirl", 0.005, grade, false},
     };
     for (const OptionCase& c : cases) {
-        benchmark::RegisterBenchmark(
-            ("option/" + c.name + "/" + c.scene).c_str(),
-            [c](benchmark::State& state) {
-                guarded(state, [&c](benchmark::State& one) { measure(one, c); });
-            })
+        benchmark::RegisterBenchmark(("option/" + c.name + "/" + c.scene).c_str(),
+                                     [c](benchmark::State& state) {
+                                         guarded(state,
+                                                 [&c](benchmark::State& one) { measure(one, c); });
+                                     })
             ->UseManualTime()
             ->Iterations(1)
             ->Unit(benchmark::kMillisecond);

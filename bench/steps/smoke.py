@@ -28,9 +28,10 @@ STEP = {**ITERATION, **dict.fromkeys((
     "min_quality", "area_error_rel", "load", "oversubscribed", "peak_memory_mb",
     "flips_per_step", "examined_per_step"), "number")}
 MODEL = {**ITERATION, **dict.fromkeys((
-    "us_per_step", "modelled", "serial_share", "busy_share", "fork_join_us", "load", "us_serial",
-    "us_tasks", "us_starts", "us_all_tasks", "us_set_up", "us_hand_over", "us_clean_up", "us_driver", "us_upkeep", "us_velocities", "us_movement",
-    "us_mesh_update", "us_later_colours"), "number")}
+    "us_per_step", "modelled", "serial_share", "busy_share", "fork_join_us", "section_start_us",
+    "bandwidth_of_one_gb_s", "bandwidth_of_all_gb_s", "load", "us_serial", "us_tasks", "us_starts",
+    "us_all_tasks", "us_set_up", "us_hand_over", "us_clean_up", "us_driver", "us_upkeep",
+    "us_velocities", "us_movement", "us_mesh_update", "us_later_colours"), "number")}
 RUN = {**ITERATION, **dict.fromkeys((
     "us_per_step", "construction_us", "first_step_us", "us_per_vertex_step", "interface_vertices",
     "triangles", "min_quality", "area_error_rel", "load", "oversubscribed"), "number")}
@@ -101,6 +102,8 @@ class Schema(unittest.TestCase):
             self.assertEqual(row["modelled"], 1)
             self.assertTrue(0 < row["serial_share"] < 0.5, row)
             self.assertTrue(0 < row["busy_share"] <= 1, row)
+            self.assertTrue(row["section_start_us"] >= row["fork_join_us"] > 0, row)
+            self.assertTrue(row["bandwidth_of_one_gb_s"] > 0 < row["bandwidth_of_all_gb_s"], row)
             # What follows holds for any times, for that is how they are added up: two threads
             # cannot take less than half of the tasks, nor more than all of them.
             parallel = row["us_per_step"] - row["us_serial"] - row["us_starts"]

@@ -144,17 +144,18 @@ void measure(benchmark::State& state, const Case& c) {
     }
 }
 
-/// The account of tasks of a strategy: the least of all runs so far, at least `account_runs`.
-const ModelRun& account_of(const Case& c) {
-    using Key = std::tuple<std::string, int, Strategy, std::uint32_t>;
+/// The account of tasks of a strategy on so many threads: the least of all runs so far, at least
+/// `account_runs`.
+const ModelRun& account_of(const Case& c, std::uint32_t threads) {
+    using Key = std::tuple<std::string, int, Strategy, std::uint32_t, std::uint32_t>;
     constexpr int account_runs = 3;
     static std::map<Key, ModelRun> accounts;
-    ModelRun& account = accounts[{c.family, c.triangles, c.strategy, c.submeshes}];
+    ModelRun& account = accounts[{c.family, c.triangles, c.strategy, c.submeshes, threads}];
     const int runs = account.steps.empty() ? account_runs : 1;
     for (int i = 0; i < runs; ++i) {
         const Start& start = start_of(c.family, c.triangles);
         Complex<double> complex = copy_with_room(start.complex);
-        take_least(account, profile_steps(start, complex, run_options(c, 1)));
+        take_least(account, profile_steps(start, complex, run_options(c, threads)));
         if (mesh_hash(complex) != answer_of(c).hash) {
             throw InvariantError("the mesh is not that of a run without an account of times");
         }
@@ -166,8 +167,12 @@ void measure_model(benchmark::State& state, const Case& c) {
     for (auto _ : state) {
         const double load = other_load();
         static const double fork_join = measure_fork_join(core_count());
-        const ModelRun& account = account_of(c);
-        const ModelTimes times = model(account, c.threads, fork_join);
+        static const double bandwidth_of_one = measure_bandwidth(1);
+        static const double bandwidth_of_all = measure_bandwidth(core_count());
+        const std::uint32_t at_work = c.threads > 1 ? core_count() : 1;
+        const ModelRun& account = account_of(c, at_work);
+        const double start = std::max(fork_join, measured_start(account, at_work));
+        const ModelTimes times = model(account, c.threads, start);
         state.SetIterationTime(times.seconds);
         const auto per_step = [](double seconds) { return seconds * 1e6 / timed_steps; };
         auto& counters = state.counters;
@@ -175,7 +180,10 @@ void measure_model(benchmark::State& state, const Case& c) {
         counters["modelled"] = 1;
         counters["serial_share"] = times.serial_share;
         counters["busy_share"] = times.busy_share;
-        counters["fork_join_us"] = fork_join * 1e6;
+        counters["fork_join_us"] = fork_join * 1e6; // without work
+        counters["section_start_us"] = start * 1e6;
+        counters["bandwidth_of_one_gb_s"] = bandwidth_of_one * 1e-9;
+        counters["bandwidth_of_all_gb_s"] = bandwidth_of_all * 1e-9;
         // What one worker takes for all of it, by the least times.
         counters["us_serial"] = per_step(times.serial);
         counters["us_tasks"] = per_step(times.tasks);

@@ -82,7 +82,6 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
                        const scenes::RunOptions& options) {
     const Options<double> choices = scenes::scene_options<double>(start.parameters);
     scenes::Submeshing submeshing = options.submeshing;
-    submeshing.threads = 1;
     submeshing.profile = true;
     auto executor = scenes::make_executor(complex, choices, options.strategy, submeshing);
     const auto* submeshes = dynamic_cast<SubmeshExecutor<double>*>(executor.get());
@@ -94,7 +93,7 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
     const double dt = start.parameters.dt;
     ModelRun run;
     int step = start.step;
-    wake(1);
+    wake(submeshing.threads);
     for (int i = 0; i < warm_up_steps + timed_steps; ++i, ++step) {
         const auto begin = std::chrono::steady_clock::now();
         (void)simulation.step(velocity, step * dt, dt);

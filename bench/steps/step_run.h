@@ -26,7 +26,7 @@ struct StepRun {
 /// Goes on from `start.step` with a copy of `start.complex`: warm-up, then the timed steps.
 StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& run);
 
-/// The same steps on one thread, with the account of the times of its tasks.
+/// The same steps, with the account of the times of their tasks.
 ModelRun profile_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& run);
 
 /// The literal method takes `steps` steps after `first`, without a warm-up.

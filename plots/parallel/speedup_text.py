@@ -125,18 +125,31 @@ def _where(models):
     return style.listing(places)
 
 
+def _counters(models, name):
+    return [c for m in models if (c := m.row.measurement.counter(name)) is not None]
+
+
+def _bandwidth(models):
+    one = _counters(models, "bandwidth_of_one_gb_s")
+    every = _counters(models, "bandwidth_of_all_gb_s")
+    if not one or not every:
+        return ""
+    return f" (memory: {max(one):.3g} GB/s for one of them, {max(every):.3g} GB/s for all)"
+
+
 def conditions(family):
     text = ("Medians over repetitions; bars from the slowest to the fastest repetition; blue "
             "band: the same for the sequential run.")
     if family.models:
-        cost = [c for m in family.models
-                if (c := m.row.measurement.counter("fork_join_us")) is not None]
+        cost = _counters(family.models, "section_start_us")
         text += ("\nHollow and dashed: modelled, not measured. The shortest measured time of each "
-                 "task, scheduled on n workers, plus the serial parts and the cost of starting "
-                 "and joining threads"
+                 "task, with all cores of this machine at work if n > 1, scheduled on n workers, "
+                 "plus the serial parts and the cost of a section's start and end"
                  + (f" (measured: {_span(cost, style.duration)})" if cost else "")
-                 + "; shared caches and memory are not modelled. If several numbers of submeshes "
-                 "were modelled for one n, the fastest is shown.")
+                 + ". So each worker shares caches and memory as much as each of these cores does"
+                 + _bandwidth(family.models)
+                 + ". If several numbers of submeshes were modelled for one n, the fastest is "
+                 "shown.")
     if family.others:
         text += ("\nGrey: the thesis, and other programs that adapt a mesh in parallel, each on "
                  "a different machine; those that state no size are drawn in every column.")

@@ -38,7 +38,8 @@ def name(strategy, triangles, threads=0, cells=0, family="scaling_step", modelle
 def model(triangles, threads, us, cells=0, **more):
     """A modelled row: two per cent of the work is serial."""
     return row(name("cells", triangles, threads, cells, modelled=True), [us], modelled=1.0,
-               serial_share=0.02, busy_share=0.9, fork_join_us=0.5, load=0.5, **PROFILE, **more)
+               serial_share=0.02, busy_share=0.9, fork_join_us=0.5, section_start_us=0.8,
+               bandwidth_of_one_gb_s=12.5, bandwidth_of_all_gb_s=19.0, load=0.5, **PROFILE, **more)
 
 
 def parallel_bench(**context):
@@ -141,6 +142,9 @@ class Parallel(Case):
         self.assertIsNone(speedup_text.error(at[4], family.points))
         self.assertIn("S(2) differs from the measured one by +11.1 %",
                       speedup_text.modelled(family))
+        conditions = speedup_text.conditions(family)
+        self.assertIn("12.5 GB/s for one of them, 19 GB/s for all", conditions)
+        self.assertIn("800 ns", conditions)
         header, rows = speedup_text.table(family)
         line = next(r for r in rows if r[1] == "cells" and r[2] == "modelled" and r[3] == "2")
         self.assertEqual(line[header.index("model's error")], "+11.1 %")
