@@ -62,7 +62,8 @@ template <class Real>
 
 /// From the start of the half-edge to its end.
 template <class Real>
-[[nodiscard]] Point<Real> direction(const Complex<Real>& complex, Corner c) {
+[[nodiscard, gnu::always_inline]] inline Point<Real> direction(const Complex<Real>& complex,
+                                                               Corner c) {
     return complex.position(Vertex{complex.vertex(prev(c))}) -
            complex.position(Vertex{complex.vertex(next(c))});
 }

@@ -68,7 +68,7 @@ bool is_squeezed(const Complex<Real>& complex, std::span<const Suspect<Real>> su
                  const std::array<Corner, 2>& sheets) {
     std::array<Point<Real>, 4> now;
     std::array<Point<Real>, 4> then;
-    Real farthest = 0;
+    Real farthest_squared = 0;
     for (std::size_t i = 0; i < 4; ++i) {
         const Corner sheet = sheets[i / 2];
         const std::uint32_t v = complex.vertex(i % 2 == 0 ? next(sheet) : prev(sheet));
@@ -81,13 +81,23 @@ bool is_squeezed(const Complex<Real>& complex, std::span<const Suspect<Real>> su
         }
         now[i] = {record.x, record.y};
         then[i] = {suspects[record.slot].x, suspects[record.slot].y};
-        farthest = std::max(farthest, (now[i] - then[i]).norm());
+        farthest_squared = std::max(farthest_squared, (now[i] - then[i]).squaredNorm());
     }
     const Real area_now = quadrilateral(now);
     const Real area_then = quadrilateral(then);
+    const Real losing = area_then - area_now;
+    // What follows asks for 2 losing > closing > least_approach * farthest * length, and the mean
+    // length is at least half of the longer one. In a flow that keeps areas, where a filament has
+    // many such films, this ends nearly all of them, without a root.
+    const Real longer_squared =
+        std::max((now[1] - now[0]).squaredNorm(), (now[3] - now[2]).squaredNorm());
+    constexpr Real least = static_cast<Real>(least_approach / 4 * 0.99); // 0.99: more than rounding
+    if (!(losing > 0 && losing * losing > least * least * farthest_squared * longer_squared)) {
+        return false;
+    }
+    const Real farthest = std::sqrt(farthest_squared);
     const Real length_now = ((now[1] - now[0]).norm() + (now[3] - now[2]).norm()) / 2;
     const Real length_then = ((then[1] - then[0]).norm() + (then[3] - then[2]).norm()) / 2;
-    const Real losing = area_then - area_now;
     const Real closing = area_then - area_now * length_then / length_now;
     return closing > static_cast<Real>(least_approach) * farthest * length_now &&
            2 * losing > closing;
@@ -153,12 +163,16 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect<Real>> 
         }
         const Corner opposite = side == next(sheet) ? prev(across) : next(across);
         std::array<Corner, 3> others{};
-        if (sheets_of(complex, u, others) != 1 || others[0] != opposite || !is_thin(work, u) ||
-            !faces(complex, sheet, opposite) || are_ends_of_seam(complex, sheet, opposite)) {
+        if (sheets_of(complex, u, others) != 1 || others[0] != opposite) {
             continue;
         }
+        // First what rules out most: nothing is squeezed in a flow that keeps areas.
         if (work.options.opening == Opening::squeezed &&
             !is_squeezed(complex, suspects, {sheet, opposite})) {
+            continue;
+        }
+        if (!is_thin(work, u) || !faces(complex, sheet, opposite) ||
+            are_ends_of_seam(complex, sheet, opposite)) {
             continue;
         }
         const Real thick = std::max(thickness(complex, t), thickness(complex, u));
