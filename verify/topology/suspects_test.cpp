@@ -118,13 +118,13 @@ TEST(Suspects, MayFaceASheetWhereTwoNeighboursOfTheLinkAreOfTheInterface) {
                     for (std::uint32_t k = i + 1; k < n; ++k) {
                         const bool are_neighbours = k == i + 1 || (i == 0 && k + 1 == n);
                         const bool has_others = (marks & ~(1U << i | 1U << k)) != 0;
-                        EXPECT_EQ(has_other_company(complex, ring, Spokes{2, i, k}),
+                        EXPECT_EQ(meets_interface_elsewhere(complex, ring, Spokes{2, i, k}),
                                   !closed || are_neighbours || has_others)
                             << "link of " << n << ", marks " << marks << ", spokes " << i << ", "
                             << k;
                     }
                 }
-                EXPECT_TRUE(has_other_company(complex, ring, Spokes{3, 0, 2}));
+                EXPECT_TRUE(meets_interface_elsewhere(complex, ring, Spokes{3, 0, 2}));
             }
         }
     }

@@ -27,7 +27,7 @@ struct VtuArray {
 /// Which triangles a file has: one of several shares of equal size, in the order of their ids.
 struct VtuShare {
     std::uint32_t number = 0; ///< 0 to of - 1
-    std::uint32_t of = 1;
+    std::uint32_t of = 1;     ///< the number of shares
 };
 
 /// Writes all living vertices and triangles, or the triangles of a share and their vertices; for

@@ -20,10 +20,12 @@ void mark_interface(Complex<Real>& complex, std::uint32_t v, bool is_on_interfac
 }
 
 /// Whether the link has a vertex of the interface beside the ends of the two spokes, or these two
-/// are neighbours, or there are not two. False nearly everywhere. O(degree).
+/// are neighbours, or there are not two. Where it is false, as nearly everywhere, the star faces no
+/// sheet. O(degree).
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline bool
-has_other_company(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes) {
+meets_interface_elsewhere(const Complex<Real>& complex, const Ring<Real>& ring,
+                          const Spokes& spokes) {
     const std::uint32_t between = spokes.second - spokes.first;
     if (spokes.count != 2 || !ring.closed || between == 1 || between + 1 == ring.size) {
         return true;
@@ -84,7 +86,8 @@ template <class Real>
 template <class Real>
 void suspect(Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes, Real contact,
              bool is_known) {
-    if (!is_known || has_other_company(work.complex, ring, spokes) || turns_sharply(ring, spokes)) {
+    if (!is_known || meets_interface_elsewhere(work.complex, ring, spokes) ||
+        turns_sharply(ring, spokes)) {
         suspect_in_full(work, ring, spokes, contact, is_known);
         return;
     }
