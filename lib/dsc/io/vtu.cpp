@@ -48,19 +48,19 @@ public:
         const std::uint64_t count = complex.triangle_count();
         const std::uint64_t first = count * share.number / share.of;
         const std::uint64_t end = count * (std::uint64_t{share.number} + 1) / share.of;
-        std::vector<bool> is_used(complex.vertex_bound(), share.of == 1);
+        std::vector<std::uint8_t> is_used(complex.vertex_bound(), share.of == 1 ? 1 : 0);
         std::uint64_t number = 0;
         for (const Triangle t : dsc::triangles(complex)) {
             if (first <= number && number < end) {
                 triangles_.push_back(t.id);
                 for (const Vertex v : complex.vertices_of(t)) {
-                    is_used[v.id] = true;
+                    is_used[v.id] = 1;
                 }
             }
             ++number;
         }
         for (const Vertex v : dsc::vertices(complex)) {
-            if (is_used[v.id]) {
+            if (is_used[v.id] != 0) {
                 vertices_.push_back(v.id);
             }
         }

@@ -88,14 +88,15 @@ bool is_squeezed(const Complex<Real>& complex, std::span<const Suspect<Real>> su
     const Real losing = area_then - area_now;
     // What follows asks for 2 losing > closing > least_approach * farthest * length, and the mean
     // length is at least half of the longer one. In a flow that keeps areas, where a filament has
-    // many such films, this ends nearly all of them, without a root.
-    const Real longer_squared =
-        std::max((now[1] - now[0]).squaredNorm(), (now[3] - now[2]).squaredNorm());
+    // many such films, this ends nearly all of them. Not squared: float has no squares of areas as
+    // small as those of a fine mesh in a small unit.
+    const Real farthest = std::sqrt(farthest_squared);
+    const Real longer =
+        std::sqrt(std::max((now[1] - now[0]).squaredNorm(), (now[3] - now[2]).squaredNorm()));
     constexpr Real least = static_cast<Real>(least_approach / 4 * 0.99); // 0.99: more than rounding
-    if (!(losing > 0 && losing * losing > least * least * farthest_squared * longer_squared)) {
+    if (!(losing > least * farthest * longer)) {
         return false;
     }
-    const Real farthest = std::sqrt(farthest_squared);
     const Real length_now = ((now[1] - now[0]).norm() + (now[3] - now[2]).norm()) / 2;
     const Real length_then = ((then[1] - then[0]).norm() + (then[3] - then[2]).norm()) / 2;
     const Real closing = area_then - area_now * length_then / length_now;
