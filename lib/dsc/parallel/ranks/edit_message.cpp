@@ -137,33 +137,30 @@ private:
 template <class Real>
 void write_edits(MessageWriter& message, std::span<const Edit> edits) {
     message.count(edits.size());
-    const auto position = [&](const Edit& edit) {
-        message.raw(static_cast<Real>(edit.x), static_cast<Real>(edit.y));
-    };
     for (const Edit& edit : edits) {
-        const unsigned reason =
-            edit.kind == EditKind::move ? static_cast<unsigned>(edit.reason) : 0;
-        message.raw(
-            static_cast<std::uint8_t>(static_cast<unsigned>(edit.kind) | reason << kind_bits));
+        const auto first = [&edit](unsigned what = 0) {
+            return static_cast<std::uint8_t>(static_cast<unsigned>(edit.kind) | what << kind_bits);
+        };
+        const auto x = static_cast<Real>(edit.x);
+        const auto y = static_cast<Real>(edit.y);
         switch (edit.kind) {
         case EditKind::move:
-            message.raw(edit.vertex.id);
-            position(edit);
+            message.raw(first(static_cast<unsigned>(edit.reason)), edit.vertex.id, x, y);
             break;
-        case EditKind::flip: message.raw(edit.corner); break;
+        case EditKind::flip: message.raw(first(), edit.corner); break;
         case EditKind::split:
-            message.raw(edit.corner, edit.vertex.id, edit.made[0]);
-            if (edit.made[1] != no_id) {
-                message.raw(edit.made[1]);
+            if (edit.made[1] == no_id) {
+                message.raw(first(), edit.corner, edit.vertex.id, edit.made[0], x, y);
+            } else {
+                message.raw(first(), edit.corner, edit.vertex.id, edit.made, x, y);
             }
-            position(edit);
             break;
-        case EditKind::collapse: message.raw(edit.corner, edit.vertex.id); break;
+        case EditKind::collapse: message.raw(first(), edit.corner, edit.vertex.id); break;
         case EditKind::relabel:
-            message.raw(triangle_of(edit.corner), static_cast<Phase>(edit.made[1]));
+            message.raw(first(), triangle_of(edit.corner), static_cast<Phase>(edit.made[1]));
             break;
-        case EditKind::retriangulate: message.raw(triangle_of(edit.corner)); break;
-        case EditKind::remove_vertex: message.raw(edit.vertex.id); break;
+        case EditKind::retriangulate: message.raw(first(), triangle_of(edit.corner)); break;
+        case EditKind::remove_vertex: message.raw(first(), edit.vertex.id); break;
         case EditKind::insert_vertex:
         case EditKind::insert_triangle:
         case EditKind::remove_triangle:

@@ -19,31 +19,40 @@ namespace dsc {
 class MessageWriter {
 public:
     /// Begins another message.
-    void clear() { bytes_.clear(); }
+    void clear() { size_ = 0; }
     /// The message so far.
-    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+    [[nodiscard]] std::span<const std::byte> bytes() const {
+        return std::span<const std::byte>(bytes_).first(size_);
+    }
     /// The byte at a place before the end, to be written later.
     [[nodiscard]] std::byte& at(std::size_t place) { return bytes_[place]; }
 
     /// A small number takes few bytes: seven bits in each.
     void count(std::uint64_t number) {
+        std::byte* out = extend(most_of_count);
         while (number >= 0x80U) {
-            bytes_.push_back(static_cast<std::byte>(number | 0x80U));
+            *out++ = static_cast<std::byte>(number | 0x80U);
             number >>= 7U;
         }
-        bytes_.push_back(static_cast<std::byte>(number));
+        *out++ = static_cast<std::byte>(number);
+        size_ = static_cast<std::size_t>(out - bytes_.data());
     }
     /// The values as they lie in memory.
     template <class... Values>
     void raw(const Values&... values) {
-        (put(&values, sizeof values), ...);
+        std::byte* out = extend((sizeof values + ...));
+        ((std::memcpy(out, &values, sizeof values), out += sizeof values), ...);
+        size_ = static_cast<std::size_t>(out - bytes_.data());
     }
     /// The length, and the entries as they lie in memory.
     template <class Record>
     void list(std::span<const Record> records) {
         static_assert(std::is_trivially_copyable_v<Record>);
         count(records.size());
-        put(records.data(), records.size_bytes());
+        if (!records.empty()) { // memcpy wants an address
+            std::memcpy(extend(records.size_bytes()), records.data(), records.size_bytes());
+            size_ += records.size_bytes();
+        }
     }
     /// The length, and the entries.
     template <class Record>
@@ -56,15 +65,18 @@ public:
     }
 
 private:
-    void put(const void* data, std::size_t size) {
-        if (size > 0) { // memcpy wants an address
-            const std::size_t begin = bytes_.size();
-            bytes_.resize(begin + size);
-            std::memcpy(bytes_.data() + begin, data, size);
+    static constexpr std::size_t most_of_count = 10; // bytes of 64 bits, seven in each
+
+    // Where so many bytes more may be written.
+    std::byte* extend(std::size_t size) {
+        if (bytes_.size() - size_ < size) {
+            bytes_.resize(2 * (size_ + size));
         }
+        return bytes_.data() + size_;
     }
 
-    std::vector<std::byte> bytes_;
+    std::vector<std::byte> bytes_; // the message, and room behind it
+    std::size_t size_ = 0;
 };
 
 /// A message that is read. Throws InvariantError where it ends too early.
