@@ -21,6 +21,12 @@ class Ranks(Launched):
             self.expect_same(result, alone, f"{ranks} ranks")
             self.assertEqual(result["ranks"], ranks)
             self.assertEqual(result["bytes_per_step"] > 0, ranks > 1)
+            times = result["rank_us_per_step"]
+            self.assertEqual(sorted(times), ["repeat", "tell", "wait", "work"])
+            for name, value in times.items():
+                self.assertEqual(value > 0, ranks > 1, f"{name} of {ranks} ranks")
+            whole = 1e6 * result["wall_s"] / result["steps"]
+            self.assertLessEqual(sum(times.values()), whole)
 
     def test_messages_longer_than_any_before_come_whole(self):
         fine = ["grains", "--set", "h=0.01", "--stop-after", "2", *CELLS]

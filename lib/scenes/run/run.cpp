@@ -384,9 +384,10 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
     }
     if (const Ranks* const ranks = options.submeshing.ranks) {
         result.ranks = ranks->size();
-        result.bytes_per_step = result.steps > 0 ? static_cast<double>(ranks->bytes()) /
-                                                       static_cast<double>(result.steps)
-                                                 : 0;
+        const double steps = std::max(result.steps, 1);
+        result.bytes_per_step = static_cast<double>(ranks->bytes()) / steps;
+        result.exchanges_per_step = static_cast<double>(ranks->exchanges()) / steps;
+        result.rank_times = ranks->times();
     }
     return result;
 }

@@ -2,6 +2,7 @@
 // A section that ranks share: each runs its own submeshes, tells the others what they did, and does
 // what the others tell. See submesh_messages.cpp for what is told.
 #include "dsc/parallel/in_place/submesh_ranks.h"
+#include "dsc/parallel/timer.h"
 
 #include <algorithm>
 
@@ -128,7 +129,10 @@ void SubmeshExecutor<Real>::run_shared(std::size_t colour, Section section,
                                        FunctionRef<void(std::size_t)> task) {
     Shared& shared = *shared_;
     const ShareOfRank own = shared.share(colour);
+    RankTimes times;
+    Timer timer;
     remember(colour, section);
+    times.tell = timer.lap();
     std::exception_ptr failure;
     try {
         shared.colours[colour].own.run(pool_, threads_, submeshes_.assignment,
@@ -136,13 +140,18 @@ void SubmeshExecutor<Real>::run_shared(std::size_t colour, Section section,
     } catch (...) { // NOLINT: told to all ranks, and thrown by all
         failure = std::current_exception();
     }
+    times.work = timer.lap();
     tell_section(colour, section);
+    times.tell += timer.lap();
     const std::span<MessageReader> all = shared.ranks.exchange(failure);
+    times.wait = timer.lap();
     for (std::uint32_t rank = 0; rank < all.size(); ++rank) {
         if (rank != shared.ranks.rank()) {
             hear_section(all[rank], colour, section, shared.colours[colour].shares[rank]);
         }
     }
+    times.repeat = timer.lap();
+    shared.ranks.add(times);
     if (!keeps_edits_) {
         for (const auto& part : parts_) {
             part->work.log.records.clear();

@@ -13,6 +13,23 @@
 
 namespace dsc {
 
+/// Seconds of one rank in the sections that ranks share.
+struct RankTimes {
+    double work = 0;   ///< in its own submeshes
+    double tell = 0;   ///< in writing what they did
+    double wait = 0;   ///< until all had told
+    double repeat = 0; ///< in doing what the others told
+
+    /// Adds those of another section.
+    RankTimes& operator+=(const RankTimes& more) {
+        work += more.work;
+        tell += more.tell;
+        wait += more.wait;
+        repeat += more.repeat;
+        return *this;
+    }
+};
+
 /// One object for each rank, on top of a transport. Its calls are made in the same order on all
 /// ranks; only `leave` may be called at any time in place of another one.
 class Ranks {
@@ -57,6 +74,10 @@ public:
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
     /// How many exchanges there were.
     [[nodiscard]] std::uint64_t exchanges() const { return exchanges_; }
+    /// Where the time of this rank has gone in what it shares with others.
+    [[nodiscard]] const RankTimes& times() const { return times_; }
+    /// To be called after a section by whoever runs it.
+    void add(const RankTimes& times) { times_ += times; }
 
 private:
     Transport& transport_;
@@ -68,6 +89,7 @@ private:
     bool is_to_stop_ = false;
     std::uint64_t bytes_ = 0;
     std::uint64_t exchanges_ = 0;
+    RankTimes times_;
 };
 
 } // namespace dsc
