@@ -163,8 +163,9 @@ void SubmeshExecutor<Real>::resize(std::span<const std::uint32_t> list) {
 }
 
 // Vertices to be looked at because targets changed there: to the submeshes that own them by now. An
-// id may be in use elsewhere since it was noted, and its stamp is not to be written from here then.
-// O(their number).
+// id may be in use elsewhere since it was noted, and its stamp is not to be written from there
+// then. O(their number): they are in the order of stars, so that the submesh of one is nearly
+// always that of the next.
 template <class Real>
 void SubmeshExecutor<Real>::hand_out_resized() {
     std::vector<std::uint32_t>& list = whole_.resized; // no submesh, so that it may collect
@@ -172,10 +173,18 @@ void SubmeshExecutor<Real>::hand_out_resized() {
         list.insert(list.end(), part->work.resized.begin(), part->work.resized.end());
         part->work.resized.clear();
     }
+    const Colour& colour = partition_.colours.front();
+    std::size_t at = 0;
     for (const std::uint32_t v : list) {
-        if (complex_.is_alive(Vertex{v})) {
-            owner_of(v).work.resized.push_back(v);
+        if (!complex_.is_alive(Vertex{v})) {
+            continue;
         }
+        const Point<double> place = place_of(v);
+        if (!parts_[at]->work.submesh.region.owns(v, place.x(), place.y())) {
+            const std::size_t found = colour.locate(v, place.x(), place.y());
+            at = found < first_colour_ ? found : 0;
+        }
+        parts_[at]->work.resized.push_back(v);
     }
     list.clear();
 }

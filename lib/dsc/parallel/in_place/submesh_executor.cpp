@@ -47,8 +47,6 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
     // Everything that takes longer in a large mesh is done here rather than in a step: dividing it
     // for the first time, making room, lending ids, and starting threads.
     divide();
-    // All of them at once: a new thread takes milliseconds to get a core of its own.
-    pool_.start(submeshes_.threads);
     choose_threads();
     make_room();
     for (auto& part : parts_) {

@@ -63,7 +63,10 @@ void SubmeshExecutor<Real>::choose_threads() {
         std::clamp<std::size_t>(pay_off, 1, std::max<std::size_t>(own.end - own.begin, 1)));
     threads_ = std::min(useful_threads_,
                         submeshes_.adapts_threads ? choice_.threads() : submeshes_.threads);
-    pool_.start(threads_);
+    // Ahead of their use, for a new thread takes milliseconds to get a core of its own; but none
+    // where the interface is far too short, for it would also delay the steps meanwhile.
+    const std::size_t soon = (size + size / 2) / submeshes_.vertices_per_thread;
+    pool_.start(static_cast<std::uint32_t>(std::min<std::size_t>(soon, submeshes_.threads)));
 }
 
 template <class Real>

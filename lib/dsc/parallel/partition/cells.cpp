@@ -188,15 +188,14 @@ void CellPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut recu
         return Site{static_cast<double>(record.x), static_cast<double>(record.y), input.work[i]};
     };
     if (recut == Recut::all) {
+        const std::uint32_t cells =
+            options_.submeshes > 0 ? options_.submeshes : cells_that_pay(input.interface.size());
         sites_.clear();
-        for (std::size_t i = 0; i < input.interface.size(); ++i) {
+        for (std::size_t i = 0; cells > 1 && i < input.interface.size(); ++i) {
             sites_.push_back(site_of(i));
         }
         partition.colours.assign(1, {});
-        partition.colours.front().regions = divide_sites(
-            sites_,
-            options_.submeshes > 0 ? options_.submeshes : cells_that_pay(input.interface.size()),
-            rules);
+        partition.colours.front().regions = divide_sites(sites_, cells, rules);
     }
     partition.colours.resize(1);
     if (partition.colours.front().regions.size() < 2) {
