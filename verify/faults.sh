@@ -9,10 +9,10 @@ usage() {
 usage: verify/faults.sh [--tenth HASH | --room NAME | --only NAME...] [--own] [--baseline] [--jobs N]
        verify/faults.sh --mutants [--count N] [--seed TEXT] [--seconds S] [--survivors] [--jobs N]
        verify/faults.sh --build
-  --tenth HASH  the tenth of the faults that belongs to a commit
+  --tenth HASH  the rooms that belong to a commit, with about a tenth of the faults
   --room NAME   the faults of one room
   --only NAME   these faults alone, tried anew
-  --own         by the tests of each fault's own room alone
+  --own         by the tests of each fault's own room alone; no others are built
   --baseline    measures anew how long the tests take without a fault
   --jobs N      so many faults at the same time; by default one for each core
   --mutants     in place of them a sample of small changes of lib/dsc made by rule, 1000 by default, in
@@ -51,12 +51,17 @@ say "building the copy with the faults, with $jobs jobs"
 quietly cmake -S "$folder/source" -B "$folder/build" -G Ninja -D CMAKE_BUILD_TYPE=Release \
     -D CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -D DSC_PRECOMPILE=ON -D DSC_UNITY=ON \
     -D DSC_BUILD_HARNESS=ON -D DSC_PYTHON="$python"
-mapfile -t targets < <("$python" verify/faults/programs.py)
+build_only=false
+if [[ ${1:-} == --build ]]; then
+    build_only=true
+    shift
+fi
+mapfile -t targets < <("$python" verify/faults/run.py "$folder" --targets "$@")
 if ! cmake --build "$folder/build" --parallel "$jobs" --target "${targets[@]}" -- --quiet; then
     say "the build failed: nothing was tested"
     exit 2
 fi
-if [[ ${1:-} == --build ]]; then
+if $build_only; then
     exit 0
 fi
 exec "$python" verify/faults/run.py "$folder" --jobs "$jobs" "$@"

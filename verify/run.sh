@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Sets up, builds, and tests everything: what is run optimised, the gate, and the tests under the
-# address, undefined behaviour and thread sanitizers. Quick unit tests run under the former two alone,
-# unless these are left out; see the labels in verify/CMakeLists.txt.
+# Sets up, builds, and tests everything: what is run optimised, the gate, the tests under the address,
+# undefined behaviour and thread sanitizers, and whether the tests notice the tenth of the seeded faults
+# whose turn it is. Quick unit tests run under the former two sanitizers alone, unless these are left out;
+# see the labels in verify/CMakeLists.txt.
 set -euo pipefail
 
 usage() {
@@ -14,7 +15,7 @@ usage: verify/run.sh [--quick | --all] [--sanitizers | --no-sanitizers | --fault
   --sanitizers     nothing but the tests under the sanitizers
   --no-sanitizers  everything but them
   --faults         nothing but the tenth of the seeded faults that belongs to this commit
-Other options go to each run of ctest, e.g. -R test_geometry. Installs missing Debian packages as root
+Other options go to each run of ctest, e.g. -R test_geometry; no faults are seeded then. Installs missing Debian packages as root
 or through sudo. DSC_JOBS sets the number of jobs, PYTHON the interpreter for the plots.
 Exit code: 0 all passed, 1 something failed, 2 nothing was run.
 USAGE
@@ -24,6 +25,7 @@ all=false
 quick=false
 with_release=true
 with_sanitizers=true
+with_faults=true
 ctest_options=()
 for argument in "$@"; do
     case $argument in
@@ -31,15 +33,22 @@ for argument in "$@"; do
         --quick)
             quick=true
             with_sanitizers=false
+            with_faults=false
             ;;
-        --sanitizers) with_release=false ;;
+        --sanitizers)
+            with_release=false
+            with_faults=false
+            ;;
         --no-sanitizers) with_sanitizers=false ;;
         --faults)
             folder=$(dirname -- "${BASH_SOURCE[0]}")
             exec "$folder/faults.sh" --tenth "$(git -C "$folder" rev-parse HEAD)"
             ;;
         -h | --help) usage; exit 0 ;;
-        *) ctest_options+=("$argument") ;;
+        *)
+            ctest_options+=("$argument")
+            with_faults=false
+            ;;
     esac
 done
 if { ! $with_release && ! $with_sanitizers; } || { $quick && $all; }; then
@@ -167,6 +176,11 @@ if $with_sanitizers; then
 fi
 
 await_gate
+if $with_faults; then
+    say "seeded faults"
+    commit=$(git rev-parse HEAD 2>/dev/null || echo "not under version control")
+    verify/faults.sh --tenth "$commit" --own --jobs "$jobs" </dev/null || failed+=("seeded faults")
+fi
 if [[ ${#failed[@]} -gt 0 ]]; then
     printf 'failed: %s\n' "${failed[@]}"
     exit 1

@@ -9,6 +9,7 @@
     form = "expression"                     # or "statement", or "text"
     original = "if («a < b») {"             # occurs once in the file, without the marks
     faulty = "a <= b"                       # what takes the place of the part between the marks
+    also = ["hashes"]                       # optional: tests of other rooms that are there for it too
 
 The part of `original` between « and », or all of it, is what the fault replaces; the rest makes it
 unique. An expression becomes `(FAULT ? (faulty) : (original))`, a statement
@@ -43,6 +44,7 @@ FORMS = ("expression", "statement", "text")
 CPP = (".h", ".cpp")
 OPENED, CLOSED = "«", "»"
 KEYS = {"name", "says", "kind", "file", "form", "original", "faulty"}
+OPTIONAL = {"also"}
 
 
 class TableError(Exception):
@@ -59,6 +61,7 @@ class Fault:
     form: str
     original: str
     faulty: str
+    also: tuple = ()
 
     @property
     def is_cpp(self):
@@ -103,9 +106,10 @@ class Fault:
 
 def read_fault(entry, room):
     name = entry.get("name", "without a name")
-    if set(entry) != KEYS:
-        raise TableError(f"{room}, {name}: has {sorted(entry)}, wants {sorted(KEYS)}")
-    fault = Fault(room=room, **entry)
+    if set(entry) - OPTIONAL != KEYS:
+        raise TableError(f"{room}, {name}: has {sorted(entry)}, wants {sorted(KEYS)} and at most "
+                         f"{sorted(OPTIONAL)}")
+    fault = Fault(room=room, **{**entry, "also": tuple(entry.get("also", ()))})
     if fault.kind not in KINDS:
         raise TableError(f"{room}, {name}: kind '{fault.kind}' is none of {', '.join(KINDS)}")
     if fault.form not in FORMS or (fault.form != "text" and not fault.is_cpp):

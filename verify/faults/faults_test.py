@@ -9,6 +9,7 @@ import unittest
 import catalogue
 import overlay
 import programs
+import run
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path("verify/faults")
@@ -49,10 +50,23 @@ class Table(unittest.TestCase):
     def test_rooms_have_tests(self):
         for fault in self.faults:
             self.assertIn(fault.room, programs.OWN)
+            self.assertLessEqual(set(fault.also), set(programs.all_names()), fault.name)
         text = "".join((ROOT / folder / "CMakeLists.txt").read_text(encoding="utf-8")
                        for folder in ("verify", "lib/scenes"))
         built = re.findall(r"(?:dsc_add_tests|add_executable)\((\w+)", text)
         self.assertEqual([name for name in programs.targets() if name not in built], [])
+
+    def test_each_has_its_turn(self):
+        sets = run.tenths(self.faults)
+        self.assertEqual(sorted(room for some in sets for room in some),
+                         sorted({fault.room for fault in self.faults}))
+        counts = [sum(fault.room in some for fault in self.faults) for some in sets]
+        self.assertLess(max(counts), 2 * min(counts))
+
+    def test_their_own_tests_alone_are_built(self):
+        self.assertEqual(programs.targets(["sizes", "flows", "limits", "gate"]),
+                         ["test_sizes", "test_figures", "dsc_verify"])
+        self.assertLess(len(programs.targets(["plots", "passes"])), len(programs.targets()))
 
 
 class Sources(unittest.TestCase):

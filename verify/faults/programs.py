@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """What may catch a fault: the test programs and the quick gate, in the order in which they are tried.
-Run by itself it prints what has to be built for them.
 
 The tests of a fault's own room come first: what they catch is caught on purpose. Others that notice it
 do so because everything changes, or by luck."""
@@ -22,7 +21,7 @@ OWN = {
     "operations": ["operations", "reference"],
     "initial": ["initial"],
     "motion": ["motion", "algorithm", "velocities"],
-    "sizes": ["sizes"],
+    "sizes": ["sizes", "graded"],
     "passes": ["passes", "effort", "sizes"],
     "algorithm": ["algorithm", "effort"],
     "parallel": ["parallel", "ranks"],
@@ -45,6 +44,7 @@ OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "algor
           "checkpoints", "figures", "hashes", "gate"]
 # Some suites of a test program, by a name of their own.
 SUITES = {
+    "graded": ("figures", "Sizes/GradedMesh.*"),
     "flows": ("figures", "Velocity.*:SineCosine.*:FlowMap.*:Exact.*:TwoDiscs.*:ErodedDumbbell.*"),
     "scene_runs": ("figures", "RunScene.*:SceneFileExact.*:Describe.*:Catalogue/Described.*"),
 }
@@ -52,14 +52,14 @@ SUITES = {
 BROAD = {"hashes", "gate", "hard", "figures"}
 QUICK_GATE = ["area_ratio", "symmetric_difference", "symmetric_difference_half", "inverted",
               "unreached", "min_quality"]
-# The modules of a unittest, where they run, and what they have to know.
+# The modules of a unittest, where they run, and the programs that they call.
 PYTHON = {
-    "limits": ("verify/gate", ["limits_test"]),
-    "gate_cli": ("verify/scenes", ["gate_cli_test"]),
-    "scene_output_cli": ("verify/scenes", ["scene_output_cli_test"]),
-    "ranks_cli": ("verify/mpi", ["ranks_cli_test"]),
+    "limits": ("verify/gate", ["limits_test"], []),
+    "gate_cli": ("verify/scenes", ["gate_cli_test"], ["dsc_scene", "dsc_verify", "dsc_hard"]),
+    "scene_output_cli": ("verify/scenes", ["scene_output_cli_test"], ["dsc_scene"]),
+    "ranks_cli": ("verify/mpi", ["ranks_cli_test"], ["dsc_scene"]),
     "plots": ("plots", ["tests.test_plots", "tests.test_parallel", "tests.test_precision",
-                        "tests.test_page"]),
+                        "tests.test_page"], []),
 }
 
 
@@ -74,7 +74,7 @@ class Program:
 def program(name, source, build):
     """`source` and `build`: the copy of the project with the switches, and its build."""
     if name in PYTHON:
-        folder, modules = PYTHON[name]
+        folder, modules, _ = PYTHON[name]
         return Program(name, (sys.executable, "-m", "unittest", "--failfast", "--verbose", *modules),
                        source / folder,
                        (("DSC_SCENE", str(build / "lib/scenes/dsc_scene")),
@@ -95,14 +95,14 @@ def is_possible(room, build):
     return room != "mpi" or (build / "lib/scenes/dsc_scene_mpi").exists()
 
 
-def own(room):
-    """The tests of a room, by name."""
-    return OWN[room]
+def own(fault):
+    """The tests that are there for a fault, by name: those of its room, and others that it names."""
+    return [*OWN[fault.room], *fault.also]
 
 
-def others(room):
+def others(fault):
     """What is tried on a fault that they do not catch."""
-    return [name for name in OTHERS if name not in OWN[room]]
+    return [name for name in OTHERS if name not in own(fault)]
 
 
 def all_names():
@@ -113,11 +113,17 @@ def all_names():
     return names
 
 
-def targets():
-    """What has to be built for all of them."""
-    left_out = {"gate", *PYTHON, *SUITES}
-    tests = [f"test_{name}" for name in all_names() if name not in left_out]
-    return tests + ["dsc_scene", "dsc_verify", "dsc_hard"]
+def targets(names=None):
+    """What has to be built for these tests, or for all of them."""
+    found = []
+    for name in all_names() if names is None else names:
+        if name in PYTHON:
+            found += PYTHON[name][2]
+        elif name == "gate":
+            found.append("dsc_verify")
+        else:
+            found.append(f"test_{SUITES.get(name, (name,))[0]}")
+    return list(dict.fromkeys(found))
 
 
 def test_targets(root):
@@ -125,7 +131,3 @@ def test_targets(root):
     text = (root / "verify/CMakeLists.txt").read_text(encoding="utf-8")
     return [name for name in re.findall(r"^dsc_add_tests\((\w+)", text, re.M)
             if name != "test_hard_long"]
-
-
-if __name__ == "__main__":
-    print(*targets(), sep="\n")

@@ -6,6 +6,7 @@ The copy of the project with the switches and its build are in DIR/source and DI
 makes both. Results are kept in DIR/faults.json as they come, so that a run that was interrupted goes
 on where it stopped; faults that nothing has caught are tried again. DIR/faults.md is the table."""
 import argparse
+import collections
 import concurrent.futures
 import json
 import os
@@ -126,7 +127,7 @@ class Runner:
         """One entry of the results: by the tests of its room, or by all others."""
         before = self.data["faults"].get(fault.name, {}) if not own else {}
         slow, spent = before.get("slow", []), before.get("cpu_s", 0.0)
-        for name in programs.own(fault.room) if own else programs.others(fault.room):
+        for name in programs.own(fault) if own else programs.others(fault):
             usual = self.usual(name)
             ended, test, cpu, _ = call(self.program(name), fault, int(SLOWER * usual + SPARE_S))
             spent += cpu
@@ -180,9 +181,19 @@ def chosen(faults, arguments):
         mine = [fault for fault in faults if fault.room == arguments.room]
         return mine or sys.exit(f"run.py: no fault is of a room '{arguments.room}'")
     if arguments.tenth is not None:
-        share = zlib.crc32(arguments.tenth.encode()) % 10
-        return [fault for fault in faults if zlib.crc32(fault.name.encode()) % 10 == share]
+        rooms = tenths(faults)[zlib.crc32(arguments.tenth.encode()) % 10]
+        return [fault for fault in faults if fault.room in rooms]
     return faults
+
+
+def tenths(faults):
+    """Ten sets of rooms with about as many faults each: whole rooms, since few test programs have to be
+    built for these."""
+    counts = collections.Counter(fault.room for fault in faults)
+    sets = [set() for _ in range(10)]
+    for room in sorted(counts, key=lambda room: (-counts[room], room)):
+        min(sets, key=lambda some: sum(counts[one] for one in some)).add(room)
+    return sets
 
 
 def is_due(fault, entry):
@@ -191,17 +202,31 @@ def is_due(fault, entry):
         entry.get("digest", fault.digest) != fault.digest
 
 
+def names_for(arguments):
+    """The tests that are tried on the chosen faults; None: all that there are."""
+    if arguments.all_tests or arguments.baseline:
+        return None
+    return [name for fault in chosen(catalogue.read_table(), arguments)
+            for name in programs.own(fault)]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=pathlib.Path, help="DIR")
     parser.add_argument("--only", nargs="+", metavar="NAME", help="these faults, tried anew")
-    parser.add_argument("--tenth", metavar="HASH", help="the tenth that belongs to a commit")
+    parser.add_argument("--tenth", metavar="HASH",
+                        help="the rooms that belong to a commit, with about a tenth of the faults")
     parser.add_argument("--room", metavar="NAME", help="the faults of one room")
     parser.add_argument("--own", dest="all_tests", action="store_false",
                         help="the tests of each fault's room alone")
     parser.add_argument("--jobs", type=int, default=1, help="faults at the same time")
     parser.add_argument("--baseline", action="store_true", help="measured anew")
+    parser.add_argument("--targets", action="store_true",
+                        help="say what has to be built for them, and run nothing")
     arguments = parser.parse_args()
+    if arguments.targets:
+        print(*programs.targets(names_for(arguments)), sep="\n")
+        return
     runner = Runner(arguments.folder.resolve())
     if arguments.baseline:
         runner.data["baseline"] = {}

@@ -167,8 +167,10 @@ TYPED_TEST(Io, SvgOptions) {
 
 TYPED_TEST(Io, VtuReadsBackBitByBit) {
     using Real = TypeParam;
-    auto complex = grid<Real>(60, 0.15, 2, 2);           // its arrays take several blocks
-    remove(complex, SimplexSet({}, {}, {Triangle{40}})); // free ids: numbers differ from ids
+    auto complex = grid<Real>(60, 0.15, 2, 2); // its arrays take several blocks
+    // Free ids: numbers differ from ids.
+    remove(complex, star(complex, Vertex{5}));
+    ASSERT_FALSE(complex.is_alive(Vertex{5}));
     auto& attributes = complex.attributes;
     auto& heat = attributes.template add<Vertex, double>("heat <K>");
     auto& wind = attributes.template add<Vertex>("wind", Point<float>(0, 0));
