@@ -144,6 +144,8 @@ class Runner:
         path = self.source / fault.file
         text = path.read_text(encoding="utf-8")
         place = catalogue.place_of(fault, text)
+        for name in programs.own(fault) if own else programs.others(fault):
+            self.usual(name)  # without the fault, that is before it is there
         path.write_text(text[:place] + fault.in_place() + text[place + len(fault.sought):],
                         encoding="utf-8")
         try:
