@@ -15,8 +15,9 @@ usage: verify/run.sh [--quick | --all] [--sanitizers | --no-sanitizers | --fault
   --sanitizers     nothing but the tests under the sanitizers
   --no-sanitizers  everything but them
   --faults         nothing but the tenth of the seeded faults that belongs to this commit
-Other options go to each run of ctest, e.g. -R test_geometry; no faults are seeded then. Installs missing Debian packages as root
-or through sudo. DSC_JOBS sets the number of jobs, PYTHON the interpreter for the plots.
+Other options go to each run of ctest, e.g. -R test_geometry; no faults are seeded then. Installs missing
+Debian packages as root or through sudo. DSC_JOBS sets the number of jobs, PYTHON the interpreter for the
+plots.
 Exit code: 0 all passed, 1 something failed, 2 nothing was run.
 USAGE
 }

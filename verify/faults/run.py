@@ -24,8 +24,8 @@ import catalogue
 import programs
 import table
 
-SLOWER = 4          # a test that takes this many times its CPU time, and...
-SPARE_S = 20        # ...this long besides, does not end
+SLOWER = 2          # a test that takes this many times its CPU time, and...
+SPARE_S = 10        # ...this long besides, does not end
 MEMORY = 6 << 30    # bytes
 LONGEST_PAUSE_S = 0.5
 RACES = ("race", "shared state")
