@@ -7,9 +7,12 @@ set -euo pipefail
 usage() {
     cat <<'USAGE'
 usage: verify/fuzz.sh [--no-build] [TARGET|all] [SECONDS] [libFuzzer options]
+       verify/fuzz.sh --turn HASH [SECONDS] [libFuzzer options]
        verify/fuzz.sh --build | --total
   TARGET    a folder of verify/fuzz/corpus; all (the default): one after the other
   SECONDS   of search in each, 60 unless given
+  --turn    side by side in the two targets whose turn it is at a commit, others at another, with the
+            program of the preset asan, which has to be built; see build/asan/search for what it found
   --total   the sums of all searches so far, by target
   --build   builds the program and searches nothing; --no-build searches with the program as it is
 New inputs are kept in build/fuzz/search/TARGET/inputs, findings beside them with the sentence of how to
@@ -50,9 +53,19 @@ if [[ ${1-} == --total ]]; then
 fi
 
 with_build=true
+turn=
 if [[ ${1-} == --no-build ]]; then
     with_build=false
     shift
+elif [[ ${1-} == --turn ]]; then
+    turn=${2-}
+    if [[ ! $turn =~ ^[0-9a-f]{7,40}$ ]]; then
+        give_up "--turn: not the hash of a commit: '$turn'"
+    fi
+    with_build=false
+    program=build/asan/verify/fuzz/dsc_fuzz
+    search=${DSC_FUZZ_SEARCH:-build/asan/search}
+    shift # what follows the hash is as behind a target
 fi
 build_only=false
 if [[ ${1-} == --build ]]; then
@@ -63,8 +76,13 @@ target=${1:-all}
 seconds=${2:-60}
 fuzzer_options=("${@:3}")
 corpus=verify/fuzz/corpus
-if [[ $target == all ]]; then
-    mapfile -t chosen < <(ls "$corpus")
+mapfile -t all_targets < <(ls "$corpus")
+if [[ -n $turn ]]; then
+    count=${#all_targets[@]}
+    first=$((16#${turn:0:7} % count))
+    chosen=("${all_targets[first]}" "${all_targets[(first + count / 2) % count]}")
+elif [[ $target == all ]]; then
+    chosen=("${all_targets[@]}")
 else
     chosen=("$target")
 fi
@@ -96,8 +114,7 @@ last_after() { # last_after WORD LOG
     grep -o " $1 [0-9]*" "$2" | tail -n 1 | grep -o '[0-9]*$' || echo 0
 }
 
-found=0
-search_in() { # search_in TARGET
+search_in() { # search_in TARGET: fails if something was found
     local folder=$search/$1 options=()
     local log=$folder/log.txt before after cpu inputs operations findings
     mkdir -p "$folder/inputs" "$folder/findings"
@@ -128,15 +145,10 @@ search_in() { # search_in TARGET
     seed=$(grep -o 'Seed: [0-9]*' "$log" | grep -o '[0-9]*$' || echo unknown)
     coverage=$(last_after cov: "$log")
     features=$(last_after ft: "$log")
-    if [[ ! -f $search/searches.txt ]]; then
-        echo "# target inputs operations CPU_s seed edges_covered features findings" \
-            >"$search/searches.txt"
-    fi
     echo "$1 $inputs $operations $cpu $seed $coverage $features $findings" >>"$search/searches.txt"
     echo "$1: $inputs inputs, $operations operations in $cpu s of CPU time; seed $seed;" \
         "$coverage edges of the program covered, $features features; findings: $findings"
     if [[ $findings -gt 0 || $inputs -eq 0 ]]; then
-        found=1
         grep -m 1 -A 12 -E 'finding:|ERROR:|runtime error:' "$log" || tail -n 5 "$log"
     fi
     if [[ $findings -gt 0 ]]; then
@@ -147,9 +159,28 @@ search_in() { # search_in TARGET
                 "-exact_artifact_path=$file.small $file"
         done
     fi
+    [[ $findings -eq 0 && $inputs -gt 0 ]]
 }
 
-for one in "${chosen[@]}"; do
-    search_in "$one"
-done
+mkdir -p "$search"
+if [[ ! -f $search/searches.txt ]]; then
+    echo "# target inputs operations CPU_s seed edges_covered features findings" \
+        >"$search/searches.txt"
+fi
+
+found=0
+if [[ -n $turn ]]; then
+    searches=()
+    for one in "${chosen[@]}"; do
+        search_in "$one" &
+        searches+=($!)
+    done
+    for one in "${searches[@]}"; do
+        wait "$one" || found=1
+    done
+else
+    for one in "${chosen[@]}"; do
+        search_in "$one" || found=1
+    done
+fi
 exit "$found"

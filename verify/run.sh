@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Sets up, builds, and tests everything: what is run optimised, the gate, the tests under the address,
-# undefined behaviour and thread sanitizers, and whether the tests notice the tenth of the seeded faults
-# whose turn it is. Quick unit tests run under the former two sanitizers alone, unless these are left out;
-# see the labels in verify/CMakeLists.txt.
+# undefined behaviour and thread sanitizers, a search by libFuzzer in two targets, and whether the tests
+# notice a tenth of the seeded faults: those targets and faults whose turn it is. Quick unit tests run
+# under the former two sanitizers alone, unless these are left out; see the labels in
+# verify/CMakeLists.txt.
 set -euo pipefail
 
 usage() {
@@ -12,12 +13,12 @@ usage: verify/run.sh [--quick | --all] [--sanitizers | --no-sanitizers | --fault
   --quick          in four minutes on two cores: the release build of the
                    short tests and of the gate, and the gate's checks of sequential runs
   --all            the tests labelled long as well, all others optimised as well, and the preset lto
-  --sanitizers     nothing but the tests under the sanitizers
+  --sanitizers     nothing but the tests and the search under the sanitizers
   --no-sanitizers  everything but them
   --faults         nothing but the tenth of the seeded faults that belongs to this commit
-Other options go to each run of ctest, e.g. -R test_geometry; no faults are seeded then. Installs missing
-Debian packages as root or through sudo. DSC_JOBS sets the number of jobs, PYTHON the interpreter for the
-plots.
+Other options go to each run of ctest, e.g. -R test_geometry; nothing is searched and no faults are seeded
+then. Installs missing Debian packages as root or through sudo. DSC_JOBS sets the number of jobs, PYTHON
+the interpreter for the plots.
 Exit code: 0 all passed, 1 something failed, 2 nothing was run.
 USAGE
 }
@@ -26,6 +27,7 @@ all=false
 quick=false
 with_release=true
 with_sanitizers=true
+with_search=true
 with_faults=true
 ctest_options=()
 for argument in "$@"; do
@@ -48,6 +50,7 @@ for argument in "$@"; do
         -h | --help) usage; exit 0 ;;
         *)
             ctest_options+=("$argument")
+            with_search=false
             with_faults=false
             ;;
     esac
@@ -64,6 +67,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
 export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
 
 failed=()
+commit=$(git rev-parse HEAD 2>/dev/null || echo 0000000)
 
 run_tests() { # run_tests PRESET [COMMAND PREFIX...]
     local test_preset=$1
@@ -114,6 +118,7 @@ run_sanitizer() { # run_sanitizer PRESET [COMMAND PREFIX...]
         run_tests "$@"
     else
         failed+=("build of preset $1")
+        return 1
     fi
 }
 
@@ -167,19 +172,22 @@ if $with_sanitizers; then
     if [[ ${#ctest_options[@]} -gt 0 ]]; then
         ctest_options+=(--no-tests=ignore)
     fi
-    run_sanitizer asan
+    if run_sanitizer asan && $with_search; then
+        say "search by libFuzzer"
+        # Other work may share the cores: no input takes a second where there is none.
+        verify/fuzz.sh --turn "$commit" 60 -timeout=60 </dev/null || failed+=("search by libFuzzer")
+    fi
     # Kernels that randomise addresses widely leave clang 14's thread sanitizer no room.
     fixed_addresses=()
     if setarch "$(uname -m)" --addr-no-randomize true 2>/dev/null; then
         fixed_addresses=(setarch "$(uname -m)" --addr-no-randomize)
     fi
-    run_sanitizer tsan "${fixed_addresses[@]}"
+    run_sanitizer tsan "${fixed_addresses[@]}" || true
 fi
 
 await_gate
 if $with_faults; then
     say "seeded faults"
-    commit=$(git rev-parse HEAD 2>/dev/null || echo "not under version control")
     verify/faults.sh --tenth "$commit" --own --jobs "$jobs" </dev/null || failed+=("seeded faults")
 fi
 if [[ ${#failed[@]} -gt 0 ]]; then

@@ -3,6 +3,7 @@
 // ends with a valid complex. The seeds are fixed; DSC_FUZZ_SEEDS=N runs N scenes of each kind, and
 // DSC_FUZZ_FIRST says where to begin; with DSC_FUZZ_TOPOLOGY the topology changes in every scene
 // and not only in some. The scene that took the most CPU time is printed at the end.
+#include "support/environment.h"
 #include "support/random/options.h"
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"
@@ -28,13 +29,9 @@ namespace dsc::fuzz_test {
 namespace {
 
 using test::Dice;
+using test::from_environment;
 using test::RandomFlow;
 using test::Wildness;
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 struct Drawn {
     std::string words; ///< to say what failed

@@ -105,6 +105,11 @@ def others(fault):
     return [name for name in OTHERS if name not in own(fault)]
 
 
+def for_fault(fault, is_own):
+    """The names of what is tried on a fault: first its own tests, then the others."""
+    return own(fault) if is_own else others(fault)
+
+
 def all_names():
     names = []
     for name in [name for own in OWN.values() for name in own] + OTHERS:

@@ -129,8 +129,7 @@ class Runner:
         """One entry of the results: by the tests of its room, or by all others."""
         before = self.data["faults"].get(fault.name, {}) if not own else {}
         slow, spent = before.get("slow", []), before.get("cpu_s", 0.0)
-        names = programs.own(fault) if own else programs.others(fault)
-        for name in names * (TRIES_OF_RACES if fault.kind in RACES else 1):
+        for name in programs.for_fault(fault, own) * (TRIES_OF_RACES if fault.kind in RACES else 1):
             usual = self.usual(name)
             ended, test, cpu, _ = call(self.program(name), fault, int(SLOWER * usual + SPARE_S))
             spent += cpu
@@ -147,7 +146,7 @@ class Runner:
         path = self.source / fault.file
         text = path.read_text(encoding="utf-8")
         place = catalogue.place_of(fault, text)
-        for name in programs.own(fault) if own else programs.others(fault):
+        for name in programs.for_fault(fault, own):
             self.usual(name)  # without the fault, that is before it is there
         path.write_text(text[:place] + fault.in_place() + text[place + len(fault.sought):],
                         encoding="utf-8")

@@ -3,6 +3,7 @@
 // kept, and the data of vertices, edges and triangles follow as attributes.h promises. What the
 // data must be is worked out from vertex ids alone, without a look at how the records were
 // rewritten.
+#include "support/environment.h"
 #include "support/operations_testing.h"
 #include "support/random/complex.h"
 
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
@@ -280,12 +280,10 @@ std::optional<Change> operate(Random& random, Complex<Real>& K, const Data& befo
 template <class Real>
 void run_storms(std::uint64_t first_seed) {
     // Fewer where the environment says so: the sanitizers take twenty times as long.
-    const char* asked = std::getenv("DSC_FUZZ_STORMS");
-    const int storms = asked != nullptr ? std::atoi(asked) : 300;
-    ASSERT_GT(storms, 0);
+    const std::uint64_t storms = test::from_environment("DSC_FUZZ_STORMS", 300);
+    ASSERT_GT(storms, 0U);
     std::array<int, 8> done{};
-    for (int storm = 0; storm < storms; ++storm) {
-        const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(storm);
+    for (std::uint64_t seed = first_seed; seed < first_seed + storms; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         RandomComplexOptions options = random_options(seed, 40);

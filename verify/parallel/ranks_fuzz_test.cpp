@@ -3,6 +3,7 @@
 // which listeners hear of it, is that of the run without ranks, and so is the mesh by its ids. The
 // ranks compare all that they hold after each sub-step. DSC_FUZZ_SEEDS=N runs N scenes, from
 // DSC_FUZZ_FIRST.
+#include "support/environment.h"
 #include "support/parallel_outcome.h"
 #include "support/random/options.h"
 #include "support/thread_ranks.h"
@@ -11,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -19,11 +19,7 @@ namespace dsc::ranks_fuzz_test {
 namespace {
 
 using test::Dice;
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
+using test::from_environment;
 
 /// What can be seen of a run.
 struct Seen {
@@ -156,9 +152,7 @@ TEST(RanksFuzz, RanksMakeTheSameEdits) {
 }
 
 // A vertex on its way vanished, and was then noted as one that had not arrived, by one rank alone.
-TEST(RanksFuzz, NothingIsNotedOfTheDead) {
-    expect_same_of_seed(1107);
-}
+TEST(RanksFuzz, NothingIsNotedOfTheDead) { expect_same_of_seed(1107); }
 
 } // namespace
 } // namespace dsc::ranks_fuzz_test

@@ -2,6 +2,7 @@
 // Random shapes and patches in random flows, with contact distances of one to eight edge lengths:
 // every step ends with a valid complex, and what happens is the same for any number of threads.
 // DSC_FUZZ_SEEDS=N runs N scenes, and DSC_FUZZ_FIRST says where to begin.
+#include "support/environment.h"
 #include "support/random/submeshes.h"
 #include "support/topology/wide_contact.h"
 
@@ -10,18 +11,13 @@
 #include "dsc/queries/hash.h"
 
 #include <atomic>
-#include <cstdlib>
 #include <string>
 
 namespace dsc::wide_fuzz_test {
 namespace {
 
 using test::Dice;
-
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
+using test::from_environment;
 
 template <class Real>
 struct Scene {

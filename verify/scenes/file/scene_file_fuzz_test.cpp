@@ -13,6 +13,7 @@
 #include "scenes/file/outlines/pieces.h"
 #include "scenes/file/text_file.h"
 #include "scenes/run/start.h"
+#include "support/environment.h"
 #include "support/small_setup.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <random>
@@ -31,11 +31,6 @@ namespace {
 /// First complexes are made of scenes up to this size.
 constexpr double most_triangles_of_fuzz = 20'000;
 constexpr std::size_t most_outline_points = 5'000;
-
-std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
-}
 
 std::vector<std::filesystem::path> example_files() {
     std::vector<std::filesystem::path> files;
@@ -142,8 +137,8 @@ void read_and_prepare(const std::string& text, const std::filesystem::path& path
 TEST(SceneFileFuzz, EndsWithASceneOrAnError) {
     const auto files = example_files();
     ASSERT_GE(files.size(), 4U);
-    const std::uint64_t first = number_from_environment("DSC_FUZZ_FIRST", 1);
-    const std::uint64_t count = number_from_environment("DSC_FUZZ_FILES", 300);
+    const std::uint64_t first = test::from_environment("DSC_FUZZ_FIRST", 1);
+    const std::uint64_t count = test::from_environment("DSC_FUZZ_FILES", 300);
     Outcome outcome;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         const auto& path = files[seed % files.size()];
@@ -207,8 +202,8 @@ std::vector<NamedText> named_texts() {
 
 TEST(NamedFileFuzz, EndsWithAResultOrAnError) {
     const std::vector<NamedText> texts = named_texts();
-    const std::uint64_t first = number_from_environment("DSC_FUZZ_FIRST", 1);
-    const std::uint64_t count = 10 * number_from_environment("DSC_FUZZ_FILES", 300);
+    const std::uint64_t first = test::from_environment("DSC_FUZZ_FIRST", 1);
+    const std::uint64_t count = 10 * test::from_environment("DSC_FUZZ_FILES", 300);
     std::vector<int> read(texts.size(), 0);
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         const std::size_t which = seed % texts.size();

@@ -3,14 +3,16 @@
 // scene on every machine.
 #pragma once
 
+#include "support/environment.h"
+
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/enum_table.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/motion/integrator.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -296,9 +298,7 @@ std::string interface_fault(const Complex<Real>& complex, const std::vector<std:
 
 /// `usual`, or less where the environment says so in the variable.
 inline std::uint64_t or_fewer(std::uint64_t usual, const char* variable) {
-    const char* asked = std::getenv(variable);
-    return asked != nullptr ? std::min<std::uint64_t>(usual, std::strtoull(asked, nullptr, 10))
-                            : usual;
+    return std::min(usual, from_environment(variable, usual));
 }
 
 /// How many scenes a test of threads runs: `seeds`, or fewer where each takes long
