@@ -25,6 +25,7 @@ USAGE
 
 search=${DSC_FUZZ_SEARCH:-build/fuzz/search}
 program=build/fuzz/verify/fuzz/dsc_fuzz
+made_by="verify/fuzz.sh --build"
 
 print_total() {
     awk 'BEGIN { printf "%-12s %8s %12s %14s %8s %8s\n", "target", "searches", "inputs",
@@ -64,6 +65,7 @@ elif [[ ${1-} == --turn ]]; then
     fi
     with_build=false
     program=build/asan/verify/fuzz/dsc_fuzz
+    made_by="cmake --preset asan && cmake --build --preset asan"
     search=${DSC_FUZZ_SEARCH:-build/asan/search}
     shift # what follows the hash is as behind a target
 fi
@@ -102,7 +104,7 @@ fi
 if $build_only; then
     exit 0
 fi
-[[ -x $program ]] || give_up "there is no $program: build it first with --build"
+[[ -x $program ]] || give_up "there is no $program: build it first with $made_by"
 
 symbolizer=$(command -v llvm-symbolizer-14 || true)
 export ASAN_OPTIONS="${symbolizer:+external_symbolizer_path=$symbolizer:}detect_stack_use_after_return=1"

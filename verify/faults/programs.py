@@ -106,7 +106,7 @@ def others(fault):
 
 
 def for_fault(fault, is_own):
-    """The names of what is tried on a fault: first its own tests, then the others."""
+    """The names of its own tests, or of the others, which are tried after them."""
     return own(fault) if is_own else others(fault)
 
 
