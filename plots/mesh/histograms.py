@@ -8,7 +8,7 @@ import numpy
 from results import load
 from look import style
 
-AXES = {"area": "area of a triangle (units squared)", "angle": "smallest angle of a triangle (degrees)",
+AXES = {"area": "area (units squared)", "angle": "smallest angle of a triangle (degrees)",
         "quality": r"quality of a triangle  $(2/\sqrt{3})\,\sin\,\theta_{\min}$"}
 FIGURES = {("speedup-scaling", "area"): "figure 10.13",
            ("speedup-scaling", "quality"): "figure 10.14",
