@@ -41,7 +41,7 @@ inline constexpr std::array usual_efforts{
     UsualEffort{"curvature-circle", 3.62, 1.00},
     UsualEffort{"curvature-dumbbell", 2.99, 1.22},
     UsualEffort{"grow-shrink", 3.13, 2.97},
-    UsualEffort{"erode-dumbbell", 3.54, 2.44},
+    UsualEffort{"erode-dumbbell", 3.18, 2.44},
     UsualEffort{"three-phases", 2.25, 1.00},
     UsualEffort{"t1", 3.08, 1.00},
     UsualEffort{"grains", 2.11, 1.00},

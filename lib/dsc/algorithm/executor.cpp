@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/passes/interface/carried.h"
 #include "dsc/passes/interface/list.h"
+#include "dsc/passes/interface/suspects.h"
 #include "dsc/passes/readers.h"
 #include "dsc/passes/work_archive.h"
 
@@ -122,6 +123,9 @@ void absorb_edits(Work<Real>& work, std::span<const Edit> edits) {
         work.interface = collect_moved(complex, work.options);
     }
     const std::vector<std::uint32_t> changed = interface_changes(after);
+    if (work.options.topology.changes()) {
+        renew_marks(complex, changed);
+    }
     take_off(work.interface, changed);
     const std::vector<std::uint32_t> on = moved_among(complex, work.options, changed);
     work.interface.insert(work.interface.end(), on.begin(), on.end());
@@ -188,6 +192,7 @@ Reach<Real> SequentialExecutor<Real>::aim_again(const Flow<Real>& flow, Real tim
 template <class Real>
 MoveReport SequentialExecutor<Real>::move() {
     MoveReport report;
+    work_.has_marks = work_.options.topology.changes(); // upkeep has seen them all
     work_.movers.clear();
     report.held = collect_movers(work_);
     report.passes = run_motion(work_, algorithm_.motion, epoch_);

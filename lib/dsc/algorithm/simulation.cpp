@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/passes/interface/list.h"
+#include "dsc/passes/interface/suspects.h"
 #include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/passes/readers.h"
 #include "dsc/sizes/measure.h"
@@ -25,6 +26,9 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
     : complex_(complex), options_(options), executor_(std::move(executor)) {
     check_options(options);
     check_contact<Real>(complex, options.topology, options.edge_length);
+    if (options.topology.changes()) {
+        forget_plain(complex); // of an earlier simulation
+    }
     if (executor_) {
         executor_->set_options(completed());
     } else {
@@ -50,6 +54,9 @@ void Simulation<Real>::set_options(const Options<Real>& options) {
     // Only if the contact distances change: a phase may have shrunk since, which is no error.
     if (differ_in_contact(options.topology, options_.topology)) {
         check_contact<Real>(complex_, options.topology, options.edge_length);
+    }
+    if (!options_.topology.changes()) {
+        forget_plain(complex_); // nobody has kept it
     }
     const bool is_another = options.integrator != options_.integrator;
     const bool was_uniform = options_.sizes.is_uniform();

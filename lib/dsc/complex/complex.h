@@ -31,6 +31,9 @@ enum VertexFlag : std::uint32_t {
     vertex_seam = 64U,   ///< two sheets of the interface met here: see topology/films/films.h
     /// It is of the interface, or was at the last upkeep. Kept only where the topology may change.
     vertex_on_interface = 128U,
+    /// When its star was last looked at, no vertex of the interface was in its link but the ends of
+    /// its two interface edges, and no edit has brought one there since. Kept as above.
+    vertex_plain = 256U,
 };
 
 /// A triangle, by id.

@@ -75,10 +75,15 @@ struct Work {
 
     /// Interface vertices where the topology may have to change. Empty if it is kept.
     std::vector<Suspect<Real>> topology_suspects;
+    /// Each vertex of the interface is marked as such.
+    bool has_marks = false;
 
     /// Vertices whose values a pass has written, while somebody has to be told (`touch`).
     std::vector<std::uint32_t> touched;
-    bool notes_touched = false; ///< somebody has
+    /// Vertices that have become plain, perhaps again: an edit of the same section may have taken
+    /// the flag before. Kept as above.
+    std::vector<std::uint32_t> seen_plain;
+    bool notes_touched = false; ///< somebody has to be told
 
     std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
 

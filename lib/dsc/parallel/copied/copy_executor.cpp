@@ -86,6 +86,7 @@ template <class Real>
 MoveReport CopyExecutor<Real>::move() {
     under_way_ = true;
     MoveReport report;
+    whole_.has_marks = options_.topology.changes(); // upkeep has seen them all
     whole_.movers.clear();
     report.held = collect_movers(whole_);
     // Algorithm 6.3: the mesh is divided anew until nothing is put off, except for what two colours

@@ -3,6 +3,7 @@
 // between two steps, for the submeshes.
 #include "dsc/parallel/in_place/submesh_ranks.h"
 #include "dsc/passes/interface/carried.h"
+#include "dsc/passes/interface/suspects.h"
 #include "dsc/passes/readers.h"
 
 #include <algorithm>
@@ -149,6 +150,9 @@ void SubmeshExecutor<Real>::absorb(std::span<const Edit> edits) {
         forget_ids();
     }
     if (const auto changed = interface_changes(after); !changed.empty()) {
+        if (options_.topology.changes()) {
+            renew_marks(complex_, changed);
+        }
         change_interface(changed);
     }
     // They are looked at after the submeshes have done their part.

@@ -152,7 +152,8 @@ private:
                    bool is_first);
     void hear_part(MessageReader& message, Part& part, Section section, bool is_first);
     template <class Before>
-    void tell_flags(MessageWriter& message, const Before& before, std::span<const Edit> edits);
+    void tell_flags(MessageWriter& message, const Before& before, std::span<const Edit> edits,
+                    std::span<const std::uint32_t> seen_plain);
     void tell_values(MessageWriter& message, std::size_t colour, Section section);
     void grow_to(MessageReader& message);
     void expect_agreement(const char* when);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace dsc {
 
@@ -137,12 +138,14 @@ void SubmeshExecutor<Real>::hear_section(MessageReader& message, std::size_t col
     }
 }
 
-// The flags that differ, and those of new vertices, which have none at first where the edits are
-// repeated.
+// The flags that differ, or may do so where the edits are repeated: those of new vertices, which
+// have none there at first, and of vertices that an edit has made less plain before they were seen
+// to be.
 template <class Real>
 template <class Before>
 void SubmeshExecutor<Real>::tell_flags(MessageWriter& message, const Before& before,
-                                       std::span<const Edit> edits) {
+                                       std::span<const Edit> edits,
+                                       std::span<const std::uint32_t> seen_plain) {
     auto& told = shared_->valuable;
     told.clear();
     const auto flags_of = [this](std::uint32_t v) { return complex_.vertices[v].flags; };
@@ -158,6 +161,7 @@ void SubmeshExecutor<Real>::tell_flags(MessageWriter& message, const Before& bef
             told.push_back(edit.vertex.id);
         }
     }
+    std::ranges::copy_if(seen_plain, std::back_inserter(told), is_alive);
     message.count(told.size());
     for (const std::uint32_t v : told) {
         message.raw(v);
@@ -178,7 +182,7 @@ void SubmeshExecutor<Real>::tell_part(MessageWriter& message, const Part& part,
     write_edits<Real>(message, edits);
     write_difference(message, before.free_vertices, pool.vertices);
     write_difference(message, before.free_triangles, pool.triangles);
-    tell_flags(message, before, edits);
+    tell_flags(message, before, edits, work.seen_plain);
     write_counts(message, work.log.counts);
     message.list(work.changed_interface);
     message.list(work.resized);

@@ -155,6 +155,9 @@ void SubmeshExecutor<Real>::run_shared(std::size_t colour, Section section,
     }
     times.repeat = timer.lap();
     shared.ranks.add(times);
+    for (const auto& part : parts_) {
+        part->work.seen_plain.clear();
+    }
     if (!keeps_edits_) {
         for (const auto& part : parts_) {
             part->work.log.records.clear();

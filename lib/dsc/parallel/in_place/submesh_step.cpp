@@ -310,6 +310,9 @@ template <class Real>
 MoveReport SubmeshExecutor<Real>::move() {
     Timer timer(submeshes_.profile);
     MoveReport report;
+    for (const auto& part : parts_) {
+        part->work.has_marks = options_.topology.changes(); // upkeep has seen them all
+    }
     if (!whole_.interface.empty()) {
         whole_.movers.clear();
         report.held += collect_movers(whole_);

@@ -3,9 +3,12 @@
 // of them the topology may have to change.
 #pragma once
 
+#include "dsc/complex/circulate.h"
 #include "dsc/passes/interface/curve.h"
 #include "dsc/passes/work.h"
 #include "dsc/topology/suspicion.h"
+
+#include <span>
 
 namespace dsc {
 
@@ -19,42 +22,79 @@ void mark_interface(Complex<Real>& complex, std::uint32_t v, bool is_on_interfac
     }
 }
 
+/// After edits that were made in the whole complex, between two steps: of the changed vertices
+/// those of the interface are marked, and no other, and those around them may no longer be plain.
+/// O(their stars); not thread-safe.
+template <class Real>
+void renew_marks(Complex<Real>& complex, std::span<const std::uint32_t> changed) {
+    for (const std::uint32_t v : changed) {
+        if (!complex.is_alive(Vertex{v})) {
+            continue;
+        }
+        bool is_on_interface = false;
+        for_each_corner(complex, Vertex{v}, [&](Corner c) {
+            for (const Corner at : {c, next(c), prev(c)}) {
+                complex.vertices[complex.vertex(at)].flags &= ~std::uint32_t{vertex_plain};
+            }
+            is_on_interface =
+                is_on_interface ||
+                is_interface_pair(complex.phase_at(c), complex.phase_at(complex.twin(next(c))));
+        });
+        mark_interface(complex, v, is_on_interface);
+    }
+}
+
+/// No vertex is known to be plain. O(mesh).
+template <class Real>
+void forget_plain(Complex<Real>& complex) {
+    for (auto& vertex : complex.vertices) {
+        vertex.flags &= ~std::uint32_t{vertex_plain};
+    }
+}
+
+/// Whether a star has two interface edges, inside the domain, whose ends are not neighbours.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline bool is_simple(const Ring<Real>& ring,
+                                                        const Spokes& spokes) {
+    const std::uint32_t between = spokes.second - spokes.first;
+    return spokes.count == 2 && ring.closed && between != 1 && between + 1 != ring.size;
+}
+
 /// Whether the link has a vertex of the interface beside the ends of the two spokes, or these two
 /// are neighbours, or there are not two. Where it is false, as nearly everywhere, the star faces no
 /// sheet. O(degree).
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline bool
-meets_interface_elsewhere(const Complex<Real>& complex, const Ring<Real>& ring,
-                          const Spokes& spokes) {
-    const std::uint32_t between = spokes.second - spokes.first;
-    if (spokes.count != 2 || !ring.closed || between == 1 || between + 1 == ring.size) {
+[[nodiscard]] bool meets_interface_elsewhere(const Complex<Real>& complex, const Ring<Real>& ring,
+                                             const Spokes& spokes) {
+    if (!is_simple(ring, spokes)) {
         return true;
     }
-    const auto has_mark = [&](std::uint32_t i, std::uint32_t end) {
-        for (; i < end; ++i) {
-            if ((complex.vertices[ring.link[i]].flags & vertex_on_interface) != 0) {
-                return true;
-            }
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+        if (i != spokes.first && i != spokes.second &&
+            (complex.vertices[ring.link[i]].flags & vertex_on_interface) != 0) {
+            return true;
         }
-        return false;
-    };
-    return has_mark(spokes.first + 1, spokes.second) || has_mark(0, spokes.first) ||
-           has_mark(spokes.second + 1, ring.size);
+    }
+    return false;
 }
 
-/// Whether the interface turns by more than the angle at which an outline counts as sharp. Squared:
-/// the root of `turns_less` would be a third of the time that the topology takes.
+/// Whether a turn is by more than the angle at which an outline counts as sharp. Squared: the root
+/// of `turns_less` would be a third of the time that the topology takes.
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline bool turns_sharply(const Ring<Real>& ring,
-                                                            const Spokes& spokes) {
+[[nodiscard, gnu::always_inline]] inline bool is_sharp_turn(Real in_x, Real in_y, Real out_x,
+                                                            Real out_y) {
     constexpr Real squared_cosine = Real(0.49);
-    const Real in_x = ring.x0 - ring.link_x(spokes.first);
-    const Real in_y = ring.y0 - ring.link_y(spokes.first);
-    const Real out_x = ring.link_x(spokes.second) - ring.x0;
-    const Real out_y = ring.link_y(spokes.second) - ring.y0;
     const Real along = in_x * out_x + in_y * out_y;
     return !(along > 0 && along * along > squared_cosine * (in_x * in_x + in_y * in_y) *
                                               (out_x * out_x + out_y * out_y));
+}
+
+/// Whether the interface turns by more than that at the centre of a star.
+template <class Real>
+[[nodiscard]] bool turns_sharply(const Ring<Real>& ring, const Spokes& spokes) {
+    return is_sharp_turn(ring.x0 - ring.link_x(spokes.first), ring.y0 - ring.link_y(spokes.first),
+                         ring.link_x(spokes.second) - ring.x0,
+                         ring.link_y(spokes.second) - ring.y0);
 }
 
 /// Names the centre of a star at which there may be a film, the end of a seam, or a small piece,
@@ -62,9 +102,20 @@ template <class Real>
 template <class Real>
 [[gnu::noinline]] void suspect_in_full(Work<Real>& work, const Ring<Real>& ring,
                                        const Spokes& spokes, Real contact, bool is_known) {
+    bool may_face = true;
+    if (is_known) {
+        const bool meets = meets_interface_elsewhere(work.complex, ring, spokes);
+        std::uint32_t& flags = work.complex.vertices[ring.vertex].flags;
+        if (meets == ((flags & vertex_plain) != 0) && (meets || work.has_marks)) {
+            flags ^= vertex_plain;
+            if (!meets && work.notes_touched) {
+                work.seen_plain.push_back(ring.vertex);
+            }
+        }
+        may_face = meets && may_face_a_sheet(work.complex, ring);
+    }
     // Which of the stars that face no sheet are thin matters once something else has changed: they
     // are looked at then.
-    const bool may_face = !is_known || may_face_a_sheet(work.complex, ring);
     const bool is_thin = may_face ? has_thin_triangle(ring, contact * contact) : spokes.count > 0;
     const bool is_sharp = spokes.count > 2 || (spokes.count == 2 && turns_sharply(ring, spokes));
     if (is_thin || is_sharp) {
@@ -81,23 +132,29 @@ template <class Real>
 
 /// Names the centre of a star of the interface, and says what may be there. `contact`: the largest
 /// contact distance; `is_known`: the star is as it was gathered, and nobody else writes to it.
-/// Nearly no star faces a sheet or is sharp: the others get by without vectors, and the registers
-/// that these would have to save. O(degree).
+/// Nearly every star is plain and not sharp: it takes no look at the link, no vectors, and no
+/// calls, for which registers would have to be saved. O(degree).
 template <class Real>
 void suspect(Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes, Real contact,
              bool is_known) {
-    if (!is_known || meets_interface_elsewhere(work.complex, ring, spokes) ||
-        turns_sharply(ring, spokes)) {
+    auto& list = work.topology_suspects;
+    const bool is_plain = (work.complex.vertices[ring.vertex].flags & vertex_plain) != 0;
+    const std::uint32_t from = spokes.first;
+    const std::uint32_t to = spokes.second;
+    if (!is_known || !is_plain || !is_simple(ring, spokes) ||
+        is_sharp_turn(ring.x0 - ring.x[from], ring.y0 - ring.y[from], ring.x[to] - ring.x0,
+                      ring.y[to] - ring.y0) ||
+        list.size() == list.capacity()) {
         suspect_in_full(work, ring, spokes, contact, is_known);
         return;
     }
-    work.topology_suspects.push_back({.x = ring.x0,
-                                      .y = ring.y0,
-                                      .vertex = ring.vertex,
-                                      .is_thin = true,
-                                      .is_facing = false,
-                                      .is_sharp = false,
-                                      .is_junction = false});
+    list.push_back({.x = ring.x0,
+                    .y = ring.y0,
+                    .vertex = ring.vertex,
+                    .is_thin = true,
+                    .is_facing = false,
+                    .is_sharp = false,
+                    .is_junction = false});
 }
 
 } // namespace dsc

@@ -132,7 +132,6 @@ private:
         }
         work_.interface_next.push_back(v);
         work_.interface_next.push_back(result.vertex.id);
-        mark_interface(complex_, result.vertex.id, contact_ > 0);
         return true;
     }
 
@@ -356,7 +355,7 @@ private:
         }
         if (result.verdict == Verdict::legal) {
             newest_ = result.vertex.id;
-            mark_interface(complex_, newest_, contact_ > 0);
+            mark_interface(complex_, newest_, contact_ > 0); // ends of the edge may not be yet
         }
         return true;
     }

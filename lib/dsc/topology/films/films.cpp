@@ -75,12 +75,20 @@ private:
                 continue;
             }
             (void)find_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
-                if (is_sheet(complex_, c) && !is_thick(c)) {
+                if (is_sheet(complex_, c) && !is_thick(c) && !is_plain_ear(c)) {
                     near_.push_back(Triangle{triangle_of(c)});
                 }
                 return false; // all of them, in any order
             });
         }
+    }
+
+    // Between two successive edges of one sheet, away from seams: it bridges no film, and is not
+    // the end of a seam.
+    bool is_plain_ear(Corner c) const {
+        return (is_sheet(complex_, next(c)) || is_sheet(complex_, prev(c))) &&
+               !is_seam(complex_.vertex(c)) && !is_seam(complex_.vertex(next(c))) &&
+               !is_seam(complex_.vertex(prev(c)));
     }
 
     // In the order of their places, which is the same for every way to divide the mesh.

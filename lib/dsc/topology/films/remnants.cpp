@@ -59,21 +59,25 @@ private:
     bool may_be_small(Corner at) const {
         constexpr std::size_t handful = 16;
         const Phase phase = complex_.phase_at(at);
-        std::array<std::uint32_t, handful> seen{triangle_of(at)};
-        std::size_t size = 1;
+        std::array<std::uint32_t, handful> seen{};
+        std::size_t size = 0;
         Real doubled = 0;
+        const auto add = [&](std::uint32_t t) {
+            seen[size++] = t;
+            doubled += doubled_area(complex_, Triangle{t});
+        };
+        add(triangle_of(at));
         for (std::size_t i = 0; i < size; ++i) {
-            doubled += doubled_area(complex_, Triangle{seen[i]});
-            if (doubled / 2 >= least_area_) {
-                return false;
-            }
             for (const Corner across : complex_.triangles[seen[i]].n) {
                 const std::uint32_t t = triangle_of(across);
                 const auto end = seen.begin() + static_cast<std::ptrdiff_t>(size);
                 if (size < handful && complex_.triangles[t].phase == phase &&
                     std::find(seen.begin(), end, t) == end) {
-                    seen[size++] = t;
+                    add(t);
                 }
+            }
+            if (doubled / 2 >= least_area_) {
+                return false;
             }
         }
         return true;

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// `vertex_plain` says that a star need not be looked at: it must be true of each vertex that has
+// it, whatever has happened to the mesh, and most vertices must have it.
+#include "support/topology/growing_discs.h"
+
+#include "dsc/complex/gather.h"
+#include "dsc/operations/edge_flip.h"
+#include "dsc/parallel/parallel.h"
+#include "dsc/passes/interface/suspects.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+namespace dsc::plain_test {
+namespace {
+
+using namespace test::growing_discs;
+
+// By the phases of its triangles, not by its mark.
+bool is_of_interface(const Complex<double>& complex, std::uint32_t v) {
+    Ring<double> ring;
+    return gather(complex, Region{}, v, ring) && interface_spokes(ring).count > 0;
+}
+
+// Expects what the flags say to be so. Returns the number of plain vertices among those of the
+// interface.
+std::size_t expect_as_flagged(const Complex<double>& complex, const std::string& when) {
+    std::size_t plain = 0;
+    Ring<double> ring;
+    for (const Vertex v : vertices(complex)) {
+        const std::uint32_t flags = complex.vertices[v.id].flags;
+        if (!is_of_interface(complex, v.id)) {
+            continue;
+        }
+        EXPECT_NE(flags & vertex_on_interface, 0U) << when << ", vertex " << v.id;
+        if ((flags & vertex_plain) == 0) {
+            continue;
+        }
+        ++plain;
+        (void)gather(complex, Region{}, v.id, ring);
+        const Spokes spokes = interface_spokes(ring);
+        if (!is_simple(ring, spokes)) {
+            continue; // it is looked at for that
+        }
+        for (std::uint32_t i = 0; i < ring.size; ++i) {
+            EXPECT_TRUE(i == spokes.first || i == spokes.second ||
+                        !is_of_interface(complex, ring.link[i]))
+                << when << ", vertex " << v.id << ", neighbour " << ring.link[i];
+        }
+    }
+    return plain;
+}
+
+// Towards each other, through the merger, and on.
+void expect_in_run(Complex<double>& complex, Simulation<double>& simulation,
+                   const std::string& name) {
+    std::size_t events = 0;
+    for (int step = 0; step < 14; ++step) {
+        const StepReport report = simulation.step(grow(), 0, 0.3 * h);
+        events += report.events.size();
+        const std::size_t plain =
+            expect_as_flagged(complex, name + ", step " + std::to_string(step));
+        if (step == 3) { // the first sub-step marks them, the second one finds out
+            EXPECT_GT(3 * plain, simulation.interface_size()) << name;
+        }
+    }
+    EXPECT_GT(events, 0U) << name;
+}
+
+TEST(Plain, AreThoseWithNoOtherInterfaceInTheirLink) {
+    auto complex = discs_nearby();
+    Simulation<double> simulation(complex, options());
+    expect_in_run(complex, simulation, "sequential");
+}
+
+TEST(Plain, AreTheSameInSubmeshes) {
+    for (const DivisionEntry& entry : divisions()) {
+        auto complex = discs_nearby(2);
+        Simulation<double> simulation(complex, options(),
+                                      make_executor(complex, options(),
+                                                    Parallel{.threads = 2,
+                                                             .division = entry.division,
+                                                             .submeshes = 6,
+                                                             .always_all_threads = true}));
+        expect_in_run(complex, simulation, std::string(entry.name));
+    }
+}
+
+// Two discs with a film of one triangle between them, before the topology may change.
+Complex<double> thin_film() {
+    auto complex = discs_nearby();
+    Simulation<double> simulation(complex, options(Topology::keep));
+    (void)run(complex, simulation, 0.0235);
+    return complex;
+}
+
+Velocity<double> aside() {
+    return [](auto positions, double, auto velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {0.3, 0.1};
+        }
+    };
+}
+
+TEST(Plain, AreNotThoseOfAFilmThatIsThereAtFirst) {
+    auto complex = thin_film();
+    Simulation<double> simulation(complex, options());
+    for (int step = 0; step < 3; ++step) {
+        (void)simulation.step(aside(), 0, 0.1 * h);
+        EXPECT_EQ(expect_as_flagged(complex, "step " + std::to_string(step)) > 0, step > 0);
+    }
+}
+
+// While the topology is kept, nobody keeps the flag; from then on it counts again.
+TEST(Plain, AreForgottenWhereTheTopologyIsKept) {
+    auto complex = discs_nearby();
+    Simulation<double> simulation(complex, options());
+    (void)simulation.step(grow(), 0, 0.1 * h);
+    (void)simulation.step(grow(), 0, 0.1 * h);
+    EXPECT_GT(expect_as_flagged(complex, "before"), 0U);
+    simulation.set_options(options(Topology::keep));
+    for (double time = 0; time < 0.0235; time += 0.3 * h) {
+        (void)simulation.step(grow(), time, 0.3 * h);
+    }
+    simulation.set_options(options());
+    for (int step = 0; step < 3; ++step) {
+        (void)simulation.step(aside(), 0, 0.1 * h);
+        (void)expect_as_flagged(complex, "step " + std::to_string(step));
+    }
+}
+
+// A piece that the application labels beside a disc, an edge away from it.
+TEST(Plain, AreNotThoseBesideANewPiece) {
+    auto complex = discs_nearby();
+    auto with_pieces = options();
+    with_pieces.topology.least_area = 1e-12; // they stay
+    Simulation<double> simulation(complex, with_pieces);
+    (void)simulation.step(aside(), 0, 0.1 * h);
+    (void)simulation.step(aside(), 0, 0.1 * h);
+    const std::size_t before = expect_as_flagged(complex, "before");
+    for (const Triangle t : triangles(complex, exterior_phase)) {
+        bool is_near = false; // shares a vertex with the discs
+        for (const Vertex v : complex.vertices_of(t)) {
+            is_near |= is_of_interface(complex, v.id);
+        }
+        const Point<double> p = complex.position(complex.vertices_of(t)[0]);
+        if (!is_near && (p - Point<double>(0.375, 0.6)).norm() < 3 * h) {
+            complex.set_phase(t, 2);
+        }
+    }
+    for (int step = 0; step < 2; ++step) {
+        (void)simulation.step(aside(), 0, 0.01 * h);
+        EXPECT_LT(expect_as_flagged(complex, "step " + std::to_string(step)), before);
+    }
+}
+
+// Flips of the application, between two steps, that join the two discs by edges.
+TEST(Plain, AreNotThoseThatAnEdgeHasJoined) {
+    auto complex = thin_film();
+    Simulation<double> simulation(complex, options());
+    (void)simulation.step(aside(), 0, 0.01 * h);
+    (void)simulation.step(aside(), 0, 0.01 * h);
+    std::size_t flips = 0;
+    for (const Triangle t : triangles(complex, exterior_phase)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t.id, i);
+            const bool joins = is_of_interface(complex, complex.vertex(c)) &&
+                               !is_border(complex.twin(c)) &&
+                               is_of_interface(complex, complex.vertex(complex.twin(c)));
+            flips += joins && edge_flip(complex, complex.edge(c)) == Verdict::legal ? 1U : 0U;
+        }
+    }
+    EXPECT_GT(flips, 0U);
+    (void)expect_as_flagged(complex, "after the flips");
+}
+
+} // namespace
+} // namespace dsc::plain_test
