@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace dsc::plain_test {
 namespace {
@@ -131,6 +133,54 @@ TEST(Plain, AreForgottenWhereTheTopologyIsKept) {
     }
 }
 
+// An edge away from the first disc: no vertex is of the interface.
+bool is_beside_disc(const Complex<double>& complex, Triangle t) {
+    const Point<double> p = complex.position(complex.vertices_of(t)[0]);
+    return complex.phase(t) == exterior_phase && (p - Point<double>(0.375, 0.6)).norm() < 3 * h &&
+           std::ranges::none_of(complex.vertices_of(t),
+                                [&](Vertex v) { return is_of_interface(complex, v.id); });
+}
+
+// The same by a pass of the application, in the middle of a step.
+TEST(Plain, AreNotThoseBesideAPieceThatAPassHasLabelled) {
+    for (const bool in_submeshes : {false, true}) {
+        auto complex = discs_nearby();
+        auto with_pieces = options();
+        with_pieces.topology.least_area = 1e-12;
+        bool labels = false;
+        auto algorithm = default_algorithm<double>();
+        algorithm.motion.push_back(
+            {"label", [&labels](Work<double>& work) {
+                 for (const Triangle t : triangles(work.complex)) {
+                     if (labels && owns_triangle(work.complex, work.submesh.region, t.id) &&
+                         is_beside_disc(work.complex, t)) {
+                         rewire::relabel(work.complex, work.log, t, 2);
+                     }
+                 }
+             }});
+        std::unique_ptr<Executor<double>> executor =
+            std::make_unique<SequentialExecutor<double>>(complex, with_pieces, algorithm);
+        if (in_submeshes) {
+            executor = make_executor(
+                complex, with_pieces,
+                Parallel{.division = Division::fixed, .submeshes = 3, .always_all_threads = true},
+                algorithm);
+        }
+        Simulation<double> simulation(complex, with_pieces, std::move(executor));
+        std::size_t before = 0;
+        for (int step = 0; step < 5; ++step) {
+            labels = step == 2;
+            (void)simulation.step(aside(), 0, 0.01 * h);
+            const std::size_t plain = expect_as_flagged(complex, "step " + std::to_string(step));
+            EXPECT_TRUE(step < 2 || plain < before) << in_submeshes;
+            before = step < 2 ? plain : before;
+        }
+        EXPECT_TRUE(std::ranges::any_of(triangles(complex), [&](Triangle t) {
+            return complex.phase(t) == 2;
+        })) << in_submeshes;
+    }
+}
+
 // A piece that the application labels beside a disc, an edge away from it.
 TEST(Plain, AreNotThoseBesideANewPiece) {
     auto complex = discs_nearby();
@@ -140,13 +190,8 @@ TEST(Plain, AreNotThoseBesideANewPiece) {
     (void)simulation.step(aside(), 0, 0.1 * h);
     (void)simulation.step(aside(), 0, 0.1 * h);
     const std::size_t before = expect_as_flagged(complex, "before");
-    for (const Triangle t : triangles(complex, exterior_phase)) {
-        bool is_near = false; // shares a vertex with the discs
-        for (const Vertex v : complex.vertices_of(t)) {
-            is_near |= is_of_interface(complex, v.id);
-        }
-        const Point<double> p = complex.position(complex.vertices_of(t)[0]);
-        if (!is_near && (p - Point<double>(0.375, 0.6)).norm() < 3 * h) {
+    for (const Triangle t : triangles(complex)) {
+        if (is_beside_disc(complex, t)) {
             complex.set_phase(t, 2);
         }
     }

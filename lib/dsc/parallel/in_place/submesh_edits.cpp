@@ -110,6 +110,9 @@ void SubmeshExecutor<Real>::collect_changes() {
 
 template <class Real>
 void SubmeshExecutor<Real>::change_interface(std::span<const std::uint32_t> changed) {
+    if (options_.topology.changes()) {
+        renew_marks(complex_, changed);
+    }
     for (std::size_t i = 0; i < first_colour_; ++i) {
         take_off(parts_[i]->work.interface, changed);
     }
@@ -150,9 +153,6 @@ void SubmeshExecutor<Real>::absorb(std::span<const Edit> edits) {
         forget_ids();
     }
     if (const auto changed = interface_changes(after); !changed.empty()) {
-        if (options_.topology.changes()) {
-            renew_marks(complex_, changed);
-        }
         change_interface(changed);
     }
     // They are looked at after the submeshes have done their part.
