@@ -26,6 +26,7 @@ public:
         : work_(work), complex_(work.complex), thresholds_(work.options.interface),
           longest_squared_(square(thresholds_.longest)),
           shortest_squared_(square(thresholds_.shortest)),
+          bypass_squared_(square(thresholds_.longest + thresholds_.shortest)),
           deviation_squared_(square(thresholds_.deviation)),
           degenerate_squared_(square(thresholds_.degenerate * thresholds_.deviation)),
           finest_squared_(square(2 * thresholds_.finest)),
@@ -146,8 +147,12 @@ private:
         const Point<Real> b = link_point(ring, spokes.second);
         const Real nearest = std::min(squared_distance(p, a), squared_distance(p, b));
         const Real here = stretch(p);
-        if (nearest >= here * shortest_squared_ ||
-            squared_distance(a, b) >= allowed(longest_squared(ring, spokes), a, b)) {
+        if (nearest >= here * shortest_squared_) {
+            return false;
+        }
+        if (const Real merged = squared_distance(a, b);
+            merged >= allowed(longest_squared(ring, spokes), a, b) &&
+            (merged >= here * bypass_squared_ || !is_ahead_of_end(ring, spokes))) {
             return false;
         }
         if (nearest < here * degenerate_squared_ &&
@@ -157,6 +162,23 @@ private:
         return turns_less<Real>(a, p, b, Real(0)) &&
                (thresholds_.coarsening != Coarsening::deviation ||
                 squared_deviation(ring, spokes) < here * deviation_squared_);
+    }
+
+    // Whether the nearer neighbour is an end of the curve: a junction, or on the domain boundary. If
+    // such an end moves along the curve, the centre is in its way and has to go, even if the merged
+    // edge is then so long that it is split again.
+    bool is_ahead_of_end(const Ring<Real>& ring, const Spokes& spokes) {
+        const Point<Real> p(ring.x0, ring.y0);
+        const bool is_first = squared_distance(p, link_point(ring, spokes.first)) <
+                              squared_distance(p, link_point(ring, spokes.second));
+        const std::uint32_t end = ring.link[is_first ? spokes.first : spokes.second];
+        Ring<Real>& beyond = work_.other_ring;
+        const bool gathered = gather(complex_, work_.submesh.region, end, beyond);
+        if (!beyond.owned) {
+            work_.deferred.upkeep(ring.vertex);
+            return false;
+        }
+        return gathered && (!beyond.closed || interface_spokes(beyond).count != 2);
     }
 
     // Squared distance of the centre from the curve without it; 0 if only another submesh sees it.
@@ -374,6 +396,7 @@ private:
     const InterfaceThresholds& thresholds_;
     Real longest_squared_;
     Real shortest_squared_;
+    Real bypass_squared_; // of an edge that is merged to let an end of the curve pass
     Real deviation_squared_;
     Real degenerate_squared_;
     Real finest_squared_;

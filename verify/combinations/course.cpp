@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+#include "combinations/course.h"
+
+#include "support/random/scene.h"
+
+#include "dsc/complex/numbering.h"
+#include "dsc/io/edit_file.h"
+#include "dsc/motion/curvature_flow.h"
+#include "dsc/motion/growth.h"
+#include "dsc/operations/edge_split.h"
+#include "dsc/operations/replay.h"
+#include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/parallel/parallel.h"
+#include "dsc/passes/interface/growth_corners.h"
+#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+namespace dsc::combinations {
+
+namespace {
+
+// What the application's function is to do in the step that is under way.
+enum class Trouble : std::uint8_t { none, throws, not_a_number };
+
+struct Thrown : std::runtime_error {
+    Thrown() : std::runtime_error("the application gives up") {}
+};
+
+template <class Real>
+class Course {
+public:
+    Course(const Row& row, const Scene& scene, std::uint32_t threads, bool is_unbroken)
+        : row_(row), scene_(scene), threads_(threads),
+          interruption_(is_unbroken ? Interruption::none : row.interruption) {}
+
+    Outcome<Real> run() {
+        outcome_.first = first_complex();
+        complex_ = std::make_unique<Complex<Real>>(outcome_.first);
+        simulation_ = simulation_of(*complex_);
+        if (interruption_ == Interruption::listened) {
+            listen();
+        }
+        const int middle = scene_.steps / 2;
+        for (int i = 0; i < scene_.steps; ++i) {
+            if (i == middle) {
+                switch_sizes();
+                interrupt(i);
+            }
+            step(i);
+            if (!outcome_.problems.empty()) {
+                break; // what follows from it tells nothing
+            }
+        }
+        if (interruption_ == Interruption::listened) {
+            expect_replayed();
+        }
+        outcome_.hash = mesh_hash(*complex_);
+        outcome_.last = std::move(*complex_);
+        simulation_.reset();
+        return std::move(outcome_);
+    }
+
+private:
+    [[nodiscard]] Complex<Real> first_complex() const {
+        const Options<Real> options = options_at(0);
+        InitialOptions initial;
+        initial.edge_length = scene_.h;
+        initial.sizes = sizes_in<double>(options.sizes);
+        return initial_complex<Real>(scene_.domain, std::span<const Curve>(scene_.curves), initial);
+    }
+
+    [[nodiscard]] std::unique_ptr<Simulation<Real>> simulation_of(Complex<Real>& complex) {
+        const Options<Real> options = options_at(0);
+        auto algorithm = is_growth() ? growth_algorithm<Real>(complex, growth_options())
+                                     : default_algorithm<Real>();
+        std::unique_ptr<Executor<Real>> executor;
+        if (row_.way == Way::sequential) {
+            executor =
+                std::make_unique<SequentialExecutor<Real>>(complex, options, std::move(algorithm));
+        } else {
+            executor = make_executor<Real>(complex, options, parallel(), std::move(algorithm));
+        }
+        seen_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
+        return std::make_unique<Simulation<Real>>(complex, options, std::move(executor));
+    }
+
+    [[nodiscard]] Parallel parallel() const {
+        constexpr std::array divisions{Division::cells,    Division::cells,  Division::fixed,
+                                       Division::counting, Division::active, Division::blocks,
+                                       Division::copy};
+        constexpr std::array submeshes{0U, 2U, 4U, 9U};
+        Parallel parallel;
+        parallel.threads = threads_;
+        parallel.division = divisions[static_cast<std::size_t>(row_.way)];
+        parallel.submeshes = submeshes[static_cast<std::size_t>(row_.submeshes)];
+        parallel.always_all_threads = true;
+        return parallel;
+    }
+
+    // --- options ---------------------------------------------------------------------------------
+    // `half`: 0 in the first half of the run, 1 in the second.
+    [[nodiscard]] SizeOptions<Real> sizes_at(int half) const {
+        SizeOptions<Real> sizes;
+        const Sizes asked = row_.sizes;
+        if (asked == Sizes::uniform || (asked == Sizes::switched_on && half == 0) ||
+            (asked == Sizes::switched_off && half == 1)) {
+            return sizes;
+        }
+        const Real h = static_cast<Real>(scene_.h);
+        sizes.growth = 1.3;
+        sizes.longest = 4 * h;
+        if (asked == Sizes::by_place || asked == Sizes::in_time) {
+            const bool changes = asked == Sizes::in_time;
+            sizes.by_place = [h, changes](const Point<Real>& p, Real time, Phase) {
+                const Real x = p.x() + (changes ? time : Real(0));
+                return h * (Real(2.5) + Real(1.5) * std::sin(9 * x));
+            };
+            sizes.changes_in_time = changes;
+        }
+        return sizes;
+    }
+
+    [[nodiscard]] Options<Real> options_at(int half) const {
+        Options<Real> options;
+        const Real h = static_cast<Real>(scene_.h);
+        options.edge_length = h;
+        options.sizes = sizes_at(half);
+        options.integrator = row_.integrator;
+        options.insertion = row_.insertion;
+        options.interface.coarsening = row_.coarsening;
+        options.interface.corner_degrees = row_.outline == Outline::loose_corners ? 180 : 40;
+        if (row_.inside == Inside::carried) {
+            options.carried_phases = {1};
+        }
+        auto& topology = options.topology;
+        topology.rule = row_.topology == Rule::keep ? Topology::keep : Topology::change;
+        switch (row_.topology) {
+        case Rule::keep:
+        case Rule::change: break;
+        case Rule::forbidden: topology.may_change = [](const Contact&) { return false; }; break;
+        case Rule::given_back: topology.gives_back_area = true; break;
+        case Rule::wide: topology.contact = Real(1.5) * h; break;
+        case Rule::least_area: topology.least_area = 4 * h * h; break;
+        }
+        return options;
+    }
+
+    // --- flows -----------------------------------------------------------------------------------
+    [[nodiscard]] bool is_growth() const {
+        return row_.motion == Motion::grow || row_.motion == Motion::shrink;
+    }
+
+    [[nodiscard]] GrowthOptions<Real> growth_options() const {
+        const double speed = row_.motion == Motion::grow ? 1 : -1;
+        GrowthOptions<Real> options;
+        options.speeds = {{1, 0, speed}};
+        if (row_.phases == Phases::nested) {
+            options.speeds.push_back({2, 1, speed / 2});
+        } else if (row_.phases == Phases::junctions) {
+            options.speeds.push_back({2, 0, speed});
+        }
+        return options;
+    }
+
+    void make_trouble(std::span<const Point<Real>> positions, std::span<Point<Real>> values) const {
+        if (trouble_ == Trouble::throws) {
+            throw Thrown();
+        }
+        if (trouble_ == Trouble::not_a_number) {
+            constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+            const double middle = scene_.domain.high.y() / 2;
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+                if (positions[i].y() > static_cast<Real>(middle)) {
+                    values[i] = Point<Real>(none, none);
+                }
+            }
+        }
+    }
+
+    void set_velocities(std::span<const Point<Real>> positions, Real time,
+                        std::span<Point<Real>> values) const {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            values[i] =
+                scene_.velocity(positions[i].template cast<double>(), static_cast<double>(time))
+                    .template cast<Real>();
+        }
+        make_trouble(positions, values);
+    }
+
+    StepReport advance(Real time, Real dt) {
+        if (is_growth()) {
+            const InterfaceFlow<Real> inner = growth<Real>(growth_options());
+            return simulation_->step(
+                InterfaceFlow<Real>([&](const InterfaceView<Real>& view, std::size_t begin,
+                                        std::size_t end, Real at, auto values) {
+                    inner(view, begin, end, at, values);
+                    make_trouble(view.positions.subspan(begin, end - begin),
+                                 values.subspan(begin, end - begin));
+                }),
+                time, dt);
+        }
+        if (row_.motion == Motion::curvature) {
+            const InterfaceMotion<Real> inner = curvature_flow<Real>();
+            return simulation_->step(InterfaceMotion<Real>([&](const InterfaceView<Real>& view,
+                                                               Real at, Real for_dt, auto ways) {
+                                         inner(view, at, for_dt, ways);
+                                         make_trouble(view.positions, ways);
+                                     }),
+                                     time, dt);
+        }
+        const Velocity<Real> velocity = [this](auto positions, Real at, auto values) {
+            set_velocities(positions, at, values);
+        };
+        switch (row_.told) {
+        case Told::positions: break;
+        case Told::seeing:
+            return simulation_->step(
+                InterfaceFlow<Real>([&](const InterfaceView<Real>& view, std::size_t begin,
+                                        std::size_t end, Real at, auto values) {
+                    set_velocities(view.positions.subspan(begin, end - begin), at,
+                                   values.subspan(begin, end - begin));
+                }),
+                time, dt);
+        case Told::motion:
+            return simulation_->step(
+                InterfaceMotion<Real>([&](const InterfaceView<Real>& view, Real at, Real for_dt,
+                                          std::span<Point<Real>> ways) {
+                    IntegratorScratch<Real> scratch;
+                    scratch.first.resize(view.size());
+                    velocity(view.positions, at, scratch.first);
+                    integrate<Real>(Integrator::rk4, velocity, view.positions, at, for_dt, ways,
+                                    scratch);
+                    for (std::size_t i = 0; i < view.size(); ++i) {
+                        ways[i] -= view.positions[i];
+                    }
+                }),
+                time, dt);
+        }
+        return simulation_->step(velocity, time, dt);
+    }
+
+    // --- the run ---------------------------------------------------------------------------------
+    void step(int i) {
+        const Real dt = static_cast<Real>(scene_.end / scene_.steps);
+        const Real time = static_cast<Real>(i) * dt;
+        const bool is_middle = i == scene_.steps / 2;
+        if (is_middle && interruption_ == Interruption::not_a_number) {
+            trouble_ = Trouble::not_a_number;
+        }
+        if (is_middle && interruption_ == Interruption::thrown) {
+            trouble_ = Trouble::throws;
+            try {
+                (void)advance(time, dt);
+                note("what the application's function throws is lost");
+            } catch (const Thrown&) {
+                trouble_ = Trouble::none;
+            }
+        }
+        if (is_middle && interruption_ == Interruption::pause) {
+            take(advance(time, 0), i);
+        }
+        take(advance(time, dt), i);
+        trouble_ = Trouble::none;
+    }
+
+    void take(const StepReport& report, int i) {
+        const std::string when = ", step " + std::to_string(i);
+        outcome_.held += report.held;
+        // What is held may be in the way of others.
+        outcome_.unreached += trouble_ == Trouble::not_a_number ? 0 : report.unreached;
+        outcome_.events += report.events.size();
+        if (report.gave_up != GiveUp::none) {
+            note("gave up" + when);
+        }
+        if (const std::string problem = validate(*complex_).problem; !problem.empty()) {
+            note(problem + when);
+        } else if (row_.inside == Inside::still) {
+            if (const std::string fault =
+                    test::interface_fault(*complex_, simulation_->interface());
+                !fault.empty()) {
+                note(fault + when);
+            }
+        }
+        if (seen_ != nullptr) {
+            outcome_.threads = std::max(outcome_.threads, seen_->threads_used());
+            outcome_.submeshes = std::max(
+                outcome_.submeshes,
+                static_cast<std::uint32_t>(seen_->partition().colours.front().regions.size()));
+        }
+    }
+
+    void switch_sizes() {
+        if (row_.sizes == Sizes::switched_on || row_.sizes == Sizes::switched_off) {
+            simulation_->set_options(options_at(1));
+        }
+    }
+
+    void interrupt(int i) {
+        switch (interruption_) {
+        case Interruption::resumed: resume(i); break;
+        case Interruption::set_options: simulation_->set_options(options_at(1)); break;
+        case Interruption::renumbered: (void)renumber(*complex_); break;
+        case Interruption::edited: edit(); break;
+        case Interruption::none:
+        case Interruption::listened:
+        case Interruption::thrown:
+        case Interruption::pause:
+        case Interruption::not_a_number: break; // in the step
+        }
+    }
+
+    void resume(int i) {
+        Archive kept;
+        simulation_->archive(kept);
+        simulation_.reset();
+        complex_ = std::make_unique<Complex<Real>>(first_complex());
+        simulation_ = simulation_of(*complex_);
+        if (row_.sizes == Sizes::switched_on || row_.sizes == Sizes::switched_off) {
+            simulation_->set_options(options_at(1));
+        }
+        Archive again(kept.bytes(), "step " + std::to_string(i));
+        simulation_->archive(again);
+        again.expect_end();
+    }
+
+    // Some splits inside phases.
+    void edit() {
+        std::vector<Edge> some;
+        for (const Edge e : edges(*complex_)) {
+            const auto [a, b] = complex_->vertices_of(e);
+            if (!is_interface(*complex_, a) && !is_interface(*complex_, b) &&
+                !is_boundary(*complex_, e) && some.size() < 40 && e.id % 7 == 0) {
+                some.push_back(e);
+            }
+        }
+        for (const Edge e : some) {
+            if (complex_->is_alive(Triangle{triangle_of(e.id)})) {
+                (void)edge_split(*complex_, e);
+            }
+        }
+    }
+
+    void listen() {
+        simulation_->add_listener([this](std::span<const Edit> some) {
+            edits_.insert(edits_.end(), some.begin(), some.end());
+        });
+    }
+
+    // What create and merge did is in no log.
+    void expect_replayed() {
+        if (row_.way == Way::copy || !outcome_.problems.empty()) {
+            return;
+        }
+        Complex<Real> again = outcome_.first;
+        if (replay<Real>(again, edits_).skipped > 0 || mesh_hash(again) != mesh_hash(*complex_)) {
+            note("the edits that were told lead to another mesh");
+        }
+    }
+
+    void note(std::string problem) { outcome_.problems.push_back(std::move(problem)); }
+
+    const Row& row_;
+    const Scene& scene_;
+    std::uint32_t threads_;
+    Interruption interruption_;
+    Trouble trouble_ = Trouble::none;
+    Outcome<Real> outcome_;
+    std::unique_ptr<Complex<Real>> complex_;
+    std::unique_ptr<Simulation<Real>> simulation_;
+    const SubmeshExecutor<Real>* seen_ = nullptr;
+    std::vector<Edit> edits_;
+};
+
+} // namespace
+
+template <class Real>
+Outcome<Real> run_course(const Row& row, const Scene& scene, std::uint32_t threads,
+                         bool is_unbroken) {
+    return Course<Real>(row, scene, threads, is_unbroken).run();
+}
+
+template Outcome<double> run_course(const Row&, const Scene&, std::uint32_t, bool);
+template Outcome<float> run_course(const Row&, const Scene&, std::uint32_t, bool);
+
+} // namespace dsc::combinations

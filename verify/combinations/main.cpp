@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Runs the array of combinations: see --help.
+#include "combinations/covering.h"
+#include "combinations/sense.h"
+#include "combinations/trial.h"
+
+#include "dsc/base/error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace dsc::combinations {
+namespace {
+
+// --- a row in a process of its own: it may hang or crash
+// -------------------------------------------
+
+struct Result {
+    bool is_done = false; ///< it has ended by itself
+    double distance = 0;
+    double allowed = 0;
+    std::vector<std::string> problems;
+    double seconds = 0;
+};
+
+class Child {
+public:
+    Child(const Values& values, int limit_s) {
+        std::array<int, 2> ends{};
+        if (pipe(ends.data()) != 0) {
+            throw std::runtime_error("no pipe");
+        }
+        id_ = fork();
+        if (id_ == 0) {
+            close(ends[0]);
+            alarm(static_cast<unsigned>(limit_s));
+            write_result(values, ends[1]);
+            _exit(0);
+        }
+        close(ends[1]);
+        end_ = ends[0];
+    }
+
+    Result wait() {
+        std::string text;
+        std::array<char, 4096> some{};
+        for (ssize_t n = 0; (n = read(end_, some.data(), some.size())) > 0;) {
+            text.append(some.data(), static_cast<std::size_t>(n));
+        }
+        close(end_);
+        int status = 0;
+        rusage used{};
+        wait4(id_, &status, 0, &used);
+        Result result;
+        result.seconds = static_cast<double>(used.ru_utime.tv_sec) +
+                         1e-6 * static_cast<double>(used.ru_utime.tv_usec);
+        if (!WIFEXITED(status) || text.empty()) {
+            result.problems.push_back(WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM
+                                          ? "hangs"
+                                          : "ends by signal " + std::to_string(WTERMSIG(status)));
+            return result;
+        }
+        result.is_done = true;
+        std::istringstream lines(text);
+        lines >> result.distance >> result.allowed >> std::ws;
+        for (std::string line; std::getline(lines, line);) {
+            result.problems.push_back(line);
+        }
+        return result;
+    }
+
+private:
+    static void write_result(const Values& values, int end) {
+        Findings findings;
+        try {
+            findings = try_row(row_of(values));
+        } catch (const std::exception& error) {
+            findings.problems.push_back(std::string("throws: ") + error.what());
+        }
+        std::ostringstream text;
+        text << findings.distance << ' ' << findings.allowed << '\n';
+        for (const std::string& problem : findings.problems) {
+            text << problem << '\n';
+        }
+        const std::string words = text.str();
+        if (write(end, words.data(), words.size()) < 0) {
+            _exit(1);
+        }
+    }
+
+    pid_t id_ = -1;
+    int end_ = -1;
+};
+
+struct Settings {
+    std::string row;
+    std::size_t strength = 2;
+    std::uint64_t seed = 1;
+    std::size_t most_rows = 1'000'000;
+    std::size_t jobs = 2;
+    int limit_s = 20;
+    bool lists = false;
+    bool cuts_down = true;
+};
+
+Cover cover_of(const Settings& settings) {
+    std::vector<std::size_t> counts;
+    for (const Feature& feature : features()) {
+        counts.push_back(feature.values.size());
+    }
+    return cover({.counts = counts,
+                  .strength = settings.strength,
+                  .seed = settings.seed,
+                  .most_rows = settings.most_rows,
+                  .makes_sense = [](std::span<const std::uint8_t> row, std::span<const bool> set) {
+                      Values values{};
+                      for (std::size_t i = 0; i < feature_count; ++i) {
+                          values[i] = set[i] ? row[i] : std::uint8_t{0};
+                      }
+                      return nonsense_in(values, set).empty();
+                  }});
+}
+
+// What fails, without its numbers.
+std::string kind_of(const Result& result) {
+    std::string kind = result.problems.empty() ? "" : result.problems.front();
+    std::erase_if(kind, [](char c) { return c >= '0' && c <= '9'; });
+    return kind;
+}
+
+// Features are switched off one by one while the row still fails in the same way.
+Values cut_down(Values values, const std::string& kind, int limit_s) {
+    for (bool is_smaller = true; is_smaller;) {
+        is_smaller = false;
+        for (std::size_t i = 0; i < feature_count; ++i) {
+            Values plainer = values;
+            plainer[i] = 0;
+            if (values[i] != 0 && nonsense_in(plainer).empty() &&
+                kind_of(Child(plainer, limit_s).wait()) == kind) {
+                values = plainer;
+                is_smaller = true;
+            }
+        }
+    }
+    return values;
+}
+
+void tell(const Values& values, const Result& result) {
+    for (const std::string& problem : result.problems) {
+        std::cout << "  " << problem << '\n';
+    }
+    std::cout << "  dsc_combinations --row '" << words_of(values) << "'\n" << std::flush;
+}
+
+int run_one(const Settings& settings) {
+    const Values values = values_of(settings.row);
+    if (const std::string_view why = nonsense_in(values); !why.empty()) {
+        std::cout << "makes no sense: " << why << '\n';
+        return 2;
+    }
+    const Result result = Child(values, settings.limit_s).wait();
+    std::cout << "off by " << result.distance << " edge lengths, allowed " << result.allowed << ", "
+              << result.seconds << " s\n";
+    for (const std::string& problem : result.problems) {
+        std::cout << "  " << problem << '\n';
+    }
+    return result.problems.empty() ? 0 : 1;
+}
+
+std::size_t run_rows(const std::vector<Values>& rows, const Settings& settings) {
+    std::size_t failed = 0;
+    for (std::size_t from = 0; from < rows.size(); from += settings.jobs) {
+        std::vector<Child> children;
+        const std::size_t to = std::min(rows.size(), from + settings.jobs);
+        for (std::size_t i = from; i < to; ++i) {
+            children.emplace_back(rows[i], settings.limit_s);
+        }
+        for (std::size_t i = from; i < to; ++i) {
+            const Result result = children[i - from].wait();
+            if (settings.lists) {
+                std::cout << result.distance << ' ' << result.allowed << ' ' << result.seconds
+                          << ' ' << (result.problems.empty() ? "holds" : "FAILS") << ' '
+                          << words_of(rows[i]) << '\n';
+            }
+            if (result.problems.empty()) {
+                continue;
+            }
+            ++failed;
+            std::cout << "a row fails:\n";
+            tell(rows[i], result);
+            if (settings.cuts_down) {
+                const Values few = cut_down(rows[i], kind_of(result), settings.limit_s);
+                if (few != rows[i]) {
+                    std::cout << "  cut down:\n";
+                    tell(few, Child(few, settings.limit_s).wait());
+                }
+            }
+        }
+    }
+    return failed;
+}
+
+std::size_t expect_refusals() {
+    std::size_t failed = 0;
+    for (const std::string_view words : refused_rows()) {
+        if (refusal_of(row_of(values_of(words))).empty()) {
+            ++failed;
+            std::cout << "is not refused: " << words << '\n';
+        }
+    }
+    return failed;
+}
+
+int run(const Settings& settings) {
+    if (!settings.row.empty()) {
+        return run_one(settings);
+    }
+    const Cover cover = cover_of(settings);
+    std::vector<Values> rows;
+    for (const auto& row : cover.rows) {
+        Values& values = rows.emplace_back();
+        std::copy_n(row.begin(), feature_count, values.begin());
+    }
+    const std::size_t failed = run_rows(rows, settings) + expect_refusals();
+    std::cout << cover.covered << " of " << cover.combinations << " combinations of "
+              << settings.strength << " values in " << rows.size() << " rows; " << cover.senseless
+              << " make no sense; " << failed << " rows fail\n";
+    return failed == 0 ? 0 : 1;
+}
+
+} // namespace
+} // namespace dsc::combinations
+
+int main(int argc, char** argv) {
+    dsc::combinations::Settings settings;
+    CLI::App app(
+        "Runs combinations of features whose answers are known from their parts: exact "
+        "shapes, what is conserved, other numbers of threads, runs without an "
+        "interruption. A row that fails is cut down to the features that it needs for that.");
+    app.add_option("--row", settings.row, "only this row, e.g. 'motion=turn way=cells'");
+    app.add_option("--strength", settings.strength, "so many features at a time")
+        ->check(CLI::Range(1, 4));
+    app.add_option("--seed", settings.seed, "another one makes other rows");
+    app.add_option("--most-rows", settings.most_rows, "stop after these");
+    app.add_option("--jobs", settings.jobs, "rows at a time")->check(CLI::Range(1, 64));
+    app.add_option("--limit", settings.limit_s, "seconds after which a row counts as hanging");
+    app.add_flag("--list", settings.lists, "print each row with its distance and time");
+    app.add_flag("!--keep-whole", settings.cuts_down, "do not cut down what fails");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return dsc::combinations::run(settings);
+    } catch (const dsc::InputError& error) {
+        std::cerr << error.what() << '\n';
+        return 2;
+    }
+}

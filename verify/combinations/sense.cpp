@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "combinations/sense.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace dsc::combinations {
+
+namespace {
+
+// Numbers of features, as in `Values`.
+enum Number : std::size_t {
+    place,
+    phases,
+    motion,
+    told,
+    sizes,
+    topology,
+    integrator,
+    insertion,
+    coarsening,
+    outline,
+    way,
+    submeshes,
+    precision,
+    interruption,
+    turned,
+    inside,
+};
+
+struct Contradiction {
+    std::vector<std::size_t> features;
+    bool (*is_nonsense)(const Row& row);
+    std::string_view why;
+};
+
+bool is_translation(Motion one) {
+    return one == Motion::right || one == Motion::left || one == Motion::up || one == Motion::down;
+}
+bool is_normal(Motion one) { return one == Motion::grow || one == Motion::shrink; }
+
+const std::vector<Contradiction>& rules() {
+    static const std::vector<Contradiction> list{
+        {{place, motion},
+         [](const Row& row) { return row.motion == Motion::turn && row.place != Place::square; },
+         "only what lies inside the square turns in it"},
+        {{place, motion},
+         [](const Row& row) {
+             return is_translation(row.motion) &&
+                    (row.place == Place::in_corner || row.place == Place::through_corner);
+         },
+         "what meets a corner of the domain cannot be translated"},
+        {{place, motion},
+         [](const Row& row) {
+             return (row.motion == Motion::up || row.motion == Motion::down) &&
+                    row.place == Place::on_wall;
+         },
+         "what lies on a wall is translated along it alone"},
+        {{place, motion},
+         [](const Row& row) {
+             return (is_normal(row.motion) || row.motion == Motion::curvature ||
+                     row.motion == Motion::swirl) &&
+                    row.place == Place::through_corner;
+         },
+         "an end that is held in a corner of the domain moves along no normal"},
+        {{place, phases},
+         [](const Row& row) {
+             return row.phases == Phases::nested && row.place == Place::through_corner;
+         },
+         "two nested diagonals are one"},
+        {{place, phases},
+         [](const Row& row) { return row.phases == Phases::nested && row.place == Place::pair; },
+         "a pair is of one phase or of two"},
+        {{place, motion, coarsening},
+         [](const Row& row) {
+             return row.place == Place::layer && row.coarsening == Coarsening::never &&
+                    (row.motion == Motion::left || row.motion == Motion::right);
+         },
+         "vertices that run into a wall have to go"},
+        {{place, motion, inside},
+         [](const Row& row) {
+             return row.place == Place::layer && row.inside == Inside::carried &&
+                    (row.motion == Motion::left || row.motion == Motion::right);
+         },
+         "the inside of a phase runs into a wall"},
+        {{place, phases},
+         [](const Row& row) {
+             return row.phases == Phases::many && row.place != Place::square &&
+                    row.place != Place::slender;
+         },
+         "many cells fill the whole domain"},
+        {{phases, motion},
+         [](const Row& row) {
+             return row.phases == Phases::many && row.motion != Motion::rest &&
+                    row.motion != Motion::swirl && row.motion != Motion::curvature;
+         },
+         "cells that fill the domain cannot leave it"},
+        {{place, phases, motion},
+         [](const Row& row) {
+             return row.phases == Phases::junctions && row.place == Place::in_corner &&
+                    (is_normal(row.motion) || row.motion == Motion::curvature);
+         },
+         "a junction that is held in a corner of the domain moves along no normal"},
+        {{phases, outline},
+         [](const Row& row) { return row.phases == Phases::many && row.outline != Outline::round; },
+         "the outlines of Voronoi cells are given"},
+        {{place, outline},
+         [](const Row& row) {
+             return row.outline != Outline::round &&
+                    (row.place == Place::layer || row.place == Place::through_corner);
+         },
+         "a straight line has no corners"},
+        {{motion, outline},
+         [](const Row& row) {
+             return row.outline != Outline::round &&
+                    (is_normal(row.motion) || row.motion == Motion::curvature);
+         },
+         "corners change their shape along normals and by curvature"},
+        {{motion, told},
+         [](const Row& row) { return is_normal(row.motion) && row.told != Told::seeing; },
+         "growth sees the interface"},
+        {{motion, told},
+         [](const Row& row) { return row.motion == Motion::curvature && row.told != Told::motion; },
+         "curvature flow is a motion of the whole interface"},
+        {{told, inside},
+         [](const Row& row) {
+             return row.inside == Inside::carried && row.told != Told::positions;
+         },
+         "refused: a flow that sees the interface carries nothing"},
+        {{phases, topology},
+         [](const Row& row) {
+             return (row.topology == Rule::wide || row.topology == Rule::least_area) &&
+                    row.phases == Phases::many;
+         },
+         "cells as narrow as the contact distance, or as small as what vanishes"},
+        {{way, submeshes},
+         [](const Row& row) {
+             return row.way == Way::sequential && row.submeshes != Submeshes::own_choice;
+         },
+         "the sequential method has no submeshes"},
+        {{motion, interruption},
+         [](const Row& row) {
+             return row.interruption == Interruption::not_a_number &&
+                    row.motion == Motion::curvature;
+         },
+         "what is held back at once gets ahead again by its curvature"},
+    };
+    return list;
+}
+
+} // namespace
+
+std::string_view nonsense_in(const Values& values, std::span<const bool> is_set) {
+    const Row row = row_of(values);
+    for (const Contradiction& rule : rules()) {
+        if (std::ranges::all_of(rule.features, [&](std::size_t i) { return is_set[i]; }) &&
+            rule.is_nonsense(row)) {
+            return rule.why;
+        }
+    }
+    return {};
+}
+
+std::string_view nonsense_in(const Values& values) {
+    std::array<bool, feature_count> all{};
+    all.fill(true);
+    return nonsense_in(values, all);
+}
+
+std::span<const std::string_view> refused_rows() {
+    static constexpr std::array<std::string_view, 2> list{
+        "told=seeing inside=carried",
+        "told=motion inside=carried",
+    };
+    return list;
+}
+
+} // namespace dsc::combinations

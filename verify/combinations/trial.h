@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Runs a row and says what does not hold.
+#pragma once
+
+#include "combinations/row.h"
+
+#include <string>
+#include <vector>
+
+namespace dsc::combinations {
+
+/// What was found in all runs of a row.
+struct Findings {
+    std::vector<std::string> problems; ///< none: all holds
+    /// The largest distance from the exact shapes: symmetric difference over the length of the
+    /// interface, in edge lengths; and what is allowed.
+    double distance = 0;
+    double allowed = 0;
+};
+
+/// Runs a row with one, two and three threads, the last of them twice (the sequential method:
+/// twice), and unbroken where it has an interruption. The row must make sense.
+[[nodiscard]] Findings try_row(const Row& row);
+
+/// What the library says to a row that it must refuse; empty if it does not refuse.
+[[nodiscard]] std::string refusal_of(const Row& row);
+
+} // namespace dsc::combinations
