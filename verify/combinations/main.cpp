@@ -17,6 +17,7 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -230,6 +231,7 @@ int run(const Settings& settings) {
     }
     const Cover cover = cover_of(settings);
     std::vector<Values> rows;
+    std::ranges::transform(found_rows(), std::back_inserter(rows), values_of);
     for (const auto& row : cover.rows) {
         Values& values = rows.emplace_back();
         std::copy_n(row.begin(), feature_count, values.begin());

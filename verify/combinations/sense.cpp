@@ -77,6 +77,14 @@ const std::vector<Contradiction>& rules() {
                     (row.motion == Motion::left || row.motion == Motion::right);
          },
          "vertices that run into a wall have to go"},
+        {{place, phases, motion, coarsening},
+         [](const Row& row) {
+             return row.phases == Phases::junctions && row.place != Place::pair &&
+                    row.coarsening == Coarsening::never &&
+                    (row.motion == Motion::shrink || row.motion == Motion::curvature ||
+                     (row.place == Place::layer && is_translation(row.motion)));
+         },
+         "a junction that moves along a curve meets vertices that have to go"},
         {{place, motion, inside},
          [](const Row& row) {
              return row.place == Place::layer && row.inside == Inside::carried &&
@@ -165,6 +173,16 @@ std::string_view nonsense_in(const Values& values) {
     std::array<bool, feature_count> all{};
     all.fill(true);
     return nonsense_in(values, all);
+}
+
+std::span<const std::string_view> found_rows() {
+    static constexpr std::array<std::string_view, 2> list{
+        // A junction that moved along a curve was stuck before its next vertex.
+        "phases=junctions motion=shrink told=seeing",
+        // A vertex one unit of rounding from its target kept others waiting for it.
+        "motion=turn outline=corners inside=carried way=fixed",
+    };
+    return list;
 }
 
 std::span<const std::string_view> refused_rows() {

@@ -16,6 +16,9 @@ namespace dsc::combinations {
 /// The same for a whole row.
 [[nodiscard]] std::string_view nonsense_in(const Values& values);
 
+/// Rows that failed once, cut down to the features that they needed for that.
+[[nodiscard]] std::span<const std::string_view> found_rows();
+
 /// Rows that the library must refuse by an InputError, each with two features that contradict
 /// each other.
 [[nodiscard]] std::span<const std::string_view> refused_rows();

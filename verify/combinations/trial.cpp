@@ -32,7 +32,7 @@ double whole_area(const Complex<Real>& complex, Phase phases) {
 
 // How far an interface may be from where it should, in edge lengths.
 double allowed_distance(const Row& row, const Scene& scene) {
-    double allowed = 0.015; // chords of arcs, and what upkeep takes from a curve
+    double allowed = 0.02; // chords of arcs, and what upkeep takes from a curve
     if (row.coarsening == Coarsening::length) {
         allowed += 0.01;
     }
@@ -44,7 +44,7 @@ double allowed_distance(const Row& row, const Scene& scene) {
         if (row.motion == Motion::turn) {
             allowed += is_euler ? 1.0 : 0.02;
         } else if (row.motion == Motion::swirl) {
-            allowed += is_euler ? 0.15 : 0.005;
+            allowed += is_euler ? 0.2 : 0.01;
         }
     }
     if (row.interruption == Interruption::not_a_number) {

@@ -84,6 +84,9 @@ MoveOutcome move_vertex(Complex<Real>& complex, const Submesh& submesh, Ring<Rea
         const bool whole = fraction >= 1;
         const Real px = whole ? x : ring.x0 + fraction * (x - ring.x0);
         const Real py = whole ? y : ring.y0 + fraction * (y - ring.y0);
+        if (px == ring.x0 && py == ring.y0 && !whole) {
+            break; // rounding leaves no place in between: that is no progress
+        }
         if (all_positive(ring, px, py)) {
             rewire::move(complex, *submesh.log, ring.vertex, px, py, reason);
             ring.x0 = px;
