@@ -88,9 +88,9 @@ const std::vector<Contradiction>& rules() {
         {{place, motion, inside},
          [](const Row& row) {
              return row.place == Place::layer && row.inside == Inside::carried &&
-                    (row.motion == Motion::left || row.motion == Motion::right);
+                    is_translation(row.motion);
          },
-         "the inside of a phase runs into a wall"},
+         "the inside of a phase runs into a wall, or leaves one"},
         {{place, phases},
          [](const Row& row) {
              return row.phases == Phases::many && row.place != Place::square &&
@@ -176,7 +176,10 @@ std::string_view nonsense_in(const Values& values) {
 }
 
 std::span<const std::string_view> found_rows() {
-    static constexpr std::array<std::string_view, 2> list{
+    static constexpr std::array<std::string_view, 3> list{
+        // A star waited for a vertex that went half of its way in each pass because the star
+        // waited.
+        "motion=turn integrator=rk4 outline=loose_corners way=cells inside=carried",
         // A junction that moved along a curve was stuck before its next vertex.
         "phases=junctions motion=shrink told=seeing",
         // A vertex one unit of rounding from its target kept others waiting for it.

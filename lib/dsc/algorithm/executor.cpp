@@ -27,6 +27,7 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
     int idle = 0;
     while (static_cast<int>(done) < work.options.max_passes) {
         work.progressed = 0;
+        work.arrived = 0;
         for (const auto& pass : passes) {
             run_pass(work, pass);
         }

@@ -36,6 +36,7 @@ void stay_on_boundary(const Ring<Real>& ring, Real& x, Real& y) {
 template <class Real>
 void move_vertices(Work<Real>& work) {
     work.progressed = 0;
+    work.arrived = 0;
     std::size_t kept = 0;
     for (const Mover<Real>& mover : work.movers) {
         Ring<Real>& ring = work.ring;
@@ -70,6 +71,7 @@ void move_vertices(Work<Real>& work) {
         work.activate(mover.vertex);
         activate_link(work, ring);
         constexpr std::uint32_t late = vertex_contact | vertex_on_way;
+        work.arrived += outcome == MoveOutcome::reached ? 1 : 0;
         if (outcome != MoveOutcome::reached) {
             work.movers[kept++] = mover;
             flags |= vertex_on_way;

@@ -86,6 +86,7 @@ struct Work {
     bool notes_touched = false; ///< somebody has to be told
 
     std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
+    std::size_t arrived = 0;    ///< movers of these that reached their targets
 
     // Scratch, kept so that nothing is allocated from step to step.
     Ring<Real> ring;                           ///< the star under examination
