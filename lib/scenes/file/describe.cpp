@@ -267,13 +267,16 @@ std::string exact_in_toml(const Scene& scene, const Parameters& parameters) {
     std::string settings;
     for (const Key& key : parameter_keys()) {
         const Setting value = key.value(parameters);
-        if (value != key.value(scene.defaults)) {
+        // h in any case: the points below stay where they are if the file gets another one.
+        if (value != key.value(scene.defaults) || key.name == "h") {
             settings += (settings.empty() ? "" : ", ") +
                         in_quotes(key.name + '=' + without_quotes(in_toml(value)));
         }
     }
-    return "\n[exact]\nscene = " + in_quotes(scene.name) + '\n' +
-           (settings.empty() ? "" : "set = [" + settings + "]\n");
+    return "\n# That of the shape and the motion in this file, and refused once they are others: "
+           "then say\n"
+           "# what it is (back, carried or circle), or strike [exact] out.\n[exact]\nscene = " +
+           in_quotes(scene.name) + "\nset = [" + settings + "]\n";
 }
 
 std::string measure_in_toml(const SceneFile& file, const Setup& setup) {

@@ -283,7 +283,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     read_motion(top, parts);
     read_upkeep(top, parts);
     if (top.has("exact")) {
-        parts.exact = read_exact(top.table("exact"), scenes);
+        parts.exact = read_exact(top.table("exact"), scenes, file.begins_as);
         file.exact = top.table("exact").as_text();
     }
     if (top.has("measure")) {

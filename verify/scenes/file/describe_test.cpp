@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <tuple>
 
 namespace dsc::scenes::describe_test {
 namespace {
@@ -186,6 +187,59 @@ TEST(Describe, KeepsTheExactShapeOfTheSceneAFileBeganAs) {
     EXPECT_NE(text.find("scene = \"swirl\""), std::string::npos);
     EXPECT_EQ(run_scene(first.scene, first.scene.defaults, {}).mesh_hash,
               run_scene(second.scene, second.scene.defaults, {}).mesh_hash);
+}
+
+// Why the text is refused after a change; empty if it is not.
+std::string refusal(std::string text, const std::string& old, const std::string& changed) {
+    const std::size_t place = text.find(old);
+    EXPECT_NE(place, std::string::npos) << old;
+    text.replace(place, old.size(), changed);
+    try {
+        (void)read_scene_text(text, "mine.toml");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+// Nobody's edited shape is judged against the one that it was before.
+TEST(Describe, KeepsTheExactShapeUntilTheShapeOrTheMotionChanges) {
+    const auto described = [](const std::string& name) {
+        Parameters parameters = find_scene(name).defaults;
+        parameters.h = 0.05;
+        return describe(find_scene(name), parameters);
+    };
+    const std::string swirl = described("swirl");
+    EXPECT_NE(swirl.find("# That of the shape"), std::string::npos);
+    const std::string circle = described("curvature-circle");
+    for (const auto& [text, old, changed, what] :
+         {std::tuple{swirl, "points = [\n    [0.", "points = [\n    [0.0", "another shape"},
+          {swirl, "\nphase = 1", "\nphase = 2", "another shape"},
+          {swirl, "amplitude = 1", "amplitude = 1.01", "another motion"},
+          {swirl, "reversed = true", "reversed = false", "another motion"},
+          {circle, "\n[curvature]\n",
+           "\n[curvature]\n[[curvature.pairs]]\none = 0\nother = 1\nmobility = 2\n",
+           "another motion"},
+          {circle, "\n[curvature]\n", "\n[growth]\nspeed = 1\n", "another motion"}}) {
+        EXPECT_NE(refusal(text, old, changed).find(what), std::string::npos) << changed;
+    }
+    // What changes neither is free.
+    EXPECT_EQ(refusal(swirl, "\nh = 0.05", "\nh = 0.04"), "");
+    EXPECT_EQ(refusal(swirl, "swirl = { amplitude = 1,", "swirl = { amplitude = 1.0,"), "");
+    EXPECT_EQ(refusal(swirl, "high = [1, 1]", "high = [1, 1.1]"), "");
+}
+
+// The settings that the exact shape names none of are those of the file, which --set changes.
+TEST(Describe, TakesTheSettingsOfAFileThatBeginsAsTheScene) {
+    const SceneFile file = read_scene_text("scene = 'vortex-square'\n[options]\nh = 0.0525\n"
+                                           "[domain]\nlow = [0, -0.1]\nhigh = [1, 1]\n"
+                                           "[exact]\nscene = 'vortex-square'\n",
+                                           "mine.toml");
+    Parameters parameters = file.scene.defaults;
+    parameters.h = 0.05;
+    parameters.steps = 20; // the flow turns earlier
+    const RunResult result = run_scene(file.scene, parameters, {});
+    EXPECT_LT(number(result.last, "sd_rel"), 1e-3); // against that of 250 steps: 0.25
 }
 
 TEST(Describe, RefusesAFlowWithoutAName) {
