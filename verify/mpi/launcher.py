@@ -77,7 +77,8 @@ class Launched(unittest.TestCase):
 
     def expect_same(self, one: dict[str, Any], other: dict[str, Any], what: str) -> None:
         """All but times, memory, and how many ran it."""
-        differ = {"cpu_s", "wall_s", "step_us_median", "us_per_vertex_step", "peak_memory_mb",
-                  "threads", "ranks", "bytes_per_step", "exchanges_per_step", "rank_us_per_step"}
+        differ = {"cpu_s", "wall_s", "run_s", "first_step_us", "step_us_median",
+                  "us_per_vertex_step", "peak_memory_mb", "threads", "threads_used", "ranks",
+                  "bytes_per_step", "exchanges_per_step", "rank_us_per_step"}
         for key in sorted((set(one) | set(other)) - differ):
             self.assertEqual(one.get(key), other.get(key), f"{what}: {key}")

@@ -59,7 +59,6 @@ class SceneGood(CommandLine):
         self.assertEqual((result["inverted"], result["unreached"]), (0, 0))
 
     def test_every_strategy_runs(self):
-        hashes = {}
         parallel = ("fixed", "counting", "active", "blocks", "cells", "copy")
         for strategy in ("sequential", *parallel, "reference"):
             threads = ["--threads", "2"] if strategy in parallel else []
@@ -69,17 +68,22 @@ class SceneGood(CommandLine):
             with open(self.path("r.json"), encoding="utf-8") as stream:
                 result = json.load(stream)
             self.assertEqual(result["strategy"], strategy)
-            hashes[strategy] = result["mesh_hash"]
-        self.assertEqual(len(hashes), 8)
+            self.assertEqual((result["inverted"], result["unreached"]), (0, 0), strategy)
+            self.assertAlmostEqual(result["area_drift_exact_last"], 0, delta=0.02, msg=strategy)
 
     def test_threads_are_enough(self):
+        """The interface is long enough for two threads to be used."""
         hashes = set()
-        for arguments in (["--threads", "1"], ["--threads", "2"], ["--strategy", "cells"]):
-            done = self.call("run", "scaling", *SHORT, *arguments, "--json", self.path("r.json"))
+        for arguments, used in ((["--threads", "1"], 1), (["--threads", "2"], 2),
+                                (["--strategy", "cells"], 1)):
+            done = self.call("run", "scaling", "--set", "h=0.01", "--set", "steps=4", *arguments,
+                             "--json", self.path("r.json"))
             self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
             with open(self.path("r.json"), encoding="utf-8") as stream:
                 result = json.load(stream)
-            self.assertEqual(result["strategy"], "cells")
+            self.assertEqual((result["strategy"], result["threads_used"]), ("cells", used))
+            self.assertGreaterEqual(result["run_s"], result["first_step_us"] / 1e6)
+            self.assertGreater(result["first_step_us"], 0)
             hashes.add(result["mesh_hash"])
         self.assertEqual(len(hashes), 1)
 

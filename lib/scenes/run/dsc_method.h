@@ -14,6 +14,7 @@
 #include "scenes/run/run.h"
 #include "scenes/run/start.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace dsc::scenes {
@@ -77,6 +78,10 @@ public:
         auto executor = make_executor(complex_, options_, run.strategy, submeshing,
                                       algorithm ? &*algorithm : nullptr);
         submeshes_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
+        if (run.strategy == Strategy::copy) { // always all that have a submesh to work on
+            threads_of_copies_ =
+                std::min(submeshing.threads, submeshes_of(run.strategy, submeshing));
+        }
         simulation_ = std::make_unique<Simulation<Real>>(complex_, options_, std::move(executor));
         const Ranks* ranks = run.submeshing.ranks;
         if (!run.edits.empty() && (ranks == nullptr || ranks->rank() == 0)) {
@@ -131,6 +136,10 @@ public:
     }
     [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
+    /// Threads that the last step used.
+    [[nodiscard]] std::uint32_t threads_used() const {
+        return submeshes_ != nullptr ? submeshes_->threads_used() : threads_of_copies_;
+    }
     /// To be called before a step after which there is a frame...
     void begin_frame() { begin_displacements(complex_); }
     /// ...for its arrays. `velocity`: null where the flow is none.
@@ -206,7 +215,8 @@ private:
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
     const SubmeshExecutor<Real>* submeshes_ = nullptr;
-    const Velocity* leg_ = nullptr; ///< the velocity of the previous step
+    std::uint32_t threads_of_copies_ = 1; ///< of the strategy that copies submeshes
+    const Velocity* leg_ = nullptr;       ///< the velocity of the previous step
     InterfaceMotion<Real> by_curvature_;
     std::optional<EditFile> edits_;
     std::uint64_t vertex_steps_ = 0;

@@ -25,6 +25,7 @@ public:
     [[nodiscard]] const Complex<double>& complex();
     [[nodiscard]] std::uint64_t interface_vertices();
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
+    [[nodiscard]] std::uint32_t threads_used() const { return 1; }
 
 private:
     reference::Complex method_;

@@ -62,6 +62,7 @@ public:
             step_us_.push_back(watch.wall() * 1e6);
             result_.wall_s += watch.wall();
             result_.cpu_s += watch.cpu();
+            result_.threads_used = std::max(result_.threads_used, method_.threads_used());
             result_.steps = step;
             time_ = end;
             after(step);
@@ -328,6 +329,7 @@ private:
         result_.quality_histogram = quality_histogram(complex(), {.bins = 50});
         result_.angle_histogram = min_angle_histogram(complex(), {.bins = 60});
         if (!step_us.empty()) {
+            result_.first_step_us = step_us.front();
             const auto half = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);
             std::nth_element(step_us.begin(), half, step_us.end());
             result_.step_us_median = *half;

@@ -52,7 +52,8 @@ struct RunResult {
     Parameters parameters;
     Strategy strategy = Strategy::sequential;
     std::uint32_t submeshes = 1;
-    std::uint32_t threads = 1;
+    std::uint32_t threads = 1;      ///< the most that a step may use
+    std::uint32_t threads_used = 1; ///< the most that a step of this process has used
     std::uint32_t ranks = 0; ///< processes that shared the work; 0: it was not run by any launcher
     double bytes_per_step = 0;     ///< of all messages between them
     double exchanges_per_step = 0; ///< how often they tell each other
@@ -91,7 +92,8 @@ struct RunResult {
     std::vector<SeriesRow> series; ///< with the first and the last step, if it was asked for
     double cpu_s = 0;              ///< of all steps, without measuring
     double wall_s = 0;
-    double step_us_median = 0;     ///< wall time
+    double first_step_us = 0; ///< wall time, as the next
+    double step_us_median = 0;
     double us_per_vertex_step = 0; ///< CPU time over interface vertices, summed over steps
     /// Passes that an interface vertex went through in a step; NaN where they are not counted.
     double passes_per_vertex_step = std::numeric_limits<double>::quiet_NaN();
