@@ -79,13 +79,13 @@ Measured distinct_hashes(Runs& runs, const std::string& scene) {
         std::set<std::map<std::string, std::uint64_t>> counts;
         for (const std::uint32_t threads : {1U, 2U, 3U, 5U}) {
             const RunResult& r =
-                finished(runs, {scene, Size::coarse, strategy, threads, {}, false});
+                finished(runs, {scene, Size::shared, strategy, threads, {}, false});
             hashes.insert(r.mesh_hash);
             counts.insert(r.operations);
         }
         const auto different = static_cast<double>(std::max(hashes.size(), counts.size()));
         if (different > most.value) {
-            most = {different, {scene, Size::coarse, strategy, 2, {}, false}};
+            most = {different, {scene, Size::shared, strategy, 2, {}, false}};
         }
     }
     return most;

@@ -75,6 +75,21 @@ TEST(Checks, TakeTheWorstOfTheParallelRuns) {
     }
 }
 
+// Without this, `mesh_hash` would compare one thread with one thread.
+TEST(Checks, CompareRunsOfWhichThreadsHaveShares) {
+    Runs runs;
+    for (const scenes::Strategy strategy : scenes::all_strategies()) {
+        if (scenes::is_parallel(strategy)) {
+            const auto& run = runs.get({.scene = "swirl",
+                                        .size = Size::shared,
+                                        .strategy = strategy,
+                                        .threads = 2,
+                                        .measure_shape = false});
+            EXPECT_EQ(run.threads_used, 2U) << scenes::to_string(strategy);
+        }
+    }
+}
+
 TEST(Checks, AreNotMadeOfARunThatGaveUp) {
     Runs runs;
     const Configuration hasty{.scene = "scaling", .settings = {"steps=1", "dt=1000"}};

@@ -156,10 +156,10 @@ std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Ru
     // Two runs of one scene are comparable only over the same bins, so each size is a scene.
     OrderedJson histograms = OrderedJson::array();
     for (const auto& [configuration, run] : runs.all()) {
-        const bool is_coarse = configuration.size == Size::coarse;
-        if (configuration.threads > (is_coarse ? 1U : 2U)) {
-            continue; // the same bits
+        if (configuration.size == Size::shared) {
+            continue; // of the first steps alone, to the same bits by all threads
         }
+        const bool is_coarse = configuration.size == Size::coarse;
         const std::pair<const char*, const Histogram*> quantities[]{
             {"area", &run.area_histogram}, {"quality", &run.quality_histogram}};
         for (const auto& [quantity, histogram] : quantities) {

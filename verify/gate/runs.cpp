@@ -25,6 +25,29 @@ scenes::Parameters coarse(const scenes::Scene& scene) {
     return parameters;
 }
 
+/// Fine enough that every strategy has submeshes for several threads, and as many steps as show
+/// that.
+constexpr double edges_of_shared_side = 80;
+constexpr int shared_steps = 40;
+
+// With the time step of a whole run.
+scenes::Parameters shared(const scenes::Scene& scene) {
+    scenes::Parameters parameters = scene.defaults;
+    const Rectangle domain = scene.prepare(scene.defaults).domain;
+    parameters.h = (domain.high - domain.low).maxCoeff() / edges_of_shared_side;
+    const scenes::Setup whole = scene.prepare(parameters);
+    const int steps = std::min(whole.steps, shared_steps);
+    parameters.dt = whole.dt;
+    parameters.steps = scene.counts_steps_each_way ? std::max(steps / 2, 1) : steps;
+    return parameters;
+}
+
+scenes::Parameters of_size(const scenes::Scene& scene, Size size) {
+    return size == Size::full     ? scene.defaults
+           : size == Size::coarse ? coarse(scene)
+                                  : shared(scene);
+}
+
 } // namespace
 
 scenes::SceneFile Runs::find(const std::string& scene) const {
@@ -35,12 +58,11 @@ scenes::SceneFile Runs::find(const std::string& scene) const {
 
 Prepared Runs::prepare(const Configuration& configuration) const {
     const scenes::SceneFile file = find(configuration.scene);
-    Prepared run{.scene = file.scene,
-                 .parameters =
-                     configuration.size == Size::full ? file.scene.defaults : coarse(file.scene),
-                 .options = {}};
+    Prepared run{
+        .scene = file.scene, .parameters = of_size(file.scene, configuration.size), .options = {}};
     run.options.strategy = configuration.strategy;
     run.options.submeshing.threads = configuration.threads;
+    run.options.submeshing.always_all_threads = configuration.size == Size::shared;
     run.options.measures = file.measures;
     run.options.measure_shape = configuration.measure_shape && file.measures_shape;
     for (const std::string& setting : configuration.settings) {

@@ -17,6 +17,8 @@ namespace dsc::gate {
 enum class Size : std::uint8_t {
     full,   ///< as in the catalogue: the limits on accuracy apply to this
     coarse, ///< for comparisons with the reference, which takes seconds a step at full size
+    shared, ///< the first steps in a mesh of which all threads get a share, whether that pays or
+            ///< not
 };
 
 struct Configuration {
