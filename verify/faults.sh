@@ -29,11 +29,22 @@ Installs missing Debian packages as root or through sudo. Exit code: 0 all were 
 USAGE
 }
 
+# Refused before anything is installed or built; run.py and mutate.py look at the values.
+refuse() {
+    printf '%s: unknown option: %s; --help shows those that there are\n' "$0" "$1" >&2
+    exit 2
+}
 for argument in "$@"; do
     case $argument in
         -h | --help) usage; exit 0 ;;
+        --tenth | --room | --only | --own | --baseline | --jobs | --build) ;;
+        --mutants | --count | --seed | --seconds | --survivors | --programs) ;;
+        -*) refuse "$argument" ;;
     esac
 done
+if [[ ${1:---} != --* ]]; then
+    refuse "$1"
+fi
 # shellcheck source=verify/setup.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
 set_up plain

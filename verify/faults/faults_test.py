@@ -69,6 +69,15 @@ class Table(unittest.TestCase):
         self.assertLess(len(programs.targets(["plots", "passes"])), len(programs.targets()))
 
 
+class Program(unittest.TestCase):
+    def test_an_unknown_option_is_refused_before_anything_is_done(self):
+        for options in (["--colour"], ["predicates"], ["--own", "-x"]):
+            done = subprocess.run([ROOT / "verify/faults.sh", *options], text=True, timeout=10,
+                                  capture_output=True, check=False, stdin=subprocess.DEVNULL)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), options)
+            self.assertIn(options[-1], done.stderr)
+
+
 class Sources(unittest.TestCase):
     def test_have_no_switch(self):
         count = 0
