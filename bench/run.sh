@@ -23,13 +23,14 @@ list_only=false
 large='^option/|380000|four_circles.*(2800000|copy.*280000/)|(fixed|counting|active|blocks)/.*2800000'
 # The file gets every repetition, the terminal medians and spread.
 bench_options=(--benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true
-    --benchmark_repetitions=3 --benchmark_min_time=0.05 "--benchmark_filter=-$large")
+    --benchmark_repetitions=3 --benchmark_min_time=0.05)
 user_options=()
 for argument in "$@"; do
     case $argument in
         --quick)
             quick=true
-            bench_options+=(--benchmark_min_time=0.02 '--benchmark_filter=-80000|95000|112000')
+            bench_options+=(--benchmark_min_time=0.02)
+            large+='|80000|95000|112000'
             ;;
         -h | --help) usage; exit 0 ;;
         --benchmark_out=* | --benchmark_out_format=*)
@@ -44,6 +45,8 @@ for argument in "$@"; do
         *) user_options+=("$argument") ;;
     esac
 done
+
+bench_options+=("--benchmark_filter=-$large") # the last one counts, which may be the user's
 
 # shellcheck source=verify/setup.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/../verify/setup.sh"
