@@ -20,8 +20,15 @@ from judgement import Verdict  # noqa: E402
 
 
 class Times(unittest.TestCase):
-    def test_the_limit_lies_between_what_is_to_be_caught_and_nothing(self):
-        self.assertTrue(1 < judgement.TIME_LIMIT < judgement.SLOWDOWN)
+    def test_the_narrowest_interval_decides_for_either_truth(self):
+        """No program of the same speed is called slower, and none that is slower by 5 % is missed."""
+        half = math.sqrt(judgement.SLOWDOWN)
+        for truth, expected in ((1, Verdict.NOT_SLOWER), (1.05, Verdict.SLOWER)):
+            for off in (1 / half, 1, half):
+                value = truth * (1 + 0.98 * (off - 1))
+                ratio = judgement.Ratio(value, value / half * 1.0001, value * half / 1.0001)
+                self.assertTrue(ratio.is_narrow)
+                self.assertEqual(ratio.verdict, expected, value)
 
     def test_verdicts(self):
         for value, low, high, expected in (
