@@ -63,6 +63,14 @@ void prepare_folder(const std::string& folder) {
     }
 }
 
+// Where they were installed beside this program, or else in the source tree.
+std::string limits_of_catalogue() {
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const auto installed = program.parent_path().parent_path() / "share/dsc/limits.json";
+    return std::filesystem::exists(installed, error) ? installed.string() : DSC_LIMITS_FILE;
+}
+
 std::vector<const Check*> pointers(const std::vector<Check>& checks) {
     std::vector<const Check*> all;
     for (const Check& check : checks) {
@@ -127,9 +135,10 @@ int run(const Arguments& arguments) {
     }
     Runs runs(read_scenes(paths));
     const bool is_own = !paths.empty();
-    Limits limits = is_own && !arguments.limits
-                        ? Limits("[limits]")
-                        : Limits::read(arguments.limits.value_or(DSC_LIMITS_FILE));
+    Limits limits =
+        is_own && !arguments.limits
+            ? Limits("[limits]")
+            : Limits::read(arguments.limits ? *arguments.limits : limits_of_catalogue());
     std::vector<Check> own;
     const std::vector<Task> tasks =
         is_own ? tasks_of_own(names, runs.files(), arguments.limits.has_value(), limits, own)

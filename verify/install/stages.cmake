@@ -36,6 +36,17 @@ if(NOT installed STREQUAL included)
 endif()
 message(STATUS "headers: done")
 
+# The gate, if it is built, holds runs to the limits that are installed with it.
+if(EXISTS ${prefix}/bin/dsc_verify)
+    stage(gate ${prefix}/bin/dsc_verify run accuracy_area --out ${work}/gate)
+    file(READ ${work}/gate/verify.json result)
+    string(JSON limits GET "${result}" limits)
+    file(REAL_PATH ${prefix}/share/dsc/limits.json expected)
+    if(NOT limits STREQUAL expected)
+        message(FATAL_ERROR "stage gate: the limits are those of ${limits}, not of ${expected}")
+    endif()
+endif()
+
 stage(configure ${CMAKE_COMMAND} -S ${source} -B ${work}/build -G ${generator}
     -D CMAKE_PREFIX_PATH=${prefix}
     -D CMAKE_CXX_COMPILER=${compiler}
