@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Sets up, builds, and tests everything: what is run optimised, the gate, the tests under the address,
-# undefined behaviour and thread sanitizers, a search by libFuzzer in two targets, and whether the tests
-# notice a tenth of the seeded faults: those targets and faults whose turn it is. Quick unit tests run
-# under the former two sanitizers alone, unless these are left out; see the labels in
+# undefined behaviour and thread sanitizers, and a search by libFuzzer in the two targets whose turn it is.
+# Quick unit tests run under the former two sanitizers alone, unless these are left out; see the labels in
 # verify/CMakeLists.txt.
 set -euo pipefail
 
@@ -12,10 +11,11 @@ usage() {
 usage: verify/run.sh [--quick | --all] [--sanitizers | --no-sanitizers | --faults] [ctest options]
   --quick          in four minutes on two cores: the release build of the
                    short tests and of the gate, and the gate's checks of sequential runs
-  --all            the tests labelled long as well, all others optimised as well, and the preset lto
+  --all            the tests labelled long and tools as well, all others optimised as well, the preset
+                   lto, and whether the tests notice a tenth of the seeded faults, those of this commit
   --sanitizers     nothing but the tests and the search under the sanitizers
   --no-sanitizers  everything but them
-  --faults         nothing but the tenth of the seeded faults that belongs to this commit
+  --faults         nothing but this tenth of the seeded faults
 Other options go to each run of ctest, e.g. -R test_geometry; nothing is searched and no faults are seeded
 then. Installs missing Debian packages as root or through sudo. DSC_JOBS sets the number of jobs, PYTHON
 the interpreter for the plots.
@@ -28,7 +28,6 @@ quick=false
 with_release=true
 with_sanitizers=true
 with_search=true
-with_faults=true
 ctest_options=()
 for argument in "$@"; do
     case $argument in
@@ -36,12 +35,8 @@ for argument in "$@"; do
         --quick)
             quick=true
             with_sanitizers=false
-            with_faults=false
             ;;
-        --sanitizers)
-            with_release=false
-            with_faults=false
-            ;;
+        --sanitizers) with_release=false ;;
         --no-sanitizers) with_sanitizers=false ;;
         --faults)
             folder=$(dirname -- "${BASH_SOURCE[0]}")
@@ -51,7 +46,6 @@ for argument in "$@"; do
         *)
             ctest_options+=("$argument")
             with_search=false
-            with_faults=false
             ;;
     esac
 done
@@ -113,9 +107,14 @@ await_gate() {
 }
 
 run_sanitizer() { # run_sanitizer PRESET [COMMAND PREFIX...]
-    if build_preset "$1"; then
+    local test_preset=$1 targets=()
+    if $all && [[ $1 == asan ]]; then
+        test_preset=asan-all
+        targets=(--target dsc_tests_asan_all)
+    fi
+    if build_preset "$1" "${targets[@]}"; then
         await_gate
-        run_tests "$@"
+        run_tests "$test_preset" "${@:2}"
     else
         failed+=("build of preset $1")
         return 1
@@ -175,7 +174,7 @@ if $with_sanitizers; then
     if run_sanitizer asan && $with_search; then
         say "search by libFuzzer"
         # Other work may share the cores: no input takes a second where there is none.
-        verify/fuzz.sh --turn "$commit" 60 -timeout=60 </dev/null || failed+=("search by libFuzzer")
+        verify/fuzz.sh --turn "$commit" 30 -timeout=60 </dev/null || failed+=("search by libFuzzer")
     fi
     # Kernels that randomise addresses widely leave clang 14's thread sanitizer no room.
     fixed_addresses=()
@@ -186,7 +185,7 @@ if $with_sanitizers; then
 fi
 
 await_gate
-if $with_faults; then
+if $all && $with_release && $with_search; then
     say "seeded faults"
     verify/faults.sh --tenth "$commit" --own --jobs "$jobs" </dev/null || failed+=("seeded faults")
 fi
