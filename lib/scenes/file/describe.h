@@ -2,8 +2,8 @@
 // A scene as the text of a scene file, in full: the user sees what it consists of, and every part
 // can be changed. Outlines and curves are points, cut for the scene's own h; flows have their names
 // and parameters; numbers have the digits that read back as the same bits. So the file runs to the
-// same mesh as the scene. Only the exact shape stays the scene's own: [exact] scene = "NAME", which is
-// refused once the shape or the motion has been changed.
+// same mesh as the scene. Only the exact shape stays the scene's own: [exact] scene = "NAME", which
+// is refused once the shape or the motion has been changed.
 //
 // Not in the file are the keys that shape the scene itself (angle, grains): what they led to is.
 // The measures are all named, so that those of no interest can be struck out.
