@@ -3,6 +3,7 @@
 // that follows from a tolerance; and what a step says when it gives up.
 #include "dsc/algorithm/simulation.h"
 
+#include "support/courses.h"
 #include "support/simulation_testing.h"
 
 #include "dsc/initial/initial_complex.h"
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace dsc::step_choice_test {
 namespace {
@@ -65,6 +67,36 @@ TEST(CentredDifference, IsTheLeapfrogForEqualSteps) {
     // x(t - dt) + 2 dt v(t)
     EXPECT_EQ(to[0].x(), 0.375 + 0.5 * 3);
     EXPECT_EQ(to[0].y(), 0.1875 + 0.5 * -1);
+}
+
+// An error of the past, if only its rounding, enters the next step with the square of the ratio of
+// both.
+TEST(CentredDifference, LeavesAPastBehindThatIsMuchShorter) {
+    const std::vector<double> abrupt{0.01, 1e-12, 0.01, 1e-4, 0.01, 1e-9, 1e-6, 1e-3, 0.01};
+    std::vector<double> gradual; // no step is much longer than the one before
+    for (double dt = 1e-12; dt < 0.02; dt *= 1.5) {
+        gradual.push_back(dt);
+    }
+    for (const std::vector<double>& steps : {abrupt, gradual}) {
+        Complex<double> complex = test::disc();
+        Options<double> options = options_for<double>(test::disc_h);
+        options.integrator = Integrator::centred;
+        options.max_sub_steps = 50; // in place of a test without an end
+        Simulation<double> simulation(complex, options);
+        const Vertex seen{simulation.interface().front()};
+        const Point<double> start = complex.position(seen);
+        const Velocity<double> wind = test::constant<double>(0.5, 0.25);
+        double time = 0;
+        for (const double dt : steps) {
+            const StepReport report = simulation.step(wind, time, dt);
+            time += dt;
+            ASSERT_EQ(report.unreached, 0U) << dt;
+            ASSERT_EQ(report.sub_steps, 1U) << dt;
+        }
+        const Point<double> way = complex.position(seen) - start;
+        EXPECT_NEAR(way.x(), 0.5 * time, 1e-13);
+        EXPECT_NEAR(way.y(), 0.25 * time, 1e-13);
+    }
 }
 
 class Turning : public testing::Test {

@@ -94,7 +94,9 @@ std::uint64_t collect_movers(Work<Real>& work) {
         if (work.past != nullptr) {
             const Point<Real> way = target - aim.positions[i];
             const bool is_known = aim.held[i] == 0 && way.allFinite();
-            (*work.past)[Vertex{v}] = is_known ? Past<Real>{way, aim.dt} : Past<Real>{};
+            Past<Real>& past = (*work.past)[Vertex{v}];
+            const Real growth = past.serves(aim.dt) ? past.growth_after(aim.dt) : Real(1);
+            past = is_known ? Past<Real>{way, aim.dt, growth} : Past<Real>{};
         }
         if (aim.held[i] != 0 || work.complex.is_locked(Vertex{v})) {
             continue;

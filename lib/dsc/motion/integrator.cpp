@@ -31,12 +31,13 @@ public:
     // equal steps the leapfrog x(t + dt) = x(t - dt) + 2 dt v(t).
     void centred() {
         const auto& past = scratch_.past;
-        const bool all = std::ranges::all_of(past, [](const auto& one) { return one.dt > 0; });
+        const bool all =
+            std::ranges::all_of(past, [this](const auto& one) { return one.serves(dt_); });
         if (!all) {
             midpoint();
         }
         for (std::size_t i = 0; i < past.size(); ++i) {
-            if (past[i].dt > 0) {
+            if (past[i].serves(dt_)) {
                 const Real ratio = dt_ / past[i].dt;
                 targets_[i] = positions_[i] + (1 + ratio) * dt_ * scratch_.first[i] -
                               ratio * ratio * past[i].way;
