@@ -55,7 +55,7 @@ void Simulation<Real>::set_options(const Options<Real>& options) {
     if (differ_in_contact(options.topology, options_.topology)) {
         check_contact<Real>(complex_, options.topology, options.edge_length);
     }
-    if (!options_.topology.changes()) {
+    if (options.topology.changes() && !options_.topology.changes()) {
         forget_plain(complex_); // nobody has kept it
     }
     const bool is_another = options.integrator != options_.integrator;

@@ -71,7 +71,9 @@ public:
     [[nodiscard]] const Options<Real>& options() const { return options_; }
     /// Checks the options and replaces all of them for the next step; integrators with a memory
     /// start afresh if the integrator changes. Throws InputError if one is out of range, or a new
-    /// contact distance wider than a phase, and then keeps the old ones.
+    /// contact distance wider than a phase, and then keeps the old ones. All vertices are visited if
+    /// the topology may change from now on and could not before, if edges may grow or could, and if
+    /// other phases are carried; none otherwise.
     void set_options(const Options<Real>& options);
 
     /// Reports all edits to the listener from now on: those of the application between steps at the
