@@ -4,6 +4,7 @@
 #include "support/interface_view_testing.h"
 #include "support/simulation_testing.h"
 
+#include "dsc/base/error.h"
 #include "dsc/queries/hash.h"
 
 #include <gtest/gtest.h>
@@ -116,6 +117,16 @@ TEST(InterfaceMotion, TellsOfTheFastestVertexWhenItGivesUp) {
     EXPECT_EQ(report.gave_up, GiveUp::too_many_sub_steps);
     EXPECT_NEAR(report.speed, 50, 1e-12);
     EXPECT_TRUE(complex.is_alive(report.where));
+}
+
+// Nothing would move, and it would not be called: a velocity need not be asked, but a motion that
+// knows no time is waited for in vain.
+TEST(InterfaceMotion, RefusesNoTime) {
+    auto complex = disc_complex<double>(coarse);
+    Simulation<double> simulation(complex, options_for<double>(coarse));
+    EXPECT_THROW((void)simulation.step(translation(0.5, 0.25), 0, 0), InputError);
+    EXPECT_EQ(simulation.step(test::constant<double>(0.5, 0.25), 0, 0).sub_steps, 0U);
+    EXPECT_EQ(simulation.step(translation(0.5, 0.25), 0, 0.01).sub_steps, 1U);
 }
 
 TEST(InterfaceMotion, WhatItThrowsComesOut) {

@@ -222,6 +222,12 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
                           .value = std::to_string(dt),
                           .allowed = "a finite time and a step of 0 or more"});
     }
+    if (dt == 0 && flow.motion() != nullptr) {
+        throw InputError({.what = "a motion of the whole interface in no time",
+                          .where = "Simulation::step",
+                          .value = "0",
+                          .allowed = "a step of more than 0: displacements are divided by it"});
+    }
     if (!options_.carried_phases.empty() && flow.velocity() == nullptr) {
         throw InputError({.what = "a flow that is not known inside a phase",
                           .where = "Simulation::step",

@@ -102,7 +102,8 @@ public:
     StepReport step(const InterfaceFlow<Real>& flow, Real time, Real dt) {
         return step_along(flow, time, dt);
     }
-    /// The same with a motion of the whole interface (motion/interface_flow.h).
+    /// The same with a motion of the whole interface (motion/interface_flow.h). Throws InputError
+    /// if dt is 0 as well: where a velocity moves nothing, a motion would never be called.
     StepReport step(const InterfaceMotion<Real>& motion, Real time, Real dt) {
         return step_along(motion, time, dt);
     }

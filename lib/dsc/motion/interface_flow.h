@@ -141,10 +141,10 @@ template <class Real, class Function>
 /// vertex is held and counted.
 ///
 /// It is called once for a sub-step, before anything moves, and again whenever the driver changes
-/// dt; by one thread at a time, so that the result is the same to the bit for any number of
-/// threads. The integrator of the options has no part in it: the targets are the positions plus
-/// the displacements. The driver chooses its sub-steps by displacement / dt. What it throws comes
-/// out of `Simulation::step`, and leaves a valid complex.
+/// dt, which is more than 0; by one thread at a time, so that the result is the same to the bit for
+/// any number of threads. The integrator of the options has no part in it: the targets are the
+/// positions plus the displacements. The driver chooses its sub-steps by displacement / dt. What it
+/// throws comes out of `Simulation::step`, and leaves a valid complex.
 template <class Real>
 using InterfaceMotion = std::function<void(const InterfaceView<Real>& view, Real time, Real dt,
                                            std::span<Point<Real>> displacements)>;
