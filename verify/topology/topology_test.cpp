@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <vector>
 
@@ -54,6 +55,31 @@ TEST_P(EveryWay, TwoDiscsMergeOnce) {
         hash = hash == 0 ? grown.hash : hash;
         EXPECT_EQ(grown.hash, hash) << "the number of threads makes a difference";
     }
+}
+
+TEST_P(EveryWay, WhatTheTopologyDoesIsCounted) {
+    auto complex = discs_nearby();
+    Simulation<double> simulation(complex, options(), Parallel{.division = GetParam()});
+    std::map<EditKind, std::uint64_t> kinds;
+    simulation.add_listener([&](std::span<const Edit> edits) {
+        for (const Edit& edit : edits) {
+            ++kinds[edit.kind];
+        }
+    });
+    OperationCounts counts;
+    for (int step = 0; step < 8; ++step) {
+        complex.set_phase(Triangle{1}, complex.phase(Triangle{1})); // not of the step
+        kinds[EditKind::relabel] -= 1;
+        counts += simulation.step(grow(), 0.3 * h * step, 0.3 * h).operations;
+    }
+    EXPECT_GT(counts.relabelled, 0U);
+    EXPECT_EQ(counts.relabelled, kinds[EditKind::relabel]);
+    if (GetParam() == Division::copy) {
+        return; // what is done in copies is told as one `rebuild`
+    }
+    EXPECT_EQ(counts.flips, kinds[EditKind::flip]);
+    EXPECT_EQ(counts.splits + counts.interface_splits, kinds[EditKind::split]);
+    EXPECT_EQ(counts.collapses + counts.interface_collapses, kinds[EditKind::collapse]);
 }
 
 // A sub-step that gives up has noted suspects, whose ids may mean anything in the next step.

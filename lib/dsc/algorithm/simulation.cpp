@@ -236,6 +236,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     }
     StepReport report;
     absorb(By::application, time);
+    complex_.journal.counts = {}; // of the application
     if (options_.sizes.changes_in_time) {
         measure(time);
     }
@@ -263,6 +264,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     executor_->end_step();
     tell_what_was_done(); // a sub-step that gives up has done its upkeep
     report.operations = executor_->take_counts();
+    report.operations += std::exchange(complex_.journal.counts, {}); // changes of topology
     report.reached = static_cast<double>(time);
     if (options_.carried_phases.empty()) {
         report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());

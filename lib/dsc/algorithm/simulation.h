@@ -25,7 +25,7 @@ enum class GiveUp : std::uint8_t {
 
 /// What one step did.
 struct StepReport {
-    OperationCounts operations;  ///< counts of what was done
+    OperationCounts operations;  ///< counts of what was done, changes of topology included
     std::uint32_t sub_steps = 0; ///< how many the step was cut into
     std::uint32_t passes = 0;    ///< of movement and mesh update, summed over sub-steps
     /// Vertices that did not arrive, summed over sub-steps; includes `held`. Those whose piece of a
