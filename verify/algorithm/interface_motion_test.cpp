@@ -74,7 +74,8 @@ TEST(InterfaceMotion, IsCalledAgainWhenTheStepIsDivided) {
     EXPECT_EQ(simulation.step(motion, 2, 0.05).sub_steps, 2U);
     EXPECT_EQ(calls, (std::vector<std::pair<double, double>>{{2, 0.025}, {2.025, 0.025}}));
     calls.clear();
-    Simulation<double> another(complex, options);
+    auto other = disc_complex<double>(coarse);
+    Simulation<double> another(other, options);
     EXPECT_EQ(another.step(motion, 0, 0.05).sub_steps, 2U);
     ASSERT_EQ(calls.size(), 3U);
     EXPECT_EQ(calls[0], std::pair(0.0, 0.05));

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The journal of a complex is emptied by its last reader, and a step that was done as a whole was
-// not interrupted.
+// The journal of a complex is emptied by its last reader; a step that was done as a whole was not
+// interrupted; a complex has one simulation at a time.
 #include "support/courses.h"
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc/base/error.h"
+#include "dsc/queries/hash.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
+#include <stdexcept>
+#include <utility>
 
 namespace dsc::journal_test {
 namespace {
@@ -30,9 +35,9 @@ TEST(Journal, IsEmptiedByTheLastReaderAlone) {
 
 TEST(Journal, IsKeptForAnotherReader) {
     Complex<double> complex = disc();
-    const Simulation<double> first(complex, {.edge_length = disc_h});
+    ++complex.journal.readers;
     {
-        const Simulation<double> second(complex, {.edge_length = disc_h});
+        const Simulation<double> simulation(complex, {.edge_length = disc_h});
         complex.set_phase(Triangle{1}, 3);
     }
     EXPECT_EQ(complex.journal.records.size(), 1U);
@@ -46,6 +51,65 @@ TEST(Interruption, AfterTheLastSubStepChangesNothing) {
     const StepReport report = simulation.step(test::swirl, 0, 0.001);
     EXPECT_EQ(report.sub_steps, 1U);
     EXPECT_EQ(report.gave_up, GiveUp::none);
+}
+
+class OneSimulation : public testing::TestWithParam<test::Course> {};
+INSTANTIATE_TEST_SUITE_P(Simulations, OneSimulation, testing::ValuesIn(test::all_courses),
+                         test::course_name);
+
+TEST_P(OneSimulation, AreRefusedWhileAnotherLives) {
+    const Options<double> options{.edge_length = disc_h};
+    Complex<double> complex = disc();
+    Complex<double> undisturbed = complex;
+    {
+        const auto first = test::make_simulation(complex, options, GetParam());
+        const auto alone = test::make_simulation(undisturbed, options, GetParam());
+        for (int step = 0; step < 4; ++step) {
+            for (const test::Course& way : test::all_courses) {
+                EXPECT_THROW((void)test::make_simulation(complex, options, way), InputError)
+                    << way.name;
+            }
+            (void)first->step(test::swirl, 0.02 * step, 0.02);
+            (void)alone->step(test::swirl, 0.02 * step, 0.02);
+        }
+        EXPECT_EQ(mesh_hash(complex), mesh_hash(undisturbed));
+        EXPECT_EQ(complex.vertex_count(), undisturbed.vertex_count());
+        EXPECT_TRUE(complex.journal.records.empty());
+    }
+    const auto second = test::make_simulation(complex, options, GetParam());
+    (void)second->step(test::swirl, 0.08, 0.02);
+    test::expect_whole(complex, *second);
+}
+
+TEST(Simulations, ThatThrewWhileTheyWereMadeLeaveTheComplexFree) {
+    Complex<double> complex = disc();
+    EXPECT_THROW(Simulation<double>(complex, {.edge_length = -1}), InputError);
+    Options<double> options{.edge_length = disc_h, .sizes = {.growth = 1.2}};
+    options.sizes.by_place = [](const Point<double>&, double, Phase) -> double {
+        throw std::domain_error("no length known");
+    };
+    EXPECT_THROW(Simulation<double>(complex, options), std::domain_error);
+    Simulation<double> simulation(complex, {.edge_length = disc_h});
+    EXPECT_EQ(simulation.step(test::swirl, 0, 0.02).unreached, 0U);
+}
+
+// That a simulation works on a complex is of the object, wherever its mesh goes.
+TEST(Simulations, WorkOnOneObjectAndNotOnItsCopies) {
+    const Options<double> options{.edge_length = disc_h};
+    Complex<double> complex = disc();
+    auto first = std::make_unique<Simulation<double>>(complex, options);
+    Complex<double> copy = complex;
+    auto second = std::make_unique<Simulation<double>>(copy, options);
+    first.reset(); // in either order
+    EXPECT_THROW(Simulation<double>(copy, options), InputError);
+    first = std::make_unique<Simulation<double>>(complex, options);
+    second.reset();
+    copy = complex;
+    const Simulation<double> third(copy, options);
+    complex = disc();
+    EXPECT_THROW(Simulation<double>(complex, options), InputError);
+    Complex<double> moved = std::move(complex);
+    const Simulation<double> fourth(moved, options);
 }
 
 } // namespace

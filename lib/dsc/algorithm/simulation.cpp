@@ -23,7 +23,7 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
 template <class Real>
 Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& options,
                              std::unique_ptr<Executor<Real>> executor)
-    : complex_(complex), options_(options), executor_(std::move(executor)) {
+    : complex_(complex), claim_(complex.in_use), options_(options), executor_(std::move(executor)) {
     check_options(options);
     check_contact<Real>(complex, options.topology, options.edge_length);
     if (options.topology.changes()) {

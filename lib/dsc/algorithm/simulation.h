@@ -45,10 +45,28 @@ struct StepReport {
 /// The number of threads, and how the mesh is divided among them; see parallel/parallel.h.
 struct Parallel;
 
+/// Takes a complex for one simulation while it lives. Throws InputError if another has it.
+class Claim {
+public:
+    explicit Claim(InUse& use) : use_(use) {
+        use.expect_free();
+        use.by_a_simulation = true;
+    }
+    ~Claim() { use_.by_a_simulation = false; }
+    Claim(const Claim&) = delete;
+    Claim& operator=(const Claim&) = delete;
+    Claim(Claim&&) = delete;
+    Claim& operator=(Claim&&) = delete;
+
+private:
+    InUse& use_;
+};
+
 /// A simulation of a complex. Keeps a reference to the complex, which must outlive it, and a copy
 /// of the options. Between two steps the application may edit the complex by the public operations
 /// (and `set_position`, `set_phase`, `renumber`): the next step takes account of these changes. Not
-/// thread-safe itself; only one simulation per complex at a time.
+/// thread-safe itself. Only one simulation per complex at a time: the constructors throw InputError
+/// where another simulation of it lives.
 template <class Real>
 class Simulation {
 public:
@@ -148,6 +166,7 @@ private:
     void tell_what_was_done();
 
     Complex<Real>& complex_;
+    Claim claim_;
     Options<Real> options_;
     std::unique_ptr<Executor<Real>> executor_;
     Real fastest_ = 0; ///< speed of the last sub-step: the estimate for the next one

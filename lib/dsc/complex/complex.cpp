@@ -24,6 +24,15 @@ constexpr TriangleRecord border_record{
 
 } // namespace
 
+void InUse::expect_free() const {
+    if (by_a_simulation) {
+        throw InputError({.what = "a complex that another simulation works on",
+                          .where = "Simulation",
+                          .value = "a second simulation",
+                          .allowed = "one at a time: the first must be destroyed before"});
+    }
+}
+
 template <class Real>
 Complex<Real>::Complex() : triangles{border_record} {
     attributes.resize_triangles(1);

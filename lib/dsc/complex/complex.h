@@ -65,6 +65,25 @@ struct IdPool {
     bool may_grow = true;                 ///< false: an empty pool refuses
 };
 
+/// Whether a simulation works on a complex. It is of the object and not of its value: a copy or
+/// another complex that is moved to is free, and one that is assigned to stays as it is.
+class InUse {
+public:
+    InUse() = default;
+    InUse(const InUse& /*other*/) {}
+    InUse(InUse&& /*other*/) noexcept {}
+    /// Changes nothing.
+    InUse& operator=(const InUse& /*other*/) { return *this; }
+    /// Changes nothing.
+    InUse& operator=(InUse&& /*other*/) noexcept { return *this; }
+    ~InUse() = default;
+
+    /// Throws InputError if a simulation works on it.
+    void expect_free() const;
+
+    bool by_a_simulation = false; ///< written by `Simulation`
+};
+
 /// A two-dimensional simplicial complex that is a manifold with boundary (thesis, section 3.2).
 /// Reading is thread-safe; writing is safe from several threads only through submeshes that own
 /// disjoint regions (see submesh.h).
@@ -177,6 +196,8 @@ public:
     /// Edits of the complex as a whole rather than of a submesh: those of the application, which a
     /// running simulation reads before its next step.
     EditLog journal;
+
+    InUse in_use; ///< a second simulation at the same time is refused
 
     // --- the records themselves: for algorithms of the library --------------------------------
     std::vector<VertexRecord<Real>> vertices; ///< by id

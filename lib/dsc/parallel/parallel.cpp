@@ -116,6 +116,7 @@ std::uint32_t submeshes_of(const Parallel& parallel) {
 template <class Real>
 std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
                                               const Parallel& parallel, Algorithm<Real> algorithm) {
+    complex.in_use.expect_free(); // before an executor takes ids that the other one counts
     const DivisionEntry& entry = divisions().at(static_cast<std::size_t>(parallel.division));
     if constexpr (std::is_same_v<Real, double>) {
         return entry.in_double(complex, options, parallel, std::move(algorithm));

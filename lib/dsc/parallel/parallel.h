@@ -62,7 +62,7 @@ struct DivisionEntry {
 [[nodiscard]] std::uint32_t submeshes_of(const Parallel& parallel);
 
 /// The executor for these options, for an algorithm of your own. Throws InputError if the options
-/// make no sense together.
+/// make no sense together, or while a simulation of the complex lives.
 template <class Real>
 [[nodiscard]] std::unique_ptr<Executor<Real>>
 make_executor(Complex<Real>& complex, const Options<Real>& options, const Parallel& parallel,
