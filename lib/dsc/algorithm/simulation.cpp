@@ -205,6 +205,17 @@ std::vector<std::uint32_t> Simulation<Real>::interface() const {
     return options_.carried_phases.empty() ? moved() : on_interface(complex_, moved());
 }
 
+// Nothing is left to go on from once an archive turned out to be none while it was read.
+template <class Real>
+void Simulation<Real>::expect_whole(const char* where) const {
+    if (!is_whole_) {
+        throw InputError({.what = "a simulation that was not restored as a whole",
+                          .where = where,
+                          .value = "an archive that was refused",
+                          .allowed = "one that is read back without an error before"});
+    }
+}
+
 // The vertices that the flow moves.
 template <class Real>
 std::vector<std::uint32_t> Simulation<Real>::moved() const {
@@ -216,6 +227,7 @@ std::vector<std::uint32_t> Simulation<Real>::moved() const {
 
 template <class Real>
 StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real dt) {
+    expect_whole("Simulation::step");
     if (!std::isfinite(dt) || dt < 0 || !std::isfinite(time)) {
         throw InputError({.what = "not a time step",
                           .where = "Simulation::step",

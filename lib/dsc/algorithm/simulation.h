@@ -130,9 +130,10 @@ public:
     /// simulation that was made in the same way, of a complex that began as the other did, with the
     /// same options and executor; the steps that follow are then the same to the bit. Listeners are
     /// not part of it. O(n). Throws FileError if the bytes are of another version of the complex's
-    /// attributes, of the other scalar type, or hold no valid complex: the simulation is of no use
-    /// then. Throws InputError where the executor, the partition or an attribute is the
-    /// application's own and has no such function. A file of them: io/sealed_file.h.
+    /// attributes, of the other scalar type, or hold no valid complex: the simulation then refuses
+    /// to step or to be written, by an InputError, until others have been read. Throws InputError
+    /// where the executor, the partition or an attribute is the application's own and has no such
+    /// function. A file of them: io/sealed_file.h.
     void archive(Archive& archive);
 
     /// To be called when the flow has changed abruptly: integrators with a memory start afresh.
@@ -147,6 +148,7 @@ public:
     }
 
 private:
+    void expect_whole(const char* where) const;
     StepReport step_along(const Flow<Real>& flow, Real time, Real dt);
     bool sub_step(const Flow<Real>& flow, Real& time, Real& remaining, StepReport& report);
     [[nodiscard]] Real pieces_of_speed(Real remaining, Real fastest) const;
@@ -169,7 +171,8 @@ private:
     Claim claim_;
     Options<Real> options_;
     std::unique_ptr<Executor<Real>> executor_;
-    Real fastest_ = 0; ///< speed of the last sub-step: the estimate for the next one
+    bool is_whole_ = true; ///< no archive was refused since the last one that was read
+    Real fastest_ = 0;     ///< speed of the last sub-step: the estimate for the next one
     std::vector<EditListener> listeners_;
     std::vector<EventListener> event_listeners_;
     std::vector<Suspect<Real>> suspects_; ///< scratch of change_topology

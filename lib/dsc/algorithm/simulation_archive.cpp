@@ -9,6 +9,11 @@ namespace dsc {
 
 template <class Real>
 void Simulation<Real>::archive(Archive& archive) {
+    if (archive.is_reading()) {
+        is_whole_ = false; // until all has been read
+    } else {
+        expect_whole("Simulation::archive");
+    }
     archive(complex_, fastest_, most_dt_, swept_);
     std::uint64_t absorbed = absorbed_;
     archive(absorbed);
@@ -20,6 +25,7 @@ void Simulation<Real>::archive(Archive& archive) {
         if (const ValidationReport report = validate(complex_); !report.ok()) {
             archive.refuse("holds no valid complex: " + report.problem);
         }
+        is_whole_ = true;
     }
 }
 
