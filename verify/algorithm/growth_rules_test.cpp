@@ -218,6 +218,23 @@ TEST(GrowthRules, RefuseAnglesThatMakeNoSense) {
 
 // --- what fails ---------------------------------------------------------------------------------
 
+TEST(GrowthRules, RefuseASimulationWithoutTheirAlgorithm) {
+    constexpr double h = 0.02;
+    const auto flow = growth<double>({.speeds = {{1, 0, 1.0}}});
+    for (const std::uint32_t threads : {1U, 2U}) {
+        auto complex = complex_of(small_square, h);
+        Simulation<double> simulation(complex, test::options_for<double>(h),
+                                      Parallel{.threads = threads});
+        try {
+            (void)simulation.step(flow, 0, 0.01);
+            FAIL() << "nothing was thrown";
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.where(), "growth");
+        }
+        test::expect_sound(complex, simulation);
+    }
+}
+
 TEST(GrowthRules, WhatTheFactorThrowsArrives) {
     constexpr double h = 0.02;
     for (const std::uint32_t threads : {1U, 2U}) {

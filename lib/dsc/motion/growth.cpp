@@ -41,12 +41,26 @@ Point<Real> right_of(const Point<Real>& tangent) {
     return {tangent.y(), -tangent.x()};
 }
 
+// The algorithm whose passes open corners has added them.
+template <class Real>
+const VertexAttribute<FanRay<Real>>& rays_of(const Complex<Real>& complex) {
+    const auto* const rays = fan_rays(complex);
+    if (rays == nullptr) {
+        throw InputError(
+            {.what = "growth without the passes that open corners",
+             .where = "growth",
+             .value = "a complex that growth_algorithm was not called with",
+             .allowed = "an executor whose algorithm is growth_algorithm(complex, options)"});
+    }
+    return *rays;
+}
+
 // The growth of one interface at one time.
 template <class Real>
 class Front {
 public:
     Front(const GrowthOptions<Real>& options, const InterfaceView<Real>& view, Real time)
-        : options_(options), view_(view), time_(time), rays_(fan_rays(view.complex)),
+        : options_(options), view_(view), time_(time), rays_(rays_of(view.complex)),
           straight_(static_cast<Real>(std::sin(options.smooth_degrees * std::numbers::pi / 180))) {}
 
     [[nodiscard]] Point<Real> velocity(std::size_t i) const {
@@ -69,10 +83,7 @@ private:
         return growth_speed(options_, left, right, view_.positions[i], time_);
     }
     [[nodiscard]] const FanRay<Real>* ray_of(std::size_t i) const {
-        if (rays_ == nullptr) {
-            return nullptr;
-        }
-        const FanRay<Real>& ray = (*rays_)[view_.vertices[i]];
+        const FanRay<Real>& ray = rays_[view_.vertices[i]];
         return ray.state == FanState::none ? nullptr : &ray;
     }
 
@@ -150,7 +161,7 @@ private:
     const GrowthOptions<Real>& options_;
     const InterfaceView<Real>& view_;
     Real time_;
-    const VertexAttribute<FanRay<Real>>* rays_;
+    const VertexAttribute<FanRay<Real>>& rays_;
     Real straight_; // sheets that make a smaller angle (its sine) have no intersection
 };
 

@@ -103,12 +103,13 @@ template <class Real>
 [[nodiscard]] Point<Real> end_tangent(const Point<Real>& a, const Point<Real>& b,
                                       const Point<Real>& c);
 
-/// The flow. Corners open only in a simulation whose algorithm is `growth_algorithm`; without it
-/// they move along the mean of both normals. A junction moves as closely as it can with all sheets
-/// that meet there; on the domain boundary it slides with them. Second order in the edge length;
-/// first order beside corners that have opened where the speed depends on the place, as the rays of
-/// a fan bend there and are given up early. O(1) for a vertex, O(arms) for a
-/// junction. Throws InputError if the options make no sense. Safe to call from several threads.
+/// The flow, for a simulation whose algorithm is `growth_algorithm`. Only its passes open corners,
+/// so a step throws InputError where the complex has no rays: that algorithm adds them. A junction
+/// moves as closely as it can with all sheets that meet there; on the domain boundary it slides
+/// with them. Second order in the edge length; first order beside corners that have opened where
+/// the speed depends on the place, as the rays of a fan bend there and are given up early. O(1) for
+/// a vertex, O(arms) for a junction. Throws InputError if the options make no sense. Safe to call
+/// from several threads.
 template <class Real>
 [[nodiscard]] InterfaceFlow<Real> growth(const GrowthOptions<Real>& options);
 
