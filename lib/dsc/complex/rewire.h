@@ -11,6 +11,7 @@
 #include "dsc/complex/interface_pair.h"
 #include "dsc/complex/resample.h"
 #include "dsc/complex/shared.h"
+#include "dsc/geometry/distance.h"
 #include "dsc/geometry/triangle.h"
 
 namespace dsc::rewire {
@@ -104,11 +105,20 @@ void flip(Complex<Real>& complex, EditLog& log, Corner c) {
     });
 }
 
+/// How far from `a` (0) to `b` (1) a new vertex of their edge lies: by its nearest point there, and
+/// exactly one half at the midpoint.
+template <class Real>
+[[nodiscard, gnu::noinline]] double split_fraction(const Point<Real>& place, const Point<Real>& a,
+                                                   const Point<Real>& b) {
+    return place == midpoint<Real>(a, b) ? 0.5
+                                         : static_cast<double>(nearest_fraction<Real>(place, a, b));
+}
+
 /// Splits the edge opposite to `c` at the new vertex `m`, which is marked as one of the interface
 /// if the edge is of it and its ends are marked. `t2` and `u2` are new triangles; `u2` is not used
 /// if the edge is on the domain boundary. Before: t = (a, b, w), u = (d, w, b). After: t = (a, b,
-/// m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex attributes are blended at the
-/// midpoint.
+/// m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex attributes are blended by
+/// `split_fraction`.
 template <class Real>
 void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
            const Point<Real>& place, std::uint32_t t2, std::uint32_t u2) {
@@ -130,7 +140,11 @@ void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
             complex.vertices[b].flags & complex.vertices[w].flags & vertex_on_interface;
     }
     const auto note_split = [&](std::uint32_t d) {
-        attributes.blend_vertex(m, b, w, 0.5);
+        if (!attributes.empty(SimplexKind::vertex)) [[unlikely]] {
+            attributes.blend_vertex(m, b, w,
+                                    split_fraction<Real>(place, complex.position(Vertex{b}),
+                                                         complex.position(Vertex{w})));
+        }
         ++(on_interface ? log.counts.interface_splits : log.counts.splits);
         note(log, [&] {
             return Edit{.kind = EditKind::split,

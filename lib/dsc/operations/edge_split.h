@@ -44,8 +44,8 @@ struct SplitResult {
 };
 
 /// Splits the edge opposite to `corner` at `point` if that is legal. Only the position needs to be
-/// known, so the choice of interpolator is the caller's. Vertex attributes are blended at the
-/// midpoint. Thread-safe for disjoint submeshes.
+/// known, so the choice of interpolator is the caller's. Vertex attributes are blended
+/// where it lies along the edge. Thread-safe for disjoint submeshes.
 template <class Real>
 SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner corner,
                        const Point<Real>& point) {
