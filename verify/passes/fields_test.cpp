@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Vertex attributes that are samples of a field: smoothing gives them the value of the new place.
+// Vertex attributes that are samples of a field: a step gives them the value of the new place.
 #include "support/courses.h"
+#include "support/simulation_testing.h"
 
+#include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/smoothing.h"
 
@@ -44,11 +46,67 @@ TEST(Fields, FollowSmoothingAndOtherAttributesDoNot) {
     FAIL() << "only " << smoothed << " were smoothed";
 }
 
+// A linear field stays exact wherever the flow takes the interface, smoothing what is inside, and
+// upkeep its new vertices; with each way to insert these, and in submeshes.
+TEST(Fields, AreThoseOfThePlaceWhereTheFlowMovesTheInterface) {
+    const Velocity<double> strain = test::pointwise<double>(
+        [](const Point<double>& p, double) { return Point<double>(p.x() - 0.5, 0.7 - p.y()); });
+    for (const Insertion insertion : {Insertion::linear, Insertion::cubic}) {
+        for (const test::Course& way : test::all_courses) {
+            Complex<double> complex = test::disc();
+            auto& field = complex.attributes.add<Vertex, double>("field");
+            auto& carried = complex.attributes.add<Vertex, double>("carried");
+            auto& label = complex.attributes.add<Vertex>(
+                "label", 0.0, [](double a, double, double) { return a; });
+            field.set_field(true);
+            carried.set_field(true, OnInterface::carried);
+            Options<double> options{.edge_length = test::disc_h};
+            options.insertion = insertion;
+            options.interface.coarsening = Coarsening::area;
+            const auto simulation = test::make_simulation(complex, options, way);
+            for (const Vertex v : vertices(complex)) {
+                field[v] = plane_at(complex.position(v));
+                carried[v] = is_interface(complex, v) ? -1 : plane_at(complex.position(v));
+                label[v] = is_interface(complex, v) ? 1 : 0;
+            }
+            OperationCounts counts;
+            for (int step = 0; step < 20; ++step) {
+                counts += simulation->step(strain, 0.02 * step, 0.02).operations;
+            }
+            EXPECT_GT(counts.interface_splits, 10U) << way.name;
+            EXPECT_GT(counts.smoothed, 10U) << way.name;
+            for (const Vertex v : vertices(complex)) {
+                ASSERT_NEAR(field[v], plane_at(complex.position(v)), 1e-12)
+                    << way.name << ", vertex " << v.id;
+                if (is_interface(complex, v)) {
+                    ASSERT_EQ(carried[v], -1) << way.name;
+                    ASSERT_EQ(label[v], 1) << way.name;
+                }
+            }
+        }
+    }
+}
+
+// Where the application puts a vertex is its own business.
+TEST(Fields, KeepTheirValuesWhereTheApplicationMovesAVertex) {
+    Complex<double> complex = test::disc();
+    auto& field = complex.attributes.add<Vertex, double>("field");
+    field.set_field(true);
+    for (const Vertex v : vertices(complex)) {
+        field[v] = plane_at(complex.position(v));
+    }
+    const Vertex v{complex.vertex_bound() / 2};
+    const double before = field[v];
+    complex.set_position(v, complex.position(v) + Point<double>(0.1 * test::disc_h, 0));
+    EXPECT_EQ(field[v], before);
+}
+
 TEST(Fields, AreFieldsInCopiesToo) {
     Complex<double> complex = test::disc();
-    complex.attributes.add<Vertex, double>("field").set_field(true);
+    complex.attributes.add<Vertex, double>("field").set_field(true, OnInterface::carried);
     const Complex<double> copy = complex;
     EXPECT_TRUE(copy.attributes.has_fields());
+    EXPECT_EQ(copy.attributes.list().front()->on_interface(), OnInterface::carried);
     EXPECT_TRUE(complex.attributes.clone_empty().has_fields());
     EXPECT_EQ((std::as_const(complex).attributes.get<Vertex, double>("field").size()),
               complex.vertex_bound());

@@ -39,6 +39,12 @@ inline constexpr SimplexKind kind_of = std::same_as<Simplex, Vertex> ? SimplexKi
                                        : std::same_as<Simplex, Edge> ? SimplexKind::edge
                                                                      : SimplexKind::triangle;
 
+/// What a vertex does with its value of a field where the interface moves.
+enum class OnInterface : std::uint8_t {
+    sampled, ///< it takes that of its new place, as everywhere
+    carried, ///< it keeps it: a boundary value, which is known on the interface and behind it alone
+};
+
 /// What a complex and its operations report to an attribute. Entries are named by vertex ids,
 /// corners (four to a triangle; both corners opposite to an edge are its entries) or triangle ids.
 /// Operations on disjoint submeshes run at the same time: a function that is told of an edit may
@@ -57,12 +63,18 @@ public:
     [[nodiscard]] const std::string& name() const { return name_; }
     /// Of the simplices that it belongs to.
     [[nodiscard]] SimplexKind kind() const { return kind_; }
-    /// Whether the values of vertices are samples of a field in the plane: a vertex that smoothing
+    /// Whether the values of vertices are samples of a field in the plane: a vertex that a step
     /// moves then takes the value of its new place, blended in its star. Otherwise, and by default,
-    /// it keeps its own.
+    /// it keeps its own, as it does after `set_position`.
     [[nodiscard]] bool is_field() const { return is_field_; }
+    /// Whether vertices of the interface keep their values of the field where they move. Those that
+    /// smoothing moves inside a phase do not.
+    [[nodiscard]] OnInterface on_interface() const { return on_interface_; }
     /// Makes them samples of a field, or not.
-    void set_field(bool is_field) { is_field_ = is_field; }
+    void set_field(bool is_field, OnInterface on_interface = OnInterface::sampled) {
+        is_field_ = is_field;
+        on_interface_ = on_interface;
+    }
 
     // --- storage
     /// The number of entries.
@@ -114,6 +126,7 @@ private:
     std::string name_;
     SimplexKind kind_;
     bool is_field_ = false;
+    OnInterface on_interface_ = OnInterface::sampled;
 };
 
 /// The interpolator of a vertex attribute (thesis, section 8.9): the value at a + fraction (b - a).

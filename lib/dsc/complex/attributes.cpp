@@ -20,7 +20,7 @@ AttributeSet::AttributeSet(const AttributeSet& other)
     list_.reserve(other.list_.size());
     for (const auto& attribute : other.list_) {
         list_.push_back(attribute->clone());
-        list_.back()->set_field(attribute->is_field());
+        list_.back()->set_field(attribute->is_field(), attribute->on_interface());
     }
 }
 
@@ -125,7 +125,7 @@ AttributeSet AttributeSet::clone_empty() const {
     other.list_.reserve(list_.size());
     for (const auto& attribute : list_) {
         other.list_.push_back(attribute->clone_empty());
-        other.list_.back()->set_field(attribute->is_field());
+        other.list_.back()->set_field(attribute->is_field(), attribute->on_interface());
     }
     return other;
 }

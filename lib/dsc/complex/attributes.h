@@ -83,10 +83,12 @@ public:
     void blend_vertex(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
         tell(SimplexKind::vertex, [&](AttributeBase& each) { each.blend(to, a, b, fraction); });
     }
-    /// Moves vertex v by this fraction of the way to `b`: only the fields are told.
-    void move_fields(std::uint32_t v, std::uint32_t b, double fraction) {
+    /// Moves vertex v by this fraction of the way to `b`: only the fields are told, and where the
+    /// interface moves those that are sampled there.
+    void move_fields(std::uint32_t v, std::uint32_t b, double fraction, bool with_interface) {
         tell(SimplexKind::vertex, [&](AttributeBase& each) {
-            if (each.is_field()) {
+            if (each.is_field() &&
+                !(with_interface && each.on_interface() == OnInterface::carried)) {
                 each.blend(v, v, b, fraction);
             }
         });

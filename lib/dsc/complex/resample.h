@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The vertex attributes that are samples of a field, where smoothing moves a vertex (thesis,
-// section 5.5: "new values will have to be created").
+// The vertex attributes that are samples of a field, where a vertex moves (thesis, section 5.5:
+// "new values will have to be created").
 #pragma once
 
 #include "dsc/complex/circulate.h"
@@ -11,9 +11,11 @@
 namespace dsc {
 
 /// Gives the fields at `v` the values at `place`, a point of its star: linear in the triangle that
-/// holds it. To be called before `v` moves; the others keep their values. O(degree).
+/// holds it. To be called before `v` moves; the others keep their values. `with_interface`: it is
+/// not smoothing that moves it, and fields that the interface carries keep theirs. O(degree).
 template <class Real>
-[[gnu::noinline]] void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place) {
+[[gnu::noinline]] void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
+                                       bool with_interface) {
     if (!complex.attributes.has_fields()) {
         return;
     }
@@ -48,10 +50,10 @@ template <class Real>
     share_a = std::clamp(share_a, Real(0), 1 - share_b);
     // Two blends make one of three values: of a in what b leaves over, then of b in the whole.
     if (share_b < 1) {
-        complex.attributes.move_fields(v.id, best_a.id,
-                                       static_cast<double>(share_a / (1 - share_b)));
+        complex.attributes.move_fields(
+            v.id, best_a.id, static_cast<double>(share_a / (1 - share_b)), with_interface);
     }
-    complex.attributes.move_fields(v.id, best_b.id, static_cast<double>(share_b));
+    complex.attributes.move_fields(v.id, best_b.id, static_cast<double>(share_b), with_interface);
 }
 
 } // namespace dsc

@@ -114,11 +114,31 @@ template <class Real>
                                          : static_cast<double>(nearest_fraction<Real>(place, a, b));
 }
 
+/// The values of `m`, a new vertex of the edge from `a` to `b`, by `split_fraction`; fields have
+/// those of its place, which may lie beside the edge.
+template <class Real>
+[[gnu::noinline]] void blend_at(Complex<Real>& complex, Vertex m, Vertex a, Vertex b) {
+    const Point<Real> place = complex.position(m);
+    const Point<Real> from = complex.position(a);
+    const Point<Real> to = complex.position(b);
+    const double fraction = split_fraction<Real>(place, from, to);
+    complex.attributes.blend_vertex(m.id, a.id, b.id, fraction);
+    if (fraction != 0.5 || place != midpoint<Real>(from, to)) {
+        const Point<Real> on_edge = from + static_cast<Real>(fraction) * (to - from);
+        auto& record = complex.vertices[m.id];
+        record.x = on_edge.x();
+        record.y = on_edge.y();
+        resample_fields<Real>(complex, m, place, true);
+        record.x = place.x();
+        record.y = place.y();
+    }
+}
+
 /// Splits the edge opposite to `c` at the new vertex `m`, which is marked as one of the interface
 /// if the edge is of it and its ends are marked. `t2` and `u2` are new triangles; `u2` is not used
 /// if the edge is on the domain boundary. Before: t = (a, b, w), u = (d, w, b). After: t = (a, b,
 /// m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex attributes are blended by
-/// `split_fraction`.
+/// `blend_at`.
 template <class Real>
 void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
            const Point<Real>& place, std::uint32_t t2, std::uint32_t u2) {
@@ -141,9 +161,7 @@ void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
     }
     const auto note_split = [&](std::uint32_t d) {
         if (!attributes.empty(SimplexKind::vertex)) [[unlikely]] {
-            attributes.blend_vertex(m, b, w,
-                                    split_fraction<Real>(place, complex.position(Vertex{b}),
-                                                         complex.position(Vertex{w})));
+            blend_at(complex, Vertex{m}, Vertex{b}, Vertex{w});
         }
         ++(on_interface ? log.counts.interface_splits : log.counts.splits);
         note(log, [&] {
@@ -278,15 +296,16 @@ void collapse(Complex<Real>& complex, EditLog& log, Corner c, Vanishing end, IdP
     complex.give_vertex(pool, v);
 }
 
-/// Moves a vertex; another submesh may be reading its position. Smoothing moves it within its star,
-/// and gives its fields the values at the new place.
+/// Moves a vertex; another submesh may be reading its position. A step moves it within its star,
+/// and gives its fields the values at the new place; where the application puts it is its own
+/// business.
 template <class Real>
 void move(Complex<Real>& complex, EditLog& log, std::uint32_t v, Real x, Real y,
           MoveReason reason) {
     auto& record = complex.vertices[v];
-    if (reason == MoveReason::smoothing && !complex.attributes.empty(SimplexKind::vertex))
+    if (reason != MoveReason::application && !complex.attributes.empty(SimplexKind::vertex))
         [[unlikely]] {
-        resample_fields<Real>(complex, Vertex{v}, {x, y});
+        resample_fields<Real>(complex, Vertex{v}, {x, y}, reason != MoveReason::smoothing);
     }
     write_shared(record.x, x);
     write_shared(record.y, y);

@@ -281,8 +281,7 @@ void SubmeshExecutor<Real>::tell_values(MessageWriter& message, std::size_t colo
             const auto& before = shared.before[i - own.begin];
             for (const Edit& edit :
                  std::span<const Edit>(parts_[i]->work.log.records).subspan(before.records)) {
-                if (edit.kind == EditKind::split ||
-                    (has_fields && edit.reason == MoveReason::smoothing)) {
+                if (edit.kind == EditKind::split || (has_fields && edit.kind == EditKind::move)) {
                     list.push_back(edit.vertex.id);
                 }
             }
