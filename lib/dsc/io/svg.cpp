@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <map>
 
 namespace dsc {
 
@@ -128,11 +128,13 @@ template <class Real>
 void write_triangles(PartFile& file, const Complex<Real>& complex, const View& view,
                      const SvgOptions& options) {
     if (!options.fill) {
-        for (const Phase phase : phases(complex)) {
-            std::vector<Triangle> members;
-            std::ranges::copy(triangles(complex, phase), std::back_inserter(members));
+        std::map<Phase, std::vector<Triangle>> members;
+        for (const Triangle t : triangles(complex)) {
+            members[complex.phase(t)].push_back(t);
+        }
+        for (const auto& [phase, list] : members) {
             write_path(file, complex, view, options, "phase-" + std::to_string(phase),
-                       colour_of(phase, options), members);
+                       colour_of(phase, options), list);
         }
         return;
     }

@@ -49,7 +49,8 @@ struct SvgOptions {
     std::string mark_colour = "#d55e00"; ///< of the rings
 };
 
-/// Writes the picture, y upwards. The file exists as a whole or not at all. O(n).
+/// Writes the picture, y upwards. The file exists as a whole or not at all. O(n log
+/// phases).
 /// Throws FileError where it cannot be written, InputError where the options do not make sense.
 template <class Real>
 void write_svg(const Complex<Real>& complex, const std::string& path,
