@@ -164,6 +164,26 @@ TEST(Locate, GoesRoundBaysAndHoles) {
     EXPECT_GT(strays, 100U);
 }
 
+// Convex as each of them is, the border of one says nothing of the others.
+TEST(Locate, LooksBeyondAPieceOfAComplex) {
+    auto complex = grid<double>(7);
+    SimplexSet cut;
+    for (const Triangle t : triangles(complex)) {
+        if ((t.id - 1) / 2 % 7 == 3) {
+            cut.insert(t);
+        }
+    }
+    remove(complex, cut);
+    for (const Triangle hint : triangles(complex)) {
+        for (double x = 0.25; x < 7; x += 0.5) {
+            const Point<double> p(x, 3.25);
+            const Location location = locate(complex, p, hint);
+            expect_right(complex, p, location);
+            EXPECT_EQ(location.kind == Kind::outside, x > 3 && x < 4) << x;
+        }
+    }
+}
+
 // Scrambled by random flips, with holes, free ids and points on a lattice.
 TEST(Locate, AgreesWithAllTrianglesOfMeshesThatAreNotDelaunay) {
     std::size_t met[4] = {0, 0, 0, 0};

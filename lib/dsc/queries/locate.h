@@ -25,8 +25,9 @@ struct Location {
 /// finite.
 ///
 /// O(triangles on the way) if the walk arrives: O(sqrt(n)) in a uniform mesh, O(1) with a hint
-/// nearby. It may fail to arrive if the domain is not convex, or end at the domain boundary because
-/// the point is outside: then all triangles are tested, O(n). Thread-safe while nobody writes.
+/// nearby. It stops at the domain boundary if the point is outside, which is certain if the domain
+/// is convex and of one piece: O(boundary edges) more. Elsewhere a point inside may stop it too,
+/// and all triangles are tested, O(n). Thread-safe while nobody writes.
 template <class Real>
 [[nodiscard]] Location locate(const Complex<Real>& complex, const Point<Real>& point,
                               Triangle hint = {});
