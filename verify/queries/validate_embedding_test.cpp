@@ -92,6 +92,24 @@ TYPED_TEST(ValidateEmbedding, SeesADomainThatLiesOverItself) {
     expect_problem(road<TypeParam>(1, 16), "lies over itself"); // the ends touch
 }
 
+// Both walls of a slit, one above the other, side by side, and on each other.
+TYPED_TEST(ValidateEmbedding, SeesVerticalWallsThatMeet) {
+    using P = Point<TypeParam>;
+    const auto with = [](TypeParam x, TypeParam y) {
+        Complex<TypeParam> complex = grid<TypeParam>(8);
+        const Vertex a = insert_vertex(complex, P(x, y));
+        const Vertex b = insert_vertex(complex, P(x + 1, y));
+        const Vertex c = insert_vertex(complex, P(x, y + TypeParam(1.5)));
+        insert_triangle(complex, a, b, c, 0);
+        return complex;
+    };
+    EXPECT_EQ(validate(with(TypeParam(8.5), 3)).problem, "");
+    EXPECT_EQ(validate(with(8, TypeParam(8.5))).problem, "");
+    for (const TypeParam y : {TypeParam(-1.25), TypeParam(3), TypeParam(3.25), TypeParam(7.5)}) {
+        expect_problem(with(8, y), "the domain lies over itself");
+    }
+}
+
 // Two bands that cross, from one side of a square to the opposite one: a torus with one hole.
 TYPED_TEST(ValidateEmbedding, SeesAHandle) {
     using P = Point<TypeParam>;

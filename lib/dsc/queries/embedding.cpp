@@ -6,6 +6,7 @@
 #include "dsc/geometry/predicates.h"
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 namespace dsc {
@@ -95,17 +96,20 @@ ComponentBoundary<Real> collect_boundary(const Complex<Real>& complex,
     return boundary;
 }
 
-// A sweep along x. Segments that share a vertex meet only there, because its half disc goes around
-// once.
+// A sweep along x. The edges of a vertical wall, which all begin at one x, are swept along y.
+// Segments that share a vertex meet only there, because its half disc goes around once.
 template <class Real>
 std::string find_meeting(std::vector<Segment<Real>>& segments) {
     std::sort(segments.begin(), segments.end(), [](const auto& s, const auto& t) {
-        return s.low_x() != t.low_x() ? s.low_x() < t.low_x() : s.a_id < t.a_id;
+        return std::tuple(s.low_x(), s.low_y(), s.a_id) < std::tuple(t.low_x(), t.low_y(), t.a_id);
     });
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const Segment<Real>& s = segments[i];
         for (std::size_t k = i + 1; k < segments.size() && segments[k].low_x() <= s.high_x(); ++k) {
             const Segment<Real>& t = segments[k];
+            if (s.low_x() == s.high_x() && t.low_y() > s.high_y()) {
+                break; // as all that follow at this x
+            }
             const bool shares =
                 s.a_id == t.a_id || s.a_id == t.b_id || s.b_id == t.a_id || s.b_id == t.b_id;
             if (shares || s.low_y() > t.high_y() || t.low_y() > s.high_y()) {

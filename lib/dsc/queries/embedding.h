@@ -25,7 +25,8 @@ struct Embedding {
 };
 
 /// \pre links are symmetric, every vertex is a disc or half disc that goes around it once, every
-/// triangle is positive. O(n + b log b), O(b^2) at worst for b boundary edges.
+/// triangle is positive. O(n + b log b) for b boundary edges if few of
+/// them lie above each other, as in a rectangle; O(b^2) at worst.
 template <class Real>
 [[nodiscard]] Embedding check_embedding(const Complex<Real>& complex);
 
