@@ -94,6 +94,36 @@ TEST(UnitMap, ComplexIsTheSameBitsAtAnyPowerOfTwo) {
     }
 }
 
+TEST(UnitMap, SizesAreThoseOfTheWorld) {
+    const std::vector<Shape> shapes{{test::circle_points({0.4, 0.5}, 0.2, 40), 1}};
+    const auto sizes = [](double unit) { // in units of the world
+        SizeOptions<double> result{.growth = 1.3, .longest = 0.15 * unit};
+        result.by_place = [unit](const Point<double>& p, double, Phase phase) {
+            return phase == 1 ? unit : 0.1 * unit + 0.1 * p.x();
+        };
+        result.on_interface = [unit](const Point<double>& p, double) {
+            return 0.03 * unit + 0.02 * p.y();
+        };
+        result.by_distance = [unit](double distance) { return 0.06 * unit + 0.5 * distance; };
+        return result;
+    };
+    const auto plain =
+        initial_complex<double>({}, shapes, {.edge_length = 0.03, .sizes = sizes(1)});
+    const UnitMap world{{0, 0}, 20};
+    std::vector<Shape> scaled = shapes;
+    for (auto& p : scaled.front().outline) {
+        p = to_world(world, p);
+    }
+    const double unit = length_to_world(world, 1);
+    const Rectangle domain{{0, 0}, {unit, unit}};
+    const auto complex =
+        initial_complex<double>(fit_unit_map(domain.low, domain.high), domain, scaled,
+                                {.edge_length = 0.03 * unit, .sizes = sizes(unit)});
+    EXPECT_EQ(mesh_hash(complex), mesh_hash(plain));
+    EXPECT_NE(mesh_hash(complex),
+              mesh_hash(initial_complex<double>({}, shapes, {.edge_length = 0.03})));
+}
+
 // Ends of curves stay exactly on the sides and at each other, also far from the origin.
 TEST(UnitMap, NetworksAreMappedAsWell) {
     const auto network = [](const Point<double>& low, double size) {

@@ -27,6 +27,31 @@ Curve to_unit(const UnitMap& map, const Curve& world) {
 
 namespace {
 
+// Lengths and places of the options are those of the world.
+InitialOptions to_unit(const UnitMap& map, const InitialOptions& world) {
+    InitialOptions unit = world;
+    unit.edge_length = length_to_unit(map, world.edge_length);
+    unit.sizes.longest = length_to_unit(map, world.sizes.longest);
+    if (world.sizes.by_place) {
+        unit.sizes.by_place = [map, by_place = world.sizes.by_place](const Point<double>& p,
+                                                                     double time, Phase phase) {
+            return length_to_unit(map, by_place(to_world(map, p), time, phase));
+        };
+    }
+    if (world.sizes.on_interface) {
+        unit.sizes.on_interface =
+            [map, on_interface = world.sizes.on_interface](const Point<double>& p, double time) {
+                return length_to_unit(map, on_interface(to_world(map, p), time));
+            };
+    }
+    if (world.sizes.by_distance) {
+        unit.sizes.by_distance = [map, by_distance = world.sizes.by_distance](double distance) {
+            return length_to_unit(map, by_distance(length_to_world(map, distance)));
+        };
+    }
+    return unit;
+}
+
 // `lines` are shapes or curves.
 template <class Real, class Line>
 Complex<Real> initial_complex_in_unit_box(const UnitMap& map, const Rectangle& domain,
@@ -37,10 +62,8 @@ Complex<Real> initial_complex_in_unit_box(const UnitMap& map, const Rectangle& d
     for (const Line& line : lines) {
         unit_lines.push_back(to_unit(map, line));
     }
-    InitialOptions unit_options = options;
-    unit_options.edge_length = length_to_unit(map, options.edge_length);
     return initial_complex<Real>(to_unit(map, domain), std::span<const Line>(unit_lines),
-                                 unit_options);
+                                 to_unit(map, options));
 }
 
 } // namespace

@@ -13,9 +13,9 @@ namespace dsc {
 [[nodiscard]] Shape to_unit(const UnitMap& map, const Shape& world);
 [[nodiscard]] Curve to_unit(const UnitMap& map, const Curve& world);
 
-/// As `initial_complex`, with `domain`, `shapes` or `curves`, and `options.edge_length` in world
-/// coordinates and the complex in unit ones: edge lengths of its options are `length_to_unit(map,
-/// ...)`. Errors name unit coordinates. O(n log n).
+/// As `initial_complex`, with `domain`, `shapes` or `curves`, and the lengths and functions of
+/// `options` in world coordinates and the complex in unit ones: those of the simulation's options
+/// are `length_to_unit(map, ...)`. Errors name unit coordinates. O(n log n).
 template <class Real>
 Complex<Real> initial_complex(const UnitMap& map, const Rectangle& domain,
                               std::span<const Shape> shapes, const InitialOptions& options = {});
