@@ -57,6 +57,23 @@ TEST(ThesisPasses, SmoothingOfTheInterfaceWakesWhatItMoves) {
     EXPECT_EQ(work.active.size(), moved);
 }
 
+// The disc turns by less than 30 degrees at each vertex, and by more than 5.
+TEST(ThesisPasses, SmoothingOfTheInterfaceKeepsTheCornersOfTheOptions) {
+    for (const double corner_degrees : {5.0, 40.0}) {
+        auto complex = test::disc_complex<double>(0.1);
+        auto options = options_for<double>(0.1);
+        options.interface.corner_degrees = corner_degrees;
+        Work<double> work(complex, options);
+        work.interface = collect_interface(complex);
+        const Vertex off{work.interface.front()};
+        const Vertex next{work.interface[1]};
+        complex.set_position(off, complex.position(off) +
+                                      0.2 * (complex.position(next) - complex.position(off)));
+        run_pass_named(work, "interface smoothing", {.smooth_interface = true});
+        EXPECT_EQ(work.log.counts.smoothed > 0, corner_degrees > 30) << corner_degrees;
+    }
+}
+
 // Nothing but a vertex close to the wall is active: the triangle between them is far too small.
 TEST(ThesisPasses, RetriangulationWakesTheCornersThatAreLeft) {
     auto complex = test::grid<double>(6);

@@ -56,9 +56,11 @@ void activate_triangle(Work<Real>& work, Triangle triangle) {
 
 template <class Real>
 void smooth_interface(Work<Real>& work) {
+    const InterfaceSmoothingOptions options{.corner_degrees =
+                                                work.options.interface.corner_degrees};
     for (const std::uint32_t v : work.interface) {
         if (work.complex.is_alive(Vertex{v}) &&
-            interface_smoothing(work.complex, work.submesh, Vertex{v}) == Verdict::legal) {
+            interface_smoothing(work.complex, work.submesh, Vertex{v}, options) == Verdict::legal) {
             work.activate(v);
         }
     }
