@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algebra/mesh_functions.h"
 
-#include "dsc/algebra/algebra.h"
-#include "dsc/base/error.h"
 #include "dsc/complex/interface_pair.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <sstream>
-#include <string>
 #include <utility>
 
 namespace dsc {

@@ -4,7 +4,7 @@
 //
 //     void archive(Archive& archive, Ball& ball) { archive(ball.place, ball.radius); }
 //
-// Little endian, whatever the machine; numbers keep their bits. What is read is not trusted: a
+// Little endian, as the machine must be; numbers keep their bits. What is read is not trusted: a
 // length beyond the end, a flag that is neither 0 nor 1, a choice that does not exist are refused.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every tolerance of the library, with the reason for its value.
+// Tolerances that several parts of the library share, with the reasons for their values.
 #pragma once
 
 namespace dsc {

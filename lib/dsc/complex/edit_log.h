@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The log of edits. Connectivity, positions and phases change in one place (rewire.h), which notes
+// The log of edits. What changes connectivity, positions or phases (nearly always rewire.h) notes
 // each change here: it is always counted, and recorded if there is a reader. Active sets, interface
 // lists, counts and the listeners of an application are readers of such logs.
 //

@@ -158,10 +158,7 @@ void permute(std::vector<Record>& records, std::vector<std::uint32_t>& order,
 }
 
 void permute_edge_attributes(AttributeSet& attributes, const std::vector<std::uint32_t>& order) {
-    const bool any =
-        std::any_of(attributes.list().begin(), attributes.list().end(),
-                    [](const auto& attribute) { return attribute->kind() == SimplexKind::edge; });
-    if (!any) {
+    if (attributes.empty(SimplexKind::edge)) {
         return;
     }
     std::vector<std::uint32_t> corners;

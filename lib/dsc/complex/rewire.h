@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Every change of connectivity, positions and phases of a complex in use goes through a function of
-// this file, which changes the complex, informs its attributes and notes the edit in a log. There
-// are no guards here: lib/dsc/operations decides what is legal. Each function is O(1), collapse
-// O(degree). Thread-safe for submeshes that own disjoint regions, each with a log of its own: a
-// triangle that straddles two of them is never rewritten, except for the neighbour slot that faces
-// the calling submesh.
+// Connectivity, positions and phases change here, except where insertion, removal, replay and local
+// retriangulation write whole triangles. Each function changes the complex, informs its attributes
+// and notes the edit in a log. There are no guards here: lib/dsc/operations decides what is legal.
+// O(1), collapse O(degree). Thread-safe for submeshes that own disjoint regions, each with a log of
+// its own: a triangle that straddles two of them is never rewritten, except for the neighbour slot
+// that faces the calling submesh.
 #pragma once
 
 #include "dsc/complex/complex.h"
