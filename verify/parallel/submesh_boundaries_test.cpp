@@ -8,6 +8,7 @@
 #include "dsc/passes/interface/list.h"
 #include "dsc/quality/delaunay.h"
 #include "dsc/quality/measures.h"
+#include "dsc/queries/hash.h"
 
 #include <gtest/gtest.h>
 
@@ -182,6 +183,54 @@ TEST(SubmeshExecutor, KeepsTheAreaWhereThatIsAskedFor) {
         EXPECT_GT(collapses, 40U);
         EXPECT_NEAR(area_inside(complex), before, 1e-13);
     }
+}
+
+// Counts the vertices that a submesh is about to look at and does not own: it would write to their
+// stamps while their own submesh does.
+Pass<double> counting_strangers(std::atomic<int>& strangers) {
+    return {"counting", [&strangers](Work<double>& work) {
+                for (const auto* list : {&work.active, &work.resized}) {
+                    for (const std::uint32_t v : *list) {
+                        strangers += owns(work.complex, work.submesh.region, v) ? 0 : 1;
+                    }
+                }
+            }};
+}
+
+// Edges grow away from a disc; then all are to be of one length again, and those that are too long
+// lie in whichever submesh.
+TEST(SubmeshExecutor, LooksAtItsOwnVerticesWhenSizesBecomeUniform) {
+    constexpr double h = 0.01;
+    std::array<std::uint64_t, 3> hashes{};
+    for (std::uint32_t threads = 1; threads <= 3; ++threads) {
+        Options<double> options;
+        options.edge_length = h;
+        options.sizes.growth = 1.3;
+        const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.2, 126), 1}};
+        auto complex =
+            initial_complex<double>({}, shapes, {.edge_length = h, .sizes = options.sizes});
+        std::atomic<int> strangers = 0;
+        auto algorithm = default_algorithm<double>();
+        algorithm.motion.insert(algorithm.motion.begin(), counting_strangers(strangers));
+        Simulation<double> simulation(
+            complex, options,
+            std::make_unique<SubmeshExecutor<double>>(
+                complex, options, algorithm,
+                std::make_unique<SlabPartitioner<double>>(
+                    SlabOptions{.slabbing = Slabbing::active, .submeshes = 6, .recut = 1}),
+                SubmeshOptions{.threads = threads, .vertices_per_thread = 1}));
+        (void)simulation.step(everywhere(0.1, 0.05), 0, 0.05);
+        options.sizes = {};
+        simulation.set_options(options);
+        for (int step = 0; step < 2; ++step) {
+            (void)simulation.step(everywhere(0.1, 0.05), 0, 0.05);
+            EXPECT_EQ(validate(complex).problem, "");
+        }
+        EXPECT_EQ(strangers, 0);
+        hashes.at(threads - 1) = mesh_hash(complex);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[0], hashes[2]);
 }
 
 } // namespace

@@ -325,9 +325,7 @@ MoveReport SubmeshExecutor<Real>::move() {
         }
         whole_.interface.clear();
     }
-    if (!options_.sizes.is_uniform()) {
-        hand_out_resized();
-    }
+    hand_out_resized(); // also where all edges are of one length: perhaps since a moment ago
     const double hand_over = timer.lap();
     run_moving([&](std::size_t task) { move_part(task); });
     const double wall = timer.lap();
