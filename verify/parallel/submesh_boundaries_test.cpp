@@ -3,8 +3,10 @@
 // lost.
 #include "support/submesh_executor_testing.h"
 
+#include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
+#include "dsc/operations/edge_collapse.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/quality/delaunay.h"
 #include "dsc/quality/measures.h"
@@ -231,6 +233,50 @@ TEST(SubmeshExecutor, LooksAtItsOwnVerticesWhenSizesBecomeUniform) {
     }
     EXPECT_EQ(hashes[0], hashes[1]);
     EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+// Merges vertices inside the phases, as far as the submesh allows it: often into one that has
+// neighbours in another submesh.
+void thin_out(Work<double>& work) {
+    Complex<double>& complex = work.complex;
+    for (const std::uint32_t v : std::vector<std::uint32_t>(work.interface)) {
+        if (!gather(complex, work.submesh.region, v, work.ring)) {
+            continue;
+        }
+        for (std::uint32_t i = 0; i < work.ring.size; ++i) {
+            const Corner spoke = prev(work.ring.corner[i]);
+            if (edge_collapse(complex, work.submesh, spoke, rewire::Vanishing::prev) ==
+                Verdict::legal) {
+                break;
+            }
+        }
+    }
+}
+
+// What a pass of the application collapses may have neighbours that another submesh is looking at.
+TEST(SubmeshExecutor, LooksAtItsOwnVerticesAfterCollapsesOfTheApplication) {
+    for (const NamedPartitioner& way : ways_to_divide(4)) {
+        SCOPED_TRACE(way.name);
+        std::vector<std::uint64_t> hashes;
+        for (const std::uint32_t threads : {1U, 2U, 3U}) {
+            std::atomic<int> strangers = 0;
+            auto algorithm = default_algorithm<double>();
+            algorithm.upkeep.push_back({"thinning out", &thin_out});
+            algorithm.motion.insert(algorithm.motion.begin(), counting_strangers(strangers));
+            Growing disc(way.make(), threads, algorithm);
+            std::uint64_t collapses = 0;
+            for (int step = 0; step < test::steps_or_fewer(6); ++step) {
+                const auto report = disc.simulation->step(disc.grow, 0, 0.5 * Growing::h);
+                collapses += report.operations.collapses;
+            }
+            disc.expect_good();
+            EXPECT_GT(collapses, 50U);
+            EXPECT_EQ(strangers, 0);
+            hashes.push_back(mesh_hash(disc.complex));
+        }
+        EXPECT_EQ(hashes[0], hashes[1]);
+        EXPECT_EQ(hashes[0], hashes[2]);
+    }
 }
 
 } // namespace

@@ -20,13 +20,19 @@ void wake_vertex(Work<Real>& work, Vertex v) {
     }
 }
 
-// The vertex and its link, counter-clockwise.
+// The vertex and its link, counter-clockwise. Of the link, vertices of another submesh are left to
+// a later colour: their own submesh may be stamping them at this moment.
 template <class Real>
 void wake_star(Work<Real>& work, Vertex v) {
     wake_vertex(work, v);
     if (work.complex.is_alive(v) && gather(work.complex, work.submesh.region, v.id, work.ring)) {
         for (std::uint32_t i = 0; i < work.ring.link_size(); ++i) {
-            work.activate(work.ring.link[i]);
+            const std::uint32_t w = work.ring.link[i];
+            if (work.ring.owned || owns(work.complex, work.submesh.region, w)) {
+                work.activate(w);
+            } else {
+                work.deferred.star(w);
+            }
         }
     }
 }
