@@ -21,6 +21,7 @@
 
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace dsc::edits_test {
@@ -322,6 +323,16 @@ TEST_P(Edits, OfTheApplicationAreLookedAtByTheMeshUpdate) {
     };
     const double spoilt = worst();
     ASSERT_LT(spoilt, 0.2);
+    // Also if a step in between gives up or throws: it has learned of the edit, and moves nothing.
+    const Velocity<double> absurd = [](auto, double, auto velocities) {
+        std::ranges::fill(velocities, Point<double>(1e9, 0));
+    };
+    EXPECT_EQ(simulation->step(absurd, 0.01, 1).gave_up, GiveUp::too_many_sub_steps);
+    EXPECT_EQ(worst(), spoilt);
+    expect_whole(complex, *simulation);
+    const Velocity<double> broken = [](auto, double, auto) { throw std::domain_error("broken"); };
+    EXPECT_THROW((void)simulation->step(broken, 0.01, 1), std::domain_error);
+    expect_whole(complex, *simulation);
     simulation->step(swirl, 0.01, 0.001);
     EXPECT_GT(worst(), 2 * spoilt);
     expect_whole(complex, *simulation);

@@ -70,7 +70,7 @@ void SubmeshExecutor<Real>::take_suspects(std::vector<Suspect<Real>>& list) {
 // The edits of the topology have been absorbed: their stars are active.
 template <class Real>
 std::uint64_t SubmeshExecutor<Real>::move_missed() {
-    under_way_ = true;
+    stage_ = Stage::under_way;
     for (const auto& part : parts_) {
         const std::vector<Mover<Real>>& missed = part->work.missed;
         whole_.missed.insert(whole_.missed.end(), missed.begin(), missed.end());
@@ -79,7 +79,7 @@ std::uint64_t SubmeshExecutor<Real>::move_missed() {
     const std::uint64_t arrived = move_missed_of(whole_, algorithm_.motion, epoch);
     collect_edits();
     collect_changes();
-    under_way_ = false;
+    stage_ = Stage::none;
     return arrived;
 }
 

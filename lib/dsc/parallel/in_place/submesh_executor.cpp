@@ -254,33 +254,50 @@ typename SubmeshExecutor<Real>::Part& SubmeshExecutor<Real>::owner_of(std::uint3
     return *parts_[at < first_colour_ ? at : 0];
 }
 
+// A sub-step that did not come to its end: the stars that it was to look at are looked at in the
+// next one, and vertices that were on their way stay where they are.
 template <class Real>
-void SubmeshExecutor<Real>::recover() {
-    for (auto& part : parts_) {
-        part->work.deferred.clear();
+void SubmeshExecutor<Real>::put_back() {
+    const auto empty = [this](Work<Real>& work) {
+        std::vector<std::uint32_t>& later = whole_.resized; // for whichever submesh owns them then
+        later.insert(later.end(), work.active.begin(), work.active.end());
+        for (const Deferred<Real>& one : work.deferred.entries) {
+            if (one.kind == DeferredKind::star) {
+                later.push_back(one.vertex);
+            }
+        }
+        work.active.clear();
+        work.deferred.clear();
+        work.movers.clear();
+        work.topology_suspects.clear();
+    };
+    for (const auto& part : parts_) {
+        empty(part->work);
         part->arrivals.clear();
-        part->work.movers.clear();
-        part->work.active.clear();
-        part->work.resized.clear();
-        part->work.interface.clear();
-        part->work.changed_interface.clear();
-        part->work.topology_suspects.clear();
     }
-    whole_.topology_suspects.clear();
-    whole_.changed_interface.clear();
-    whole_.movers.clear();
-    whole_.active.clear();
-    whole_.resized.clear();
-    whole_.deferred.clear();
-    hand_out(collect_moved(complex_, options_));
-    under_way_ = false;
+    empty(whole_);
+    if (stage_ == Stage::aimed) { // upkeep is over, and every vertex of the interface is in a list
+        for (const std::uint32_t v : whole_.interface) {
+            owner_of(v).work.interface.push_back(v);
+        }
+        whole_.interface.clear();
+        collect_changes();
+    } else {
+        for (const auto& part : parts_) {
+            part->work.interface.clear();
+            part->work.changed_interface.clear();
+        }
+        whole_.changed_interface.clear();
+        hand_out(collect_moved(complex_, options_)); // O(mesh)
+    }
+    stage_ = Stage::none;
 }
 
 template <class Real>
 void SubmeshExecutor<Real>::end_step() {
     tell_failure();
-    if (under_way_) {
-        recover();
+    if (stage_ != Stage::none) {
+        put_back();
     }
     std::uint64_t examined = whole_.log.counts.examined;
     for (auto& part : parts_) {

@@ -96,6 +96,13 @@ private:
         move,      ///< one colour: movement and mesh update
     };
 
+    /// How far the sub-step has come.
+    enum class Stage : std::uint8_t {
+        none,      ///< it has ended, or has not begun
+        under_way, ///< what is in which list can only be told by a look at the mesh
+        aimed,     ///< upkeep and aiming are over, nothing moves yet
+    };
+
     // Set-up.
     void divide();
     void make_parts(Recut recut);
@@ -123,7 +130,7 @@ private:
     void unlist(std::uint32_t vertex);
     void hand_out_resized();
     void clean_up(MoveReport& report);
-    void recover();
+    void put_back();
     void collect_edits();
     void collect_changes();
     void change_interface(std::span<const std::uint32_t> changed);
@@ -185,7 +192,7 @@ private:
     std::uint32_t threads_ = 1;
     std::uint32_t useful_threads_ = 1; // that have enough to do in this step
     std::uint32_t epoch_ = 0;
-    bool under_way_ = false; // still true at the end of a step: something threw
+    Stage stage_ = Stage::none; // at the end of a step `none`, unless it gave up or something threw
     StepProfile profile_;
     bool keeps_edits_ = false;
     std::vector<Edit> edits_; // in the order of the sections, and there of the submeshes

@@ -144,7 +144,7 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
 template <class Real>
 AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
     Timer timer(submeshes_.profile);
-    under_way_ = true;
+    stage_ = Stage::under_way;
     whole_.time = time;
     std::size_t number = 0;
     for (const Colour& colour : partition_.colours) {
@@ -187,6 +187,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
             profile.velocities += parts_[i]->velocities_s;
         }
     }
+    stage_ = Stage::aimed;
     return report;
 }
 
@@ -309,6 +310,7 @@ Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, 
 template <class Real>
 MoveReport SubmeshExecutor<Real>::move() {
     Timer timer(submeshes_.profile);
+    stage_ = Stage::under_way;
     MoveReport report;
     for (const auto& part : parts_) {
         part->work.has_marks = options_.topology.changes(); // upkeep has seen them all
@@ -337,7 +339,7 @@ MoveReport SubmeshExecutor<Real>::move() {
     collect_edits();
     collect_changes();
     report.unreached += report.held;
-    under_way_ = false;
+    stage_ = Stage::none;
     if (shared_ && submeshes_.checks_ranks) {
         expect_agreement("after a sub-step");
     }
