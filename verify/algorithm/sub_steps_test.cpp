@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How far vertices are asked to travel at a time: no farther than a sub-step allows, also where the
 // flow becomes faster within the step or turns out to be faster than in the step before.
+#include "support/courses.h"
 #include "support/simulation_testing.h"
+
+#include "dsc/queries/hash.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +18,28 @@ namespace {
 using test::disc_complex;
 using test::options_for;
 using test::pointwise;
+
+// A vertex that is to be looked at bears the number of the pass, of 32 bits: when they come to an
+// end, none is passed over.
+class Stamps : public testing::TestWithParam<test::Course> {};
+
+TEST_P(Stamps, BeginAnewAfterTheLast) {
+    std::vector<std::uint64_t> hashes;
+    for (const std::uint32_t left : {0xffffffffU, 0U, 1U, 2U, 5U}) {
+        auto complex = test::disc();
+        // As an earlier simulation left it behind.
+        complex.vertices[0].stamp = 0xffffffffU - left;
+        const auto simulation =
+            test::make_simulation(complex, {.edge_length = test::disc_h}, GetParam());
+        for (int step = 0; step < 8; ++step) {
+            EXPECT_EQ(simulation->step(test::swirl, 0.02 * step, 0.02).unreached, 0U);
+        }
+        hashes.push_back(mesh_hash(complex));
+        EXPECT_EQ(hashes.back(), hashes.front()) << left;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, Stamps, testing::ValuesIn(test::all_courses), test::course_name);
 
 constexpr double edge = 0.025;
 

@@ -163,6 +163,27 @@ TEST(CopyExecutor, TakesTheMemoryOfVerticesAlong) {
     }
 }
 
+// A pass that reads it finds that of the submesh, however often these are made anew.
+TEST(CopyExecutor, ShowsPassesTheMemoryOfTheSubmesh) {
+    auto complex = test::disc_complex<double>(0.05);
+    Options<double> options;
+    options.edge_length = 0.05;
+    options.integrator = Integrator::centred;
+    int seen = 0;
+    auto algorithm = default_algorithm<double>();
+    algorithm.motion.push_back({"looking", [&](Work<double>& work) {
+                                    EXPECT_EQ(work.past, &past_of(work.complex));
+                                    ++seen;
+                                }});
+    Simulation<double> simulation(complex, options,
+                                  std::make_unique<CopyExecutor<double>>(
+                                      complex, options, algorithm, CopyOptions{.submeshes = 4}));
+    for (int step = 0; step < 3; ++step) {
+        EXPECT_EQ(simulation.step(test::everywhere(0.02, 0), 0.05 * step, 0.05).unreached, 0U);
+    }
+    EXPECT_GT(seen, 20);
+}
+
 TEST(CopyExecutor, ReachesWhatTheSequentialMethodReaches) {
     constexpr std::array<std::uint64_t, 6> seeds{1, 2, 3, 5, 6, 7};
     for (const std::uint64_t seed : std::span(seeds).first(test::seeds_or_fewer(seeds.size()))) {

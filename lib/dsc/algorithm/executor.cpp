@@ -21,6 +21,22 @@ MoveReport& MoveReport::operator+=(const MoveReport& other) {
 }
 
 template <class Real>
+void clear_stamps(Complex<Real>& complex) {
+    for (auto& vertex : complex.vertices) {
+        vertex.stamp = 0;
+    }
+}
+
+template <class Real>
+std::uint32_t next_stamp(Complex<Real>& complex, std::uint32_t& last) {
+    if (++last == 0) {
+        clear_stamps(complex);
+        last = 1;
+    }
+    return last;
+}
+
+template <class Real>
 std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,
                          std::uint32_t& next_epoch) {
     std::uint32_t done = 0;
@@ -31,7 +47,7 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
         for (const auto& pass : passes) {
             run_pass(work, pass);
         }
-        work.epoch = ++next_epoch;
+        work.epoch = next_stamp(work.complex, next_epoch);
         ++done;
         const bool has_arrived = std::ranges::all_of(work.movers, [&](const auto& mover) {
             return is_in_contact(work.complex.vertices[mover.vertex]);
@@ -122,6 +138,8 @@ void absorb_edits(Work<Real>& work, std::span<const Edit> edits) {
         work.active.clear();
         work.resized.clear(); // all is measured anew
         work.interface = collect_moved(complex, work.options);
+        clear_stamps(complex);
+        work.find_past();
     }
     const std::vector<std::uint32_t> changed = interface_changes(after);
     if (work.options.topology.changes()) {
@@ -146,7 +164,7 @@ SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Optio
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
     }
-    work_.epoch = ++epoch_;
+    work_.epoch = next_stamp(complex, epoch_);
     work_.interface = collect_moved(complex, options);
     // The first splits should not copy the whole mesh to make room for a few ids.
     const std::size_t room = 64 + 2 * work_.interface.size();
@@ -233,6 +251,8 @@ void Executor<Real>::archive(Archive& /*archive*/) {
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::uint32_t run_motion(Work<Real>&, const std::vector<Pass<Real>>&,                 \
                                       std::uint32_t&);                                             \
+    template std::uint32_t next_stamp(Complex<Real>&, std::uint32_t&);                             \
+    template void clear_stamps(Complex<Real>&);                                                    \
     template std::uint64_t give_up_movers(Work<Real>&);                                            \
     template std::uint64_t move_missed_of(Work<Real>&, const std::vector<Pass<Real>>&,             \
                                           std::uint32_t&);                                         \

@@ -117,6 +117,16 @@ template <class Real>
 std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,
                          std::uint32_t& next_epoch);
 
+/// The stamp after `last`, which it becomes. After the greatest one, in 2^32 passes, the vertices
+/// lose theirs and it begins anew: O(mesh). For a work that has the complex to itself.
+template <class Real>
+std::uint32_t next_stamp(Complex<Real>& complex, std::uint32_t& last);
+
+/// No vertex has a stamp any more: those of another run must not be mistaken for this one's.
+/// O(mesh).
+template <class Real>
+void clear_stamps(Complex<Real>& complex);
+
 /// Processes the edits of the application, for a work that has the complex to itself.
 template <class Real>
 void absorb_edits(Work<Real>& work, std::span<const Edit> edits);

@@ -41,7 +41,7 @@ CopyExecutor<Real>::CopyExecutor(Complex<Real>& complex, const Options<Real>& op
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
     }
-    whole_.epoch = ++epoch_;
+    whole_.epoch = next_stamp(complex, epoch_);
     whole_.interface = collect_moved(complex, options);
 }
 
@@ -147,6 +147,7 @@ void CopyExecutor<Real>::hand_out() {
         // The stamps of a new submesh are 0.
         task->work.epoch = 1;
         task->work.time = whole_.time;
+        task->work.find_past(); // the attributes of a submesh are made with it
     }
     waiting_movers_.clear();
     waiting_active_.clear();
@@ -219,7 +220,7 @@ bool CopyExecutor<Real>::take_back() {
     // In the merged complex all stamps are 0.
     whole_.movers.clear();
     whole_.active.clear();
-    whole_.epoch = ++epoch_;
+    whole_.epoch = next_stamp(complex_, epoch_);
     for (const Mover<Real>& mover : waiting_movers_) {
         whole_.movers.push_back({submeshes_.merged_vertex(mover.vertex), mover.x, mover.y});
     }
@@ -291,7 +292,7 @@ void CopyExecutor<Real>::recover() {
     const std::vector<std::uint32_t> active = std::move(whole_.active);
     forget(whole_);
     whole_.topology_suspects.clear();
-    whole_.epoch = ++epoch_;
+    whole_.epoch = next_stamp(complex_, epoch_);
     for (const std::uint32_t v : active) {
         if (complex_.is_alive(Vertex{v})) {
             whole_.activate(v);

@@ -21,6 +21,11 @@ void SubmeshExecutor<Real>::set_options(const Options<Real>& options) {
         }
         hand_out(collect_moved(complex_, options_));
     }
+    find_past();
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::find_past() {
     whole_.find_past();
     for (const auto& part : parts_) {
         part->work.find_past();
@@ -124,7 +129,7 @@ void SubmeshExecutor<Real>::change_interface(std::span<const std::uint32_t> chan
     }
 }
 
-// After a renumbering, the ids that the submeshes hold belong to other simplices.
+// After a renumbering, the ids that the submeshes hold belong to other simplices. O(mesh).
 template <class Real>
 void SubmeshExecutor<Real>::forget_ids() {
     for (const auto& part : parts_) {
@@ -138,6 +143,8 @@ void SubmeshExecutor<Real>::forget_ids() {
     whole_.active.clear();
     whole_.resized.clear();
     whole_.interface.clear();
+    clear_stamps(complex_);
+    find_past();
     std::vector<std::uint32_t> list = collect_moved(complex_, options_);
     if (parts_.empty()) {
         whole_.interface = std::move(list);

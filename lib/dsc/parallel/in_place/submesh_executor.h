@@ -135,6 +135,7 @@ private:
     void collect_changes();
     void change_interface(std::span<const std::uint32_t> changed);
     void forget_ids();
+    void find_past();
     void expect_pools(const Archive& archive) const; // submesh_archive.cpp
     // Flows that see the interface: submesh_sight.cpp.
     AimReport<Real> aim_by_sight(const Flow<Real>& flow, Real time, Real dt);
