@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The journal of a complex is emptied by its last reader; a step that was done as a whole was not
-// interrupted; a complex has one simulation at a time, which goes on from whole archives alone.
+// The journal of a complex stays with it and is emptied by its last reader; a step that was done as
+// a whole was not interrupted; a complex has one simulation at a time, which goes on from whole
+// archives alone.
 #include "support/courses.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
+#include "dsc/operations/edge_split.h"
+#include "dsc/operations/replay.h"
 #include "dsc/queries/hash.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +17,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace dsc::journal_test {
 namespace {
@@ -43,6 +47,93 @@ TEST(Journal, IsKeptForAnotherReader) {
     }
     EXPECT_EQ(complex.journal.records.size(), 1U);
 }
+
+TEST(Journal, HasNoReaderAfterASimulationThatCouldNotBeMade) {
+    Complex<double> complex = disc();
+    Options<double> options{.edge_length = disc_h};
+    options.sizes.growth = 1.3;
+    options.sizes.by_place = [](const Point<double>&, double, Phase) -> double {
+        throw std::domain_error("broken");
+    };
+    EXPECT_THROW(Simulation<double>(complex, options), std::domain_error);
+    complex.set_phase(Triangle{1}, 3);
+    EXPECT_EQ(complex.journal.readers, 0U);
+    EXPECT_TRUE(complex.journal.records.empty());
+}
+
+TEST(Journal, StaysWithItsComplex) {
+    Complex<double> complex = disc();
+    Complex<double> moved;
+    {
+        const Simulation<double> simulation(complex, {.edge_length = disc_h});
+        complex.set_phase(Triangle{1}, 3);
+        moved = std::move(complex);
+        moved.set_phase(Triangle{1}, 0);
+        EXPECT_TRUE(moved.journal.records.empty());
+        const Complex<double> made = std::move(moved);
+        EXPECT_EQ(made.journal.readers, 0U);
+        complex = made;
+        moved = made;
+        EXPECT_EQ(complex.journal.readers, 1U);
+        EXPECT_EQ(complex.journal.records.back().kind, EditKind::rebuild);
+    }
+    EXPECT_EQ(complex.journal.readers, 0U);
+    EXPECT_TRUE(complex.journal.records.empty());
+}
+
+class JournalOf : public testing::TestWithParam<test::Course> {};
+
+// As a complex of its own would, from the same place.
+void expect_to_go_on(Complex<double>& complex, Simulation<double>& simulation) {
+    test::expect_whole(complex, simulation);
+    for (int step = 0; step < 4; ++step) {
+        EXPECT_EQ(simulation.step(test::swirl, 0.02 * step, 0.02).unreached, 0U);
+        test::expect_whole(complex, simulation);
+    }
+}
+
+TEST_P(JournalOf, AComplexThatBecomesAnotherTellsItsSimulation) {
+    for (const Integrator integrator : {Integrator::rk4, Integrator::centred}) {
+        Complex<double> complex = disc();
+        const Complex<double> other = test::disc_complex<double>(disc_h, {0.3, 0.4}, 0.1);
+        const Options<double> options{.edge_length = disc_h, .integrator = integrator};
+        auto simulation = test::make_simulation(complex, options, GetParam());
+        (void)simulation->step(test::swirl, 0, 0.02);
+        complex = other;
+        (void)simulation->step(test::still, 0, 0.02);
+        expect_to_go_on(complex, *simulation);
+
+        // The steps are those of a simulation that began there.
+        Complex<double> again = other;
+        auto fresh = test::make_simulation(again, options, GetParam());
+        (void)fresh->step(test::still, 0, 0.02);
+        expect_to_go_on(again, *fresh);
+        EXPECT_EQ(simulation->interface_size(), fresh->interface_size());
+    }
+}
+
+TEST_P(JournalOf, AReplayIsToldToTheSimulationOfTheComplex) {
+    Complex<double> complex = disc();
+    auto simulation = test::make_simulation(complex, {.edge_length = disc_h}, GetParam());
+    (void)simulation->step(test::swirl, 0, 0.02);
+    std::vector<Edit> edits;
+    {
+        Complex<double> copy = complex;
+        copy.journal.readers = 1;
+        const Edge e = copy.edge(next(copy.vertices[simulation->interface()[0]].corner));
+        EXPECT_EQ(edge_split(copy, e).verdict, Verdict::legal);
+        edits = copy.journal.records;
+    }
+    EXPECT_EQ(replay<double>(complex, edits).skipped, 0U);
+    edits.push_back({.kind = EditKind::rebuild});
+    EXPECT_THROW(replay<double>(complex, edits), InputError);
+    EXPECT_EQ(complex.journal.readers, 1U);
+    complex.set_phase(Triangle{1}, 3);
+    (void)simulation->step(test::still, 0, 0.02);
+    expect_to_go_on(complex, *simulation);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, JournalOf, testing::ValuesIn(test::all_courses), test::course_name);
 
 TEST(Interruption, AfterTheLastSubStepChangesNothing) {
     Complex<double> complex = disc();

@@ -23,7 +23,8 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
 template <class Real>
 Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& options,
                              std::unique_ptr<Executor<Real>> executor)
-    : complex_(complex), claim_(complex.in_use), options_(options), executor_(std::move(executor)) {
+    : complex_(complex), claim_(complex.in_use), options_(options), executor_(std::move(executor)),
+      reading_(complex.journal), absorbed_(complex.journal.records.size()) {
     check_options(options);
     check_contact<Real>(complex, options.topology, options.edge_length);
     if (options.topology.changes()) {
@@ -36,17 +37,11 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
                                                                default_algorithm<Real>());
     }
     mark_corners(complex, interface(), options.interface.corner_degrees);
-    ++complex.journal.readers;
-    absorbed_ = complex.journal.records.size();
     measure(0);
 }
 
 template <class Real>
-Simulation<Real>::~Simulation() {
-    if (--complex_.journal.readers == 0) {
-        complex_.journal.records.clear();
-    }
-}
+Simulation<Real>::~Simulation() = default;
 
 template <class Real>
 void Simulation<Real>::set_options(const Options<Real>& options) {

@@ -178,7 +178,8 @@ private:
     std::vector<Suspect<Real>> suspects_; ///< scratch of change_topology
     std::uint32_t swept_ = 0;             ///< the vertex at which the slow sweep goes on
     std::vector<std::uint32_t> to_sweep_; ///< scratch of sweep, and of the count of the interface
-    std::size_t absorbed_ = 0;            ///< records of the journal that have been read
+    LogReader reading_;                   ///< of the journal, from the beginning to the end
+    std::size_t absorbed_;                ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;
     Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
 };

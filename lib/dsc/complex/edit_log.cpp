@@ -18,4 +18,22 @@ OperationCounts& OperationCounts::operator+=(const OperationCounts& other) {
     return *this;
 }
 
+EditLog& EditLog::operator=(const EditLog& other) {
+    if (this != &other) {
+        counts = {};
+        if (readers > 0) {
+            records.push_back({.kind = EditKind::rebuild});
+        } else {
+            records.clear();
+        }
+    }
+    return *this;
+}
+
+LogReader::~LogReader() {
+    if (--log_.readers == 0) {
+        log_.records.clear();
+    }
+}
+
 } // namespace dsc

@@ -114,27 +114,42 @@ struct OperationCounts {
 /// thread that calls `Simulation::step`, between sub-steps; must not change the complex.
 using EditListener = std::function<void(std::span<const Edit> edits)>;
 
-/// Counts edits, and keeps their records while there is a reader. A copy is empty and has no
-/// reader: a reader of the log of a complex does not read the logs of its copies.
+/// Counts edits, and keeps their records while there is a reader. Readers read the log of one
+/// complex, and stay with it: a log that is copied or moved to another place is empty there.
 class EditLog {
 public:
     EditLog() = default;
     /// Empty, and without a reader.
-    EditLog(const EditLog& /*other*/) {}
-    /// Empties this log and forgets its readers.
-    EditLog& operator=(const EditLog& other) {
-        if (this != &other) {
-            *this = EditLog{};
-        }
-        return *this;
-    }
-    EditLog(EditLog&&) noexcept = default;
-    EditLog& operator=(EditLog&&) noexcept = default;
+    EditLog(const EditLog& /*other*/) noexcept {}
+    /// The complex becomes another: what is not yet read is followed by a `rebuild`.
+    EditLog& operator=(const EditLog& other);
     ~EditLog() = default;
 
     OperationCounts counts;    ///< of all edits since they were last read
     std::vector<Edit> records; ///< in the order of the edits
-    std::uint32_t readers = 0; ///< records are kept while there are any
+    std::uint32_t readers = 0; ///< records are kept while there are any: see `LogReader`
+};
+
+/// Makes a log keep its records while this object lives. The last reader empties the log, also if
+/// an exception ends it. The log must outlive it.
+class LogReader {
+public:
+    explicit LogReader(EditLog& log) : log_(log), from_(log.records.size()) { ++log_.readers; }
+    ~LogReader();
+    LogReader(const LogReader&) = delete;
+    LogReader& operator=(const LogReader&) = delete;
+    LogReader(LogReader&&) = delete;
+    LogReader& operator=(LogReader&&) = delete;
+
+    /// The edits since it was made; valid until the next one. Not for a log that another reader
+    /// empties meanwhile. O(1).
+    [[nodiscard]] std::span<const Edit> edits() const {
+        return std::span<const Edit>(log_.records).subspan(from_);
+    }
+
+private:
+    EditLog& log_;
+    std::size_t from_;
 };
 
 } // namespace dsc

@@ -20,7 +20,8 @@ class Replay {
 public:
     Replay(Complex<Real>& complex, std::size_t edits)
         : complex_(complex), most_vertices_(room_for(complex.vertex_bound(), edits)),
-          most_triangles_(room_for(complex.triangle_bound(), edits)) {}
+          most_triangles_(room_for(complex.triangle_bound(), edits)),
+          readers_(std::exchange(complex.journal.readers, 0U)) {}
 
     bool play(const Edit& edit) {
         switch (edit.kind) {
@@ -38,15 +39,19 @@ public:
         case EditKind::retriangulate: return retriangulate(edit);
         case EditKind::insert_triangle: return insert_triangle(edit);
         case EditKind::remove_triangle: return remove_triangle(edit);
-        case EditKind::rebuild:
-            throw InputError({.what = "what create and merge did to copies is not in a log",
-                              .where = "replay",
-                              .value = std::string(to_string(edit.kind)),
-                              .allowed = "records of any other kind"});
+        case EditKind::rebuild: break; // refused before anything is done
         }
         return false;
     }
 
+    // The journal has been silent. Whatever reads it looks at the whole complex anew.
+    void end() {
+        complex_.journal.readers = readers_;
+        rewire::note(complex_.journal, [] { return Edit{.kind = EditKind::rebuild}; });
+        gather_free_ids();
+    }
+
+private:
     // The pool of the complex: every id that is not alive.
     void gather_free_ids() {
         complex_.ids.vertices.clear();
@@ -65,7 +70,6 @@ public:
         complex_.lent_triangles = 0;
     }
 
-private:
     // Whether the edge opposite to the corner is the one that the record means.
     [[nodiscard]] bool is_edge(const Edit& edit) const {
         const Corner c = edit.corner;
@@ -244,6 +248,7 @@ private:
     Complex<Real>& complex_;
     std::uint64_t most_vertices_;
     std::uint64_t most_triangles_;
+    std::uint32_t readers_;
     EditLog silent_;
     IdPool fresh_; // always empty: an id that is asked for is a new one
     IdPool freed_; // not used: the records say which id comes next
@@ -253,14 +258,23 @@ private:
 
 template <class Real>
 ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits) {
-    const std::uint32_t readers = std::exchange(complex.journal.readers, 0U);
+    if (std::ranges::any_of(edits, [](const Edit& e) { return e.kind == EditKind::rebuild; })) {
+        throw InputError({.what = "what create and merge did to copies is not in a log",
+                          .where = "replay",
+                          .value = std::string(to_string(EditKind::rebuild)),
+                          .allowed = "records of any other kind"});
+    }
     Replay<Real> again(complex, edits.size());
     ReplayReport report;
-    for (const Edit& edit : edits) {
-        ++(again.play(edit) ? report.done : report.skipped);
+    try {
+        for (const Edit& edit : edits) {
+            ++(again.play(edit) ? report.done : report.skipped);
+        }
+    } catch (...) { // no memory, or an attribute of the application
+        again.end();
+        throw;
     }
-    again.gather_free_ids();
-    complex.journal.readers = readers;
+    again.end();
     return report;
 }
 

@@ -21,9 +21,9 @@ struct ReplayReport {
 /// Repeats the edits without testing whether they are legal: the same simplices with the same ids,
 /// so that handles in later records mean what they meant. A record whose simplices do not exist, or
 /// differ from what the record says, is skipped; in an unbroken log none is. Vertex attributes are
-/// blended as in the run; nothing is noted in the journal. O(edits); O(mesh) for each `renumber`,
-/// and once at the end for the pool of free ids. Throws InputError if a log has a `rebuild`: the
-/// log does not contain what create and merge did.
+/// blended as in the run. Whatever reads the journal learns of one `rebuild`. O(edits); O(mesh) for
+/// each `renumber`, and once at the end for the pool of free ids. Throws InputError, and does
+/// nothing, if a log has a `rebuild`: the log does not contain what create and merge did.
 template <class Real>
 ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits);
 

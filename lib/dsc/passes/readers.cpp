@@ -157,34 +157,6 @@ std::uint32_t count_on_interface(const Complex<Real>& complex,
         std::ranges::count_if(list, [&](std::uint32_t v) { return is_listed_on(complex, v); }));
 }
 
-namespace {
-
-// Makes the log keep records for a scope, also if an exception leaves it.
-class LogReader {
-public:
-    explicit LogReader(EditLog& log) : log_(log), from_(log.records.size()) { ++log_.readers; }
-    ~LogReader() {
-        --log_.readers;
-        if (log_.readers == 0) {
-            log_.records.resize(from_);
-        }
-    }
-    LogReader(const LogReader&) = delete;
-    LogReader& operator=(const LogReader&) = delete;
-    LogReader(LogReader&&) = delete;
-    LogReader& operator=(LogReader&&) = delete;
-
-    [[nodiscard]] std::span<const Edit> edits() const {
-        return std::span<const Edit>(log_.records).subspan(from_);
-    }
-
-private:
-    EditLog& log_;
-    std::size_t from_;
-};
-
-} // namespace
-
 template <class Real>
 void run_pass(Work<Real>& work, const Pass<Real>& pass) {
     const bool carries = !work.options.carried_phases.empty();
