@@ -217,6 +217,26 @@ TEST(EditLogs, WithIdsThatNoRunHasAreSkipped) {
     }
 }
 
+// Of an edge that is there, but none of its ends is the vertex that vanished.
+TEST(EditLogs, WithACollapseOfAnotherVertexAreSkipped) {
+    const Complex<double> first = disc();
+    Complex<double> complex = first;
+    complex.journal.readers = 1;
+    Edge e;
+    for (std::uint32_t t = 1; !e.is_valid(); ++t) {
+        const Edge one = complex.edges_of(Triangle{t})[0];
+        e = edge_collapse(complex, one) == Verdict::legal ? one : Edge{};
+    }
+    Edit collapse = complex.journal.records.front();
+    Complex<double> again = first;
+    EXPECT_EQ(replay<double>(again, std::span(&collapse, 1)).done, 1U);
+    EXPECT_EQ(mesh_hash(again), mesh_hash(complex));
+    collapse.vertex = collapse.apexes[0];
+    again = first;
+    EXPECT_EQ(replay<double>(again, std::span(&collapse, 1)).skipped, 1U);
+    EXPECT_EQ(mesh_hash(again), mesh_hash(first));
+}
+
 TEST(EditLogs, AreCutDownToThoseThatFail) {
     const Heard heard = hear({"sequential", {}}, 4);
     // What fails: a certain vertex is somewhere else than in the beginning.

@@ -145,6 +145,9 @@ private:
             return false;
         }
         const bool is_next = complex_.vertex(next(edit.corner)) == edit.vertex.id;
+        if (!is_next && complex_.vertex(prev(edit.corner)) != edit.vertex.id) {
+            return false;
+        }
         rewire::collapse(complex_, silent_, edit.corner,
                          is_next ? rewire::Vanishing::next : rewire::Vanishing::prev, freed_);
         return true;
