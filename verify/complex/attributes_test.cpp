@@ -21,6 +21,7 @@
 
 #include <gtest/gtest.h>
 
+#include <new>
 #include <type_traits>
 
 namespace dsc::test::attributes_test {
@@ -112,6 +113,65 @@ TEST(EdgeAttributes, AreSetAtBothCorners) {
     EXPECT_EQ(weight[outer], 8);
     EXPECT_EQ(weight.data()[border_corner], 5) << "the border is nobody's entry";
     EXPECT_EQ(weight[complex.find_edge(Vertex{0}, Vertex{3})], 5);
+}
+
+// A value whose copies fail after so many.
+struct Scarce {
+    static inline int left = 0;
+    Scarce() = default;
+    Scarce(const Scarce&) {
+        if (left-- <= 0) {
+            throw std::bad_alloc();
+        }
+    }
+    Scarce& operator=(const Scarce&) = default;
+    ~Scarce() = default;
+};
+
+// Without memory for the data of its triangles a split leaves no vertex behind.
+template <class Simplex>
+void expect_unchanged_where_memory_ends() {
+    for (int copies = 0; copies < 100; ++copies) {
+        Scarce::left = 1000;
+        Complex<double> complex = hexagon<double>();
+        complex.attributes.add<Simplex>("scarce", Scarce{});
+        const std::uint32_t vertices = complex.vertex_count();
+        const std::uint32_t triangles = complex.triangle_count();
+        const auto expect_same = [&](auto edit) {
+            Scarce::left = copies;
+            bool failed = false;
+            try {
+                edit();
+            } catch (const std::bad_alloc&) {
+                failed = true;
+            }
+            Scarce::left = 1000;
+            EXPECT_EQ(validate(complex).problem, "");
+            if (failed) {
+                EXPECT_EQ(complex.vertex_count(), vertices);
+                EXPECT_EQ(complex.triangle_count(), triangles);
+                for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+                    EXPECT_TRUE(!complex.is_alive(Vertex{v}) ||
+                                complex.vertices[v].corner != no_id);
+                }
+            }
+            return !failed;
+        };
+        const Edge inner = complex.find_edge(Vertex{0}, Vertex{1});
+        const bool done = expect_same([&] { (void)loop_subdivision(complex, Triangle{1}); }) ||
+                          expect_same([&] { (void)edge_split(complex, inner); });
+        if (done && copies > 0) {
+            EXPECT_GT(copies, 2);
+            return;
+        }
+    }
+    FAIL() << "no split was made at all";
+}
+
+TEST(Attributes, WithoutMemoryLeaveASplitUndone) {
+    expect_unchanged_where_memory_ends<Vertex>();
+    expect_unchanged_where_memory_ends<Edge>();
+    expect_unchanged_where_memory_ends<Triangle>();
 }
 
 /// A quantity of the triangles that moves with the area: divided where a triangle is cut or two are

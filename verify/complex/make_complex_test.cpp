@@ -75,5 +75,23 @@ TEST(MakeComplex, RefusesNumbersThatMeanNothing) {
     expect_words(refusal(points, {{0, 1, 2}}, {0, 0}), "phases do not match triangles");
 }
 
+// A corner is a number of 32 bits, and a triangle has four. The triangles need not be there to be
+// counted.
+TEST(MakeComplex, RefusesMoreTrianglesThanThereAreCorners) {
+    constexpr std::size_t most = (std::size_t{1} << 30U) - 3;
+    const Indices triangle{0, 1, 2};
+    const Phase phase = 0;
+    try {
+        (void)make_complex<double>(points, std::span(&triangle, most + 1),
+                                   std::span(&phase, most + 1));
+        FAIL();
+    } catch (const InputError& error) {
+        expect_words(error.what(), "too many triangles: got 1073741822; allowed: at most 10737418");
+    }
+    const std::span<const Point<double>> many(points.data(), no_id);
+    EXPECT_THROW((void)make_complex<double>(many, std::span(&triangle, 1), std::span(&phase, 1)),
+                 InputError);
+}
+
 } // namespace
 } // namespace dsc::make_complex_test

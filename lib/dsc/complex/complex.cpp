@@ -22,6 +22,13 @@ constexpr TriangleRecord border_record{
     throw InputError({.what = what, .where = "make_complex", .value = value, .allowed = allowed});
 }
 
+[[noreturn]] void refuse_to_grow(const char* of_what, std::uint32_t number, std::uint32_t most) {
+    throw InputError({.what = "the mesh has no ids left",
+                      .where = "Complex",
+                      .value = std::to_string(number) + " " + of_what,
+                      .allowed = "at most " + std::to_string(most)});
+}
+
 } // namespace
 
 void InUse::expect_free() const {
@@ -90,36 +97,63 @@ void Complex<Real>::set_locked(Vertex v, bool locked) {
     }
 }
 
+// New ids go to the end of the pool that is taken from last.
+template <class Real>
+void Complex<Real>::grow(IdPool& pool, std::size_t vertex_total, std::size_t triangle_total) {
+    while (pool.vertices.size() < vertex_total) {
+        const std::uint32_t id = vertex_bound();
+        if (id + 1 >= no_id) {
+            refuse_to_grow("vertices", id, no_id - 1);
+        }
+        pool.vertices.reserve(vertex_total);
+        vertices.push_back({0, 0, no_id, vertex_dead, 0, no_id});
+        try {
+            attributes.resize_vertices(vertices.size());
+        } catch (...) {
+            vertices.pop_back();
+            attributes.resize_vertices(vertices.size());
+            throw;
+        }
+        pool.vertices.insert(pool.vertices.begin(), id);
+    }
+    while (pool.triangles.size() < triangle_total) {
+        const std::uint32_t id = triangle_bound();
+        if (id + 1 >= triangle_limit) {
+            refuse_to_grow("triangles", id - 1, triangle_limit - 2);
+        }
+        pool.triangles.reserve(triangle_total);
+        triangles.push_back(border_record);
+        triangles.back().v = {no_id, no_id, no_id};
+        try {
+            attributes.resize_triangles(triangles.size());
+        } catch (...) {
+            triangles.pop_back();
+            attributes.resize_triangles(triangles.size());
+            throw;
+        }
+        pool.triangles.insert(pool.triangles.begin(), id);
+    }
+}
+
 template <class Real>
 std::uint32_t Complex<Real>::take_vertex(IdPool& pool) {
-    std::uint32_t id = no_id;
-    if (!pool.vertices.empty()) {
-        id = pool.vertices.back();
-        pool.vertices.pop_back();
-    } else if (pool.may_grow) {
-        id = vertex_bound();
-        vertices.emplace_back();
-        attributes.resize_vertices(vertices.size());
-    } else {
+    if (!have_ids(pool, 1, 0)) {
         return no_id;
     }
+    const std::uint32_t id = pool.vertices.back();
+    pool.vertices.pop_back();
     vertices[id] = VertexRecord<Real>{0, 0, no_id, 0, 0, no_id};
     return id;
 }
 
 template <class Real>
 std::uint32_t Complex<Real>::take_triangle(IdPool& pool) {
-    if (!pool.triangles.empty()) {
-        const std::uint32_t id = pool.triangles.back();
-        pool.triangles.pop_back();
-        return id;
-    }
-    if (!pool.may_grow) {
+    if (!have_ids(pool, 0, 1)) {
         return no_id;
     }
-    triangles.push_back(border_record);
-    attributes.resize_triangles(triangles.size());
-    return triangle_bound() - 1;
+    const std::uint32_t id = pool.triangles.back();
+    pool.triangles.pop_back();
+    return id;
 }
 
 template <class Real>
@@ -223,6 +257,14 @@ Complex<Real> make_complex(std::span<const Point<Real>> points,
     if (phases.size() != triangles.size()) {
         refuse("phases do not match triangles", std::to_string(phases.size()) + " phases",
                std::to_string(triangles.size()) + ", one per triangle");
+    }
+    if (points.size() >= no_id) {
+        refuse("too many points", std::to_string(points.size()),
+               "at most " + std::to_string(no_id - 1));
+    }
+    if (triangles.size() + 1 >= triangle_limit) {
+        refuse("too many triangles", std::to_string(triangles.size()),
+               "at most " + std::to_string(triangle_limit - 2));
     }
     Complex<Real> complex;
     complex.reserve(points.size(), triangles.size());

@@ -178,7 +178,15 @@ public:
     void set_locked(Vertex v, bool locked);
 
     // --- ids ----------------------------------------------------------------------------------
-    /// Takes an id from the pool, or grows; no_id if the pool is empty and may not grow.
+    /// Sees to it that the pool has so many free ids, which then can be taken without fail; false,
+    /// and nothing is done, if it would have to grow and may not. Throws InputError where the ids
+    /// come to an end. After an exception the complex is what it was.
+    [[nodiscard]] bool have_ids(IdPool& pool, std::size_t vertex_total,
+                                std::size_t triangle_total) {
+        return (pool.vertices.size() >= vertex_total && pool.triangles.size() >= triangle_total) ||
+               (pool.may_grow && (grow(pool, vertex_total, triangle_total), true));
+    }
+    /// Takes an id from the pool, which grows as above; no_id if it is empty and may not grow.
     std::uint32_t take_vertex(IdPool& pool);
     /// The same for a triangle.
     std::uint32_t take_triangle(IdPool& pool);
@@ -205,6 +213,9 @@ public:
     IdPool ids;                               ///< free ids of the whole complex
     std::uint32_t lent_vertices = 0;          ///< free ids that submeshes hold while they run
     std::uint32_t lent_triangles = 0;         ///< the same for triangles
+
+private:
+    void grow(IdPool& pool, std::size_t vertex_total, std::size_t triangle_total);
 };
 
 extern template class Complex<double>;

@@ -62,7 +62,7 @@ void archive(Archive& archive, Complex<Real>& complex) {
     archive.records(complex.vertices);
     archive.records(complex.triangles);
     archive.expect(!complex.triangles.empty() && complex.vertices.size() < no_id &&
-                       complex.triangles.size() < no_id / 4,
+                       complex.triangles.size() < triangle_limit,
                    "holds no complex");
     archive(complex.ids, complex.lent_vertices, complex.lent_triangles);
     complex.attributes.archive(archive);

@@ -16,6 +16,9 @@ inline constexpr std::uint32_t border_triangle = 0;
 /// A corner of the border: what is on the other side of the domain's edges.
 inline constexpr Corner border_corner = 0;
 
+/// Ids of triangles are below this: there are four corners for each.
+inline constexpr std::uint32_t triangle_limit = no_id / 4;
+
 /// The triangle of a corner.
 constexpr std::uint32_t triangle_of(Corner corner) { return corner >> 2U; }
 /// Which of the three corners of its triangle it is: 0, 1 or 2.

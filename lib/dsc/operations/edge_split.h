@@ -55,7 +55,7 @@ SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner co
     }
     IdPool& pool = *submesh.pool;
     const std::size_t needed = is_border(complex.twin(corner)) ? 1 : 2;
-    if (!pool.may_grow && (pool.vertices.empty() || pool.triangles.size() < needed)) {
+    if (!complex.have_ids(pool, 1, needed)) {
         return {Verdict::out_of_ids, {}};
     }
     const std::uint32_t m = complex.take_vertex(pool);

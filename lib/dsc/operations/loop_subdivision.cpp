@@ -73,7 +73,7 @@ LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, const Submesh& su
     for (const Corner across : complex.triangles[triangle.id].n) {
         needed += is_border(across) ? 0U : 1U;
     }
-    if (!pool.may_grow && (pool.vertices.size() < 3 || pool.triangles.size() < needed)) {
+    if (!complex.have_ids(pool, 3, needed)) {
         return {Verdict::out_of_ids, {}};
     }
     const auto m = midpoints(complex, triangle);
