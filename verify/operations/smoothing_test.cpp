@@ -264,5 +264,17 @@ TYPED_TEST(Smoothing, TakesAnglesFromNoneToAllOfAHalfTurn) {
     }
 }
 
+// Where the star has no area at all, no triangle holds the place: fields keep their values.
+TYPED_TEST(Smoothing, ResamplesNothingInAStarWithoutArea) {
+    auto K = hexagon<TypeParam>();
+    auto& field = K.attributes.template add<Vertex>("field", 7.0);
+    field.set_field(true);
+    for (std::uint32_t v = 0; v < K.vertex_bound(); ++v) {
+        K.set_position(Vertex{v}, {TypeParam(0.5), TypeParam(0.5)});
+    }
+    resample_fields<TypeParam>(K, Vertex{0}, {TypeParam(0.5), TypeParam(0.5)});
+    EXPECT_EQ(field[Vertex{0}], 7);
+}
+
 } // namespace
 } // namespace dsc::test::smoothing_test

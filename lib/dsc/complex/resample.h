@@ -46,6 +46,9 @@ template <class Real>
             share_b = of_b;
         }
     });
+    if (!best_a.is_valid()) {
+        return; // no triangle has an area that could be measured
+    }
     share_b = std::clamp(share_b, Real(0), Real(1));
     share_a = std::clamp(share_a, Real(0), 1 - share_b);
     // Two blends make one of three values: of a in what b leaves over, then of b in the whole.
