@@ -127,7 +127,7 @@ private:
     // Between and after them.
     AimReport<Real> hand_over(const Flow<Real>& flow, Real time, Real dt);
     void take_displaced();
-    void unlist(std::uint32_t vertex);
+    void unlist(std::span<const std::uint32_t> vertices);
     void hand_out_resized();
     void clean_up(MoveReport& report);
     void put_back();

@@ -225,17 +225,22 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     whole_.deferred.clear();
     // Listed vertices that are still there stay listed; the others are new in some submesh. A
     // vertex that is elsewhere under the same id is a new one, which got the id of a deleted one.
+    std::vector<std::uint32_t>& there = whole_.interface_next; // scratch of upkeep
+    there = whole_.interface;
+    std::ranges::sort(there);
+    std::vector<std::uint32_t>& gone = whole_.changed; // scratch of run_pass
+    gone.clear();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < listed_.size(); ++i) {
         const std::uint32_t v = listed_[i];
-        if (std::ranges::find(whole_.interface, v) != whole_.interface.end() &&
-            place_of(v) == listed_places_[i]) {
+        if (std::ranges::binary_search(there, v) && place_of(v) == listed_places_[i]) {
             listed_[kept++] = v;
         } else {
-            unlist(v);
+            gone.push_back(v);
         }
     }
     listed_.resize(kept);
+    unlist(gone);
     if (options_.interface.coarsening == Coarsening::area && flow.velocity() != nullptr) {
         take_displaced();
     }
@@ -262,30 +267,39 @@ void SubmeshExecutor<Real>::take_displaced() {
             }
         }
     }
-    for (const std::uint32_t v : displaced) {
-        unlist(v);
-        whole_.interface.push_back(v);
-    }
+    whole_.interface.insert(whole_.interface.end(), displaced.begin(), displaced.end());
+    std::ranges::sort(displaced);
+    unlist(displaced);
 }
 
-// Removes a deleted vertex from the list that has it, together with its aim.
+// Removes vertices (ascending) from the lists that have them, together with their aims. O(interface
+// vertices, times the logarithm of their number), if there are any.
 template <class Real>
-void SubmeshExecutor<Real>::unlist(std::uint32_t vertex) {
-    for (std::size_t i = 0; i < first_colour_; ++i) {
+void SubmeshExecutor<Real>::unlist(std::span<const std::uint32_t> vertices) {
+    for (std::size_t i = 0; i < first_colour_ && !vertices.empty(); ++i) {
         Work<Real>& work = parts_[i]->work;
-        const auto found = std::ranges::find(work.interface, vertex);
-        if (found != work.interface.end()) {
-            const auto at = found - work.interface.begin();
-            const auto drop = [at](auto& list) { list.erase(list.begin() + at); };
-            drop(work.interface);
-            if (work.aim.positions.empty()) {
-                return; // not aimed yet
+        Aim<Real>& aim = work.aim;
+        const bool is_aimed = !aim.positions.empty();
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < work.interface.size(); ++k) {
+            if (std::ranges::binary_search(vertices, work.interface[k])) {
+                continue;
             }
-            drop(work.aim.positions);
-            drop(work.aim.targets);
-            drop(work.aim.held);
-            drop(work.aim.scratch.first);
-            return;
+            work.interface[kept] = work.interface[k];
+            if (is_aimed) {
+                aim.positions[kept] = aim.positions[k];
+                aim.targets[kept] = aim.targets[k];
+                aim.held[kept] = aim.held[k];
+                aim.scratch.first[kept] = aim.scratch.first[k];
+            }
+            ++kept;
+        }
+        work.interface.resize(kept);
+        if (is_aimed) {
+            aim.positions.resize(kept);
+            aim.targets.resize(kept);
+            aim.held.resize(kept);
+            aim.scratch.first.resize(kept);
         }
     }
 }
