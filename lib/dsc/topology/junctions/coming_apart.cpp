@@ -26,7 +26,9 @@ public:
 
     void run() {
         find_sectors(complex_, v_, sectors_);
-        while (sectors_.size() > sectors_.stable() && leave_one()) {
+        // Each time one sector less.
+        for (std::size_t left = sectors_.size();
+             left > 0 && sectors_.size() > sectors_.stable() && leave_one(); --left) {
             find_sectors(complex_, v_, sectors_);
         }
     }
