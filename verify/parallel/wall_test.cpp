@@ -128,6 +128,8 @@ TEST_F(WallParts, LimitsAreKept) {
     EXPECT_TRUE(should_collapse_on_wall(ring, {4.1, 1.01, 0.1}));
     EXPECT_TRUE(should_collapse_on_wall(ring, {4.1, 0.99, 0.1}, true));
     EXPECT_FALSE(should_collapse_on_wall(ring, {3.9, 1.01, 0.1})) << "would make a long edge";
+    EXPECT_FALSE(should_collapse_on_wall(ring, {3.9, 1.01, 0.1, 0.99}));
+    EXPECT_TRUE(should_collapse_on_wall(ring, {3.9, 1.01, 0.1, 1.01})) << "stops the interface";
     gather_at(2, 1);
     EXPECT_FALSE(should_split_wall(ring, {0.01, 0.001, 0.1})) << "not on the wall";
     EXPECT_FALSE(should_collapse_on_wall(ring, {99, 99, 0.1})) << "not on the wall";
@@ -141,6 +143,15 @@ TEST_F(WallParts, SplitsAtTheMiddleOfTheWall) {
     EXPECT_TRUE(is_boundary(scene.complex, result.vertex));
     EXPECT_EQ(validate(scene.complex).problem, "");
     EXPECT_EQ(work.active.size(), 4U);
+}
+
+TEST_F(WallParts, SplitsTheEdgeOnTheOtherSideAsWell) {
+    gather_at(2, 0);
+    EXPECT_TRUE(should_split_wall(ring, {0.99, 0.2, 0.1}, false));
+    const SplitResult result = split_wall(work, ring, false);
+    ASSERT_EQ(result.verdict, Verdict::legal);
+    EXPECT_EQ(scene.complex.position(result.vertex), Point<double>(1.5, 0));
+    EXPECT_EQ(validate(scene.complex).problem, "");
 }
 
 TEST_F(WallParts, CollapsesAlongTheWallAndKeepsTheDomain) {

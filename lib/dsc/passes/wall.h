@@ -20,6 +20,9 @@ struct WallLimits {
     Real longest = 0;
     Real shortest = 0;
     Real least_quality = 0; ///< equation 4, not squared
+    /// A shorter edge stops the interface that moves along it. It goes even if the edge that is
+    /// left is too long, which is then split: so this may not exceed half of what is too long.
+    Real blocking = 0;
 };
 
 /// One of the two spokes of an open ring that lie on the domain boundary.
@@ -56,13 +59,17 @@ bool should_collapse_on_wall(const Ring<Real>& ring, const WallLimits<Real>& lim
     const Real dx = ring.link_x(ring.size) - ring.link_x(0);
     const Real dy = ring.link_y(ring.size) - ring.link_y(0);
     const Real shorter = std::min(wall_spoke(ring, true).squared, wall_spoke(ring, false).squared);
-    return (is_poor || shorter < limits.shortest) && dx * dx + dy * dy < limits.longest;
+    return shorter < limits.blocking ||
+           ((is_poor || shorter < limits.shortest) && dx * dx + dy * dy < limits.longest);
 }
 
-/// Whether the wall's edge with the domain on its left, as seen from the centre, is too long.
+/// Whether the wall's edge with the domain on its left, as seen from the centre, is too long; or
+/// the other one. The same limits on the whole wall need only the first: an edge is found from one
+/// end. Where limits differ from place to place, an edge is too long if it is for either end.
 template <class Real>
-bool should_split_wall(const Ring<Real>& ring, const WallLimits<Real>& limits) {
-    return !ring.closed && wall_spoke(ring, true).squared > limits.longest;
+bool should_split_wall(const Ring<Real>& ring, const WallLimits<Real>& limits,
+                       bool is_first = true) {
+    return !ring.closed && wall_spoke(ring, is_first).squared > limits.longest;
 }
 
 /// The worst quality of the centre's triangles with link vertex i, a neighbour on the wall, in its
@@ -96,13 +103,15 @@ bool collapse_on_wall(Work<Real>& work, const Ring<Real>& ring, const WallLimits
     return false;
 }
 
-/// Splits the wall's edge with the domain on its left, as seen from the centre. Only if the
-/// midpoint lies exactly on the wall: a vertex beside it would be a corner of the domain. The new
-/// vertex is activated. `out_of_ids` and `on_submesh_boundary`: another submesh has to do it.
+/// Splits the wall's edge with the domain on its left, as seen from the centre, or the other one.
+/// Only if the midpoint lies exactly on the wall: a vertex beside it would be a corner of the
+/// domain. The new vertex is activated. `out_of_ids` and `on_submesh_boundary`: another submesh has
+/// to do it.
 template <class Real>
-SplitResult split_wall(Work<Real>& work, const Ring<Real>& ring) {
+SplitResult split_wall(Work<Real>& work, const Ring<Real>& ring, bool is_first = true) {
+    const WallSpoke<Real> spoke = wall_spoke(ring, is_first);
     const Point<Real> from(ring.x0, ring.y0);
-    const Point<Real> to(ring.link_x(0), ring.link_y(0));
+    const Point<Real> to(ring.link_x(spoke.link), ring.link_y(spoke.link));
     const Point<Real> middle = midpoint<Real>(from, to);
     if (orientation<Real>(from, middle, to) != 0) {
         return {Verdict::on_boundary, {}};
@@ -110,7 +119,7 @@ SplitResult split_wall(Work<Real>& work, const Ring<Real>& ring) {
     if (!owns_place(work.submesh.region, middle)) {
         return {Verdict::on_submesh_boundary, {}};
     }
-    return split(work, wall_spoke(ring, true).corner, middle, Wake::all);
+    return split(work, spoke.corner, middle, Wake::all);
 }
 
 } // namespace dsc

@@ -21,6 +21,9 @@ namespace {
 constexpr std::size_t max_flips_at_once = 4096;
 /// Rounds at one vertex: flips and splits change its star, so it is gathered again.
 constexpr int max_turns = 6;
+/// Of the shortest edge, squared: what stops a vertex that moves along a wall. Each pass halves the
+/// edge before it, so that the exact share does not matter.
+constexpr auto blocking_squared = 0.01F;
 
 template <class Real>
 class MeshUpdate {
@@ -92,8 +95,8 @@ private:
                     return;
                 }
             }
-            if (!ring_.closed && ring_.phase[0] == exterior_phase) {
-                const WallUpkeep done = keep_wall(v, star, limit);
+            if (!ring_.closed) {
+                const WallUpkeep done = keep_wall(v, star, length);
                 if (done == WallUpkeep::gone) {
                     return;
                 }
@@ -244,22 +247,37 @@ private:
     // --- walls of the exterior phase ----------------------------------------------------------
     enum class WallUpkeep : std::uint8_t { none, gone, split };
 
-    WallUpkeep keep_wall(std::uint32_t v, const StarReport<Real>& star, const Limits& limit) {
+    WallUpkeep keep_wall(std::uint32_t v, const StarReport<Real>& star, Real length) {
+        const bool is_exterior_first = ring_.phase[0] == exterior_phase;
+        // Edges of one length need no look from their other end.
+        const bool is_exterior_last =
+            !sizes_.is_uniform() && ring_.phase[ring_.size - 1] == exterior_phase;
+        if (!is_exterior_first && !is_exterior_last) {
+            return WallUpkeep::none;
+        }
+        const Limits& limit = is_exterior_first ? limits_ : limits(exterior_phase, length);
         const bool is_poor = star.quality < limit.collapse;
         const WallLimits<Real> wall{limit.longest, limit.shortest,
-                                    std::sqrt(std::clamp(star.quality, Real(0), limit.collapse))};
+                                    std::sqrt(std::clamp(star.quality, Real(0), limit.collapse)),
+                                    blocking_squared * limit.shortest};
         if (should_collapse_on_wall(ring_, wall, is_poor) && collapse_on_wall(work_, ring_, wall)) {
             sizes_.look_again(ring_);
             return WallUpkeep::gone;
         }
-        if (!should_split_wall(ring_, wall)) {
-            return WallUpkeep::none;
+        for (const bool is_first : {true, false}) {
+            if (!(is_first ? is_exterior_first : is_exterior_last) ||
+                !should_split_wall(ring_, wall, is_first)) {
+                continue;
+            }
+            const SplitResult result = split_wall(work_, ring_, is_first);
+            if (is_put_off(result.verdict)) {
+                work_.deferred.star(v);
+            }
+            if (result.verdict == Verdict::legal) {
+                return WallUpkeep::split;
+            }
         }
-        const SplitResult result = split_wall(work_, ring_);
-        if (is_put_off(result.verdict)) {
-            work_.deferred.star(v);
-        }
-        return result.verdict == Verdict::legal ? WallUpkeep::split : WallUpkeep::none;
+        return WallUpkeep::none;
     }
 
     // --- smoothing ----------------------------------------------------------------------------
