@@ -14,9 +14,24 @@ namespace {
 /// Edges are taken to be at least this long, so that the matrix stays finite where two vertices of
 /// an intermediate stage coincide. Its square is still a normal number.
 constexpr double shortest_edge = 1e-150;
+/// The same in a step, relative to how far curvature reaches in it. The drag of a piece whose
+/// edges are so short is 1e-12 of their stiffness, and the piece collapses to its centre. A drag
+/// below the rounding error, 1e-16, would leave the matrix without an inverse, and hold all curves.
+constexpr double shortest_share = 1e-6;
 
-double length_of(const CurveEdge& edge, std::span<const Point<double>> positions) {
-    return std::max((positions[edge.to] - positions[edge.from]).norm(), shortest_edge);
+double length_of(const CurveEdge& edge, std::span<const Point<double>> positions,
+                 double shortest = shortest_edge) {
+    return std::max((positions[edge.to] - positions[edge.from]).norm(), shortest);
+}
+
+double shortest_in_step(const CurveNetwork& network, double dt) {
+    double fastest = 0; // in area per time
+    for (const CurveEdge& edge : network.edges) {
+        if (edge.forces.drag > 0) {
+            fastest = std::max(fastest, edge.forces.tension / edge.forces.drag);
+        }
+    }
+    return std::max(shortest_share * std::sqrt(dt * fastest), shortest_edge);
 }
 
 Freedom operator+(const Freedom& one, const Freedom& other) {
@@ -95,10 +110,11 @@ void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) 
     const auto row = [](std::size_t i) { return static_cast<int>(2 * i); };
     std::vector<Freedom> diagonal(n, nowhere);
     std::vector<Point<double>> force(n, Point<double>(0, 0));
+    const double shortest = shortest_in_step(network_, dt);
     entries_.clear();
     for (const CurveEdge& edge : network_.edges) {
         const Point<double> way = positions[edge.to] - positions[edge.from];
-        const double length = length_of(edge, positions);
+        const double length = length_of(edge, positions, shortest);
         const double stiffness = edge.forces.tension / length;
         const double half = edge.forces.drag * length / (2 * dt);
         // A junction that moves along one of its curves does not move the curve.
