@@ -46,17 +46,23 @@ struct CurvatureFlowOptions {
     std::vector<KeptArea> kept_areas = {};
 };
 
-/// Curvature flow for `Simulation::step`. Second order in time and along the curve, and stable for
-/// any step; the driver limits its sub-steps by the distance that a vertex moves, so that they are
-/// proportional to the edge length where curves are smooth.
+/// Curvature flow for `Simulation::step`. Second order along the curve and, where curves are closed
+/// or end on a straight wall at 90 degrees, in time; of order 3/2 in time at junctions and at other
+/// contact angles. The steps may be long: the flow is stable for any, and the driver limits its
+/// sub-steps by the distance that a vertex moves, so that they are proportional to the edge length
+/// where curves are smooth. Curves at junctions then move a little too slowly: a lens of width w
+/// loses its area too slowly by 0.18, 0.06 and 0.02 % if all tensions are equal, and by 1.1, 0.4
+/// and 0.14 % if that of the line through it is 1.6 times the others, in steps of w^2 / 320, w^2 /
+/// 640 and w^2 / 1280 (tension and mobility 1).
 ///
 /// Each step is linear in the new positions, with the lengths of the old ones: G. Dziuk, "An
 /// algorithm for evolutionary surfaces" (1990), with lumped masses. Junctions are moved by the
 /// normal parts of their curves alone, as in J. W. Barrett, H. Garcke, R. Nürnberg, "On the
 /// variational approximation of combined second and fourth order geometric evolution equations"
-/// (2007), so that the tensions balance there (Young's law). One step and two of half the length
-/// are extrapolated to second order in time. Curves that end at the domain boundary slide along it
-/// and meet it at 90 degrees, or at the angle that `walls` asks for. Locked vertices stay. A jagged
+/// (2007), so that the tensions balance there (Young's law); the vertices of these curves slide
+/// along them without drag, and share the stretch. One step and two of half the length are
+/// extrapolated to second order in time. Curves that end at the domain boundary slide along it and
+/// meet it at 90 degrees, or at the angle that `walls` asks for. Locked vertices stay. A jagged
 /// start becomes smooth at once: with `interface.corner_degrees` 180 its corners are not kept,
 /// which would stand in a junction's way.
 ///

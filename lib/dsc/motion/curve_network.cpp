@@ -53,6 +53,28 @@ constexpr Freedom nowhere{0, 0, 0};
 
 Freedom rest_of(const Freedom& one) { return anywhere + -1.0 * one; }
 
+/// The drag along a curve between junctions, relative to that across it: enough to tell where a
+/// piece is that has collapsed onto a straight line.
+constexpr double drag_along = 1e-9;
+
+/// The drag of a vertex between two edges of a curve.
+struct Drag {
+    double size = 0;
+    Point<double> tangent{0, 0}; ///< the sum of the two directions, one way or the other
+
+    void add(double more, const Point<double>& outwards) {
+        const bool is_first = size == 0;
+        size += more;
+        tangent = is_first ? outwards : Point<double>(tangent - outwards);
+    }
+    /// Across the curve, but in all directions at the tip of a spike.
+    [[nodiscard]] Freedom across() const {
+        const double length = tangent.norm();
+        return length < 1e-3 ? size * anywhere
+                             : size * (rest_of(along(tangent, length)) + drag_along * anywhere);
+    }
+};
+
 /// one * middle * one, for symmetric matrices.
 Freedom within(const Freedom& one, const Freedom& middle) {
     const Point<double> x = one.of(middle.of({one.xx, one.xy}));
@@ -105,11 +127,17 @@ std::vector<double> lumped_drag(const CurveNetwork& network,
 
 // For the displacements d: (drag / dt) d + A d = -A x, where A x is the sum of the tensions at each
 // vertex, restricted to the directions in which the vertices can move.
+//
+// The tension of an edge that is stretched in the step grows with its length. If the vertices of a
+// curve resisted motion along it, a junction that slides would stretch those next to it alone, and
+// not balance its tensions: an error of the order of sqrt(dt). Without, all of the curve stretches
+// alike, which is an error of the order of dt.
 void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) {
     const std::size_t n = positions.size();
     const auto row = [](std::size_t i) { return static_cast<int>(2 * i); };
     std::vector<Freedom> diagonal(n, nowhere);
     std::vector<Point<double>> force(n, Point<double>(0, 0));
+    std::vector<Drag> between(n);
     const double shortest = shortest_in_step(network_, dt);
     entries_.clear();
     for (const CurveEdge& edge : network_.edges) {
@@ -117,13 +145,20 @@ void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) 
         const double length = length_of(edge, positions, shortest);
         const double stiffness = edge.forces.tension / length;
         const double half = edge.forces.drag * length / (2 * dt);
-        // A junction that moves along one of its curves does not move the curve.
         const Freedom normal = rest_of(along(way, length));
-        const auto at_end = [&](std::uint32_t i) {
-            return stiffness * anywhere + half * (network_.is_junction[i] != 0 ? normal : anywhere);
+        const auto add_at = [&](std::uint32_t i, const Point<double>& outwards) {
+            Freedom drag = half * anywhere;
+            if (network_.is_junction[i] != 0) {
+                // A junction that moves along one of its curves does not move the curve.
+                drag = half * normal;
+            } else if (network_.is_between[i] != 0 && edge.forces.tension > 0) {
+                between[i].add(half, outwards);
+                drag = nowhere;
+            }
+            diagonal[i] = diagonal[i] + (stiffness * anywhere + drag);
         };
-        diagonal[edge.from] = diagonal[edge.from] + at_end(edge.from);
-        diagonal[edge.to] = diagonal[edge.to] + at_end(edge.to);
+        add_at(edge.from, way / length);
+        add_at(edge.to, -way / length);
         force[edge.from] += stiffness * way;
         force[edge.to] -= stiffness * way;
 
@@ -145,10 +180,10 @@ void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) 
     }
     for (std::size_t i = 0; i < n; ++i) {
         const Freedom& free = network_.freedom[i];
-        const Freedom block = within(free, diagonal[i]) + rest_of(free);
+        const Freedom block = within(free, diagonal[i] + between[i].across()) + rest_of(free);
         entries_.emplace_back(row(i), row(i), block.xx);
         entries_.emplace_back(row(i) + 1, row(i) + 1, block.yy);
-        if (network_.is_junction[i] != 0 || free.xy != 0) {
+        if (network_.is_junction[i] != 0 || network_.is_between[i] != 0 || free.xy != 0) {
             entries_.emplace_back(row(i) + 1, row(i), block.xy);
         }
         forces_.segment<2>(row(i)) = free.of(force[i]);

@@ -49,7 +49,8 @@ struct CurveNetwork {
     std::vector<CurveEdge> edges; ///< each edge once
     std::vector<Freedom> freedom;
     std::vector<std::uint8_t> is_junction;
-    std::vector<EndForce> ends; ///< those that are not zero
+    std::vector<std::uint8_t> is_between; ///< whether it lies on a curve that ends at junctions
+    std::vector<EndForce> ends;           ///< those that are not zero
 };
 
 /// `forces_of(left, right)` is asked for each edge between two phases; edges of the domain boundary
@@ -101,6 +102,7 @@ CurveNetwork curve_network(const InterfaceView<Real>& view, const ForcesOf& forc
     network.freedom.reserve(n);
     network.edges.reserve(n + view.arms.size());
     network.is_junction.assign(n, 0);
+    network.is_between.assign(n, 0);
     const auto add = [&](std::size_t from, std::uint32_t to, Phase left, Phase right) {
         constexpr EdgeForces wall{.tension = 1e-9, .drag = 0};
         const bool is_wall = left == border_phase || right == border_phase;
@@ -127,6 +129,12 @@ CurveNetwork curve_network(const InterfaceView<Real>& view, const ForcesOf& forc
                     (network.positions[arm.neighbour] - network.positions[i]).normalized();
                 pull += wall_energy(phase) * way;
                 along_wall += way;
+            }
+            const bool is_along = arm.left == view.left[arm.neighbour];
+            for (std::uint32_t v = arm.neighbour;
+                 !view.is_junction(v) && network.is_between[v] == 0;
+                 v = is_along ? view.next[v] : view.previous[v]) {
+                network.is_between[v] = 1;
             }
             // The other end of an edge between two junctions has it as well.
             if (!view.is_junction(arm.neighbour) || arm.neighbour > i) {
