@@ -182,8 +182,10 @@ private:
         std::ranges::sort(bends_, {}, [&](const Bend& bend) {
             return std::tuple(squared(bend), bend.first.x(), bend.first.y());
         });
+        const double farthest = bends_.empty() ? 0 : squared(bends_.back());
         for (Bend& bend : bends_) {
-            bend.weight = 1 - squared(bend) / (1.2 * squared(bends_.back()));
+            // A single vertex may lie at the very place.
+            bend.weight = farthest > 0 ? 1 - squared(bend) / (1.2 * farthest) : 1;
         }
     }
 
@@ -213,6 +215,9 @@ private:
         double per_pressure = 0;
         for (const Bend& bend : bends_) {
             per_pressure += gradient(bend).dot(way(bend));
+        }
+        if (!(per_pressure > 0)) {
+            return 0; // there is no room: all weights are zero, or the curve turns back at once
         }
         const double pressure = area / per_pressure;
         double gained = 0;
