@@ -155,5 +155,25 @@ TEST(Suspects, AreSharpWhereTheInterfaceTurnsByMoreThanAnEighth) {
     EXPECT_TRUE(turns_sharply(ring, spokes)) << "an edge of no length";
 }
 
+// Three points of a circle, in float so small that the product of three squares would be none.
+TEST(Suspects, AreTightOnCirclesOfTheCurvatureOrMore) {
+    Ring<float> ring;
+    ring.closed = true;
+    ring.size = 6;
+    const Spokes spokes{2, 1, 4};
+    const float radius = 1e-9F;
+    for (const float from : {-0.1F, -0.5F}) {
+        for (const float to : {0.1F, 0.4F}) {
+            ring.x[1] = radius * (1 - std::cos(from));
+            ring.y[1] = radius * std::sin(from);
+            ring.x[4] = radius * (1 - std::cos(to));
+            ring.y[4] = radius * std::sin(to);
+            EXPECT_TRUE(turns_tightly(ring, spokes, 0.98F / radius)) << from << ", " << to;
+            EXPECT_FALSE(turns_tightly(ring, spokes, 1.02F / radius)) << from << ", " << to;
+        }
+    }
+    EXPECT_FLOAT_EQ(curvature_around(std::numbers::pi_v<float>), 0.5F);
+}
+
 } // namespace
 } // namespace dsc::suspects_test

@@ -119,6 +119,12 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real largest_contact(const TopologyOptions<Real>& options, Real edge_length);
 
+/// The area below which a piece vanishes.
+template <class Real>
+[[nodiscard]] Real least_area(const TopologyOptions<Real>& options, Real edge_length) {
+    return options.least_area > 0 ? options.least_area : edge_length * edge_length;
+}
+
 /// Throws InputError if a distance or an area is negative or not finite, or a pair is named twice
 /// or has twice the same phase.
 template <class Real>

@@ -97,33 +97,27 @@ template <class Real>
 /// Below this area a piece of a phase vanishes.
 template <class Real>
 [[nodiscard]] Real least_area(const TopologyWork<Real>& work) {
-    return work.options.least_area > 0 ? work.options.least_area
-                                       : work.edge_length * work.edge_length;
+    return least_area(work.options, work.edge_length);
 }
 
 /// Small pieces have no more triangles than this, unless their edges are very short.
 inline constexpr std::size_t most_of_piece = 96;
 
-/// All triangles of the piece of a phase that holds `start`, into `piece`, and the number of edges
-/// of its outlines. Stops at `most_of_piece` and one more. O(their number squared).
+/// All triangles of the piece of a phase that holds `start`, into `piece`. Stops at `most_of_piece`
+/// and one more. O(their number squared).
 template <class Real>
-std::size_t gather_piece(const Complex<Real>& complex, Triangle start,
-                         std::vector<Triangle>& piece) {
+void gather_piece(const Complex<Real>& complex, Triangle start, std::vector<Triangle>& piece) {
     const Phase phase = complex.phase(start);
     piece.assign(1, start);
-    std::size_t edges = 0;
     for (std::size_t i = 0; i < piece.size() && piece.size() <= most_of_piece; ++i) {
         for (std::uint32_t k = 0; k < 3; ++k) {
             const Corner across = complex.twin(corner_of(piece[i].id, k));
             const Triangle t{triangle_of(across)};
-            if (complex.phase_at(across) != phase) {
-                ++edges;
-            } else if (std::ranges::find(piece, t) == piece.end()) {
+            if (complex.phase_at(across) == phase && std::ranges::find(piece, t) == piece.end()) {
                 piece.push_back(t);
             }
         }
     }
-    return edges;
 }
 
 /// Gives the triangle to another phase; its vertices may move again.

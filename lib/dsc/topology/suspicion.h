@@ -17,8 +17,8 @@ struct Suspect {
     std::uint32_t vertex; ///< its id
     bool is_thin;         ///< a triangle of its star is, or may be
     bool is_facing;       ///< one is, and the edge opposite to the vertex may be of the interface
-    bool is_sharp;        ///< the interface turns sharply there, or has a junction
-    bool is_junction;     ///< it is sharp, and not inside the domain between two edges alone
+    bool is_sharp;        ///< the interface turns sharply or tightly there, or has a junction
+    bool is_junction;     ///< not tightly alone, nor inside the domain between two edges alone
 };
 
 /// True if the smallest height of a triangle of the star is below the contact distance: its area

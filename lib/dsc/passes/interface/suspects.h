@@ -8,6 +8,8 @@
 #include "dsc/passes/work.h"
 #include "dsc/topology/suspicion.h"
 
+#include <cmath>
+#include <numbers>
 #include <span>
 
 namespace dsc {
@@ -97,11 +99,50 @@ template <class Real>
                          ring.link_y(spokes.second) - ring.y0);
 }
 
+/// What makes a star suspicious.
+template <class Real>
+struct Suspicious {
+    Real contact;   ///< the largest contact distance
+    Real curvature; ///< from here on, the outline may be that of a small piece
+};
+
+/// Of every closed curve around an area A, the curvature is somewhere sqrt(pi / A) or more. Half of
+/// that includes what a corner of the domain completes, and unequal edges.
+template <class Real>
+[[nodiscard]] Real curvature_around(Real least_area) {
+    return std::sqrt(std::numbers::pi_v<Real> / least_area) / 2;
+}
+
+/// Whether the circle through both ends and the vertex between two edges has that curvature, or
+/// more. Both sides are squared, and without a unit: see `is_sharp_turn`.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline bool is_tight_turn(Real in_x, Real in_y, Real out_x,
+                                                            Real out_y, Real curvature) {
+    const Real a_x = in_x * curvature;
+    const Real a_y = in_y * curvature;
+    const Real b_x = out_x * curvature;
+    const Real b_y = out_y * curvature;
+    const Real c_x = a_x + b_x;
+    const Real c_y = a_y + b_y;
+    const Real sine = a_x * b_y - a_y * b_x;
+    return 4 * sine * sine >=
+           (a_x * a_x + a_y * a_y) * (b_x * b_x + b_y * b_y) * (c_x * c_x + c_y * c_y);
+}
+
+/// Whether the interface bends by that much at the centre of a star.
+template <class Real>
+[[nodiscard]] bool turns_tightly(const Ring<Real>& ring, const Spokes& spokes, Real curvature) {
+    return is_tight_turn(ring.x0 - ring.link_x(spokes.first), ring.y0 - ring.link_y(spokes.first),
+                         ring.link_x(spokes.second) - ring.x0, ring.link_y(spokes.second) - ring.y0,
+                         curvature);
+}
+
 /// Names the centre of a star at which there may be a film, the end of a seam, or a small piece,
-/// whose outline turns sharply or ends soon. O(degree).
+/// whose outline turns sharply or tightly, or ends soon. O(degree).
 template <class Real>
 [[gnu::noinline]] void suspect_in_full(Work<Real>& work, const Ring<Real>& ring,
-                                       const Spokes& spokes, Real contact, bool is_known) {
+                                       const Spokes& spokes, const Suspicious<Real>& what,
+                                       bool is_known) {
     bool may_face = true;
     if (is_known) {
         const bool meets = meets_interface_elsewhere(work.complex, ring, spokes);
@@ -116,36 +157,42 @@ template <class Real>
     }
     // Which of the stars that face no sheet are thin matters once something else has changed: they
     // are looked at then.
-    const bool is_thin = may_face ? has_thin_triangle(ring, contact * contact) : spokes.count > 0;
+    const bool is_thin =
+        may_face ? has_thin_triangle(ring, what.contact * what.contact) : spokes.count > 0;
     const bool is_sharp = spokes.count > 2 || (spokes.count == 2 && turns_sharply(ring, spokes));
-    if (is_thin || is_sharp) {
+    const bool is_tight =
+        is_sharp || (spokes.count == 2 && turns_tightly(ring, spokes, what.curvature));
+    if (is_thin || is_tight) {
         work.topology_suspects.push_back(
             {.x = ring.x0,
              .y = ring.y0,
              .vertex = ring.vertex,
              .is_thin = is_thin,
              .is_facing = is_thin && may_face,
-             .is_sharp = is_sharp,
+             .is_sharp = is_tight,
              .is_junction = is_sharp && (spokes.count != 2 || !ring.closed)});
     }
 }
 
-/// Names the centre of a star of the interface, and says what may be there. `contact`: the largest
-/// contact distance; `is_known`: the star is as it was gathered, and nobody else writes to it.
-/// Nearly every star is plain and not sharp: it takes no look at the link, no vectors, and no
-/// calls, for which registers would have to be saved. O(degree).
+/// Names the centre of a star of the interface, and says what may be there. `is_known`: the star is
+/// as it was gathered, and nobody else writes to it. Nearly every star is plain and not sharp: it
+/// takes no look at the link, no vectors, and no calls, for which registers would have to be saved.
+/// O(degree).
 template <class Real>
-void suspect(Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes, Real contact,
-             bool is_known) {
+void suspect(Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes,
+             const Suspicious<Real>& what, bool is_known) {
     auto& list = work.topology_suspects;
     const bool is_plain = (work.complex.vertices[ring.vertex].flags & vertex_plain) != 0;
     const std::uint32_t from = spokes.first;
     const std::uint32_t to = spokes.second;
+    const Real in_x = ring.x0 - ring.x[from];
+    const Real in_y = ring.y0 - ring.y[from];
+    const Real out_x = ring.x[to] - ring.x0;
+    const Real out_y = ring.y[to] - ring.y0;
     if (!is_known || !is_plain || !is_simple(ring, spokes) ||
-        is_sharp_turn(ring.x0 - ring.x[from], ring.y0 - ring.y[from], ring.x[to] - ring.x0,
-                      ring.y[to] - ring.y0) ||
-        list.size() == list.capacity()) {
-        suspect_in_full(work, ring, spokes, contact, is_known);
+        is_sharp_turn(in_x, in_y, out_x, out_y) ||
+        is_tight_turn(in_x, in_y, out_x, out_y, what.curvature) || list.size() == list.capacity()) {
+        suspect_in_full(work, ring, spokes, what, is_known);
         return;
     }
     list.push_back({.x = ring.x0,

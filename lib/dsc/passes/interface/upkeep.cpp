@@ -34,6 +34,7 @@ public:
               static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
           contact_(largest_contact(work.options.topology, work.options.edge_length)),
+          curvature_(curvature_around(least_area(work.options.topology, work.options.edge_length))),
           sizes_(work.options.sizes, work.options.edge_length),
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
           // A wall edge ahead that is shorter than a sub-step blocks the motion. A poor triangle
@@ -105,7 +106,7 @@ private:
         // stores that have filled it, which are done by now.
         if (contact_ > 0) {
             mark_interface(complex_, v, spokes.count > 0);
-            suspect(work_, ring, spokes, contact_, is_known);
+            suspect<Real>(work_, ring, spokes, {contact_, curvature_}, is_known);
         }
     }
 
@@ -403,6 +404,7 @@ private:
     Real turn_squared_;
     Real gap_squared_;
     Real contact_; // where the topology may change; 0: nowhere
+    Real curvature_;
     SizeRule<Real> sizes_;
     bool follows_shape_;
     WallLimits<Real> wall_;

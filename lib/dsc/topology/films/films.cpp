@@ -244,7 +244,7 @@ private:
 
     double give_piece(Triangle start, Phase to) {
         double area = 0;
-        (void)gather_piece(complex_, start, piece_);
+        gather_piece(complex_, start, piece_);
         if (piece_.size() > most_of_piece) {
             return 0;
         }

@@ -5,20 +5,23 @@
 #include <array>
 #include <cstddef>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace dsc {
 
 namespace {
 
-/// A piece with a longer outline is larger than the least area, unless its edges are very short.
-constexpr int longest_outline = 24;
+/// Small pieces have no more triangles than this per squared edge length of the least area, unless
+/// their edges are very short.
+constexpr std::size_t most_per_area = most_of_piece;
 
 template <class Real>
 class Remnants {
 public:
     explicit Remnants(TopologyWork<Real>& work)
-        : work_(work), complex_(work.complex), least_area_(least_area(work)) {}
+        : work_(work), complex_(work.complex), least_area_(least_area(work)),
+          most_triangles_(most_of(least_area_ / (work.edge_length * work.edge_length))) {}
 
     void run(std::span<const Suspect<Real>> suspects) {
         for (const Corner c : outlines_at(suspects)) {
@@ -29,6 +32,13 @@ public:
     }
 
 private:
+    // `area`: the least one, in squared edge lengths.
+    static std::size_t most_of(Real area) {
+        constexpr Real largest = 1e6;
+        return static_cast<std::size_t>(static_cast<Real>(most_per_area) *
+                                        std::clamp(area, Real(1), largest));
+    }
+
     // The half-edges of outlines that leave the vertices, in the order of their places.
     std::vector<Corner> outlines_at(std::span<const Suspect<Real>> suspects) const {
         std::vector<std::tuple<Real, Real, Corner>> found;
@@ -83,31 +93,54 @@ private:
         return true;
     }
 
-    void visit(Corner start) {
-        outline_.clear();
+    // A piece of a phase that has area to spare may be a large part of the complex: it is followed
+    // no farther than the least area, and once for all vertices that lie on it.
+    bool gather_small_piece(Triangle start) {
+        const std::size_t number = ++pieces_;
+        const Phase phase = complex_.phase(start);
+        if (!piece_of_.try_emplace(start.id, number).second) {
+            return false;
+        }
+        piece_.assign(1, start);
+        edges_ = 0;
         Real doubled = 0;
-        const Point<Real> origin = complex_.position(Vertex{complex_.vertex(next(start))});
+        for (std::size_t i = 0; i < piece_.size(); ++i) {
+            doubled += doubled_area(complex_, piece_[i]);
+            if (doubled / 2 >= least_area_ || piece_.size() > most_triangles_) {
+                return false;
+            }
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const Corner across = complex_.twin(corner_of(piece_[i].id, k));
+                const Triangle t{triangle_of(across)};
+                if (complex_.phase_at(across) != phase) {
+                    ++edges_;
+                } else if (const auto [at, is_new] = piece_of_.try_emplace(t.id, number); is_new) {
+                    piece_.push_back(t);
+                } else if (at->second != number) {
+                    return false; // it has been followed from elsewhere
+                }
+            }
+        }
+        return true;
+    }
+
+    void visit(Corner start) {
+        if (!gather_small_piece(Triangle{triangle_of(start)})) {
+            return;
+        }
+        outline_.clear();
         Corner c = start;
         do {
-            if (outline_.size() == longest_outline) {
-                return;
-            }
             outline_.push_back(c);
-            const Point<Real> from = complex_.position(Vertex{complex_.vertex(next(c))}) - origin;
-            const Point<Real> way = direction(complex_, c);
-            doubled += cross<Real>(from, way);
             c = along_outline(complex_, c);
-        } while (c != start);
-        // The outline of a hole runs clockwise: what it surrounds is another phase.
-        if (!(doubled > 0) || doubled / 2 >= least_area_) {
+        } while (c != start && outline_.size() < edges_);
+        // More edges than one outline has: another phase lies within.
+        if (outline_.size() != edges_) {
             return;
         }
         const Phase phase = complex_.phase_at(start);
         const Phase to = heir();
-        // More edges than the outline has: another phase lies within.
-        if (to == phase ||
-            gather_piece(complex_, Triangle{triangle_of(start)}, piece_) != outline_.size() ||
-            piece_.size() > most_of_piece) {
+        if (to == phase) {
             return;
         }
         Event event{.kind = phase == exterior_phase ? EventKind::fill : EventKind::remove,
@@ -125,6 +158,7 @@ private:
         event.x /= event.area;
         event.y /= event.area;
         work_.events.push_back(event);
+        piece_of_.clear(); // the piece is part of another one now
     }
 
     // The phase with the longest share of the outline; the smaller one of two equal ones. The
@@ -158,8 +192,12 @@ private:
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
     Real least_area_;
+    std::size_t most_triangles_;
     std::vector<Corner> outline_;
-    std::vector<Triangle> piece_;
+    std::vector<Triangle> piece_;                             ///< the triangles of the last one
+    std::size_t edges_ = 0;                                   ///< of all its outlines
+    std::size_t pieces_ = 0;                                  ///< that have been followed
+    std::unordered_map<std::uint32_t, std::size_t> piece_of_; ///< by triangle
 };
 
 } // namespace
