@@ -29,7 +29,8 @@ enum VertexFlag : std::uint32_t {
     vertex_corner = 16U, ///< of the interface: it is kept, and the curve has no tangent there
     vertex_on_way = 32U, ///< it was moved or postponed, and has not arrived yet
     vertex_seam = 64U,   ///< two sheets of the interface met here: see topology/films/films.h
-    /// It is of the interface, or was at the last upkeep. Kept only where the topology may change.
+    /// It is of the interface, or was at the last upkeep, or lies on the domain boundary. Kept only
+    /// where the topology may change.
     vertex_on_interface = 128U,
     /// When its star was last looked at, no vertex of the interface was in its link but the ends of
     /// its two interface edges, and no edit has brought one there since. Kept as above.

@@ -135,7 +135,7 @@ template <class Real>
 }
 
 /// Splits the edge opposite to `c` at the new vertex `m`, which is marked as one of the interface
-/// if the edge is of it and its ends are marked. `t2` and `u2` are new triangles; `u2` is not used
+/// if the edge is of it or of the domain boundary and its ends are marked. `t2` and `u2` are new triangles; `u2` is not used
 /// if the edge is on the domain boundary. Before: t = (a, b, w), u = (d, w, b). After: t = (a, b,
 /// m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex attributes are blended by
 /// `blend_at`.
@@ -155,7 +155,7 @@ void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
     const bool on_interface = is_interface_pair(tr.phase, complex.phase_at(o));
     complex.vertices[m].x = place.x();
     complex.vertices[m].y = place.y();
-    if (on_interface) {
+    if (on_interface || is_border(o)) {
         complex.vertices[m].flags |=
             complex.vertices[b].flags & complex.vertices[w].flags & vertex_on_interface;
     }

@@ -3,6 +3,7 @@
 
 #include "dsc/topology/films/films.h"
 #include "dsc/topology/films/remnants.h"
+#include "dsc/topology/films/wall_films.h"
 #include "dsc/topology/films/wide_films.h"
 #include "dsc/topology/give_back.h"
 #include "dsc/topology/junctions/junctions.h"
@@ -26,9 +27,11 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
             return suspect.is_facing || suspect.is_sharp;
         });
     const std::span<const Suspect<Real>> notable(suspects.begin(), others);
-    if (is_wide(largest_contact(options, edge_length), edge_length)) {
+    const bool has_wide = is_wide(largest_contact(options, edge_length), edge_length);
+    if (has_wide) {
         open_wide_films<Real>(work, suspects);
     }
+    open_wall_films<Real>(work, has_wide ? suspects : notable);
     open_films<Real>(work, suspects, notable);
     change_junctions<Real>(work, notable);
     remove_remnants<Real>(work, notable);

@@ -13,9 +13,11 @@ namespace dsc {
 
 /// What happened.
 enum class EventKind : std::uint8_t {
-    merge,    ///< a film opened: two pieces of the phase beyond it became one
-    split,    ///< a neck closed: the phase fell into two pieces there
-    meet,     ///< a film opened between two different phases, which border on each other now
+    merge, ///< a film opened: two pieces of the phase beyond it became one
+    split, ///< a neck closed: the phase fell into two pieces there
+    /// A film opened between two different phases, or a phase and the domain boundary (then
+    /// `Event::taken` is the same twice), which border on each other now.
+    meet,
     widen,    ///< the film of an earlier event opened farther: along its seam, or elsewhere
     exchange, ///< a vertex of too many sectors came apart: some phases met, others parted
     fill,     ///< a small piece of the exterior vanished

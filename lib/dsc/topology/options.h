@@ -49,7 +49,8 @@ struct PairTopology {
 /// Two sheets of the interface that have come close, with a film of one phase between them.
 struct Contact {
     Phase film = exterior_phase;     ///< the phase that is thin here
-    std::array<Phase, 2> sides = {}; ///< the phases beyond its two sheets
+    std::array<Phase, 2> sides = {}; ///< the phases beyond its two sheets; `border_phase` last: the
+                                     ///< film lies along the domain boundary
     double x = 0;                    ///< where, in units of the domain
     double y = 0;
     double thickness = 0; ///< of the film, a length
@@ -62,7 +63,9 @@ struct TopologyOptions {
     /// The thickness, a length, at which a film opens or a neck closes. 0: 0.4 edge lengths. It may
     /// be several edge lengths: the time of an event then converges, as the edges become shorter,
     /// to that of this distance, and each sub-step looks across the films from all of the
-    /// interface. Wider than a phase is refused where a simulation begins (contact_check.h).
+    /// interface. Films along the domain boundary open as well, and the phase beyond wets the wall;
+    /// `may_change` or the rule of the pair keeps them. Wider than a phase is refused where a
+    /// simulation begins (contact_check.h).
     Real contact = 0;
     Opening opening = Opening::squeezed; ///< when a film that is thin enough opens
     /// Pieces of a phase that are smaller than this area vanish. 0: one edge length squared.

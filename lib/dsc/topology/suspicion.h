@@ -17,8 +17,10 @@ struct Suspect {
     std::uint32_t vertex; ///< its id
     bool is_thin;         ///< a triangle of its star is, or may be
     bool is_facing;       ///< one is, and the edge opposite to the vertex may be of the interface
-    bool is_sharp;        ///< the interface turns sharply or tightly there, or has a junction
-    bool is_junction;     ///< not tightly alone, nor inside the domain between two edges alone
+    /// The interface turns sharply or tightly there, has a junction, or is beside the domain
+    /// boundary.
+    bool is_sharp;
+    bool is_junction; ///< it turns sharply or has one, and not just between two edges inside
 };
 
 /// True if the smallest height of a triangle of the star is below the contact distance: its area

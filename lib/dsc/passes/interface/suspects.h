@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/complex/circulate.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/passes/interface/curve.h"
 #include "dsc/passes/work.h"
 #include "dsc/topology/suspicion.h"
@@ -14,7 +15,8 @@
 
 namespace dsc {
 
-/// Marks a living vertex as one of the interface, or no longer one: `may_face_a_sheet` reads it.
+/// Marks a living vertex as one of the interface or the domain boundary, or as neither:
+/// `may_face_a_sheet` reads it.
 /// O(1).
 template <class Real>
 void mark_interface(Complex<Real>& complex, std::uint32_t v, bool is_on_interface) {
@@ -25,7 +27,8 @@ void mark_interface(Complex<Real>& complex, std::uint32_t v, bool is_on_interfac
 }
 
 /// After edits that were made in the whole complex, between two steps: of the changed vertices
-/// those of the interface are marked, and no other, and those around them may no longer be plain.
+/// those of the interface and the domain boundary are marked, and no other, and those around them
+/// may no longer be plain.
 /// O(their stars); not thread-safe.
 template <class Real>
 void renew_marks(Complex<Real>& complex, std::span<const std::uint32_t> changed) {
@@ -38,19 +41,29 @@ void renew_marks(Complex<Real>& complex, std::span<const std::uint32_t> changed)
             for (const Corner at : {c, next(c), prev(c)}) {
                 complex.vertices[complex.vertex(at)].flags &= ~std::uint32_t{vertex_plain};
             }
-            is_on_interface =
-                is_on_interface ||
-                is_interface_pair(complex.phase_at(c), complex.phase_at(complex.twin(next(c))));
+            const Corner across = complex.twin(next(c));
+            is_on_interface = is_on_interface || is_border(across) ||
+                              is_interface_pair(complex.phase_at(c), complex.phase_at(across));
         });
         mark_interface(complex, v, is_on_interface);
     }
 }
 
-/// No vertex is known to be plain. O(mesh).
+/// No vertex is known to be plain, and those of the domain boundary are marked: a film may lie
+/// along it. O(mesh).
 template <class Real>
 void forget_plain(Complex<Real>& complex) {
     for (auto& vertex : complex.vertices) {
         vertex.flags &= ~std::uint32_t{vertex_plain};
+    }
+    for (const Triangle t : triangles(complex)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t.id, i);
+            if (is_border(complex.twin(c))) {
+                mark_interface(complex, complex.vertex(next(c)), true);
+                mark_interface(complex, complex.vertex(prev(c)), true);
+            }
+        }
     }
 }
 
@@ -137,6 +150,25 @@ template <class Real>
                          curvature);
 }
 
+/// Whether a curve ends on the domain boundary at the centre, or, if `may_face`, an edge of the
+/// link lies there. O(degree).
+template <class Real>
+[[nodiscard]] bool is_at_wall(const Complex<Real>& complex, const Ring<Real>& ring,
+                              const Spokes& spokes, bool may_face) {
+    if (!ring.closed) {
+        return spokes.first != 0 || spokes.second != ring.size;
+    }
+    if (!may_face) {
+        return false;
+    }
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+        if (is_border(complex.twin(ring.corner[i]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// Names the centre of a star at which there may be a film, the end of a seam, or a small piece,
 /// whose outline turns sharply or tightly, or ends soon. O(degree).
 template <class Real>
@@ -160,16 +192,17 @@ template <class Real>
     const bool is_thin =
         may_face ? has_thin_triangle(ring, what.contact * what.contact) : spokes.count > 0;
     const bool is_sharp = spokes.count > 2 || (spokes.count == 2 && turns_sharply(ring, spokes));
-    const bool is_tight =
-        is_sharp || (spokes.count == 2 && turns_tightly(ring, spokes, what.curvature));
-    if (is_thin || is_tight) {
+    const bool is_notable =
+        is_sharp || (spokes.count == 2 && (turns_tightly(ring, spokes, what.curvature) ||
+                                           is_at_wall(work.complex, ring, spokes, may_face)));
+    if (is_thin || is_notable) {
         work.topology_suspects.push_back(
             {.x = ring.x0,
              .y = ring.y0,
              .vertex = ring.vertex,
              .is_thin = is_thin,
              .is_facing = is_thin && may_face,
-             .is_sharp = is_tight,
+             .is_sharp = is_notable,
              .is_junction = is_sharp && (spokes.count != 2 || !ring.closed)});
     }
 }

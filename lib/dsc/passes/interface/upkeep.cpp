@@ -105,7 +105,7 @@ private:
         // Last, though the ring is that of before the edit: loads of whole vectors wait for the
         // stores that have filled it, which are done by now.
         if (contact_ > 0) {
-            mark_interface(complex_, v, spokes.count > 0);
+            mark_interface(complex_, v, spokes.count > 0 || !ring.closed);
             suspect<Real>(work_, ring, spokes, {contact_, curvature_}, is_known);
         }
     }

@@ -60,15 +60,11 @@ bool are_ends_of_seam(const Complex<Real>& complex, Corner one, Corner other) {
     return true;
 }
 
-// In one sub-step the area between the two sheets falls by `closing` because they come closer, as
-// far as their own length does not grow at the same time, and by `losing` in all. In a flow that
-// keeps areas the latter is nothing.
 template <class Real>
 bool is_squeezed(const Complex<Real>& complex, std::span<const Suspect<Real>> suspects,
                  const std::array<Corner, 2>& sheets) {
     std::array<Point<Real>, 4> now;
     std::array<Point<Real>, 4> then;
-    Real farthest_squared = 0;
     for (std::size_t i = 0; i < 4; ++i) {
         const Corner sheet = sheets[i / 2];
         const std::uint32_t v = complex.vertex(i % 2 == 0 ? next(sheet) : prev(sheet));
@@ -81,6 +77,17 @@ bool is_squeezed(const Complex<Real>& complex, std::span<const Suspect<Real>> su
         }
         now[i] = {record.x, record.y};
         then[i] = {suspects[record.slot].x, suspects[record.slot].y};
+    }
+    return is_squeezed(then, now);
+}
+
+// In one sub-step the area between the two sheets falls by `closing` because they come closer, as
+// far as their own length does not grow at the same time, and by `losing` in all. In a flow that
+// keeps areas the latter is nothing.
+template <class Real>
+bool is_squeezed(const std::array<Point<Real>, 4>& then, const std::array<Point<Real>, 4>& now) {
+    Real farthest_squared = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
         farthest_squared = std::max(farthest_squared, (now[i] - then[i]).squaredNorm());
     }
     const Real area_now = quadrilateral(now);
@@ -191,6 +198,8 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect<Real>> 
     template bool are_ends_of_seam(const Complex<Real>&, Corner, Corner);                          \
     template bool is_squeezed(const Complex<Real>&, std::span<const Suspect<Real>>,                \
                               const std::array<Corner, 2>&);                                       \
+    template bool is_squeezed(const std::array<Point<Real>, 4>&,                                   \
+                              const std::array<Point<Real>, 4>&);                                  \
     template bool is_thin(const TopologyWork<Real>&, Triangle);                                    \
     template int sheets_of(const Complex<Real>&, Triangle, std::array<Corner, 3>&);                \
     template bool find_bridge(const TopologyWork<Real>&, std::span<const Suspect<Real>>, Triangle, \

@@ -38,6 +38,12 @@ template <class Real>
                                std::span<const Suspect<Real>> suspects,
                                const std::array<Corner, 2>& sheets);
 
+/// The same for two sheets that go from the first point to the second, and from the third to the
+/// fourth; `then`: before the sub-step. O(1).
+template <class Real>
+[[nodiscard]] bool is_squeezed(const std::array<Point<Real>, 4>& then,
+                               const std::array<Point<Real>, 4>& now);
+
 /// Thin enough for one of the phases across its edges, and not at the domain boundary.
 template <class Real>
 [[nodiscard]] bool is_thin(const TopologyWork<Real>& work, Triangle t);

@@ -12,13 +12,14 @@ namespace dsc {
 template <class Real>
 struct FilmRay {
     Corner opposite = no_id; ///< the half-edge it met, with the film on its left; no_id: none
+    Corner wall = no_id;     ///< the same on the domain boundary, if it has met that instead
     Real thickness = 0;      ///< from the start to there
     Point<Real> middle;      ///< halfway
 };
 
 /// Follows the ray of the half-edge `sheet` and calls `visit(triangle, from, to)` for each triangle
-/// on its way, with the distances at which it enters and leaves. Finds nothing within `longest`, or
-/// if the ray meets the domain boundary. O(longest / length of the edges).
+/// on its way, with the distances at which it enters and leaves. Finds nothing if the film is
+/// `longest` or more. O(longest / length of the edges).
 template <class Real, class Visit>
 [[nodiscard]] FilmRay<Real> cross_film(const Complex<Real>& complex, Corner sheet, Real longest,
                                        Visit visit) {
@@ -43,10 +44,10 @@ template <class Real, class Visit>
         visit(Triangle{triangle_of(out)}, from, to);
         const Corner across = complex.twin(out);
         if (is_border(across)) {
-            return {};
+            return {no_id, out, to, start + way * (to / Real(2))};
         }
         if (complex.phase_at(across) != complex.phase_at(out)) {
-            return {out, to, start + way * (to / Real(2))};
+            return {out, no_id, to, start + way * (to / Real(2))};
         }
         entered = across;
         from = to;

@@ -44,11 +44,11 @@ void FilmRegion<Real>::add_ray(Corner sheet) {
         cross_film(complex, sheet, contact_, [&](Triangle t, Real from, Real to) {
             crossed.push_back({t, (from + to) / 2});
         });
-    if (ray.opposite == no_id) {
+    if (ray.opposite == no_id && ray.wall == no_id) {
         return;
     }
     const Phase one = complex.phase_at(complex.twin(sheet));
-    const Phase other = complex.phase_at(complex.twin(ray.opposite));
+    const Phase other = ray.wall == no_id ? complex.phase_at(complex.twin(ray.opposite)) : one;
     for (const auto& [t, middle] : crossed) {
         offer(t, one, middle);
         offer(t, other, ray.thickness - middle);

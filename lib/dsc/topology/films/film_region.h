@@ -17,7 +17,8 @@ public:
     FilmRegion(TopologyWork<Real>& work, Phase film, Real contact)
         : work_(work), film_(film), contact_(contact) {}
 
-    /// The triangles on the ray of the half-edge, each for the phase beyond the nearest sheet.
+    /// The triangles on the ray of the half-edge, each for the phase beyond the nearest sheet; the
+    /// domain boundary is none.
     /// O(contact / length of the edges).
     void add_ray(Corner sheet);
     /// Takes what would be left as notches, pockets, and pieces below the least area. O(number of

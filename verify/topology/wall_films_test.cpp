@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// Films between the interface and the domain boundary open as those between two sheets do; what is
+// thin there for other reasons stays.
+#include "support/topology/growing_discs.h"
+#include "support/ways.h"
+
+#include "dsc/parallel/parallel.h"
+#include "dsc/queries/components.h"
+#include "measures/interface_outlines.h"
+#include "measures/symmetric_difference.h"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+namespace dsc::wall_films_test {
+namespace {
+
+using namespace test::growing_discs;
+
+using P = Point<double>;
+
+constexpr double radius = 0.2;
+constexpr int steps = 60;
+
+// A disc that comes to a wall, or to two walls.
+struct Approach {
+    P centre;
+    P way;       ///< that it is carried
+    double rise; ///< of its radius
+    std::size_t walls;
+};
+const Approach falls{{0.5, 0.4}, {0, -0.3}, 0, 1};
+const Approach grows{{0.5, 0.3}, {0, 0}, 0.16, 1};
+const Approach grows_to_corner{{0.28, 0.3}, {0, 0}, 0.16, 2};
+
+struct Wetted {
+    Complex<double> complex;
+    std::vector<Event> events;
+    std::uint64_t unreached = 0;
+};
+
+Wetted run(const Approach& approach, Options<double> options,
+           const std::optional<Parallel>& parallel = {}) {
+    const double length = options.edge_length;
+    const int vertices = static_cast<int>(3 * std::numbers::pi * radius / length);
+    const std::vector<Shape> shapes{{test::circle_points(approach.centre, radius, vertices), 1}};
+    Wetted result{initial_complex<double>({}, shapes, {.edge_length = length}), {}};
+    const auto simulation =
+        parallel ? std::make_unique<Simulation<double>>(result.complex, options, *parallel)
+                 : std::make_unique<Simulation<double>>(result.complex, options);
+    const Velocity<double> velocity = [&](std::span<const P> positions, double,
+                                          std::span<P> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = approach.way;
+            if (approach.rise > 0) {
+                velocities[i] += approach.rise * (positions[i] - approach.centre).normalized();
+            }
+        }
+    };
+    for (int step = 0; step < steps; ++step) {
+        const StepReport report = simulation->step(velocity, step / 60.0, 1 / 60.0);
+        result.events.insert(result.events.end(), report.events.begin(), report.events.end());
+        result.unreached += report.unreached;
+        EXPECT_EQ(validate(result.complex).problem, "");
+    }
+    return result;
+}
+
+Options<double> changing(double length, double contact = 0) {
+    Options<double> result;
+    result.edge_length = length;
+    result.topology = {.rule = Topology::change, .contact = contact};
+    return result;
+}
+
+// The part of the disc in the quadrant beyond the two walls.
+scenes::Outline clipped(const Approach& approach) {
+    constexpr int vertices = 4000;
+    scenes::Outline outline;
+    const P centre = approach.centre + approach.way;
+    for (int i = 0; i < vertices; ++i) {
+        const double angle = 2 * std::numbers::pi * i / vertices;
+        outline.push_back(centre + (radius + approach.rise) * P(std::cos(angle), std::sin(angle)));
+    }
+    for (const Eigen::Index axis : {0, 1}) {
+        scenes::Outline inside;
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const P& from = outline[i];
+            const P& to = outline[(i + 1) % outline.size()];
+            if (from[axis] >= 0) {
+                inside.push_back(from);
+            }
+            if ((from[axis] >= 0) != (to[axis] >= 0)) {
+                inside.push_back(from + from[axis] / (from[axis] - to[axis]) * (to - from));
+            }
+        }
+        outline = inside;
+    }
+    return outline;
+}
+
+void expect_clipped(const Wetted& run, const Approach& approach, double edge_length) {
+    EXPECT_EQ(run.unreached, 0U);
+    EXPECT_EQ(count(run.events, EventKind::meet), approach.walls);
+    EXPECT_EQ(count(run.events, EventKind::fill) + count(run.events, EventKind::split), 0U);
+    // Between two walls a corner of the exterior is cut off.
+    std::array<std::size_t, 2> pieces{};
+    for (const auto& component : components(run.complex).list) {
+        ++pieces.at(component.phase);
+    }
+    EXPECT_EQ(pieces, (std::array<std::size_t, 2>{approach.walls, 1}));
+    // Nothing thin is left along the walls.
+    for (const Vertex v : vertices(run.complex)) {
+        const P p = run.complex.position(v);
+        EXPECT_FALSE(std::min(p.x(), p.y()) > 0 && std::min(p.x(), p.y()) < 1e-3 * edge_length);
+    }
+    const std::vector<scenes::Outline> exact{clipped(approach)};
+    EXPECT_LT(
+        scenes::symmetric_difference(
+            std::span<const scenes::Outline>(scenes::interface_outlines(run.complex, {.phase = 1})),
+            std::span<const scenes::Outline>(exact)),
+        0.25 * edge_length * edge_length);
+}
+
+TEST(WallFilms, ADiscWetsTheWallThatItComesTo) {
+    for (const double length : {0.04, 0.02, 0.01}) {
+        for (const auto& approach : {falls, grows, grows_to_corner}) {
+            SCOPED_TRACE(testing::Message() << length << ", " << approach.centre.transpose());
+            expect_clipped(run(approach, changing(length)), approach, length);
+        }
+    }
+}
+
+class WallFilmsEveryWay : public testing::TestWithParam<Division> {};
+
+TEST_P(WallFilmsEveryWay, ADiscWetsTheWallThatItComesTo) {
+    for (const auto& approach : {falls, grows_to_corner}) {
+        std::uint64_t hash = 0;
+        for (const std::uint32_t threads : {1U, 3U}) {
+            const Wetted one = run(
+                approach, changing(h),
+                Parallel{.threads = threads, .division = GetParam(), .always_all_threads = true});
+            expect_clipped(one, approach, h);
+            hash = hash == 0 ? mesh_hash(one.complex) : hash;
+            EXPECT_EQ(mesh_hash(one.complex), hash) << "the number of threads makes a difference";
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Topology, WallFilmsEveryWay,
+                         testing::Values(Division::fixed, Division::active, Division::blocks,
+                                         Division::cells, Division::copy),
+                         [](const auto& one) { return test::name_of(one.param); });
+
+TEST(WallFilms, OpenAtAContactOfSeveralEdges) {
+    for (const auto& approach : {falls, grows}) {
+        const Wetted wide = run(approach, changing(h, 3 * h));
+        expect_clipped(wide, approach, h);
+        ASSERT_FALSE(wide.events.empty());
+        // It is there at two thirds and at five eighths of the time: earlier by the contact over
+        // the speed.
+        const bool is_fall = approach.rise == 0;
+        const double expected = is_fall ? (0.2 - 3 * h) / 0.3 : (0.1 - 3 * h) / 0.16;
+        EXPECT_NEAR(wide.events.front().time, expected, 0.1);
+    }
+}
+
+TEST(WallFilms, TheFirstEventTellsOfTheWall) {
+    const Wetted one = run(falls, changing(h));
+    ASSERT_FALSE(one.events.empty());
+    const Event& first = one.events.front();
+    EXPECT_EQ(first.kind, EventKind::meet);
+    EXPECT_EQ(first.lost, exterior_phase);
+    EXPECT_EQ(first.taken, (std::array<Phase, 2>{1, 1}));
+    EXPECT_NEAR(first.x, 0.5, 2 * h);
+    EXPECT_NEAR(first.y, 0, default_contact * h / 2);
+    EXPECT_GT(first.area, 0);
+    EXPECT_LT(first.area, 10 * default_contact * h * h);
+}
+
+TEST(WallFilms, StayWhereTheApplicationSaysNo) {
+    auto asked = changing(h);
+    int times = 0;
+    asked.topology.may_change = [&](const Contact& contact) {
+        ++times;
+        EXPECT_EQ(contact.film, exterior_phase);
+        EXPECT_EQ(contact.sides, (std::array<Phase, 2>{1, border_phase}));
+        EXPECT_LE(contact.thickness, default_contact * h);
+        return false;
+    };
+    EXPECT_TRUE(run(falls, asked).events.empty());
+    EXPECT_GT(times, 0);
+    auto kept = changing(h);
+    kept.topology.pairs = {{.one = 0, .other = 1, .rule = Topology::keep}};
+    EXPECT_TRUE(run(falls, kept).events.empty());
+}
+
+// --- what is thin, but no film that is squeezed -------------------------------------------------
+
+// The curve, with phase 1 below, stays or slides along the wall.
+void expect_left_alone(const std::vector<P>& curve, double speed, double contact) {
+    const std::vector<Curve> curves{{curve, 0, 1}};
+    auto complex = initial_complex<double>({}, curves, {.edge_length = h});
+    const double before = area_of(complex, 1);
+    Simulation<double> simulation(complex, changing(h, contact));
+    const Velocity<double> slide = [&](std::span<const P> positions, double,
+                                       std::span<P> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = P(speed, 0);
+        }
+    };
+    std::uint64_t unreached = 0;
+    for (int step = 0; step < 20; ++step) {
+        const StepReport report = simulation.step(slide, 0, 0.4 * h);
+        // The end of a curve that is close to a corner of the domain goes there.
+        EXPECT_EQ(count(report.events, EventKind::exchange), report.events.size());
+        unreached += report.unreached;
+    }
+    EXPECT_EQ(unreached, 0U);
+    EXPECT_NEAR(area_of(complex, 1), before, 0.2 * h * h);
+}
+
+TEST(WallFilms, ALayerOnTheWallStays) {
+    for (const double thickness : {0.1 * h, 0.3 * h, 3 * h}) {
+        for (const double contact : {0.0, 2 * h}) {
+            SCOPED_TRACE(testing::Message() << thickness / h << ", " << contact / h);
+            expect_left_alone({{0, thickness}, {0.5, thickness}, {1, thickness}}, 0, contact);
+        }
+    }
+}
+
+TEST(WallFilms, TheWedgeAtTheEndOfACurveStays) {
+    for (const double degrees : {30.0, 20.0, 10.0}) {
+        for (const double speed : {0.0, 1.0}) {
+            SCOPED_TRACE(testing::Message() << degrees << ", " << speed);
+            const double height = 0.3 * std::tan(degrees * std::numbers::pi / 180);
+            expect_left_alone({{0.1, 0}, {0.4, height}, {0.7, 0}}, speed, 0);
+        }
+    }
+}
+
+} // namespace
+} // namespace dsc::wall_films_test
