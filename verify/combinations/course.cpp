@@ -61,9 +61,12 @@ public:
         if (interruption_ == Interruption::listened) {
             expect_replayed();
         }
+        if (row_.data == Data::field) {
+            expect_field();
+        }
         outcome_.hash = mesh_hash(*complex_);
-        outcome_.last = std::move(*complex_);
         simulation_.reset();
+        outcome_.last = std::move(*complex_);
         return std::move(outcome_);
     }
 
@@ -73,7 +76,31 @@ private:
         InitialOptions initial;
         initial.edge_length = scene_.h;
         initial.sizes = sizes_in<double>(options.sizes);
-        return initial_complex<Real>(scene_.domain, std::span<const Curve>(scene_.curves), initial);
+        auto complex =
+            initial_complex<Real>(scene_.domain, std::span<const Curve>(scene_.curves), initial);
+        if (row_.data == Data::field) {
+            auto& field = complex.attributes.template add<Vertex, double>("place", 0.0);
+            field.set_field(true);
+            for (const Vertex v : vertices(complex)) {
+                field[v] = value_at(complex.position(v));
+            }
+        }
+        return complex;
+    }
+
+    static double value_at(const Point<Real>& p) {
+        return static_cast<double>(p.x()) + 2 * static_cast<double>(p.y());
+    }
+
+    void expect_field() {
+        auto& field = *complex_->attributes.template get<Vertex, double>("place");
+        double worst = 0;
+        for (const Vertex v : vertices(*complex_)) {
+            worst = std::max(worst, std::abs(field[v] - value_at(complex_->position(v))));
+        }
+        if (!(worst < (std::is_same_v<Real, double> ? 1e-9 : 1e-4))) {
+            note("the field is off by " + std::to_string(worst));
+        }
     }
 
     [[nodiscard]] std::unique_ptr<Simulation<Real>> simulation_of(Complex<Real>& complex) {
@@ -206,7 +233,7 @@ private:
                 }),
                 time, dt);
         }
-        if (row_.motion == Motion::curvature) {
+        if (row_.motion == Motion::curvature || row_.motion == Motion::vanish) {
             const InterfaceMotion<Real> inner = curvature_flow<Real>();
             return simulation_->step(InterfaceMotion<Real>([&](const InterfaceView<Real>& view,
                                                                Real at, Real for_dt, auto ways) {
@@ -266,6 +293,9 @@ private:
         if (is_middle && interruption_ == Interruption::pause) {
             take(advance(time, 0), i);
         }
+        if (is_middle && interruption_ == Interruption::tiny_step) {
+            take(advance(time, dt * std::numeric_limits<Real>::epsilon()), i);
+        }
         take(advance(time, dt), i);
         trouble_ = Trouble::none;
     }
@@ -312,6 +342,7 @@ private:
         case Interruption::listened:
         case Interruption::thrown:
         case Interruption::pause:
+        case Interruption::tiny_step:
         case Interruption::not_a_number: break; // in the step
         }
     }

@@ -55,6 +55,7 @@ std::span<const Feature> features() {
         {"interruption", names_of(interruption_names)},
         {"turned", names_of(turned_names)},
         {"inside", names_of(inside_names)},
+        {"data", names_of(data_names)},
     }};
     return list;
 }
@@ -75,7 +76,8 @@ Row row_of(const Values& v) {
             .precision = precision_names[v[12]].value,
             .interruption = interruption_names[v[13]].value,
             .turned = turned_names[v[14]].value,
-            .inside = inside_names[v[15]].value};
+            .inside = inside_names[v[15]].value,
+            .data = data_names[v[16]].value};
 }
 
 std::string words_of(const Values& values) {

@@ -61,6 +61,7 @@ enum class Motion : std::uint8_t {
     grow,  ///< along the normals
     shrink,
     curvature,
+    vanish, ///< by curvature, until the inner of two nested pieces is gone
 };
 inline constexpr std::array motion_names{
     Named{Motion::rest, "rest"},     Named{Motion::right, "right"},
@@ -68,6 +69,7 @@ inline constexpr std::array motion_names{
     Named{Motion::down, "down"},     Named{Motion::turn, "turn"},
     Named{Motion::swirl, "swirl"},   Named{Motion::grow, "grow"},
     Named{Motion::shrink, "shrink"}, Named{Motion::curvature, "curvature"},
+    Named{Motion::vanish, "vanish"},
 };
 
 /// How the flow is handed to the step.
@@ -157,6 +159,7 @@ enum class Interruption : std::uint8_t {
     listened,     ///< edits are listened to, and replayed at the end
     thrown,       ///< the application's function throws, and the step is made again
     pause,        ///< a step of no duration
+    tiny_step,    ///< one of nearly none
     not_a_number, ///< in one step and half of the domain
 };
 inline constexpr std::array interruption_names{
@@ -168,6 +171,7 @@ inline constexpr std::array interruption_names{
     Named{Interruption::listened, "listened"},
     Named{Interruption::thrown, "thrown"},
     Named{Interruption::pause, "pause"},
+    Named{Interruption::tiny_step, "tiny_step"},
     Named{Interruption::not_a_number, "not_a_number"},
 };
 
@@ -188,6 +192,16 @@ inline constexpr std::array inside_names{
     Named{Inside::carried, "carried"},
 };
 
+/// What the application keeps in the mesh.
+enum class Data : std::uint8_t {
+    none,
+    field, ///< of the place: linear, and so exact wherever a vertex is made or moved
+};
+inline constexpr std::array data_names{
+    Named{Data::none, "none"},
+    Named{Data::field, "field"},
+};
+
 /// One value of each feature; the first of each is the plain one.
 struct Row {
     Place place = Place::square;
@@ -206,10 +220,11 @@ struct Row {
     Interruption interruption = Interruption::none;
     Turned turned = Turned::not_at_all;
     Inside inside = Inside::still;
+    Data data = Data::none;
 };
 
 /// A row as numbers: for each feature, which of its values.
-inline constexpr std::size_t feature_count = 16;
+inline constexpr std::size_t feature_count = 17;
 using Values = std::array<std::uint8_t, feature_count>;
 
 struct Feature {

@@ -276,6 +276,10 @@ void grow(Scene& scene, const Row& row, const Shape& shape, double by) {
 
 void bend(Scene& scene, const Row& row, const Shape& shape) {
     scene.end = row.place == Place::slender ? 0.001 : 0.003;
+    if (row.motion == Motion::vanish) {
+        scene.end = 1.1 * std::pow(shape.radius / 2, 2) / 2;
+        scene.meets = true;
+    }
     if (row.phases == Phases::many) {
         scene.end = 2e-4;
         scene.is_only_conserved = true;
@@ -323,7 +327,8 @@ void set_motion(Scene& scene, const Row& row, const Shape& shape) {
     case Motion::swirl: swirl(scene, shape, row.place); break;
     case Motion::grow: grow(scene, row, shape, row.place == Place::slender ? 0.04 : 0.12); break;
     case Motion::shrink: grow(scene, row, shape, is_small ? -0.04 : -0.08); break;
-    case Motion::curvature: bend(scene, row, shape); break;
+    case Motion::curvature:
+    case Motion::vanish: bend(scene, row, shape); break;
     }
 }
 

@@ -28,7 +28,8 @@ struct Scene {
     /// Velocity by place and time; for `grow`, `shrink` and `curvature` nothing.
     std::function<Point<double>(const Point<double>&, double)> velocity;
     double fastest = 0; ///< of these velocities
-    /// The shape meets itself or a wall: vertices may be in each other's way.
+    /// The shape meets itself or a wall, or a piece of it vanishes: where the topology may change,
+    /// that is told; where it is kept, vertices are in each other's way.
     bool meets = false;
     /// Vertices have targets beyond a wall, and need not arrive.
     bool runs_into_wall = false;

@@ -26,6 +26,7 @@ enum Number : std::size_t {
     interruption,
     turned,
     inside,
+    data,
 };
 
 struct Contradiction {
@@ -37,6 +38,7 @@ struct Contradiction {
 bool is_translation(Motion one) {
     return one == Motion::right || one == Motion::left || one == Motion::up || one == Motion::down;
 }
+bool is_by_curvature(Motion one) { return one == Motion::curvature || one == Motion::vanish; }
 bool is_normal(Motion one) { return one == Motion::grow || one == Motion::shrink; }
 
 const std::vector<Contradiction>& rules() {
@@ -58,7 +60,7 @@ const std::vector<Contradiction>& rules() {
          "what lies on a wall is translated along it alone"},
         {{place, motion},
          [](const Row& row) {
-             return (is_normal(row.motion) || row.motion == Motion::curvature ||
+             return (is_normal(row.motion) || is_by_curvature(row.motion) ||
                      row.motion == Motion::swirl) &&
                     row.place == Place::through_corner;
          },
@@ -81,7 +83,7 @@ const std::vector<Contradiction>& rules() {
          [](const Row& row) {
              return row.phases == Phases::junctions && row.place != Place::pair &&
                     row.coarsening == Coarsening::never &&
-                    (row.motion == Motion::shrink || row.motion == Motion::curvature ||
+                    (row.motion == Motion::shrink || is_by_curvature(row.motion) ||
                      (row.place == Place::layer && is_translation(row.motion)));
          },
          "a junction that moves along a curve meets vertices that have to go"},
@@ -106,7 +108,7 @@ const std::vector<Contradiction>& rules() {
         {{place, phases, motion},
          [](const Row& row) {
              return row.phases == Phases::junctions && row.place == Place::in_corner &&
-                    (is_normal(row.motion) || row.motion == Motion::curvature);
+                    (is_normal(row.motion) || is_by_curvature(row.motion));
          },
          "a junction that is held in a corner of the domain moves along no normal"},
         {{phases, outline},
@@ -121,14 +123,31 @@ const std::vector<Contradiction>& rules() {
         {{motion, outline},
          [](const Row& row) {
              return row.outline != Outline::round &&
-                    (is_normal(row.motion) || row.motion == Motion::curvature);
+                    (is_normal(row.motion) || is_by_curvature(row.motion));
          },
          "corners change their shape along normals and by curvature"},
+        {{place, phases, motion},
+         [](const Row& row) {
+             return row.motion == Motion::vanish &&
+                    (row.phases != Phases::nested || row.place == Place::layer);
+         },
+         "only a round piece inside another one vanishes"},
+        {{motion, topology},
+         [](const Row& row) {
+             return row.motion == Motion::vanish &&
+                    (row.topology == Rule::keep || row.topology == Rule::forbidden);
+         },
+         "nothing vanishes where the topology is kept"},
+        {{told, interruption},
+         [](const Row& row) {
+             return row.interruption == Interruption::pause && row.told == Told::motion;
+         },
+         "refused: a motion of the whole interface in no time"},
         {{motion, told},
          [](const Row& row) { return is_normal(row.motion) && row.told != Told::seeing; },
          "growth sees the interface"},
         {{motion, told},
-         [](const Row& row) { return row.motion == Motion::curvature && row.told != Told::motion; },
+         [](const Row& row) { return is_by_curvature(row.motion) && row.told != Told::motion; },
          "curvature flow is a motion of the whole interface"},
         {{told, inside},
          [](const Row& row) {
@@ -148,8 +167,7 @@ const std::vector<Contradiction>& rules() {
          "the sequential method has no submeshes"},
         {{motion, interruption},
          [](const Row& row) {
-             return row.interruption == Interruption::not_a_number &&
-                    row.motion == Motion::curvature;
+             return row.interruption == Interruption::not_a_number && is_by_curvature(row.motion);
          },
          "what is held back at once gets ahead again by its curvature"},
     };
@@ -189,9 +207,10 @@ std::span<const std::string_view> found_rows() {
 }
 
 std::span<const std::string_view> refused_rows() {
-    static constexpr std::array<std::string_view, 2> list{
+    static constexpr std::array<std::string_view, 3> list{
         "told=seeing inside=carried",
         "told=motion inside=carried",
+        "told=motion interruption=pause",
     };
     return list;
 }

@@ -261,7 +261,7 @@ private:
             expect(mesh_hash(copy) == mesh_hash(complex_), "a refused edit changed the complex");
         }
         if (validate(copy).ok()) {
-            std::vector<Edit> records = std::move(copy.journal.records);
+            auto records = std::move(copy.journal.records);
             complex_ = std::move(copy);
             complex_.journal.records = std::move(records); // the log of a complex stays with it
         }
