@@ -93,7 +93,7 @@ private:
     }
 
     void expect_field() {
-        auto& field = *complex_->attributes.template get<Vertex, double>("place");
+        auto& field = complex_->attributes.template get<Vertex, double>("place");
         double worst = 0;
         for (const Vertex v : vertices(*complex_)) {
             worst = std::max(worst, std::abs(field[v] - value_at(complex_->position(v))));

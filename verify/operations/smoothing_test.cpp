@@ -272,7 +272,7 @@ TYPED_TEST(Smoothing, ResamplesNothingInAStarWithoutArea) {
     for (std::uint32_t v = 0; v < K.vertex_bound(); ++v) {
         K.set_position(Vertex{v}, {TypeParam(0.5), TypeParam(0.5)});
     }
-    resample_fields<TypeParam>(K, Vertex{0}, {TypeParam(0.5), TypeParam(0.5)});
+    resample_fields<TypeParam>(K, Vertex{0}, {TypeParam(0.5), TypeParam(0.5)}, false);
     EXPECT_EQ(field[Vertex{0}], 7);
 }
 
