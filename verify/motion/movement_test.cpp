@@ -82,5 +82,26 @@ TEST(Movement, IsCertifiedWhereCoordinatesAreCoarse) {
     EXPECT_GT(partly, 20);
 }
 
+// Of a square's sides, the rates at which areas change towards such places are no numbers either.
+TEST(Movement, RefusesWhatIsNotFinite) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const std::vector<Point<double>> square{{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+    for (const double x : {nan, infinity, -infinity, 0.1}) {
+        for (const double y : {nan, infinity, -infinity}) {
+            for (const Point<double>& target : {Point<double>(x, y), Point<double>(y, x)}) {
+                auto complex = test::build<double>(
+                    square, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}, std::vector<Phase>(4, 0));
+                Ring<double> ring;
+                ASSERT_TRUE(gather(complex, Region{}, 0, ring));
+                EXPECT_EQ(move_limit(ring, target.x(), target.y()), 0) << target.transpose();
+                EXPECT_FALSE(all_positive(ring, target.x(), target.y())) << target.transpose();
+                EXPECT_EQ(move_centre(complex, target), MoveOutcome::blocked);
+                EXPECT_EQ(complex.position(Vertex{0}), square[0]);
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace dsc::movement_test

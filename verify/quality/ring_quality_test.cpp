@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace dsc::ring_quality_test {
@@ -102,6 +103,30 @@ TEST(RingQuality, AStarThatPassesTheDelaunayTestHasNoMargin) {
         EXPECT_GT(margins[i], 0);
     }
     EXPECT_EQ(examine(ring).delaunay, 0);
+}
+
+template <class Real>
+class RingQualityTyped : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(RingQualityTyped, Reals);
+
+// The exact predicate has to say it where products overflow, and says no to what is not finite.
+TYPED_TEST(RingQualityTyped, NothingIsCertainFarAwayOrWhereNoNumbersAre) {
+    using Real = TypeParam;
+    using Limits = std::numeric_limits<Real>;
+    const auto complex = test::hexagon<Real>();
+    Ring<Real> ring;
+    ASSERT_TRUE(gather(complex, Region{}, 0, ring));
+    EXPECT_TRUE(certainly_positive(ring, Real(0.1), Real(0.2)));
+    const Real nan = Limits::quiet_NaN();
+    const Real infinity = Limits::infinity();
+    const Real overflows = std::sqrt(Limits::max()) * 2;
+    for (const Real bad : {nan, infinity, -infinity, overflows, -overflows, Limits::max()}) {
+        EXPECT_FALSE(certainly_positive(ring, bad, Real(0.2))) << bad;
+        EXPECT_FALSE(certainly_positive(ring, Real(0.1), bad)) << bad;
+        EXPECT_FALSE(certainly_positive(ring, bad, bad)) << bad;
+        EXPECT_FALSE(certainly_positive(ring, bad, -bad)) << bad;
+    }
 }
 
 } // namespace

@@ -15,7 +15,8 @@
 namespace dsc {
 
 /// The largest fraction in [0, 1] of the way to (x, y) for which every star triangle keeps an
-/// altitude of `altitude_floor` times its base, or `altitude_keep` of what it has. O(degree).
+/// altitude of `altitude_floor` times its base, or `altitude_keep` of what it has; 0 where the way
+/// there is not finite. O(degree).
 template <class Real>
 Real move_limit(const Ring<Real>& ring, Real x, Real y) {
     const Real dx = x - ring.x0;
@@ -43,7 +44,8 @@ Real move_limit(const Ring<Real>& ring, Real x, Real y) {
         const Real spare = area - std::min(floor * base, keep * area);
         limit = std::min(limit, spare / std::max(-rate, tiny));
     }
-    return std::max(limit, Real(0));
+    // The minimum passes over what is not a number.
+    return std::isfinite(dx) && std::isfinite(dy) ? std::max(limit, Real(0)) : Real(0);
 }
 
 /// True if every star triangle is strictly positive with the centre at (px, py); exact.

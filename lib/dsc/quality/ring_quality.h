@@ -99,7 +99,10 @@ bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
     }
     // Below this, products may have lost bits to underflow.
     constexpr Real guard = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
-    return least > 0 && scale > guard;
+    // The minima pass over what is not a number: a centre that is none, or so far away that a
+    // difference of products that have overflowed is none.
+    constexpr Real far = sizeof(Real) == sizeof(double) ? Real(1e150) : Real(1e18);
+    return least > 0 && scale > guard && std::abs(px) < far && std::abs(py) < far;
 }
 
 /// All that a mesh update has to know about a star, computed in one loop.
