@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Rays across a film, chords, and the region that they make up, on small grids.
+#include "support/small_meshes.h"
 #include "support/topology/topology_testing.h"
 
+#include "dsc/geometry/predicates.h"
+#include "dsc/queries/validate.h"
 #include "dsc/topology/films/chords.h"
 #include "dsc/topology/films/film_ray.h"
 #include "dsc/topology/films/film_region.h"
@@ -145,6 +148,38 @@ TEST(FilmRegion, IsDividedHalfway) {
     EXPECT_GT(one, 0.5);
     EXPECT_GT(two, 0.5);
     EXPECT_DOUBLE_EQ(one + two, area);
+}
+
+// Vertex 0 lies on the left of the line from vertex 1 to vertex 2, by less than the rounding of a
+// product; the middle between these two lies on its right, where the sign of the product says left.
+TEST(FilmRegion, IsStraightenedOnlyToWhereNoTriangleIsTurnedOver) {
+    const std::vector<Point<double>> points{{0x1.d244a038274dcp-2, 0x1.d30c0e5967d9bp-2},
+                                            {0x1.2785a781dd289p-3, 0x1.2f23ee84f2e01p-3},
+                                            {0x1.88633657b0033p-1, 0x1.874312b82b214p-1},
+                                            {0.3, 0.61},
+                                            {0.64, 0.27},
+                                            {0.58, 0.95},
+                                            {-0.04, 0.33}};
+    auto complex = test::build<double>(
+        points, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 4, 2}, {2, 5, 3}, {3, 6, 1}},
+        {exterior_phase, exterior_phase, exterior_phase, 2, 1, 1});
+    ASSERT_EQ(validate(complex).problem, "");
+    const Point<double> middle = (points[1] + points[2]) / 2;
+    ASSERT_LT(orientation<double>(middle, points[1], points[2]), 0);
+    ASSERT_GT(cross<double>(points[1] - middle, points[2] - middle), 0);
+    Work work(complex, 4);
+    FilmRegion<double> region(*work.work, exterior_phase, 4);
+    for (const Triangle t : triangles(complex, exterior_phase)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t.id, i);
+            if (complex.phase_at(complex.twin(c)) == 1) {
+                region.add_ray(c);
+            }
+        }
+    }
+    region.smooth();
+    EXPECT_EQ(complex.position(Vertex{0}), points[0]);
+    EXPECT_EQ(validate(complex).problem, "");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/topology/films/film_region.h"
 
+#include "dsc/geometry/predicates.h"
 #include "dsc/topology/films/film_ray.h"
 
 #include <algorithm>
@@ -166,7 +167,7 @@ void FilmRegion<Real>::straighten(Vertex v) {
     const Point<Real> place = sum / Real(2);
     const Real share = worst_share(v, place);
     if (share >= static_cast<Real>(least_share) || share > worst_share(v, complex.position(v))) {
-        if (share > 0) {
+        if (share > 0 && is_all_positive(v, place)) {
             rewire::move(complex, complex.journal, v.id, place.x(), place.y(),
                          MoveReason::smoothing);
         }
@@ -185,6 +186,19 @@ Real FilmRegion<Real>::worst_share(Vertex v, const Point<Real>& place) const {
         worst = std::min(worst, cross<Real>(a, b) / longest);
     });
     return worst;
+}
+
+// Exact: of the thinnest triangles the share has the sign of its rounding.
+template <class Real>
+bool FilmRegion<Real>::is_all_positive(Vertex v, const Point<Real>& place) const {
+    const Complex<Real>& complex = work_.complex;
+    bool is_positive = true;
+    for_each_corner(complex, v, [&](Corner c) {
+        is_positive = is_positive &&
+                      orientation<Real>(place, complex.position(Vertex{complex.vertex(next(c))}),
+                                        complex.position(Vertex{complex.vertex(prev(c))})) > 0;
+    });
+    return is_positive;
 }
 
 template <class Real>
