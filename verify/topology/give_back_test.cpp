@@ -129,6 +129,31 @@ TEST(GiveBack, LeavesLockedVerticesAndCornersWhereTheyAre) {
     }
 }
 
+// No other vertex is farther away, by which the weights could be measured.
+TYPED_TEST(GiveBackTyped, MovesASingleVertexThatLiesAtTheVeryPlace) {
+    using Real = TypeParam;
+    auto complex = test::disc_complex<Real>(0.02);
+    const auto before = complex;
+    Vertex single{};
+    for (const Vertex v : vertices(complex)) {
+        if (is_interface(complex, v) && complex.position(v).x() > Real(0.74)) {
+            single = v;
+        }
+        complex.vertices[v.id].flags |= vertex_locked;
+    }
+    complex.vertices[single.id].flags &= ~vertex_locked;
+    Work<Real> of{complex};
+    const Point<double> place = complex.position(single).template cast<double>();
+    of.work.transfers.push_back({1, exterior_phase, 1e-5, place, {}});
+    const AreaAccount account = give_back(of.work);
+    EXPECT_EQ(validate(complex).problem, "");
+    const double rounding = std::is_same_v<Real, double> ? 1e-16 : 1e-8;
+    EXPECT_NEAR(account.given_back, 1e-5, rounding);
+    EXPECT_LT(account.owed, rounding);
+    EXPECT_GT((complex.position(single) - before.position(single)).norm(), Real(1e-4));
+    EXPECT_NEAR(areas_of(complex).at(1), areas_of(before).at(1) + 1e-5, 4 * rounding);
+}
+
 TEST(GiveBack, DoesNothingUnlessItIsAskedFor) {
     auto complex = test::disc_complex<double>(0.02);
     Work<double> of{complex, {.rule = Topology::change}};
