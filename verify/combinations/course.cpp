@@ -50,6 +50,7 @@ public:
         const int middle = scene_.steps / 2;
         for (int i = 0; i < scene_.steps; ++i) {
             if (i == middle) {
+                outcome_.middle = *complex_;
                 switch_sizes();
                 interrupt(i);
             }
@@ -145,8 +146,9 @@ private:
         sizes.longest = 4 * h;
         if (asked == Sizes::by_place || asked == Sizes::in_time) {
             const bool changes = asked == Sizes::in_time;
-            sizes.by_place = [h, changes](const Point<Real>& p, Real time, Phase) {
-                const Real x = p.x() + (changes ? time : Real(0));
+            const Real end = static_cast<Real>(scene_.end);
+            sizes.by_place = [h, end, changes](const Point<Real>& p, Real time, Phase) {
+                const Real x = p.x() + (changes ? time / end : Real(0));
                 return h * (Real(2.5) + Real(1.5) * std::sin(9 * x));
             };
             sizes.changes_in_time = changes;
@@ -202,9 +204,10 @@ private:
         }
         if (trouble_ == Trouble::not_a_number) {
             constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
-            const double middle = scene_.domain.high.y() / 2;
+            // On one side of a slanting line through the middle of the shape.
             for (std::size_t i = 0; i < positions.size(); ++i) {
-                if (positions[i].y() > static_cast<Real>(middle)) {
+                const Point<double> off = positions[i].template cast<double>() - scene_.middle;
+                if (off.y() + 0.3 * off.x() > 0) {
                     values[i] = Point<Real>(none, none);
                 }
             }
@@ -303,6 +306,7 @@ private:
     void take(const StepReport& report, int i) {
         const std::string when = ", step " + std::to_string(i);
         outcome_.held += report.held;
+        outcome_.sub_steps += report.sub_steps;
         // What is held may be in the way of others.
         outcome_.unreached += trouble_ == Trouble::not_a_number ? 0 : report.unreached;
         outcome_.events += report.events.size();

@@ -16,7 +16,9 @@ namespace dsc::combinations {
 template <class Real>
 struct Outcome {
     Complex<Real> first;
+    Complex<Real> middle; ///< after half of the steps
     Complex<Real> last;
+    std::uint32_t sub_steps = 0;
     std::uint64_t hash = 0;
     std::uint64_t unreached = 0; ///< but for those that the row itself holds
     std::uint64_t held = 0;

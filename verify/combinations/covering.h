@@ -18,8 +18,7 @@ struct CoverTask {
     std::size_t strength = 2;            ///< so many features at a time
     std::uint64_t seed = 1;              ///< another one gives other rows
     std::size_t most_rows = 1'000'000;   ///< stops early, with fewer combinations
-    /// Whether the first `known` values of `row`, given by the features in `order`, may stand
-    /// together. Called with more and more of them.
+    /// Whether those values of `row` that `is_set` names may stand together.
     std::function<bool(std::span<const std::uint8_t> row, std::span<const bool> is_set)>
         makes_sense;
 };

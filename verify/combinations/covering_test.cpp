@@ -51,6 +51,14 @@ TEST(Covering, HasEveryTripleThatMakesSense) {
     EXPECT_EQ(cover.senseless, 4U);
 }
 
+// Pairs of features are left out only where it is said why.
+TEST(Rows, HoldAllPairsOfValuesThatMakeSense) {
+    const Cover cover = cover_features(2);
+    EXPECT_EQ(cover.covered, cover.combinations);
+    EXPECT_EQ(cover.combinations, 3262U);
+    EXPECT_EQ(cover.senseless, 79U);
+}
+
 TEST(Rows, AreWhatTheirWordsSay) {
     const std::string words = "place=on_wall motion=swirl way=copy precision=float";
     const Values values = values_of(words);

@@ -33,22 +33,38 @@ struct Result {
     bool is_done = false; ///< it has ended by itself
     double distance = 0;
     double allowed = 0;
+    std::uint32_t threads = 1;
     std::vector<std::string> problems;
     double seconds = 0;
 };
 
+struct Settings {
+    std::string row;
+    std::size_t strength = 2;
+    std::uint64_t seed = 1;
+    std::size_t most_rows = 1'000'000;
+    std::size_t jobs = 2;
+    rlim_t limit_s = 20;
+    double fineness = 1;
+    bool lists = false;
+    bool cuts_down = true;
+};
+
 class Child {
 public:
-    Child(const Values& values, int limit_s) {
+    Child(const Values& values, const Settings& settings) {
         std::array<int, 2> ends{};
         if (pipe(ends.data()) != 0) {
             throw std::runtime_error("no pipe");
         }
         id_ = fork();
+        if (id_ < 0) {
+            throw std::runtime_error("no process");
+        }
         if (id_ == 0) {
             close(ends[0]);
-            alarm(static_cast<unsigned>(limit_s));
-            write_result(values, ends[1]);
+            limit_time(settings.limit_s);
+            write_result(values, settings.fineness, ends[1]);
             _exit(0);
         }
         close(ends[1]);
@@ -69,14 +85,14 @@ public:
         result.seconds = static_cast<double>(used.ru_utime.tv_sec) +
                          1e-6 * static_cast<double>(used.ru_utime.tv_usec);
         if (!WIFEXITED(status) || text.empty()) {
-            result.problems.push_back(WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM
-                                          ? "hangs"
-                                          : "ends by signal " + std::to_string(WTERMSIG(status)));
+            const int signal = WTERMSIG(status);
+            const bool hangs = signal == SIGALRM || signal == SIGXCPU || signal == SIGKILL;
+            result.problems.push_back(hangs ? "hangs" : "ends by signal " + std::to_string(signal));
             return result;
         }
         result.is_done = true;
         std::istringstream lines(text);
-        lines >> result.distance >> result.allowed >> std::ws;
+        lines >> result.distance >> result.allowed >> result.threads >> std::ws;
         for (std::string line; std::getline(lines, line);) {
             result.problems.push_back(line);
         }
@@ -84,15 +100,23 @@ public:
     }
 
 private:
-    static void write_result(const Values& values, int end) {
+    // Of the processor, as others may use it too; and ten times as much by the clock, for threads
+    // that wait for each other.
+    static void limit_time(rlim_t seconds) {
+        const rlimit limit{seconds, seconds};
+        setrlimit(RLIMIT_CPU, &limit);
+        alarm(static_cast<unsigned>(10 * seconds));
+    }
+
+    static void write_result(const Values& values, double fineness, int end) {
         Findings findings;
         try {
-            findings = try_row(row_of(values));
+            findings = try_row(row_of(values), fineness);
         } catch (const std::exception& error) {
             findings.problems.push_back(std::string("throws: ") + error.what());
         }
         std::ostringstream text;
-        text << findings.distance << ' ' << findings.allowed << '\n';
+        text << findings.distance << ' ' << findings.allowed << ' ' << findings.threads << '\n';
         for (const std::string& problem : findings.problems) {
             text << problem << '\n';
         }
@@ -106,35 +130,6 @@ private:
     int end_ = -1;
 };
 
-struct Settings {
-    std::string row;
-    std::size_t strength = 2;
-    std::uint64_t seed = 1;
-    std::size_t most_rows = 1'000'000;
-    std::size_t jobs = 2;
-    int limit_s = 20;
-    bool lists = false;
-    bool cuts_down = true;
-};
-
-Cover cover_of(const Settings& settings) {
-    std::vector<std::size_t> counts;
-    for (const Feature& feature : features()) {
-        counts.push_back(feature.values.size());
-    }
-    return cover({.counts = counts,
-                  .strength = settings.strength,
-                  .seed = settings.seed,
-                  .most_rows = settings.most_rows,
-                  .makes_sense = [](std::span<const std::uint8_t> row, std::span<const bool> set) {
-                      Values values{};
-                      for (std::size_t i = 0; i < feature_count; ++i) {
-                          values[i] = set[i] ? row[i] : std::uint8_t{0};
-                      }
-                      return nonsense_in(values, set).empty();
-                  }});
-}
-
 // What fails, without its numbers.
 std::string kind_of(const Result& result) {
     std::string kind = result.problems.empty() ? "" : result.problems.front();
@@ -143,14 +138,14 @@ std::string kind_of(const Result& result) {
 }
 
 // Features are switched off one by one while the row still fails in the same way.
-Values cut_down(Values values, const std::string& kind, int limit_s) {
+Values cut_down(Values values, const std::string& kind, const Settings& settings) {
     for (bool is_smaller = true; is_smaller;) {
         is_smaller = false;
         for (std::size_t i = 0; i < feature_count; ++i) {
             Values plainer = values;
             plainer[i] = 0;
             if (values[i] != 0 && nonsense_in(plainer).empty() &&
-                kind_of(Child(plainer, limit_s).wait()) == kind) {
+                kind_of(Child(plainer, settings).wait()) == kind) {
                 values = plainer;
                 is_smaller = true;
             }
@@ -172,7 +167,7 @@ int run_one(const Settings& settings) {
         std::cout << "makes no sense: " << why << '\n';
         return 2;
     }
-    const Result result = Child(values, settings.limit_s).wait();
+    const Result result = Child(values, settings).wait();
     std::cout << "off by " << result.distance << " edge lengths, allowed " << result.allowed << ", "
               << result.seconds << " s\n";
     for (const std::string& problem : result.problems) {
@@ -183,11 +178,12 @@ int run_one(const Settings& settings) {
 
 std::size_t run_rows(const std::vector<Values>& rows, const Settings& settings) {
     std::size_t failed = 0;
+    std::size_t in_threads = 0;
     for (std::size_t from = 0; from < rows.size(); from += settings.jobs) {
         std::vector<Child> children;
         const std::size_t to = std::min(rows.size(), from + settings.jobs);
         for (std::size_t i = from; i < to; ++i) {
-            children.emplace_back(rows[i], settings.limit_s);
+            children.emplace_back(rows[i], settings);
         }
         for (std::size_t i = from; i < to; ++i) {
             const Result result = children[i - from].wait();
@@ -196,6 +192,7 @@ std::size_t run_rows(const std::vector<Values>& rows, const Settings& settings) 
                           << ' ' << (result.problems.empty() ? "holds" : "FAILS") << ' '
                           << words_of(rows[i]) << '\n';
             }
+            in_threads += result.threads > 1 ? 1 : 0;
             if (result.problems.empty()) {
                 continue;
             }
@@ -203,14 +200,15 @@ std::size_t run_rows(const std::vector<Values>& rows, const Settings& settings) 
             std::cout << "a row fails:\n";
             tell(rows[i], result);
             if (settings.cuts_down) {
-                const Values few = cut_down(rows[i], kind_of(result), settings.limit_s);
+                const Values few = cut_down(rows[i], kind_of(result), settings);
                 if (few != rows[i]) {
                     std::cout << "  cut down:\n";
-                    tell(few, Child(few, settings.limit_s).wait());
+                    tell(few, Child(few, settings).wait());
                 }
             }
         }
     }
+    std::cout << in_threads << " rows in two threads and more\n";
     return failed;
 }
 
@@ -229,7 +227,7 @@ int run(const Settings& settings) {
     if (!settings.row.empty()) {
         return run_one(settings);
     }
-    const Cover cover = cover_of(settings);
+    const Cover cover = cover_features(settings.strength, settings.seed, settings.most_rows);
     std::vector<Values> rows;
     std::ranges::transform(found_rows(), std::back_inserter(rows), values_of);
     for (const auto& row : cover.rows) {
@@ -258,7 +256,10 @@ int main(int argc, char** argv) {
     app.add_option("--seed", settings.seed, "another one makes other rows");
     app.add_option("--most-rows", settings.most_rows, "stop after these");
     app.add_option("--jobs", settings.jobs, "rows at a time")->check(CLI::Range(1, 64));
-    app.add_option("--limit", settings.limit_s, "seconds after which a row counts as hanging");
+    app.add_option("--limit", settings.limit_s,
+                   "seconds of the processor after which a row counts as hanging");
+    app.add_option("--fineness", settings.fineness, "divides the length of edges")
+        ->check(CLI::Range(0.5, 16.0));
     app.add_flag("--list", settings.lists, "print each row with its distance and time");
     app.add_flag("!--keep-whole", settings.cuts_down, "do not cut down what fails");
     CLI11_PARSE(app, argc, argv);

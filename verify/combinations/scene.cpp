@@ -82,7 +82,7 @@ Shape shape_at(Place place) {
     case Place::on_wall: return {.centre = {0.47, 0}, .to = pi};
     case Place::in_corner: return {.centre = {0, 0}, .radius = 0.4, .to = pi_2};
     case Place::pair: return {.centre = {0.5, 0.5}, .radius = 0.12};
-    case Place::by_wall: return {.centre = {0.47, 0.3}};
+    case Place::by_wall: return {.centre = {0.47, 0.32}};
     case Place::square:
     case Place::layer:
     case Place::through_corner: break;
@@ -213,13 +213,25 @@ void translate(Scene& scene, const P& way, const P& size) {
     scene.fastest = way.norm();
 }
 
+// By three quarters of a turn about the middle of the square.
 void turn(Scene& scene) {
-    scene.steps = 80;
-    scene.velocity = [](const P& p, double) {
-        return P(-2 * pi * (p.y() - 0.5), 2 * pi * (p.x() - 0.5));
+    constexpr double angle = 1.5 * pi;
+    const P centre(0.5, 0.5);
+    const auto turned = [centre](const P& p, double by, double factor) {
+        const P off = p - centre;
+        return P(centre + factor * P(std::cos(by) * off.x() - std::sin(by) * off.y(),
+                                     std::sin(by) * off.x() + std::cos(by) * off.y()));
     };
-    scene.exact = [](const P& p) { return p; };
-    scene.fastest = 2 * pi * 0.35;
+    scene.steps = 60;
+    scene.velocity = [](const P& p, double) {
+        return P(-angle * (p.y() - 0.5), angle * (p.x() - 0.5));
+    };
+    scene.exact = [turned](const P& p) { return turned(p, angle, 1); };
+    scene.by_euler = [turned](const P& p, std::uint32_t sub_steps) {
+        const double each = angle / sub_steps;
+        return turned(p, sub_steps * std::atan(each), std::pow(1 + each * each, sub_steps / 2.0));
+    };
+    scene.fastest = angle * 0.45;
 }
 
 // By the stream function s sin^2(pi X) sin(pi Y) in a part of the domain: along the walls of Y
@@ -313,7 +325,7 @@ void set_motion(Scene& scene, const Row& row, const Shape& shape) {
     scene.runs_into_wall =
         row.place == Place::layer && (row.motion == Motion::right || row.motion == Motion::left);
     const double far = row.place == Place::slender ? 0.3 : 0.15;
-    const double near = row.place == Place::slender ? 0.045 : 0.15;
+    const double near = row.place == Place::slender ? 0.03 : 0.15;
     switch (row.motion) {
     case Motion::rest: translate(scene, {0, 0}, shape.size); break;
     case Motion::right: translate(scene, {far, 0}, shape.size); break;
@@ -334,8 +346,9 @@ void set_motion(Scene& scene, const Row& row, const Shape& shape) {
 
 } // namespace
 
-Scene scene_of(const Row& row) {
-    const Shape shape = shape_at(row.place);
+Scene scene_of(const Row& row, double fineness) {
+    Shape shape = shape_at(row.place);
+    shape.h /= fineness;
     Scene scene;
     scene.h = shape.h;
     set_motion(scene, row, shape);
@@ -345,9 +358,24 @@ Scene scene_of(const Row& row) {
         scene.phases = std::max({scene.phases, curve.left + 1, curve.right + 1});
         scene.curves.push_back(frame.curve(std::move(curve)));
     }
+    P low = frame.size();
+    P high(0, 0);
+    for (const Curve& curve : scene.curves) {
+        for (const P& p : curve.points) {
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+        }
+    }
+    scene.middle = (low + high) / 2;
     if (scene.exact) {
         scene.exact = [frame, exact = std::move(scene.exact)](const P& p) {
             return frame.place(exact(frame.place_before(p)));
+        };
+    }
+    if (scene.by_euler) {
+        scene.by_euler = [frame, by_euler = std::move(scene.by_euler)](const P& p,
+                                                                       std::uint32_t sub_steps) {
+            return frame.place(by_euler(frame.place_before(p), sub_steps));
         };
     }
     if (scene.velocity) {

@@ -17,7 +17,8 @@ struct Scene {
     double h = 0.04;
     Rectangle domain;
     std::vector<Curve> curves;
-    Phase phases = 2; ///< the exterior among them
+    Phase phases = 2;     ///< the exterior among them
+    Point<double> middle; ///< of the box about the interface, at the start
 
     double end = 1; ///< the time
     int steps = 24;
@@ -25,6 +26,9 @@ struct Scene {
     /// Where a place of the interface is at the end. Places on a wall stay on it; where pieces of
     /// a phase overlap then, they are one.
     std::function<Point<double>(const Point<double>&)> exact;
+    /// Where Euler's method brings it in so many equal sub-steps, if it is far from there: turns
+    /// become spirals.
+    std::function<Point<double>(const Point<double>&, std::uint32_t sub_steps)> by_euler;
     /// Velocity by place and time; for `grow`, `shrink` and `curvature` nothing.
     std::function<Point<double>(const Point<double>&, double)> velocity;
     double fastest = 0; ///< of these velocities
@@ -42,6 +46,7 @@ struct Scene {
     bool is_only_conserved = false;
 };
 
-[[nodiscard]] Scene scene_of(const Row& row);
+/// With edges of the usual length over `fineness`.
+[[nodiscard]] Scene scene_of(const Row& row, double fineness);
 
 } // namespace dsc::combinations

@@ -44,7 +44,10 @@ bool is_normal(Motion one) { return one == Motion::grow || one == Motion::shrink
 const std::vector<Contradiction>& rules() {
     static const std::vector<Contradiction> list{
         {{place, motion},
-         [](const Row& row) { return row.motion == Motion::turn && row.place != Place::square; },
+         [](const Row& row) {
+             return row.motion == Motion::turn && row.place != Place::square &&
+                    row.place != Place::pair && row.place != Place::by_wall;
+         },
          "only what lies inside the square turns in it"},
         {{place, motion},
          [](const Row& row) {
@@ -60,8 +63,7 @@ const std::vector<Contradiction>& rules() {
          "what lies on a wall is translated along it alone"},
         {{place, motion},
          [](const Row& row) {
-             return (is_normal(row.motion) || is_by_curvature(row.motion) ||
-                     row.motion == Motion::swirl) &&
+             return (is_normal(row.motion) || is_by_curvature(row.motion)) &&
                     row.place == Place::through_corner;
          },
          "an end that is held in a corner of the domain moves along no normal"},
@@ -191,6 +193,24 @@ std::string_view nonsense_in(const Values& values) {
     std::array<bool, feature_count> all{};
     all.fill(true);
     return nonsense_in(values, all);
+}
+
+Cover cover_features(std::size_t strength, std::uint64_t seed, std::size_t most_rows) {
+    std::vector<std::size_t> counts;
+    for (const Feature& feature : features()) {
+        counts.push_back(feature.values.size());
+    }
+    return cover({.counts = counts,
+                  .strength = strength,
+                  .seed = seed,
+                  .most_rows = most_rows,
+                  .makes_sense = [](std::span<const std::uint8_t> row, std::span<const bool> set) {
+                      Values values{};
+                      for (std::size_t i = 0; i < feature_count; ++i) {
+                          values[i] = set[i] ? row[i] : std::uint8_t{0};
+                      }
+                      return nonsense_in(values, set).empty();
+                  }});
 }
 
 std::span<const std::string_view> found_rows() {

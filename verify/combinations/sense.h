@@ -3,6 +3,7 @@
 // answer. And which the library refuses, with a sentence.
 #pragma once
 
+#include "combinations/covering.h"
 #include "combinations/row.h"
 
 #include <span>
@@ -15,6 +16,10 @@ namespace dsc::combinations {
 
 /// The same for a whole row.
 [[nodiscard]] std::string_view nonsense_in(const Values& values);
+
+/// Rows in which every combination of so many values stands that makes sense.
+[[nodiscard]] Cover cover_features(std::size_t strength, std::uint64_t seed = 1,
+                                   std::size_t most_rows = 1'000'000);
 
 /// Rows that failed once, cut down to the features that they needed for that.
 [[nodiscard]] std::span<const std::string_view> found_rows();

@@ -16,11 +16,13 @@ struct Findings {
     /// interface, in edge lengths; and what is allowed.
     double distance = 0;
     double allowed = 0;
+    std::uint32_t threads = 1; ///< most that were used in a run
 };
 
 /// Runs a row with one, two and three threads, the last of them twice (the sequential method:
 /// twice), and unbroken where it has an interruption. The row must make sense.
-[[nodiscard]] Findings try_row(const Row& row);
+/// Edges are of the usual length over `fineness`.
+[[nodiscard]] Findings try_row(const Row& row, double fineness = 1);
 
 /// What the library says to a row that it must refuse; empty if it does not refuse.
 [[nodiscard]] std::string refusal_of(const Row& row);
