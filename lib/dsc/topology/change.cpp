@@ -12,6 +12,25 @@
 
 namespace dsc {
 
+namespace {
+
+// Retired ids go back to the pool at the end, also if a function of the application throws. The
+// pool has room for them: it has had them.
+template <class Real>
+struct EndOfRetirement {
+    explicit EndOfRetirement(TopologyWork<Real>& its_work) : work(its_work) {}
+    EndOfRetirement(const EndOfRetirement&) = delete;
+    EndOfRetirement& operator=(const EndOfRetirement&) = delete;
+    ~EndOfRetirement() {
+        auto& free = work.complex.ids.vertices;
+        free.insert(free.end(), work.retired.begin(), work.retired.end());
+    }
+
+    TopologyWork<Real>& work;
+};
+
+} // namespace
+
 template <class Real>
 AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>& options,
                             Real edge_length, std::span<Suspect<Real>> suspects, double time,
@@ -21,6 +40,7 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
                             .edge_length = edge_length,
                             .time = time,
                             .events = events};
+    const EndOfRetirement<Real> end(work);
     // Most suspects face no sheet: they count once something else has changed.
     const auto others =
         std::partition(suspects.begin(), suspects.end(), [](const Suspect<Real>& suspect) {

@@ -37,6 +37,8 @@ struct TopologyWork {
     std::vector<Vertex> touched = {};
     std::vector<Transfer> transfers = {}; ///< kept where area is to be given back
     double swept = 0; ///< by junctions that became one, until the next event tells of it
+    /// Ids of vertices that are gone, out of the pool until the end of the change of topology.
+    std::vector<std::uint32_t> retired = {};
 };
 
 /// The half-edge has another phase, or the outside of the domain, on its right. O(1).

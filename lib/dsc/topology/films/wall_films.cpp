@@ -273,16 +273,14 @@ private:
                 v = land(v);
             }
         }
-        auto& free = submesh_.pool->vertices;
-        free.insert(free.end(), landed_.begin(), landed_.end());
     }
 
     // The targets that were missed are known by id: none may be used again before they are tried.
     void retire(std::uint32_t v) {
         auto& free = submesh_.pool->vertices;
         if (const auto at = std::find(free.rbegin(), free.rend(), v); at != free.rend()) {
+            work_.retired.push_back(v);
             free.erase(std::next(at).base());
-            landed_.push_back(v);
         }
     }
 
@@ -420,7 +418,6 @@ private:
     std::span<const Suspect<Real>> suspects_;
     std::vector<WallChord<Real>> chords_;
     std::unordered_map<Corner, std::size_t> index_; ///< of the chords that are still to be visited
-    std::vector<std::uint32_t> landed_;
 };
 
 } // namespace
