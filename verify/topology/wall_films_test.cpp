@@ -197,6 +197,40 @@ TEST(WallFilms, StayWhereTheApplicationSaysNo) {
     EXPECT_TRUE(run(falls, kept).events.empty());
 }
 
+// A cap on the wall that is pressed against it: without a refusal it spreads.
+TEST(WallFilms, NoVertexWetsTheWallWhereTheApplicationSaysNo) {
+    for (const bool refuses : {false, true}) {
+        std::vector<P> arc;
+        for (int i = 0; i <= 30; ++i) {
+            const double angle = std::numbers::pi * (-0.1 + 1.2 * i / 30);
+            arc.emplace_back(0.5 + 0.2 * std::cos(angle),
+                             i % 30 == 0 ? 0.0 : 0.062 + 0.2 * std::sin(angle));
+        }
+        const std::vector<Curve> curves{{arc, 1, 0}};
+        auto complex = initial_complex<double>({}, curves, {.edge_length = h});
+        Options<double> options = changing(h);
+        int times = 0;
+        options.topology.may_change = [&](const Contact& contact) {
+            ++times;
+            EXPECT_EQ(contact.film, exterior_phase);
+            EXPECT_EQ(contact.sides, (std::array<Phase, 2>{1, border_phase}));
+            return !refuses;
+        };
+        Simulation<double> simulation(complex, options);
+        const Velocity<double> fall = [](std::span<const P> positions, double,
+                                         std::span<P> velocities) {
+            std::ranges::fill(velocities.first(positions.size()), P(0, -0.3));
+        };
+        std::vector<Event> events;
+        for (int step = 0; step < 20; ++step) {
+            const StepReport report = simulation.step(fall, 0, 1 / 60.0);
+            events.insert(events.end(), report.events.begin(), report.events.end());
+        }
+        EXPECT_GT(times, 0);
+        EXPECT_EQ(count(events, EventKind::widen) == 0, refuses);
+    }
+}
+
 // --- what is thin, but no film that is squeezed -------------------------------------------------
 
 // The curve, with phase 1 below, stays or slides along the wall.

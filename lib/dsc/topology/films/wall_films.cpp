@@ -217,6 +217,10 @@ private:
         return is_squeezed(then, now);
     }
 
+    [[nodiscard]] bool may_open(const Contact& contact) const {
+        return !work_.options.may_change || work_.options.may_change(contact);
+    }
+
     void open(const std::vector<WallChord<Real>>& run, EventKind kind) {
         const auto& thinnest = *std::ranges::min_element(
             run, {}, [](const WallChord<Real>& chord) { return chord.ray.thickness; });
@@ -224,12 +228,11 @@ private:
         const Phase taker = complex_.phase_at(complex_.twin(thinnest.sheet));
         const auto x = static_cast<double>(thinnest.ray.middle.x());
         const auto y = static_cast<double>(thinnest.ray.middle.y());
-        const auto& may_change = work_.options.may_change;
-        if (may_change && !may_change({.film = film,
-                                       .sides = {taker, border_phase},
-                                       .x = x,
-                                       .y = y,
-                                       .thickness = static_cast<double>(thinnest.ray.thickness)})) {
+        if (!may_open({.film = film,
+                       .sides = {taker, border_phase},
+                       .x = x,
+                       .y = y,
+                       .thickness = static_cast<double>(thinnest.ray.thickness)})) {
             return;
         }
         FilmRegion<Real> region(work_, film, contact_of(thinnest.sheet));
@@ -356,7 +359,8 @@ private:
 
     bool land_beside(std::uint32_t v, std::uint32_t end) {
         const Below below = find_below(v, end);
-        if (!(height_of(v, end) < static_cast<Real>(landing_height) * work_.edge_length)) {
+        const Real height = height_of(v, end);
+        if (!(height < static_cast<Real>(landing_height) * work_.edge_length)) {
             return false;
         }
         Event event{.kind = EventKind::widen,
@@ -371,6 +375,13 @@ private:
             const Phase taker = complex_.phase_at(complex_.twin(side));
             event.lost = complex_.phase_at(below.edge);
             event.taken = {taker, taker};
+            if (!may_open({.film = event.lost,
+                           .sides = {taker, border_phase},
+                           .x = event.x,
+                           .y = event.y,
+                           .thickness = static_cast<double>(height)})) {
+                return false;
+            }
             target = foot_of(below, end);
             event.area = give_wedge(v, end, target, taker);
         }
