@@ -389,8 +389,8 @@ private:
         if (has_landed) {
             retire(v);
         }
-        event.area += std::exchange(work_.swept, 0);
         if (target != end) {
+            event.area += std::exchange(work_.swept, 0);
             work_.events.push_back(event);
         }
         return has_landed;
