@@ -288,9 +288,8 @@ private:
     }
 
     [[nodiscard]] bool is_held_up(std::uint32_t v) const {
-        constexpr std::uint32_t flags = vertex_contact | vertex_locked;
         const std::uint32_t its = complex_.is_alive(Vertex{v}) ? complex_.vertices[v].flags : 0;
-        return (its & flags) != 0 && (its & vertex_locked) == 0;
+        return (its & vertex_contact) != 0 && (its & vertex_locked) == 0;
     }
 
     // Returns the next vertex of the curve, if this one has landed.
