@@ -150,8 +150,26 @@ private:
              std::ranges::none_of(run, [&](const auto& chord) { return is_stuck(chord.sheet); }))) {
             return;
         }
+        const EventKind kind = std::isfinite(nearest) ? EventKind::widen : EventKind::meet;
+        // The outline of the film goes on across junctions: each phase beyond it is asked for, and
+        // told of, by itself.
+        for (auto from = run.begin(); from != run.end();) {
+            const auto to = std::find_if(from, run.end(), [&](const auto& chord) {
+                return taker_at(chord.sheet) != taker_at(from->sheet);
+            });
+            open_part({from, to}, kind);
+            from = to;
+        }
+    }
+
+    [[nodiscard]] Phase taker_at(Corner sheet) const {
+        return complex_.phase_at(complex_.twin(sheet));
+    }
+
+    // Successive chords with one phase beyond them.
+    void open_part(std::vector<WallChord<Real>> part, EventKind kind) {
         // What opened before it may have taken some of the edges, or the film.
-        std::erase_if(run, [&](WallChord<Real>& chord) {
+        std::erase_if(part, [&](WallChord<Real>& chord) {
             if (!is_sheet(complex_, chord.sheet) || is_border(complex_.twin(chord.sheet))) {
                 return true;
             }
@@ -159,8 +177,8 @@ private:
             return chord.ray.wall == no_id ||
                    (work_.options.opening == Opening::squeezed && !is_squeezed_to_wall(chord));
         });
-        if (!run.empty()) {
-            open(run, std::isfinite(nearest) ? EventKind::widen : EventKind::meet);
+        if (!part.empty()) {
+            open(part, kind);
         }
     }
 
@@ -225,7 +243,7 @@ private:
         const auto& thinnest = *std::ranges::min_element(
             run, {}, [](const WallChord<Real>& chord) { return chord.ray.thickness; });
         const Phase film = complex_.phase_at(thinnest.sheet);
-        const Phase taker = complex_.phase_at(complex_.twin(thinnest.sheet));
+        const Phase taker = taker_at(thinnest.sheet);
         const auto x = static_cast<double>(thinnest.ray.middle.x());
         const auto y = static_cast<double>(thinnest.ray.middle.y());
         if (!may_open({.film = film,
