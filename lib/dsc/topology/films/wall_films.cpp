@@ -46,16 +46,14 @@ public:
         : work_(work), complex_(work.complex), suspects_(suspects) {}
 
     void run() {
+        for (std::size_t i = 0; i < suspects_.size(); ++i) {
+            complex_.vertices[suspects_[i].vertex].slot = static_cast<std::uint32_t>(i);
+        }
         find_chords();
-        if (!chords_.empty()) {
-            for (std::size_t i = 0; i < suspects_.size(); ++i) {
-                complex_.vertices[suspects_[i].vertex].slot = static_cast<std::uint32_t>(i);
-            }
-            for (const bool starts : {true, false}) { // those left over go round
-                for (std::size_t i = 0; i < chords_.size(); ++i) {
-                    if (chords_[i].is_first == starts && index_.contains(chords_[i].sheet)) {
-                        visit_run(i);
-                    }
+        for (const bool starts : {true, false}) { // those left over go round
+            for (std::size_t i = 0; i < chords_.size(); ++i) {
+                if (chords_[i].is_first == starts && index_.contains(chords_[i].sheet)) {
+                    visit_run(i);
                 }
             }
         }
@@ -72,9 +70,8 @@ private:
     }
 
     // --- films ----------------------------------------------------------------------------------
-    // In the order of their places, each once.
+    // In the order of their places. Nearly always there are none, and nothing is allocated.
     void find_chords() {
-        std::vector<std::tuple<Real, Real, Corner>> found;
         for (const auto& suspect : suspects_) {
             if (!complex_.is_alive(Vertex{suspect.vertex})) {
                 continue;
@@ -85,21 +82,18 @@ private:
                 if (is_border(across) || !is_sheet(complex_, leaves)) {
                     return;
                 }
-                for (const Corner sheet : {leaves, across}) {
-                    const Point<Real> place = centroid(complex_, Triangle{triangle_of(sheet)});
-                    found.emplace_back(place.x(), place.y(), sheet);
+                add_chord(leaves);
+                if (!is_suspect(complex_.vertex(next(c)))) { // else it adds its own
+                    add_chord(across);
                 }
             });
         }
-        std::ranges::sort(found);
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        for (const auto& one : found) {
-            const Corner sheet = std::get<2>(one);
-            const FilmRay<Real> ray = ray_of(sheet);
-            if (ray.wall != no_id) {
-                index_.emplace(sheet, chords_.size());
-                chords_.push_back({sheet, ray});
-            }
+        std::ranges::sort(chords_, {}, [this](const WallChord<Real>& chord) {
+            const Point<Real> place = centroid(complex_, Triangle{triangle_of(chord.sheet)});
+            return std::tuple(place.x(), place.y(), chord.sheet);
+        });
+        for (std::size_t i = 0; i < chords_.size(); ++i) {
+            index_.emplace(chords_[i].sheet, i);
         }
         for (const auto& chord : chords_) {
             const auto following = index_.find(along_outline(complex_, chord.sheet));
@@ -107,6 +101,17 @@ private:
                 chords_[following->second].is_first = false;
             }
         }
+    }
+
+    void add_chord(Corner sheet) {
+        if (const FilmRay<Real> ray = ray_of(sheet); ray.wall != no_id) {
+            chords_.push_back({sheet, ray});
+        }
+    }
+
+    [[nodiscard]] bool is_suspect(std::uint32_t v) const {
+        const std::uint32_t slot = complex_.vertices[v].slot;
+        return slot < suspects_.size() && suspects_[slot].vertex == v;
     }
 
     // To the wall, if that is within the contact distance.
