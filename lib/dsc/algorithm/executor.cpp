@@ -65,11 +65,12 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
 
 template <class Real>
 std::uint64_t give_up_movers(Work<Real>& work) {
+    // One that has vanished on its way has nowhere to arrive.
+    std::erase_if(work.movers, [&](const Mover<Real>& mover) {
+        return !work.complex.is_alive(Vertex{mover.vertex});
+    });
     for (const auto& mover : work.movers) {
         auto& flags = work.complex.vertices[mover.vertex].flags;
-        if ((flags & vertex_dead) != 0) {
-            continue; // ranks do not tell each other what is written to the dead
-        }
         flags &= ~static_cast<std::uint32_t>(vertex_on_way);
         flags += (flags & vertex_contact) == vertex_contact ? 0U : std::uint32_t{vertex_missed};
     }

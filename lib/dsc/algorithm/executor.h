@@ -89,7 +89,8 @@ bool is_in_contact(const VertexRecord<Real>& record) {
 }
 
 /// Empties `work.movers`: they did not arrive this time, which is noted for each vertex. Returns
-/// their number. Where the topology may change they are kept in `work.missed`.
+/// their number, without those that have vanished. Where the topology may change they are kept in
+/// `work.missed`.
 template <class Real>
 std::uint64_t give_up_movers(Work<Real>& work);
 
