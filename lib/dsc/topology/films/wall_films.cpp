@@ -150,9 +150,16 @@ private:
                                  ? std::min(way_to_end(run.back().sheet, contact),
                                             way_to_end(complex_.twin(run.front().sheet), contact))
                                  : Real(0);
-        if (nearest == 0 ||
-            (nearest < static_cast<Real>(beside_end) * contact + work_.edge_length &&
-             std::ranges::none_of(run, [&](const auto& chord) { return is_stuck(chord.sheet); }))) {
+        const Real near = static_cast<Real>(beside_end) * contact + work_.edge_length;
+        // Held up for good, or at once where that is far from the ends: no vertex lands there.
+        const auto is_pressed = [&](const WallChord<Real>& chord) {
+            const Corner c = chord.sheet;
+            return is_stuck(c) ||
+                   (is_held_up(complex_.vertex(next(c))) && is_held_up(complex_.vertex(prev(c))) &&
+                    std::min(way_to_end(c, contact), way_to_end(complex_.twin(c), contact)) >=
+                        near);
+        };
+        if (!(contact > 0) || (nearest < near && std::ranges::none_of(run, is_pressed))) {
             return;
         }
         const EventKind kind = std::isfinite(nearest) ? EventKind::widen : EventKind::meet;
