@@ -313,6 +313,18 @@ private:
         if (report.gave_up != GiveUp::none) {
             note("gave up" + when);
         }
+        if (threads_ == 1) { // the others end with the same mesh, or are refused for that
+            expect_whole(when);
+        }
+        if (seen_ != nullptr) {
+            outcome_.threads = std::max(outcome_.threads, seen_->threads_used());
+            outcome_.submeshes = std::max(
+                outcome_.submeshes,
+                static_cast<std::uint32_t>(seen_->partition().colours.front().regions.size()));
+        }
+    }
+
+    void expect_whole(const std::string& when) {
         if (const std::string problem = validate(*complex_).problem; !problem.empty()) {
             note(problem + when);
         } else if (row_.inside == Inside::still) {
@@ -321,12 +333,6 @@ private:
                 !fault.empty()) {
                 note(fault + when);
             }
-        }
-        if (seen_ != nullptr) {
-            outcome_.threads = std::max(outcome_.threads, seen_->threads_used());
-            outcome_.submeshes = std::max(
-                outcome_.submeshes,
-                static_cast<std::uint32_t>(seen_->partition().colours.front().regions.size()));
         }
     }
 
