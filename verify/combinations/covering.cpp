@@ -25,6 +25,12 @@ public:
     explicit Covering(const CoverTask& task)
         : task_(task), n_(task.counts.size()), dice_(task.seed) {
         add_groups({}, 0);
+        groups_with_.resize(n_);
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            for (const std::size_t feature : groups_[g].features) {
+                groups_with_[feature].push_back(g);
+            }
+        }
         row_.resize(n_);
         is_set_ = std::make_unique<bool[]>(n_); // not vector<bool>: a span is handed on
     }
@@ -83,6 +89,7 @@ private:
     // The best of some rows with this combination; none if it stands in no row.
     std::optional<Bits> best_with(const Group& group, std::size_t code) {
         constexpr int trials = 10;
+        constexpr std::size_t first = 4;
         std::optional<Bits> best;
         std::size_t most = 0;
         for (int trial = 0; trial < trials; ++trial) {
@@ -104,6 +111,9 @@ private:
                 std::swap(order[i - 1],
                           order[static_cast<std::size_t>(dice_.in(0, static_cast<int>(i) - 1))]);
             }
+            // The first features decide which others make sense: a contradiction shows at once.
+            std::ranges::stable_partition(order,
+                                          [](std::size_t feature) { return feature < first; });
             if (!makes_sense() || !fill(order, 0)) {
                 return best; // what comes first is searched completely
             }
@@ -144,9 +154,9 @@ private:
     // Open combinations of this feature with those that are set.
     std::size_t open_with(std::size_t feature) const {
         std::size_t count = 0;
-        for (const Group& group : groups_) {
-            if (std::ranges::find(group.features, feature) != group.features.end() &&
-                std::ranges::all_of(group.features, [&](std::size_t f) { return is_set_[f]; })) {
+        for (const std::size_t g : groups_with_[feature]) {
+            const Group& group = groups_[g];
+            if (std::ranges::all_of(group.features, [&](std::size_t f) { return is_set_[f]; })) {
                 count += group.is_open[code_of(group, row_)];
             }
         }
@@ -174,6 +184,7 @@ private:
     std::size_t n_;
     test::Dice dice_;
     std::vector<Group> groups_;
+    std::vector<std::vector<std::size_t>> groups_with_; ///< by feature: their numbers
     Bits row_;
     std::unique_ptr<bool[]> is_set_; // NOLINT: a span of bool
 };

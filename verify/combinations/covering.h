@@ -14,7 +14,7 @@ namespace dsc::combinations {
 
 /// What a cover is made for.
 struct CoverTask {
-    std::span<const std::size_t> counts; ///< of the values of each feature
+    std::span<const std::size_t> counts; ///< of the values of each feature, the deciding ones first
     std::size_t strength = 2;            ///< so many features at a time
     std::uint64_t seed = 1;              ///< another one gives other rows
     std::size_t most_rows = 1'000'000;   ///< stops early, with fewer combinations

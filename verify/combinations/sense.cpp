@@ -128,10 +128,15 @@ const std::vector<Contradiction>& rules() {
                     (is_normal(row.motion) || is_by_curvature(row.motion));
          },
          "corners change their shape along normals and by curvature"},
-        {{place, phases, motion},
+        {{phases, motion},
+         [](const Row& row) {
+             return row.motion == Motion::vanish && row.phases != Phases::nested;
+         },
+         "only a piece inside another one vanishes"},
+        {{place, motion},
          [](const Row& row) {
              return row.motion == Motion::vanish &&
-                    (row.phases != Phases::nested || row.place == Place::layer);
+                    (row.place == Place::layer || row.place == Place::pair);
          },
          "only a round piece inside another one vanishes"},
         {{motion, topology},
