@@ -164,7 +164,7 @@ void expect_arrival_once_free(Complex<double>& complex, Executor<double>& execut
         }
     }
     executor.absorb(complex.journal.records);
-    EXPECT_EQ(executor.move_missed(), moved.unreached);
+    EXPECT_EQ(executor.move_missed({}), moved.unreached);
     executor.end_step();
     EXPECT_EQ(validate(complex).problem, "");
     const Area first = area_and_centre(complex, 1);

@@ -84,10 +84,11 @@ std::uint64_t give_up_movers(Work<Real>& work) {
 
 template <class Real>
 std::uint64_t move_missed_of(Work<Real>& work, const std::vector<Pass<Real>>& passes,
-                             std::uint32_t& next_epoch) {
+                             std::span<const std::uint32_t> gone, std::uint32_t& next_epoch) {
     const std::size_t missed = work.missed.size();
     std::erase_if(work.missed, [&](const Mover<Real>& mover) {
-        return !is_moved(work.complex, work.options, Vertex{mover.vertex});
+        return std::ranges::binary_search(gone, mover.vertex) ||
+               !is_moved(work.complex, work.options, Vertex{mover.vertex});
     });
     if (work.missed.empty()) {
         return missed;
@@ -256,7 +257,7 @@ void Executor<Real>::archive(Archive& /*archive*/) {
     template void clear_stamps(Complex<Real>&);                                                    \
     template std::uint64_t give_up_movers(Work<Real>&);                                            \
     template std::uint64_t move_missed_of(Work<Real>&, const std::vector<Pass<Real>>&,             \
-                                          std::uint32_t&);                                         \
+                                          std::span<const std::uint32_t>, std::uint32_t&);         \
     template AimReport<Real> aim_whole(Work<Real>&, const std::vector<Pass<Real>>&,                \
                                        InterfaceSight<Real>&, const Flow<Real>&, Real, Real);      \
     template Reach<Real> aim_whole_again(Work<Real>&, InterfaceSight<Real>&, const Flow<Real>&,    \

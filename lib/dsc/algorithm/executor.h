@@ -59,8 +59,11 @@ public:
     /// Movement and mesh update, until all vertices are at their targets or make no more progress.
     virtual MoveReport move() = 0;
     /// Tries those that did not arrive once more, after a change of the topology, which may have
-    /// set them free. Returns how many have arrived now, or are no longer to be moved.
-    [[nodiscard]] virtual std::uint64_t move_missed() { return 0; }
+    /// set them free. `gone` are the vertices that it took off the interface, ascending. Returns
+    /// how many have arrived now, or are no longer to be moved.
+    [[nodiscard]] virtual std::uint64_t move_missed(std::span<const std::uint32_t> /*gone*/) {
+        return 0;
+    }
     /// Called after the last sub-step, also where something threw.
     virtual void end_step() {}
 
@@ -98,6 +101,7 @@ std::uint64_t give_up_movers(Work<Real>& work);
 /// `next_epoch` as in run_motion.
 template <class Real>
 [[nodiscard]] std::uint64_t move_missed_of(Work<Real>& work, const std::vector<Pass<Real>>& passes,
+                                           std::span<const std::uint32_t> gone,
                                            std::uint32_t& next_epoch);
 
 /// Upkeep, velocities and targets for a work that has the complex to itself. `sight` is kept from
@@ -167,8 +171,8 @@ public:
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;
     MoveReport move() override;
-    [[nodiscard]] std::uint64_t move_missed() override {
-        return move_missed_of(work_, algorithm_.motion, epoch_);
+    [[nodiscard]] std::uint64_t move_missed(std::span<const std::uint32_t> gone) override {
+        return move_missed_of(work_, algorithm_.motion, gone, epoch_);
     }
     void end_step() override;
     [[nodiscard]] std::size_t interface_size() const override { return work_.interface.size(); }

@@ -175,6 +175,7 @@ bool Simulation<Real>::change_topology(Real time, StepReport& report) {
     if (absorbed_ == complex_.journal.records.size()) {
         return false;
     }
+    gone_ = taken_off(complex_, std::span<const Edit>(complex_.journal.records).subspan(absorbed_));
     tell_what_was_done(); // what the sub-step did comes first
     absorb(By::topology, time);
     if (report.events.size() == before) {
@@ -334,7 +335,7 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
     remaining = dt < remaining ? remaining - dt : Real(0);
     if (options_.topology.changes() && change_topology(time, report) &&
         moved.unreached > moved.held) {
-        report.unreached -= executor_->move_missed();
+        report.unreached -= executor_->move_missed(gone_);
     }
     return true;
 }

@@ -89,9 +89,9 @@ public:
     [[nodiscard]] const Options<Real>& options() const { return options_; }
     /// Checks the options and replaces all of them for the next step; integrators with a memory
     /// start afresh if the integrator changes. Throws InputError if one is out of range, or a new
-    /// contact distance wider than a phase, and then keeps the old ones. All vertices are visited if
-    /// the topology may change from now on and could not before, if edges may grow or could, and if
-    /// other phases are carried; none otherwise.
+    /// contact distance wider than a phase, and then keeps the old ones. All vertices are visited
+    /// if the topology may change from now on and could not before, if edges may grow or could, and
+    /// if other phases are carried; none otherwise.
     void set_options(const Options<Real>& options);
 
     /// Reports all edits to the listener from now on: those of the application between steps at the
@@ -176,6 +176,7 @@ private:
     std::vector<EditListener> listeners_;
     std::vector<EventListener> event_listeners_;
     std::vector<Suspect<Real>> suspects_; ///< scratch of change_topology
+    std::vector<std::uint32_t> gone_;     ///< the vertices that the last one took off the interface
     std::uint32_t swept_ = 0;             ///< the vertex at which the slow sweep goes on
     std::vector<std::uint32_t> to_sweep_; ///< scratch of sweep, and of the count of the interface
     LogReader reading_;                   ///< of the journal, from the beginning to the end

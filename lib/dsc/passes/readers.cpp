@@ -69,6 +69,17 @@ void wake_edit(Work<Real>& work, const Edit& edit) {
     }
 }
 
+// A mover knows its vertex by the id, which may be in use again after the pass.
+template <class Real>
+void forget_vanished(Work<Real>& work, std::span<const Edit> edits) {
+    for (const Edit& edit : edits) {
+        if (edit.kind == EditKind::collapse || edit.kind == EditKind::remove_vertex) {
+            std::erase_if(work.movers,
+                          [&](const Mover<Real>& mover) { return mover.vertex == edit.vertex.id; });
+        }
+    }
+}
+
 } // namespace
 
 std::span<const Edit> edits_after_renumbering(std::span<const Edit> edits) {
@@ -92,6 +103,24 @@ std::vector<std::uint32_t> interface_changes(std::span<const Edit> edits) {
     std::vector<std::uint32_t> changed;
     find_interface_changes(edits, changed);
     return changed;
+}
+
+template <class Real>
+std::vector<std::uint32_t> taken_off(const Complex<Real>& complex, std::span<const Edit> edits) {
+    std::vector<std::uint32_t> gone;
+    for (const Edit& edit : edits) {
+        if (edit.kind == EditKind::collapse || edit.kind == EditKind::remove_vertex) {
+            gone.push_back(edit.vertex.id);
+        } else if (edit.kind == EditKind::relabel) {
+            for (const Vertex v : {edit.ends[0], edit.ends[1], edit.apexes[0]}) {
+                if (complex.is_alive(v) && !is_interface(complex, v)) {
+                    gone.push_back(v.id);
+                }
+            }
+        }
+    }
+    std::ranges::sort(gone);
+    return gone;
 }
 
 void find_interface_changes(std::span<const Edit> edits, std::vector<std::uint32_t>& changed) {
@@ -171,6 +200,7 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
     }
     if (!pass.attends) {
         wake(work, reading.edits());
+        forget_vanished(work, reading.edits());
     }
     std::vector<std::uint32_t>& changed = work.changed;
     find_interface_changes(reading.edits(), changed);
@@ -192,6 +222,7 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void wake(Work<Real>&, std::span<const Edit>);                                        \
+    template std::vector<std::uint32_t> taken_off(const Complex<Real>&, std::span<const Edit>);    \
     template std::vector<std::uint32_t> on_interface(const Complex<Real>&,                         \
                                                      std::span<const std::uint32_t>);              \
     template std::uint32_t count_on_interface(const Complex<Real>&,                                \

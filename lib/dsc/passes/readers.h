@@ -20,6 +20,13 @@ namespace dsc {
 template <class Real>
 void wake(Work<Real>& work, std::span<const Edit> edits);
 
+/// The vertices that vanished by the edits, whose ids may be in use again, and those whose
+/// triangles changed their phase so that they are inside one now. Ascending, with duplicates.
+/// O(edits log edits).
+template <class Real>
+[[nodiscard]] std::vector<std::uint32_t> taken_off(const Complex<Real>& complex,
+                                                   std::span<const Edit> edits);
+
 /// The vertices that the edits may have put on the interface, or taken off it; ascending, once
 /// each. Empty for most edits, which are inside a phase. O(edits log edits).
 [[nodiscard]] std::vector<std::uint32_t> interface_changes(std::span<const Edit> edits);

@@ -25,11 +25,11 @@ struct WaitingRule {
     [[nodiscard]] bool applies() const { return in_carried_phases || everywhere; }
 };
 
-/// Of a work. Alone on the complex, stars wait only while most vertices arrive: one that goes half of
-/// its way in each pass, because a star around it waits, never would. O(attributes).
+/// Of a work. Stars wait only while vertices arrive: one that goes half of its way in each pass,
+/// because a star around it waits, never would. O(attributes).
 template <class Real>
 WaitingRule waiting_rule(const Work<Real>& work) {
-    if (work.submesh.region.is_whole() && work.arrived <= work.movers.size()) {
+    if (work.arrived == 0 && !work.movers.empty()) {
         return {};
     }
     return {!work.options.carried_phases.empty(), work.complex.attributes.has_fields()};

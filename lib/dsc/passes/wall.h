@@ -48,6 +48,14 @@ WallSpoke<Real> wall_spoke(const Ring<Real>& ring, bool is_first) {
     return spoke;
 }
 
+/// The squared length of the edge that is left on the wall if the centre goes.
+template <class Real>
+Real merged_on_wall(const Ring<Real>& ring) {
+    const Real dx = ring.link_x(ring.size) - ring.link_x(0);
+    const Real dy = ring.link_y(ring.size) - ring.link_y(0);
+    return dx * dx + dy * dy;
+}
+
 /// Whether the centre, inside one phase on the wall, may be collapsed because of a short edge
 /// there, or, if `is_poor`, for another reason.
 template <class Real>
@@ -56,11 +64,9 @@ bool should_collapse_on_wall(const Ring<Real>& ring, const WallLimits<Real>& lim
     if (ring.closed || !ring.one_phase) {
         return false;
     }
-    const Real dx = ring.link_x(ring.size) - ring.link_x(0);
-    const Real dy = ring.link_y(ring.size) - ring.link_y(0);
     const Real shorter = std::min(wall_spoke(ring, true).squared, wall_spoke(ring, false).squared);
     return shorter < limits.blocking ||
-           ((is_poor || shorter < limits.shortest) && dx * dx + dy * dy < limits.longest);
+           ((is_poor || shorter < limits.shortest) && merged_on_wall(ring) < limits.longest);
 }
 
 /// Whether the wall's edge with the domain on its left, as seen from the centre, is too long; or

@@ -2,6 +2,7 @@
 #include "dsc/topology/change.h"
 
 #include "dsc/topology/films/films.h"
+#include "dsc/topology/films/landing.h"
 #include "dsc/topology/films/remnants.h"
 #include "dsc/topology/films/wall_films.h"
 #include "dsc/topology/films/wide_films.h"
@@ -12,25 +13,6 @@
 
 namespace dsc {
 
-namespace {
-
-// Retired ids go back to the pool at the end, also if a function of the application throws. The
-// pool has room for them: it has had them.
-template <class Real>
-struct EndOfRetirement {
-    explicit EndOfRetirement(TopologyWork<Real>& its_work) : work(its_work) {}
-    EndOfRetirement(const EndOfRetirement&) = delete;
-    EndOfRetirement& operator=(const EndOfRetirement&) = delete;
-    ~EndOfRetirement() {
-        auto& free = work.complex.ids.vertices;
-        free.insert(free.end(), work.retired.begin(), work.retired.end());
-    }
-
-    TopologyWork<Real>& work;
-};
-
-} // namespace
-
 template <class Real>
 AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>& options,
                             Real edge_length, std::span<Suspect<Real>> suspects, double time,
@@ -40,7 +22,6 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
                             .edge_length = edge_length,
                             .time = time,
                             .events = events};
-    const EndOfRetirement<Real> end(work);
     // Most suspects face no sheet: they count once something else has changed.
     const auto others =
         std::partition(suspects.begin(), suspects.end(), [](const Suspect<Real>& suspect) {
@@ -53,6 +34,7 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
     }
     open_wall_films<Real>(work, has_wide ? suspects : notable);
     open_films<Real>(work, suspects, notable);
+    land_vertices<Real>(work, has_wide ? suspects : notable);
     change_junctions<Real>(work, notable);
     remove_remnants<Real>(work, notable);
     take_touched_apart(work);

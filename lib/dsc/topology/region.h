@@ -37,8 +37,6 @@ struct TopologyWork {
     std::vector<Vertex> touched = {};
     std::vector<Transfer> transfers = {}; ///< kept where area is to be given back
     double swept = 0; ///< by junctions that became one, until the next event tells of it
-    /// Ids of vertices that are gone, out of the pool until the end of the change of topology.
-    std::vector<std::uint32_t> retired = {};
 };
 
 /// The half-edge has another phase, or the outside of the domain, on its right. O(1).
@@ -51,6 +49,12 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool is_sheet(const Complex<Real>& complex, Corner c) {
     return is_interface_pair(complex.phase_at(c), complex.phase_at(complex.twin(c)));
+}
+
+/// The phase on the right of the half-edge.
+template <class Real>
+[[nodiscard]] Phase phase_beyond(const Complex<Real>& complex, Corner c) {
+    return complex.phase_at(complex.twin(c));
 }
 
 /// The next half-edge along the outline of the phase on the left.
@@ -78,6 +82,19 @@ template <class Real>
     const auto& b = complex.vertices[v[1]];
     const auto& c = complex.vertices[v[2]];
     return (c.x - b.x) * (a.y - c.y) - (c.y - b.y) * (a.x - c.x);
+}
+
+/// Whether the application has nothing against it.
+template <class Real>
+[[nodiscard]] bool may_open(const TopologyWork<Real>& work, const Contact& contact) {
+    return !work.options.may_change || work.options.may_change(contact);
+}
+
+/// Whether something was in the way of the vertex when it was to move, if it may move at all.
+template <class Real>
+[[nodiscard]] bool is_held_up(const Complex<Real>& complex, std::uint32_t v) {
+    const std::uint32_t flags = complex.is_alive(Vertex{v}) ? complex.vertices[v].flags : 0;
+    return (flags & vertex_contact) != 0 && (flags & vertex_locked) == 0;
 }
 
 /// The smallest height.

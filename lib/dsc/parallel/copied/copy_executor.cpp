@@ -105,9 +105,9 @@ MoveReport CopyExecutor<Real>::move() {
 }
 
 template <class Real>
-std::uint64_t CopyExecutor<Real>::move_missed() {
+std::uint64_t CopyExecutor<Real>::move_missed(std::span<const std::uint32_t> gone) {
     under_way_ = true;
-    const std::uint64_t arrived = move_missed_of(whole_, algorithm_.motion, epoch_);
+    const std::uint64_t arrived = move_missed_of(whole_, algorithm_.motion, gone, epoch_);
     under_way_ = false;
     return arrived;
 }

@@ -74,14 +74,14 @@ void SubmeshExecutor<Real>::take_suspects(std::vector<Suspect<Real>>& list) {
 
 // The edits of the topology have been absorbed: their stars are active.
 template <class Real>
-std::uint64_t SubmeshExecutor<Real>::move_missed() {
+std::uint64_t SubmeshExecutor<Real>::move_missed(std::span<const std::uint32_t> gone) {
     stage_ = Stage::under_way;
     for (const auto& part : parts_) {
         const std::vector<Mover<Real>>& missed = part->work.missed;
         whole_.missed.insert(whole_.missed.end(), missed.begin(), missed.end());
     }
     std::uint32_t epoch = whole_.epoch;
-    const std::uint64_t arrived = move_missed_of(whole_, algorithm_.motion, epoch);
+    const std::uint64_t arrived = move_missed_of(whole_, algorithm_.motion, gone, epoch);
     collect_edits();
     collect_changes();
     stage_ = Stage::none;
@@ -209,7 +209,7 @@ void SubmeshExecutor<Real>::hand_out_resized() {
     template void SubmeshExecutor<Real>::collect_changes();                                        \
     template std::vector<Edit> SubmeshExecutor<Real>::take_edits();                                \
     template void SubmeshExecutor<Real>::take_suspects(std::vector<Suspect<Real>>&);               \
-    template std::uint64_t SubmeshExecutor<Real>::move_missed();                                   \
+    template std::uint64_t SubmeshExecutor<Real>::move_missed(std::span<const std::uint32_t>);     \
     template void SubmeshExecutor<Real>::absorb(std::span<const Edit>);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -66,7 +66,7 @@ public:
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;
     MoveReport move() override;
-    [[nodiscard]] std::uint64_t move_missed() override;
+    [[nodiscard]] std::uint64_t move_missed(std::span<const std::uint32_t> gone) override;
     void end_step() override;
     [[nodiscard]] std::size_t interface_size() const override;
     void append_interface(std::vector<std::uint32_t>& list) const override;

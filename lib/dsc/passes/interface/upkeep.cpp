@@ -12,6 +12,7 @@
 #include "dsc/quality/ring_quality.h"
 #include "dsc/sizes/field.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,7 +40,8 @@ public:
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
           // A wall edge ahead that is shorter than a sub-step blocks the motion. A poor triangle
           // for a while is better than one that cannot move.
-          wall_{square(work.options.phases.longest), square(work.options.sub_step), Real(0.05)} {}
+          wall_{square(work.options.phases.longest), square(work.options.sub_step), Real(0.05),
+                square(std::min(work.options.sub_step, work.options.phases.longest / 2))} {}
 
     void run() {
         auto& kept = work_.interface_next;
@@ -117,9 +119,39 @@ private:
                 (ring.phase[0] != exterior_phase && should_split_wall(ring, wall_)));
     }
 
+    // A short wall edge goes, even where the edge that is left is so long that it is split again,
+    // if it is in the way of the end of a curve, or of a vertex that slides into a corner of the
+    // domain.
+    bool may_collapse_on_wall(const Ring<Real>& ring) {
+        if (!should_collapse_on_wall(ring, wall_)) {
+            return false;
+        }
+        if (merged_on_wall(ring) < wall_.longest) {
+            return true;
+        }
+        const bool is_first = wall_spoke(ring, true).squared < wall_spoke(ring, false).squared;
+        if (!see_end(ring, is_first ? 0 : ring.size)) {
+            return false;
+        }
+        const Ring<Real>& end = work_.other_ring;
+        return !end.one_phase || orientation<Real>(link_point(end, 0), {end.x0, end.y0},
+                                                   link_point(end, end.size)) != 0;
+    }
+
+    // The star at the other end of a spoke, in `other_ring`. False if it cannot be seen from here.
+    bool see_end(const Ring<Real>& ring, std::uint32_t spoke) {
+        Ring<Real>& end = work_.other_ring;
+        const bool gathered = gather(complex_, work_.submesh.region, ring.link[spoke], end);
+        if (!end.owned) {
+            work_.deferred.upkeep(ring.vertex);
+            return false;
+        }
+        return gathered;
+    }
+
     // True if the ring is stale; the vertices to be kept in the list have then been put there.
     bool keep_wall(std::uint32_t v, const Ring<Real>& ring) {
-        if (should_collapse_on_wall(ring, wall_) && collapse_on_wall(work_, ring, wall_)) {
+        if (may_collapse_on_wall(ring) && collapse_on_wall(work_, ring, wall_)) {
             return true;
         }
         if (ring.phase[0] == exterior_phase || !should_split_wall(ring, wall_)) {
@@ -165,21 +197,18 @@ private:
                 squared_deviation(ring, spokes) < here * deviation_squared_);
     }
 
-    // Whether the nearer neighbour is an end of the curve: a junction, or on the domain boundary. If
-    // such an end moves along the curve, the centre is in its way and has to go, even if the merged
-    // edge is then so long that it is split again.
+    // Whether the nearer neighbour is an end of the curve: a junction, or on the domain boundary.
+    // If such an end moves along the curve, the centre is in its way and has to go, even if the
+    // merged edge is then so long that it is split again.
     bool is_ahead_of_end(const Ring<Real>& ring, const Spokes& spokes) {
         const Point<Real> p(ring.x0, ring.y0);
         const bool is_first = squared_distance(p, link_point(ring, spokes.first)) <
                               squared_distance(p, link_point(ring, spokes.second));
-        const std::uint32_t end = ring.link[is_first ? spokes.first : spokes.second];
-        Ring<Real>& beyond = work_.other_ring;
-        const bool gathered = gather(complex_, work_.submesh.region, end, beyond);
-        if (!beyond.owned) {
-            work_.deferred.upkeep(ring.vertex);
+        if (!see_end(ring, is_first ? spokes.first : spokes.second)) {
             return false;
         }
-        return gathered && (!beyond.closed || interface_spokes(beyond).count != 2);
+        const Ring<Real>& end = work_.other_ring;
+        return !end.closed || interface_spokes(end).count != 2;
     }
 
     // Squared distance of the centre from the curve without it; 0 if only another submesh sees it.
@@ -251,13 +280,11 @@ private:
         const Point<Real> p(ring.x0, ring.y0);
         const Point<Real> a = link_point(ring, survivor);
         const Point<Real> b = link_point(ring, other);
-        Ring<Real>& beyond = work_.other_ring;
-        const bool gathered = gather(complex_, work_.submesh.region, ring.link[survivor], beyond);
-        if (!beyond.owned) {
-            work_.deferred.upkeep(ring.vertex);
+        if (!see_end(ring, survivor)) {
             return false;
         }
-        if (!gathered || !beyond.closed || is_corner(beyond.vertex) ||
+        const Ring<Real>& beyond = work_.other_ring;
+        if (!beyond.closed || is_corner(beyond.vertex) ||
             complex_.is_locked(Vertex{beyond.vertex})) {
             return false;
         }

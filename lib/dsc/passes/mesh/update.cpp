@@ -86,7 +86,10 @@ private:
             const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
             if (may_move) {
                 const bool poor = star.quality < limit.collapse;
-                if ((poor || star.shortest < limit.shortest || star.longest < limit.crowded) &&
+                // The mover of a vertex that has yet to arrive knows it by its id.
+                const bool has_arrived = (complex_.vertices[v].flags & vertex_on_way) == 0;
+                if (has_arrived &&
+                    (poor || star.shortest < limit.shortest || star.longest < limit.crowded) &&
                     collapse(star, limit)) {
                     return;
                 }

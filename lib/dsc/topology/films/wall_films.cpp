@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/topology/films/wall_films.h"
 
-#include "dsc/complex/submesh.h"
-#include "dsc/geometry/predicates.h"
-#include "dsc/operations/edge_split.h"
 #include "dsc/topology/films/bridge.h"
 #include "dsc/topology/films/film_ray.h"
 #include "dsc/topology/films/film_region.h"
-#include "dsc/topology/junctions/merging.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <tuple>
 #include <unordered_map>
@@ -26,11 +21,6 @@ namespace {
 constexpr double beside_end = 1.5;
 /// Up to this many, it is a part of the film that has opened there.
 constexpr double same_film = 12;
-/// A vertex lands on the wall from below this height, in edge lengths.
-constexpr double landing_height = 0.15;
-/// It lands on a vertex of the wall that is nearer than this share of the edge there.
-constexpr double landing_share = 0.25;
-
 /// An interface edge near the wall, with the film on its left.
 template <class Real>
 struct WallChord {
@@ -57,17 +47,10 @@ public:
                 }
             }
         }
-        land();
     }
 
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
-
-    [[nodiscard]] bool is_on_wall(std::uint32_t v) const {
-        return find_corner(complex_, Vertex{v}, [&](Corner c) {
-                   return is_border(complex_.twin(next(c))) || is_border(complex_.twin(prev(c)));
-               }) != no_id;
-    }
 
     // --- films ----------------------------------------------------------------------------------
     // In the order of their places. Nearly always there are none, and nothing is allocated.
@@ -124,9 +107,10 @@ private:
         return ray.wall != no_id && faces(complex_, sheet, ray.wall) ? ray : FilmRay<Real>{};
     }
 
+    // The contact distance at a sheet, however wide; 0 where the topology is kept.
     [[nodiscard]] Real contact_of(Corner sheet) const {
         const auto rule = rule_of(work_.options, work_.edge_length, complex_.phase_at(sheet),
-                                  complex_.phase_at(complex_.twin(sheet)));
+                                  phase_beyond(complex_, sheet));
         return rule.rule == Topology::change ? rule.contact : Real(0);
     }
 
@@ -151,13 +135,12 @@ private:
                                             way_to_end(complex_.twin(run.front().sheet), contact))
                                  : Real(0);
         const Real near = static_cast<Real>(beside_end) * contact + work_.edge_length;
-        // Held up for good, or at once where that is far from the ends: no vertex lands there.
+        // Held up for good, or at once where no vertex lands.
         const auto is_pressed = [&](const WallChord<Real>& chord) {
             const Corner c = chord.sheet;
-            return is_stuck(c) ||
-                   (is_held_up(complex_.vertex(next(c))) && is_held_up(complex_.vertex(prev(c))) &&
-                    std::min(way_to_end(c, contact), way_to_end(complex_.twin(c), contact)) >=
-                        near);
+            return is_stuck(c) || (is_held_up(complex_, complex_.vertex(next(c))) &&
+                                   is_held_up(complex_, complex_.vertex(prev(c))) &&
+                                   !is_to_land(c, near) && !is_to_land(complex_.twin(c), near));
         };
         if (!(contact > 0) || (nearest < near && std::ranges::none_of(run, is_pressed))) {
             return;
@@ -167,15 +150,11 @@ private:
         // told of, by itself.
         for (auto from = run.begin(); from != run.end();) {
             const auto to = std::find_if(from, run.end(), [&](const auto& chord) {
-                return taker_at(chord.sheet) != taker_at(from->sheet);
+                return phase_beyond(complex_, chord.sheet) != phase_beyond(complex_, from->sheet);
             });
             open_part({from, to}, kind);
             from = to;
         }
-    }
-
-    [[nodiscard]] Phase taker_at(Corner sheet) const {
-        return complex_.phase_at(complex_.twin(sheet));
     }
 
     // Successive chords with one phase beyond them.
@@ -220,6 +199,21 @@ private:
         return length;
     }
 
+    // Whether the half-edge leads to an end of the curve on the wall nearby, past vertices that the
+    // wall holds up: they land one after the other, from that end.
+    [[nodiscard]] bool is_to_land(Corner sheet, Real near) const {
+        Real length = 0;
+        Corner c = sheet;
+        do {
+            c = along_outline(complex_, c);
+            if (is_border(complex_.twin(c))) {
+                return true;
+            }
+            length += direction(complex_, c).norm();
+        } while (length < near && is_held_up(complex_, complex_.vertex(next(c))));
+        return false;
+    }
+
     // As between two sheets, of which the second one is the image of the first on the wall.
     [[nodiscard]] bool is_squeezed_to_wall(const WallChord<Real>& chord) const {
         const Point<Real> foot = at(complex_.vertex(next(chord.ray.wall)));
@@ -247,22 +241,18 @@ private:
         return is_squeezed(then, now);
     }
 
-    [[nodiscard]] bool may_open(const Contact& contact) const {
-        return !work_.options.may_change || work_.options.may_change(contact);
-    }
-
     void open(const std::vector<WallChord<Real>>& run, EventKind kind) {
         const auto& thinnest = *std::ranges::min_element(
             run, {}, [](const WallChord<Real>& chord) { return chord.ray.thickness; });
         const Phase film = complex_.phase_at(thinnest.sheet);
-        const Phase taker = taker_at(thinnest.sheet);
+        const Phase taker = phase_beyond(complex_, thinnest.sheet);
         const auto x = static_cast<double>(thinnest.ray.middle.x());
         const auto y = static_cast<double>(thinnest.ray.middle.y());
-        if (!may_open({.film = film,
-                       .sides = {taker, border_phase},
-                       .x = x,
-                       .y = y,
-                       .thickness = static_cast<double>(thinnest.ray.thickness)})) {
+        if (!may_open(work_, {.film = film,
+                              .sides = {taker, border_phase},
+                              .x = x,
+                              .y = y,
+                              .thickness = static_cast<double>(thinnest.ray.thickness)})) {
             return;
         }
         FilmRegion<Real> region(work_, film, contact_of(thinnest.sheet));
@@ -280,181 +270,8 @@ private:
                                 .area = region.give_all()});
     }
 
-    // --- ends of curves -------------------------------------------------------------------------
-    void land() {
-        std::vector<std::tuple<Real, Real, std::uint32_t>> found;
-        const auto take = [&](std::uint32_t v) {
-            if (is_held_up(v)) {
-                found.emplace_back(at(v).x(), at(v).y(), v);
-            }
-        };
-        for (const auto& suspect : suspects_) {
-            const Vertex v{suspect.vertex};
-            take(v.id);
-            if (complex_.is_alive(v) && is_on_wall(v.id)) { // perhaps the end of a curve
-                for_each_corner(complex_, v, [&](Corner c) {
-                    if (is_outline(complex_, prev(c))) {
-                        take(complex_.vertex(next(c)));
-                    }
-                });
-            }
-        }
-        std::ranges::sort(found);
-        for (const auto& one : found) {
-            std::uint32_t v = std::get<2>(one);
-            while (v != no_id && is_held_up(v)) {
-                v = land(v);
-            }
-        }
-    }
-
-    // The targets that were missed are known by id: none may be used again before they are tried.
-    void retire(std::uint32_t v) {
-        auto& free = submesh_.pool->vertices;
-        if (const auto at = std::find(free.rbegin(), free.rend(), v); at != free.rend()) {
-            work_.retired.push_back(v);
-            free.erase(std::next(at).base());
-        }
-    }
-
-    [[nodiscard]] bool is_held_up(std::uint32_t v) const {
-        const std::uint32_t its = complex_.is_alive(Vertex{v}) ? complex_.vertices[v].flags : 0;
-        return (its & vertex_contact) != 0 && (its & vertex_locked) == 0;
-    }
-
-    // Returns the next vertex of the curve, if this one has landed.
-    std::uint32_t land(std::uint32_t v) {
-        std::vector<std::tuple<Real, Real, Real, std::uint32_t>> neighbours;
-        Corner curve = no_id;
-        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
-            if (is_outline(complex_, prev(c))) {
-                curve = prev(c);
-                const std::uint32_t w = complex_.vertex(next(c));
-                neighbours.emplace_back((at(w) - at(v)).squaredNorm(), at(w).x(), at(w).y(), w);
-            }
-        });
-        if (neighbours.size() != 2 || is_on_wall(v) || !(contact_of(curve) > 0)) {
-            return no_id;
-        }
-        std::ranges::sort(neighbours); // the nearer one first
-        for (const std::size_t i : {0U, 1U}) {
-            const std::uint32_t end = std::get<3>(neighbours[i]);
-            if (is_on_wall(end) && land_beside(v, end)) {
-                return std::get<3>(neighbours[1 - i]);
-            }
-        }
-        return no_id;
-    }
-
-    // Of the edges of the wall at the end of a curve, the one above which the vertex is.
-    struct Below {
-        Corner edge = no_id; ///< the corner at the vertex
-        std::uint32_t other = no_id;
-        Real share = 0; ///< of the way along it
-    };
-    [[nodiscard]] Below find_below(std::uint32_t v, std::uint32_t end) const {
-        Below found;
-        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
-            const bool is_first = complex_.vertex(next(c)) == end;
-            if (!is_border(complex_.twin(c)) || !(is_first || complex_.vertex(prev(c)) == end)) {
-                return;
-            }
-            const std::uint32_t other = complex_.vertex(is_first ? prev(c) : next(c));
-            const Point<Real> way = at(other) - at(end);
-            const Point<Real> from = at(v) - at(end);
-            const Real share = from.dot(way) / way.squaredNorm();
-            if (found.edge == no_id || share > found.share) {
-                found = {c, other, share};
-            }
-        });
-        return found;
-    }
-
-    // Above the wall that leaves the end of a curve towards the vertex.
-    [[nodiscard]] Real height_of(std::uint32_t v, std::uint32_t end) const {
-        Real lowest = std::numeric_limits<Real>::infinity();
-        const Point<Real> from = at(v) - at(end);
-        for_each_corner(complex_, Vertex{end}, [&](Corner c) {
-            for (const Corner side : {next(c), prev(c)}) {
-                const std::uint32_t other = complex_.vertex(side == next(c) ? prev(c) : next(c));
-                const Point<Real> way = at(other) - at(end);
-                if (is_border(complex_.twin(side)) && from.dot(way) > 0) {
-                    lowest = std::min(lowest, std::abs(cross<Real>(way, from)) / way.norm());
-                }
-            }
-        });
-        return lowest;
-    }
-
-    bool land_beside(std::uint32_t v, std::uint32_t end) {
-        const Below below = find_below(v, end);
-        const Real height = height_of(v, end);
-        if (!(height < static_cast<Real>(landing_height) * work_.edge_length)) {
-            return false;
-        }
-        Event event{.kind = EventKind::widen,
-                    .time = work_.time,
-                    .x = static_cast<double>(at(v).x()),
-                    .y = static_cast<double>(at(v).y())};
-        std::uint32_t target = end;
-        if (below.edge != no_id && below.share > static_cast<Real>(landing_share)) {
-            // Across the edge from the vertex to the end of the curve.
-            const Corner side =
-                complex_.vertex(next(below.edge)) == end ? prev(below.edge) : next(below.edge);
-            const Phase taker = complex_.phase_at(complex_.twin(side));
-            event.lost = complex_.phase_at(below.edge);
-            event.taken = {taker, taker};
-            if (!may_open({.film = event.lost,
-                           .sides = {taker, border_phase},
-                           .x = event.x,
-                           .y = event.y,
-                           .thickness = static_cast<double>(height)})) {
-                return false;
-            }
-            target = foot_of(below, end);
-            event.area = give_wedge(v, end, target, taker);
-        }
-        const bool has_landed = merge_ends(work_, Vertex{v}, Vertex{target}, false).is_valid();
-        if (has_landed) {
-            retire(v);
-        }
-        if (target != end) {
-            event.area += std::exchange(work_.swept, 0);
-            work_.events.push_back(event);
-        }
-        return has_landed;
-    }
-
-    // A vertex of the wall below the one that lands, or a new one there; only if it lies exactly
-    // on the wall, as beside it the domain would have another corner.
-    std::uint32_t foot_of(const Below& below, std::uint32_t end) {
-        if (below.share < 1 - static_cast<Real>(landing_share)) {
-            const Point<Real> foot = at(end) + below.share * (at(below.other) - at(end));
-            if (orientation<Real>(at(end), foot, at(below.other)) == 0) {
-                const SplitResult split = edge_split(complex_, submesh_, below.edge, foot);
-                if (split.verdict == Verdict::legal) {
-                    return split.vertex.id;
-                }
-            }
-        }
-        return below.other;
-    }
-
-    // The triangle between the curve and the wall, as far as `target`.
-    double give_wedge(std::uint32_t v, std::uint32_t end, std::uint32_t target, Phase taker) {
-        const Corner wedge = find_corner(complex_, Vertex{v}, [&](Corner c) {
-            const std::uint32_t from = complex_.vertex(next(c));
-            const std::uint32_t to = complex_.vertex(prev(c));
-            return (from == end && to == target) || (to == end && from == target);
-        });
-        const Triangle t{triangle_of(wedge)};
-        give(work_, t, taker);
-        return static_cast<double>(doubled_area(complex_, t)) / 2;
-    }
-
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    Submesh submesh_ = whole_submesh(complex_);
     std::span<const Suspect<Real>> suspects_;
     std::vector<WallChord<Real>> chords_;
     std::unordered_map<Corner, std::size_t> index_; ///< of the chords that are still to be visited

@@ -2,11 +2,7 @@
 // Films of a phase between the interface and the domain boundary: the wall counts as another sheet.
 // Where one is thinner than the contact distance, and squeezed, it is given to the phase beyond the
 // interface, which borders on the wall from then on; the interface ends on the wall at both sides.
-//
-// The wedge between the wall and a curve that ends on it is thin as well, near that end. It is no
-// film, however small its angle. But where the flow presses the curve against the wall, vertex
-// after vertex would be held up by the wall: each lands on it, and the end of the curve moves
-// there.
+// The wedge at the end of a curve is left to landing.h.
 #pragma once
 
 #include "dsc/topology/region.h"
@@ -16,8 +12,8 @@
 
 namespace dsc {
 
-/// Opens films along the wall and lands vertices at the ends of curves, among the suspects, in an
-/// order that depends only on where they lie. O(suspects * contact / edge length).
+/// Opens films along the wall, among the suspects, in an order that depends only on where they lie.
+/// O(suspects * contact / edge length).
 template <class Real>
 void open_wall_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects);
 

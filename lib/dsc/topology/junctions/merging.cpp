@@ -29,9 +29,9 @@ public:
             const Real into_w = quality_after(v_, w_);
             const Real into_v = either ? quality_after(w_, v_) : Real(-1);
             const bool is_last = removed == most_removed;
-            if (std::max(into_w, into_v) >= static_cast<Real>(poor_squared) || is_last ||
-                !make_room(either)) {
-                if (!(std::max(into_w, into_v) > 0)) {
+            const Real best = std::max(into_w, into_v);
+            if (best >= static_cast<Real>(poor_squared) || is_last || !make_room(either, best)) {
+                if (!(best > 0)) {
                     return {};
                 }
                 const Vertex gone = into_w >= into_v ? v_ : w_;
@@ -85,8 +85,10 @@ private:
     }
 
     // Removes a vertex inside a phase from the link: an end of the edge opposite to the worst
-    // triangle, or a neighbour of both ends.
-    bool make_room(bool either) {
+    // triangle, or a neighbour of both ends. Where the edge cannot be collapsed yet, even if that
+    // leaves poor triangles.
+    bool make_room(bool either, Real quality_so_far) {
+        const Real least = quality_so_far > 0 ? static_cast<Real>(poor_squared) : Real(0);
         for (const bool is_first : {true, false}) {
             if (!is_first && !either) {
                 continue;
@@ -104,7 +106,7 @@ private:
             if (at_worst != no_id) {
                 const std::array ends{complex_.vertex(next(at_worst)),
                                       complex_.vertex(prev(at_worst))};
-                if (remove(ends[0]) || remove(ends[1])) {
+                if (remove(ends[0], least) || remove(ends[1], least)) {
                     return true;
                 }
             }
@@ -112,11 +114,11 @@ private:
         return false;
     }
 
-    bool remove(std::uint32_t vertex) {
+    bool remove(std::uint32_t vertex, Real least) {
         if (!gather(complex_, Region{}, vertex, ring_) || !ring_.one_phase || !ring_.closed) {
             return false;
         }
-        Real best = static_cast<Real>(poor_squared);
+        Real best = least;
         std::uint32_t heir = no_id;
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             const Real after = ring_.size > 3 ? worst_quality_squared_after_collapse(ring_, i) : 1;
