@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "combinations/course.h"
 
+#include "combinations/settings.h"
 #include "support/random/scene.h"
 
 #include "dsc/complex/numbering.h"
@@ -73,7 +74,7 @@ public:
 
 private:
     [[nodiscard]] Complex<Real> first_complex() const {
-        const Options<Real> options = options_at(0);
+        const Options<Real> options = options_of<Real>(row_, scene_, 0);
         InitialOptions initial;
         initial.edge_length = scene_.h;
         initial.sizes = sizes_in<double>(options.sizes);
@@ -105,99 +106,23 @@ private:
     }
 
     [[nodiscard]] std::unique_ptr<Simulation<Real>> simulation_of(Complex<Real>& complex) {
-        const Options<Real> options = options_at(0);
-        auto algorithm = is_growth() ? growth_algorithm<Real>(complex, growth_options())
-                                     : default_algorithm<Real>();
+        const Options<Real> options = options_of<Real>(row_, scene_, 0);
+        auto algorithm = is_normal(row_.motion)
+                             ? growth_algorithm<Real>(complex, growth_of<Real>(row_))
+                             : default_algorithm<Real>();
         std::unique_ptr<Executor<Real>> executor;
         if (row_.way == Way::sequential) {
             executor =
                 std::make_unique<SequentialExecutor<Real>>(complex, options, std::move(algorithm));
         } else {
-            executor = make_executor<Real>(complex, options, parallel(), std::move(algorithm));
+            executor = make_executor<Real>(complex, options, parallel_of(row_, threads_),
+                                           std::move(algorithm));
         }
         seen_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
         return std::make_unique<Simulation<Real>>(complex, options, std::move(executor));
     }
 
-    [[nodiscard]] Parallel parallel() const {
-        constexpr std::array divisions{Division::cells,    Division::cells,  Division::fixed,
-                                       Division::counting, Division::active, Division::blocks,
-                                       Division::copy};
-        constexpr std::array submeshes{0U, 2U, 4U, 9U};
-        Parallel parallel;
-        parallel.threads = threads_;
-        parallel.division = divisions[static_cast<std::size_t>(row_.way)];
-        parallel.submeshes = submeshes[static_cast<std::size_t>(row_.submeshes)];
-        parallel.always_all_threads = true;
-        return parallel;
-    }
-
-    // --- options ---------------------------------------------------------------------------------
-    // `half`: 0 in the first half of the run, 1 in the second.
-    [[nodiscard]] SizeOptions<Real> sizes_at(int half) const {
-        SizeOptions<Real> sizes;
-        const Sizes asked = row_.sizes;
-        if (asked == Sizes::uniform || (asked == Sizes::switched_on && half == 0) ||
-            (asked == Sizes::switched_off && half == 1)) {
-            return sizes;
-        }
-        const Real h = static_cast<Real>(scene_.h);
-        sizes.growth = 1.3;
-        sizes.longest = 4 * h;
-        if (asked == Sizes::by_place || asked == Sizes::in_time) {
-            const bool changes = asked == Sizes::in_time;
-            const Real end = static_cast<Real>(scene_.end);
-            sizes.by_place = [h, end, changes](const Point<Real>& p, Real time, Phase) {
-                const Real x = p.x() + (changes ? time / end : Real(0));
-                return h * (Real(2.5) + Real(1.5) * std::sin(9 * x));
-            };
-            sizes.changes_in_time = changes;
-        }
-        return sizes;
-    }
-
-    [[nodiscard]] Options<Real> options_at(int half) const {
-        Options<Real> options;
-        const Real h = static_cast<Real>(scene_.h);
-        options.edge_length = h;
-        options.sizes = sizes_at(half);
-        options.integrator = row_.integrator;
-        options.insertion = row_.insertion;
-        options.interface.coarsening = row_.coarsening;
-        options.interface.corner_degrees = row_.outline == Outline::loose_corners ? 180 : 40;
-        if (row_.inside == Inside::carried) {
-            options.carried_phases = {1};
-        }
-        auto& topology = options.topology;
-        topology.rule = row_.topology == Rule::keep ? Topology::keep : Topology::change;
-        switch (row_.topology) {
-        case Rule::keep:
-        case Rule::change: break;
-        case Rule::forbidden: topology.may_change = [](const Contact&) { return false; }; break;
-        case Rule::given_back: topology.gives_back_area = true; break;
-        case Rule::wide: topology.contact = Real(1.5) * h; break;
-        case Rule::least_area: topology.least_area = 4 * h * h; break;
-        }
-        return options;
-    }
-
     // --- flows -----------------------------------------------------------------------------------
-    [[nodiscard]] bool is_growth() const {
-        return row_.motion == Motion::grow || row_.motion == Motion::shrink;
-    }
-
-    [[nodiscard]] GrowthOptions<Real> growth_options() const {
-        const double speed = row_.motion == Motion::grow ? 1 : -1;
-        GrowthOptions<Real> options;
-        options.speeds = {{1, 0, speed}};
-        if (row_.phases == Phases::nested) {
-            options.speeds.push_back({2, 1, speed / 2});
-        } else if (row_.phases == Phases::junctions) {
-            options.speeds.push_back({2, 0, speed});
-        }
-        return options;
-    }
-
     void make_trouble(std::span<const Point<Real>> positions, std::span<Point<Real>> values) const {
         if (trouble_ == Trouble::throws) {
             throw Thrown();
@@ -225,8 +150,8 @@ private:
     }
 
     StepReport advance(Real time, Real dt) {
-        if (is_growth()) {
-            const InterfaceFlow<Real> inner = growth<Real>(growth_options());
+        if (is_normal(row_.motion)) {
+            const InterfaceFlow<Real> inner = growth<Real>(growth_of<Real>(row_));
             return simulation_->step(
                 InterfaceFlow<Real>([&](const InterfaceView<Real>& view, std::size_t begin,
                                         std::size_t end, Real at, auto values) {
@@ -236,7 +161,7 @@ private:
                 }),
                 time, dt);
         }
-        if (row_.motion == Motion::curvature || row_.motion == Motion::vanish) {
+        if (is_by_curvature(row_.motion)) {
             const InterfaceMotion<Real> inner = curvature_flow<Real>();
             return simulation_->step(InterfaceMotion<Real>([&](const InterfaceView<Real>& view,
                                                                Real at, Real for_dt, auto ways) {
@@ -338,14 +263,16 @@ private:
 
     void switch_sizes() {
         if (row_.sizes == Sizes::switched_on || row_.sizes == Sizes::switched_off) {
-            simulation_->set_options(options_at(1));
+            simulation_->set_options(options_of<Real>(row_, scene_, 1));
         }
     }
 
     void interrupt(int i) {
         switch (interruption_) {
         case Interruption::resumed: resume(i); break;
-        case Interruption::set_options: simulation_->set_options(options_at(1)); break;
+        case Interruption::set_options:
+            simulation_->set_options(options_of<Real>(row_, scene_, 1));
+            break;
         case Interruption::renumbered: (void)renumber(*complex_); break;
         case Interruption::edited: edit(); break;
         case Interruption::none:
@@ -364,7 +291,7 @@ private:
         complex_ = std::make_unique<Complex<Real>>(first_complex());
         simulation_ = simulation_of(*complex_);
         if (row_.sizes == Sizes::switched_on || row_.sizes == Sizes::switched_off) {
-            simulation_->set_options(options_at(1));
+            simulation_->set_options(options_of<Real>(row_, scene_, 1));
         }
         Archive again(kept.bytes(), "step " + std::to_string(i));
         simulation_->archive(again);

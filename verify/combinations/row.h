@@ -72,6 +72,16 @@ inline constexpr std::array motion_names{
     Named{Motion::vanish, "vanish"},
 };
 
+[[nodiscard]] constexpr bool is_translation(Motion one) {
+    return one == Motion::right || one == Motion::left || one == Motion::up || one == Motion::down;
+}
+[[nodiscard]] constexpr bool is_by_curvature(Motion one) {
+    return one == Motion::curvature || one == Motion::vanish;
+}
+[[nodiscard]] constexpr bool is_normal(Motion one) {
+    return one == Motion::grow || one == Motion::shrink;
+}
+
 /// How the flow is handed to the step.
 enum class Told : std::uint8_t {
     positions, ///< as a velocity of positions

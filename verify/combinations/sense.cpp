@@ -35,12 +35,6 @@ struct Contradiction {
     std::string_view why;
 };
 
-bool is_translation(Motion one) {
-    return one == Motion::right || one == Motion::left || one == Motion::up || one == Motion::down;
-}
-bool is_by_curvature(Motion one) { return one == Motion::curvature || one == Motion::vanish; }
-bool is_normal(Motion one) { return one == Motion::grow || one == Motion::shrink; }
-
 const std::vector<Contradiction>& rules() {
     static const std::vector<Contradiction> list{
         {{place, motion},
