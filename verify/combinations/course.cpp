@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "combinations/course.h"
 
+#include "combinations/checks.h"
 #include "combinations/settings.h"
 #include "support/random/scene.h"
 
@@ -64,7 +65,7 @@ public:
             expect_replayed();
         }
         if (row_.data == Data::field) {
-            expect_field();
+            note(field_fault(*complex_));
         }
         outcome_.hash = mesh_hash(*complex_);
         simulation_.reset();
@@ -84,25 +85,10 @@ private:
             auto& field = complex.attributes.template add<Vertex, double>("place", 0.0);
             field.set_field(true);
             for (const Vertex v : vertices(complex)) {
-                field[v] = value_at(complex.position(v));
+                field[v] = linear_field(complex.position(v));
             }
         }
         return complex;
-    }
-
-    static double value_at(const Point<Real>& p) {
-        return static_cast<double>(p.x()) + 2 * static_cast<double>(p.y());
-    }
-
-    void expect_field() {
-        auto& field = complex_->attributes.template get<Vertex, double>("place");
-        double worst = 0;
-        for (const Vertex v : vertices(*complex_)) {
-            worst = std::max(worst, std::abs(field[v] - value_at(complex_->position(v))));
-        }
-        if (!(worst < (std::is_same_v<Real, double> ? 1e-9 : 1e-4))) {
-            note("the field is off by " + std::to_string(worst));
-        }
     }
 
     [[nodiscard]] std::unique_ptr<Simulation<Real>> simulation_of(Complex<Real>& complex) {
@@ -129,24 +115,41 @@ private:
         }
         if (trouble_ == Trouble::not_a_number) {
             constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
-            // On one side of a slanting line through the middle of the shape.
             for (std::size_t i = 0; i < positions.size(); ++i) {
-                const Point<double> off = positions[i].template cast<double>() - scene_.middle;
-                if (off.y() + 0.3 * off.x() > 0) {
+                if (across(positions[i]) >= held_from_) {
                     values[i] = Point<Real>(none, none);
                 }
             }
         }
     }
 
+    // Which side of a slanting line a place is on.
+    static Real across(const Point<Real>& p) { return p.y() + Real(0.3) * p.x(); }
+
+    // The line through the vertex in the middle: wherever the interface has gone by now, half of it
+    // is held, and that vertex.
+    void choose_held() {
+        std::vector<Real> all;
+        for (const std::uint32_t v : simulation_->interface()) {
+            all.push_back(across(complex_->position(Vertex{v})));
+        }
+        const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+        std::nth_element(all.begin(), middle, all.end());
+        held_from_ = *middle;
+    }
+
     void set_velocities(std::span<const Point<Real>> positions, Real time,
-                        std::span<Point<Real>> values) const {
+                        std::span<Point<Real>> values) {
         for (std::size_t i = 0; i < positions.size(); ++i) {
             values[i] =
                 scene_.velocity(positions[i].template cast<double>(), static_cast<double>(time))
                     .template cast<Real>();
         }
         make_trouble(positions, values);
+        // By Euler's method velocities are asked for at the beginning of sub-steps alone.
+        if (threads_ == 1 && (outcome_.asked.empty() || time > outcome_.asked.back())) {
+            outcome_.asked.push_back(time);
+        }
     }
 
     StepReport advance(Real time, Real dt) {
@@ -208,6 +211,7 @@ private:
         const bool is_middle = i == scene_.steps / 2;
         if (is_middle && interruption_ == Interruption::not_a_number) {
             trouble_ = Trouble::not_a_number;
+            choose_held();
         }
         if (is_middle && interruption_ == Interruption::thrown) {
             trouble_ = Trouble::throws;
@@ -224,14 +228,18 @@ private:
         if (is_middle && interruption_ == Interruption::tiny_step) {
             take(advance(time, dt * std::numeric_limits<Real>::epsilon()), i);
         }
-        take(advance(time, dt), i);
+        const StepReport report = advance(time, dt);
+        take(report, i);
+        for (std::uint32_t k = 0; k < report.sub_steps; ++k) {
+            outcome_.times.push_back(static_cast<double>(time) +
+                                     static_cast<double>(dt) * k / report.sub_steps);
+        }
         trouble_ = Trouble::none;
     }
 
     void take(const StepReport& report, int i) {
         const std::string when = ", step " + std::to_string(i);
         outcome_.held += report.held;
-        outcome_.sub_steps += report.sub_steps;
         // What is held may be in the way of others.
         outcome_.unreached += trouble_ == Trouble::not_a_number ? 0 : report.unreached;
         outcome_.events += report.events.size();
@@ -239,25 +247,16 @@ private:
             note("gave up" + when);
         }
         if (threads_ == 1) { // the others end with the same mesh, or are refused for that
-            expect_whole(when);
+            note(validate(*complex_).problem, when);
+            if (row_.inside == Inside::still) {
+                note(test::interface_fault(*complex_, simulation_->interface()), when);
+            }
         }
         if (seen_ != nullptr) {
             outcome_.threads = std::max(outcome_.threads, seen_->threads_used());
             outcome_.submeshes = std::max(
                 outcome_.submeshes,
                 static_cast<std::uint32_t>(seen_->partition().colours.front().regions.size()));
-        }
-    }
-
-    void expect_whole(const std::string& when) {
-        if (const std::string problem = validate(*complex_).problem; !problem.empty()) {
-            note(problem + when);
-        } else if (row_.inside == Inside::still) {
-            if (const std::string fault =
-                    test::interface_fault(*complex_, simulation_->interface());
-                !fault.empty()) {
-                note(fault + when);
-            }
         }
     }
 
@@ -332,13 +331,18 @@ private:
         }
     }
 
-    void note(std::string problem) { outcome_.problems.push_back(std::move(problem)); }
+    void note(const std::string& problem, const std::string& when = {}) {
+        if (!problem.empty()) {
+            outcome_.problems.push_back(problem + when);
+        }
+    }
 
     const Row& row_;
     const Scene& scene_;
     std::uint32_t threads_;
     Interruption interruption_;
     Trouble trouble_ = Trouble::none;
+    Real held_from_ = 0;
     Outcome<Real> outcome_;
     std::unique_ptr<Complex<Real>> complex_;
     std::unique_ptr<Simulation<Real>> simulation_;

@@ -18,7 +18,8 @@ struct Outcome {
     Complex<Real> first;
     Complex<Real> middle; ///< after half of the steps
     Complex<Real> last;
-    std::uint32_t sub_steps = 0;
+    std::vector<double> times; ///< at which sub-steps began: those of a step are of one length
+    std::vector<Real> asked;   ///< times for which a velocity was asked, each once
     std::uint64_t hash = 0;
     std::uint64_t unreached = 0; ///< but for those that the row itself holds
     std::uint64_t held = 0;

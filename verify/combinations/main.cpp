@@ -31,8 +31,8 @@ namespace {
 
 struct Result {
     bool is_done = false; ///< it has ended by itself
-    double distance = 0;
-    double allowed = 0;
+    Distance mean;
+    Distance farthest;
     std::uint32_t threads = 1;
     std::vector<std::string> problems;
     double seconds = 0;
@@ -92,7 +92,8 @@ public:
         }
         result.is_done = true;
         std::istringstream lines(text);
-        lines >> result.distance >> result.allowed >> result.threads >> std::ws;
+        lines >> result.mean.off >> result.mean.allowed >> result.farthest.off >>
+            result.farthest.allowed >> result.threads >> std::ws;
         for (std::string line; std::getline(lines, line);) {
             result.problems.push_back(line);
         }
@@ -116,7 +117,8 @@ private:
             findings.problems.push_back(std::string("throws: ") + error.what());
         }
         std::ostringstream text;
-        text << findings.distance << ' ' << findings.allowed << ' ' << findings.threads << '\n';
+        text << findings.mean.off << ' ' << findings.mean.allowed << ' ' << findings.farthest.off
+             << ' ' << findings.farthest.allowed << ' ' << findings.threads << '\n';
         for (const std::string& problem : findings.problems) {
             text << problem << '\n';
         }
@@ -168,8 +170,9 @@ int run_one(const Settings& settings) {
         return 2;
     }
     const Result result = Child(values, settings).wait();
-    std::cout << "off by " << result.distance << " edge lengths, allowed " << result.allowed << ", "
-              << result.seconds << " s\n";
+    std::cout << "off by " << result.mean.off << " edge lengths, allowed " << result.mean.allowed
+              << "; a vertex by " << result.farthest.off << ", allowed " << result.farthest.allowed
+              << "; " << result.seconds << " s\n";
     for (const std::string& problem : result.problems) {
         std::cout << "  " << problem << '\n';
     }
@@ -188,9 +191,10 @@ std::size_t run_rows(const std::vector<Values>& rows, const Settings& settings) 
         for (std::size_t i = from; i < to; ++i) {
             const Result result = children[i - from].wait();
             if (settings.lists) {
-                std::cout << result.distance << ' ' << result.allowed << ' ' << result.seconds
-                          << ' ' << (result.problems.empty() ? "holds" : "FAILS") << ' '
-                          << words_of(rows[i]) << '\n';
+                std::cout << result.mean.off << ' ' << result.mean.allowed << ' '
+                          << result.farthest.off << ' ' << result.farthest.allowed << ' '
+                          << result.seconds << ' ' << (result.problems.empty() ? "holds" : "FAILS")
+                          << ' ' << words_of(rows[i]) << '\n';
             }
             in_threads += result.threads > 1 ? 1 : 0;
             if (result.problems.empty()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "combinations/scene.h"
 
+#include "combinations/frame.h"
 #include "shapes/voronoi.h"
 
 #include <algorithm>
@@ -14,53 +15,6 @@ namespace {
 
 using std::numbers::pi;
 using P = Point<double>;
-
-// --- the frame: a scene is written down once, and turned about its domain -----------------------
-
-class Frame {
-public:
-    Frame(Turned turned, const P& size) : turned_(turned), size_(size) {}
-
-    [[nodiscard]] P size() const { return is_upright() ? size_ : P(size_.y(), size_.x()); }
-
-    [[nodiscard]] P place(const P& p) const {
-        switch (turned_) {
-        case Turned::not_at_all: return p;
-        case Turned::quarter: return {size_.y() - p.y(), p.x()};
-        case Turned::half: return {size_.x() - p.x(), size_.y() - p.y()};
-        case Turned::three_quarters: return {p.y(), size_.x() - p.x()};
-        case Turned::mirrored: return {size_.x() - p.x(), p.y()};
-        }
-        return p;
-    }
-    [[nodiscard]] P place_before(const P& p) const {
-        switch (turned_) {
-        case Turned::not_at_all: return p;
-        case Turned::quarter: return {p.y(), size_.y() - p.x()};
-        case Turned::half: return {size_.x() - p.x(), size_.y() - p.y()};
-        case Turned::three_quarters: return {size_.x() - p.y(), p.x()};
-        case Turned::mirrored: return {size_.x() - p.x(), p.y()};
-        }
-        return p;
-    }
-    [[nodiscard]] P way(const P& v) const { return place(v) - place(P(0, 0)); }
-    [[nodiscard]] Curve curve(Curve one) const {
-        for (P& p : one.points) {
-            p = place(p);
-        }
-        if (turned_ == Turned::mirrored) {
-            std::swap(one.left, one.right);
-        }
-        return one;
-    }
-
-private:
-    [[nodiscard]] bool is_upright() const {
-        return turned_ != Turned::quarter && turned_ != Turned::three_quarters;
-    }
-    Turned turned_;
-    P size_;
-};
 
 // --- the place: where a shape begins -------------------------------------------------------------
 
@@ -93,11 +47,13 @@ Shape shape_at(Place place) {
 constexpr double height = 0.4; ///< of the layer
 constexpr double aside = 0.17; ///< of each of a pair
 
+constexpr double spacing = 0.27; ///< of the vertices of arcs, at most, in edge lengths
+
 // An arc of the shape, from one angle to another. Corners lie on it 60 degrees apart, or 45.
 std::vector<P> arc(const Shape& shape, double radius, double from, double to, Outline outline) {
     const double most = to - from < 1.1 * pi_2 ? pi / 4 : pi / 3;
     const int n = outline == Outline::round
-                      ? static_cast<int>(std::ceil(radius * (to - from) / (0.27 * shape.h)))
+                      ? static_cast<int>(std::ceil(radius * (to - from) / (spacing * shape.h)))
                       : static_cast<int>(std::ceil((to - from) / most - 1e-9));
     std::vector<P> points;
     for (int i = 0; i <= n; ++i) {
@@ -217,19 +173,13 @@ void translate(Scene& scene, const P& way, const P& size) {
 void turn(Scene& scene) {
     constexpr double angle = 1.5 * pi;
     const P centre(0.5, 0.5);
-    const auto turned = [centre](const P& p, double by, double factor) {
-        const P off = p - centre;
-        return P(centre + factor * P(std::cos(by) * off.x() - std::sin(by) * off.y(),
-                                     std::sin(by) * off.x() + std::cos(by) * off.y()));
-    };
     scene.steps = 60;
     scene.velocity = [](const P& p, double) {
         return P(-angle * (p.y() - 0.5), angle * (p.x() - 0.5));
     };
-    scene.exact = [turned](const P& p) { return turned(p, angle, 1); };
-    scene.by_euler = [turned](const P& p, std::uint32_t sub_steps) {
-        const double each = angle / sub_steps;
-        return turned(p, sub_steps * std::atan(each), std::pow(1 + each * each, sub_steps / 2.0));
+    scene.exact = [centre](const P& p) { // a quarter of a turn clockwise
+        const P off = p - centre;
+        return P(centre + P(off.y(), -off.x()));
     };
     scene.fastest = angle * 0.45;
 }
@@ -251,6 +201,20 @@ void swirl(Scene& scene, const Shape& shape, Place place) {
     };
     scene.exact = [](const P& p) { return p; };
     scene.fastest = strength * pi / b;
+    // In half of the time curves become longer by the integral of the gradient, which is no more
+    // than k times the speed, and bend by that of the second derivatives, k squared times it; and a
+    // curve that is drawn out by a factor across its bend is bent by the square of it.
+    const double k = pi / std::min(b, 1.0);
+    const double way = scene.fastest / pi;
+    scene.stretch = std::exp(k * way);
+    scene.curvature = (scene.curvature * scene.stretch + k * k * way) * scene.stretch;
+}
+
+// A circle of this radius meets a line at this distance from its centre.
+void meet(Scene& scene, double radius, double distance) {
+    scene.meets = true;
+    scene.seam = 2 * std::sqrt(radius * radius - distance * distance);
+    scene.seam_angle = std::acos(distance / radius);
 }
 
 // With half the speed where the inner shape grows: then all is scaled alike.
@@ -263,17 +227,19 @@ void grow(Scene& scene, const Row& row, const Shape& shape, double by) {
         };
         return;
     }
-    const double factor = (shape.radius + by) / shape.radius;
+    const double radius = shape.radius + by;
+    const double factor = radius / shape.radius;
+    scene.stretch = std::max(factor, 1.0);
+    scene.curvature *= std::max(1 / factor, 1.0);
     const auto scaled = [factor](const P& p, const P& centre) {
         return P(centre + factor * (p - centre));
     };
     if (row.place == Place::pair) {
-        // Two phases end up with the line in the middle between them.
-        const bool is_one = row.phases == Phases::one;
+        // Both end up at the line in the middle between them, which is gone if they are one.
         scene.exact = [=](const P& p) {
             const bool is_left = p.x() < shape.centre.x();
             P end = scaled(p, shape.centre + P(is_left ? -aside : aside, 0));
-            if (!is_one && is_left != (end.x() < shape.centre.x())) {
+            if (is_left != (end.x() < shape.centre.x())) {
                 end.x() = shape.centre.x();
             }
             return end;
@@ -283,14 +249,24 @@ void grow(Scene& scene, const Row& row, const Shape& shape, double by) {
             return kept_inside(p, scaled(p, shape.centre), shape.size);
         };
     }
-    scene.meets = by > 0 && (row.place == Place::pair || row.place == Place::by_wall);
+    if (by > 0 && row.place == Place::pair) {
+        meet(scene, radius, aside);
+    } else if (by > 0 && row.place == Place::by_wall) {
+        meet(scene, radius, shape.centre.y());
+        scene.meets_wall = true;
+    }
 }
 
 void bend(Scene& scene, const Row& row, const Shape& shape) {
     scene.end = row.place == Place::slender ? 0.001 : 0.003;
+    double smallest = row.phases == Phases::nested ? shape.radius / 2 : shape.radius;
     if (row.motion == Motion::vanish) {
-        scene.end = 1.1 * std::pow(shape.radius / 2, 2) / 2;
+        scene.end = 1.1 * smallest * smallest / 2;
         scene.meets = true;
+        smallest = shape.radius; // the other one's: nothing of the inner one is left
+    }
+    if (scene.curvature > 0) {
+        scene.curvature = 1 / std::sqrt(smallest * smallest - 2 * scene.end);
     }
     if (row.phases == Phases::many) {
         scene.end = 2e-4;
@@ -320,11 +296,24 @@ void bend(Scene& scene, const Row& row, const Shape& shape) {
     }
 }
 
+// Of the curves at the start: of the inner of two nested ones, if there is one.
+double first_curvature(const Row& row, const Shape& shape) {
+    const bool is_straight = row.outline != Outline::round || row.phases == Phases::many ||
+                             row.place == Place::layer || row.place == Place::through_corner;
+    return is_straight ? 0 : (row.phases == Phases::nested ? 2 : 1) / shape.radius;
+}
+
 void set_motion(Scene& scene, const Row& row, const Shape& shape) {
+    scene.curvature = first_curvature(row, shape);
+    scene.longest_at_start = scene.curvature > 0 ? spacing : 1;
+    // Those of the inner of two nested shapes; of 45 degrees where arcs are shorter.
+    const double radius = row.phases == Phases::nested ? shape.radius / 2 : shape.radius;
+    scene.corner_distance = 2 * radius * std::sin(pi / 8);
     const bool is_small = row.place == Place::slender || row.place == Place::pair;
     scene.runs_into_wall =
         row.place == Place::layer && (row.motion == Motion::right || row.motion == Motion::left);
-    const double far = row.place == Place::slender ? 0.3 : 0.15;
+    // Not as far as to a wall: nothing meets there by the widest contact distance.
+    const double far = row.place == Place::slender ? 0.3 : 0.12;
     const double near = row.place == Place::slender ? 0.03 : 0.15;
     switch (row.motion) {
     case Motion::rest: translate(scene, {0, 0}, shape.size); break;
@@ -333,7 +322,10 @@ void set_motion(Scene& scene, const Row& row, const Shape& shape) {
     case Motion::up: translate(scene, {0, near}, shape.size); break;
     case Motion::down:
         translate(scene, {0, -near}, shape.size);
-        scene.meets = row.place == Place::by_wall;
+        if (row.place == Place::by_wall) {
+            meet(scene, shape.radius, shape.centre.y() - near);
+            scene.meets_wall = true;
+        }
         break;
     case Motion::turn: turn(scene); break;
     case Motion::swirl: swirl(scene, shape, row.place); break;
@@ -358,24 +350,9 @@ Scene scene_of(const Row& row, double fineness) {
         scene.phases = std::max({scene.phases, curve.left + 1, curve.right + 1});
         scene.curves.push_back(frame.curve(std::move(curve)));
     }
-    P low = frame.size();
-    P high(0, 0);
-    for (const Curve& curve : scene.curves) {
-        for (const P& p : curve.points) {
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
-        }
-    }
-    scene.middle = (low + high) / 2;
     if (scene.exact) {
         scene.exact = [frame, exact = std::move(scene.exact)](const P& p) {
             return frame.place(exact(frame.place_before(p)));
-        };
-    }
-    if (scene.by_euler) {
-        scene.by_euler = [frame, by_euler = std::move(scene.by_euler)](const P& p,
-                                                                       std::uint32_t sub_steps) {
-            return frame.place(by_euler(frame.place_before(p), sub_steps));
         };
     }
     if (scene.velocity) {

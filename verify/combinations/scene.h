@@ -9,6 +9,7 @@
 #include "dsc/initial/initial_complex.h"
 
 #include <functional>
+#include <numbers>
 #include <vector>
 
 namespace dsc::combinations {
@@ -17,8 +18,7 @@ struct Scene {
     double h = 0.04;
     Rectangle domain;
     std::vector<Curve> curves;
-    Phase phases = 2;     ///< the exterior among them
-    Point<double> middle; ///< of the box about the interface, at the start
+    Phase phases = 2; ///< the exterior among them
 
     double end = 1; ///< the time
     int steps = 24;
@@ -26,15 +26,23 @@ struct Scene {
     /// Where a place of the interface is at the end. Places on a wall stay on it; where pieces of
     /// a phase overlap then, they are one.
     std::function<Point<double>(const Point<double>&)> exact;
-    /// Where Euler's method brings it in so many equal sub-steps, if it is far from there: turns
-    /// become spirals.
-    std::function<Point<double>(const Point<double>&, std::uint32_t sub_steps)> by_euler;
     /// Velocity by place and time; for `grow`, `shrink` and `curvature` nothing.
     std::function<Point<double>(const Point<double>&, double)> velocity;
     double fastest = 0; ///< of these velocities
+    /// The largest curvature of the curves at any time, where they are smooth; 0: they are
+    /// straight.
+    double curvature = 0;
+    double longest_at_start = 1; ///< interface edge, in edge lengths
+    double corner_distance = 0;  ///< between corners along the curves, where there are any
+    double stretch = 1;          ///< the largest factor by which a piece of a curve becomes longer
     /// The shape meets itself or a wall, or a piece of it vanishes: where the topology may change,
     /// that is told; where it is kept, vertices are in each other's way.
     bool meets = false;
+    /// If it meets something: the length along which, and the angle between each sheet and that
+    /// line at its two ends, at the end of the run. A wall is the line itself.
+    double seam = 0;
+    double seam_angle = std::numbers::pi / 2;
+    bool meets_wall = false;
     /// Vertices have targets beyond a wall, and need not arrive.
     bool runs_into_wall = false;
 

@@ -9,13 +9,19 @@
 
 namespace dsc::combinations {
 
+/// In edge lengths.
+struct Distance {
+    double off = 0;
+    double allowed = 0;
+};
+
 /// What was found in all runs of a row.
 struct Findings {
     std::vector<std::string> problems; ///< none: all holds
-    /// The largest distance from the exact shapes: symmetric difference over the length of the
-    /// interface, in edge lengths; and what is allowed.
-    double distance = 0;
-    double allowed = 0;
+    /// From the exact shapes, of the phase that is off most: symmetric difference over the length
+    /// of the interface...
+    Distance mean;
+    Distance farthest;         ///< ...and that of the farthest vertex of the interface
     std::uint32_t threads = 1; ///< most that were used in a run
 };
 

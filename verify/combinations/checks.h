@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What holds in every run, whatever its scene; each fault in a sentence, or empty.
+#pragma once
+
+#include "dsc/complex/complex.h"
+
+#include <string>
+
+namespace dsc::combinations {
+
+/// Linear in the place, and so exact wherever a vertex is made or moved.
+template <class Real>
+[[nodiscard]] double linear_field(const Point<Real>& p) {
+    return static_cast<double>(p.x()) + 2 * static_cast<double>(p.y());
+}
+
+/// Whether the attribute "place" is that field.
+template <class Real>
+[[nodiscard]] std::string field_fault(const Complex<Real>& complex);
+
+} // namespace dsc::combinations
