@@ -2,6 +2,7 @@
 // What holds in every run, whatever its scene; each fault in a sentence, or empty.
 #pragma once
 
+#include "dsc/algorithm/simulation.h"
 #include "dsc/complex/complex.h"
 
 #include <string>
@@ -17,5 +18,9 @@ template <class Real>
 /// Whether the attribute "place" is that field.
 template <class Real>
 [[nodiscard]] std::string field_fault(const Complex<Real>& complex);
+
+/// What the events of a step took is given back or owed, if that is asked for. Only areas that go
+/// to and fro between the same two phases are set off against each other.
+[[nodiscard]] std::string account_fault(const StepReport& report, bool is_given_back);
 
 } // namespace dsc::combinations

@@ -17,6 +17,8 @@
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -68,6 +70,7 @@ public:
             note(field_fault(*complex_));
         }
         outcome_.hash = mesh_hash(*complex_);
+        outcome_.threads = std::max(outcome_.threads, team_.load());
         simulation_.reset();
         outcome_.last = std::move(*complex_);
         return std::move(outcome_);
@@ -96,6 +99,13 @@ private:
         auto algorithm = is_normal(row_.motion)
                              ? growth_algorithm<Real>(complex, growth_of<Real>(row_))
                              : default_algorithm<Real>();
+        if (row_.way == Way::copy) {
+            algorithm.motion.push_back({.name = "count threads",
+                                        .run = [this](Work<Real>&) { count_team(); },
+                                        .attends = true});
+            const auto asked = parallel_of(row_, threads_).submeshes;
+            outcome_.submeshes = asked > 0 ? asked : threads_;
+        }
         std::unique_ptr<Executor<Real>> executor;
         if (row_.way == Way::sequential) {
             executor =
@@ -106,6 +116,13 @@ private:
         }
         seen_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
         return std::make_unique<Simulation<Real>>(complex, options, std::move(executor));
+    }
+
+    // This executor tells nobody how many threads share its submeshes.
+    void count_team() {
+        const auto team = static_cast<std::uint32_t>(omp_get_num_threads());
+        for (std::uint32_t most = team_; most < team && !team_.compare_exchange_weak(most, team);) {
+        }
     }
 
     // --- flows -----------------------------------------------------------------------------------
@@ -246,6 +263,7 @@ private:
         if (report.gave_up != GiveUp::none) {
             note("gave up" + when);
         }
+        note(account_fault(report, row_.topology == Rule::given_back), when);
         if (threads_ == 1) { // the others end with the same mesh, or are refused for that
             note(validate(*complex_).problem, when);
             if (row_.inside == Inside::still) {
@@ -347,6 +365,7 @@ private:
     std::unique_ptr<Complex<Real>> complex_;
     std::unique_ptr<Simulation<Real>> simulation_;
     const SubmeshExecutor<Real>* seen_ = nullptr;
+    std::atomic<std::uint32_t> team_ = 1;
     std::vector<Edit> edits_;
 };
 

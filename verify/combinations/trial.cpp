@@ -8,9 +8,12 @@
 
 #include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/geometry/distance.h"
+#include "dsc/passes/interface/carried.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -65,6 +68,53 @@ void keep_worse(Distance& kept, const Distance& other) {
     }
 }
 
+// The inside of a carried phase that moves as a rigid body is the same points, moved. The mesh has
+// settled by half time if edges are all of one length; after that a vertex is made or smoothed only
+// where the curve is kept up.
+bool has_rigid_inside(const Row& row, const Scene& scene) {
+    const bool is_rigid = row.motion == Motion::rest || row.motion == Motion::turn ||
+                          (is_translation(row.motion) && !scene.meets);
+    return row.inside == Inside::carried && is_rigid && row.sizes == Sizes::uniform &&
+           row.interruption != Interruption::edited &&
+           row.interruption != Interruption::not_a_number;
+}
+
+template <class Real>
+std::vector<Point<double>> inside_of(const Complex<Real>& complex) {
+    constexpr std::array carried{Phase{1}};
+    std::vector<Point<double>> places;
+    for (const Vertex v : vertices(complex)) {
+        if (is_carried(complex, carried, v)) {
+            places.push_back(complex.position(v).template cast<double>());
+        }
+    }
+    return places;
+}
+
+// `times`: of all sub-steps. `allowed`: in edge lengths.
+template <class Real>
+void compare_insides(const Row& row, const Scene& scene, const Outcome<Real>& outcome,
+                     std::span<const double> times, double allowed, Findings& findings) {
+    const auto half = std::ranges::lower_bound(times, scene.end * (0.5 - 1e-6));
+    std::vector<Point<double>> expected = inside_of(outcome.middle);
+    for (Point<double>& p : expected) {
+        p = by_method(row, scene, {half, times.end()}, p);
+    }
+    const auto is_there = [&](const Point<double>& p) {
+        return std::ranges::any_of(expected, [&](const Point<double>& one) {
+            return (one - p).norm() <= allowed * scene.h;
+        });
+    };
+    const std::vector<Point<double>> last = inside_of(outcome.last);
+    const auto others = static_cast<std::size_t>(
+        std::ranges::count_if(last, [&](const auto& p) { return !is_there(p); }));
+    if (3 * others > last.size() + 3) { // all of them, if the inside stays behind
+        findings.problems.push_back("of " + std::to_string(last.size()) +
+                                    " vertices inside the carried phase " + std::to_string(others) +
+                                    " are not where it has brought one");
+    }
+}
+
 void expect_within(const Distance& one, const char* what, Findings& findings) {
     if (!(one.off <= one.allowed)) {
         std::ostringstream words;
@@ -111,6 +161,11 @@ void compare_shapes(const Row& row, const Scene& scene, const Outcome<Real>& out
     }
     expect_within(findings.mean, "the interface", findings);
     expect_within(findings.farthest, "a vertex of the interface", findings);
+    if (has_rigid_inside(row, scene)) {
+        const double rounding =
+            rounding_of(scene, outcome.times.size(), std::numeric_limits<Real>::epsilon());
+        compare_insides(row, scene, outcome, times, rounding + error, findings);
+    }
 }
 
 // What goes there and back must have been away.
@@ -221,11 +276,12 @@ bool leaves_no_trace(const Row& row) {
     // Where sizes are graded, a step looks at some more of the mesh.
     case Interruption::pause:
     case Interruption::set_options: return row.sizes == Sizes::uniform;
+    // Nothing has moved before the first call, but submeshes have been kept up, and are again.
+    case Interruption::thrown: return row.way == Way::sequential && row.sizes == Sizes::uniform;
     case Interruption::none:
     case Interruption::tiny_step:
     case Interruption::renumbered:
     case Interruption::edited:
-    case Interruption::thrown:
     case Interruption::not_a_number: break;
     }
     return false;
@@ -253,8 +309,7 @@ Findings try_in(const Row& row, double fineness) {
                                             : std::string("two runs give different meshes"));
         }
         findings.threads = std::max(findings.threads, outcome.threads);
-        if (is_parallel && row.way != Way::copy &&
-            outcome.threads < std::min(threads, outcome.submeshes)) {
+        if (is_parallel && outcome.threads < std::min(threads, outcome.submeshes)) {
             findings.problems.push_back("of " + std::to_string(threads) + " threads " +
                                         std::to_string(outcome.threads) + " were used");
         }
