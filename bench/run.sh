@@ -213,23 +213,6 @@ run_precision() {
     await_beside "error against time"
 }
 
-# Two processes share a run, three times, where MPI is installed: what the model of more begins with.
-run_ranks() {
-    local i
-    if [[ $cores -lt 2 || ! -x ${scene}_mpi ]] || ! command -v mpirun >/dev/null; then
-        say "no run in two processes: that needs two cores and MPI"
-        return
-    fi
-    say "two processes"
-    mkdir -p "$report/ranks"
-    for i in 1 2 3; do
-        OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 \
-            timeout --foreground 180 mpirun -n 2 "$scene" run speedup-four-circles --set h=0.0028 \
-            --strategy cells --threads 1 --json "$report/ranks/$i.json" </dev/null >/dev/null ||
-            failed+=("two processes")
-    done
-}
-
 # What happens in the hard cases, for the table.
 run_hard_cases() {
     say "hard cases"
@@ -251,7 +234,7 @@ run_gallery() {
 
 draw() {
     local scenes=("$report"/scenes/*.json) verify=("$report"/gate/*.json)
-    local errors=("$report"/precision/*.json) ranks=("$report"/ranks/*.json) cases=()
+    local errors=("$report"/precision/*.json) cases=()
     if [[ -f $report/hard.json ]]; then
         cases=(--hard "$report/hard.json")
     fi
@@ -267,8 +250,7 @@ draw() {
     say "plots"
     MPLBACKEND=Agg "$python" plots/report.py --bench "$report/bench.json" \
         --scenes "${scenes[@]}" --precision "${errors[@]}" "${cases[@]}" \
-        --ranks "${ranks[@]}" --verify "${verify[@]}" --frames "$frames" --published reference/published \
-        --out "$report"
+        --verify "${verify[@]}" --frames "$frames" --published reference/published --out "$report"
 }
 
 # A folder without results gives no names, rather than its pattern.
@@ -297,7 +279,6 @@ if [[ $code -ne 0 ]]; then
     # Without measurements there is nothing to draw; dsc_bench has said why.
     exit "$code"
 fi
-run_ranks
 run_precision
 say "gate, and the literal method, beside the scenes"
 beside run_gate_and_reference

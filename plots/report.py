@@ -3,7 +3,7 @@
 """Draws every picture and writes index.html from result files.
 
 report.py --bench FILE... --scenes FILE... --precision FILE... --hard FILE --verify FILE...
-          --ranks FILE... --faults FILE --mutants FILE --frames DIR --published DIR --out DIR
+          --faults FILE --mutants FILE --frames DIR --published DIR --out DIR
           [--formats png,svg,pdf] [--jobs N]
 
 What was not run is said plainly in the page and is no error. Exit 0 done; 2 bad usage or a file
@@ -25,7 +25,7 @@ from look import style
 from mesh import frames
 from page import contents, drawing, faults
 from page import document as page
-from parallel import rank_model, submeshes
+from parallel import submeshes
 from results import load
 
 FORMATS = ("png", "svg", "pdf")
@@ -44,8 +44,7 @@ def arguments(argv):
     parser = Parser(prog="report.py", description=__doc__.split("\n\n")[0])
     for name, what in (("bench", "Google Benchmark JSON of dsc_bench"),
                        ("scenes", "JSON of dsc_scene"),
-                       ("precision", "JSON of dsc_precision"), ("verify", "JSON of dsc_verify"),
-                       ("ranks", "JSON of dsc_scene in several processes, repetitions of one run")):
+                       ("precision", "JSON of dsc_precision"), ("verify", "JSON of dsc_verify")):
         parser.add_argument(f"--{name}", nargs="*", action="extend", default=[], metavar="FILE",
                             help=what)
     parser.add_argument("--hard", metavar="FILE", help="JSON of dsc_hard")
@@ -73,7 +72,6 @@ def read(options):
         "scenes": [load.read_scene(path) for path in options.scenes],
         "precision": [precision_data.read(path) for path in options.precision],
         "hard": hard_cases.read(options.hard) if options.hard else None,
-        "ranks": [rank_model.read(path) for path in options.ranks],
         "verify": load.read_verify(options.verify) if options.verify else None,
         "faults": faults.read(options.faults) if options.faults else None,
         "mutants": faults.read_mutants(options.mutants) if options.mutants else None,
@@ -84,7 +82,7 @@ def read(options):
     }
     found["files"] = [*options.bench, *options.scenes, *options.verify,
                       *(one for one in (options.hard, options.faults, options.mutants) if one),
-                      *options.precision, *options.ranks]
+                      *options.precision]
     return found
 
 

@@ -11,7 +11,7 @@ from look import style
 from mesh import frames, histograms
 from page import document as page
 from page import drawing, faults, findings, tables, verdicts
-from parallel import (breakdown, granularity, per_operation, ranks, series, speedup, step_cost,
+from parallel import (breakdown, granularity, per_operation, series, speedup, step_cost,
                       submeshes, whole_runs)
 from results import load
 
@@ -33,7 +33,6 @@ def tasks(results):
                   ("breakdown", partial(breakdown.draw, bench)),
                   ("granularity", partial(granularity.draw, bench)),
                   ("operations", partial(per_operation.draw, bench, published))]
-    found.append(("ranks", partial(ranks.draw, results["ranks"], drawn_by)))
     errors = results["precision"]
     for flow in precision_data.flows(errors):
         mine = [run for run in errors if run.flow == flow]
@@ -143,9 +142,6 @@ def _details(contents, results, out):
         "breakdown", "Where the time of a step goes", "on one thread, and modelled on more",
         contents.pictures("breakdown"), _no_bench(bench) if modelled or not bench else
         "The benchmarks were run without modelled rows.")
-    contents.look_up(
-        "ranks", "Several processes", "measured on this machine, and modelled on more",
-        contents.pictures("ranks"), "No run in several processes was measured; that needs MPI.")
     contents.look_up(
         "granularity", "How much work threads need", "to pay for themselves",
         contents.pictures("granularity"), _no_bench(bench))

@@ -12,7 +12,7 @@ from results import vtu
 from results.load import InputFault, need, read_json
 
 
-FRAME_NAME = re.compile(r"^(?P<scene>.+)_(?P<strategy>[^_]+)_(?P<number>\d+)\.p?vtu$")
+FRAME_NAME = re.compile(r"^(?P<scene>.+)_(?P<strategy>[^_]+)_(?P<number>\d+)\.vtu$")
 
 
 def frame_files(folder):
@@ -48,7 +48,7 @@ def _xml(path):
 
 
 def read_frame(path):
-    """The Frame in one VTU file (triangles only), or in the pieces of a PVTU file."""
+    """The Frame in one VTU file (triangles only)."""
     try:
         return vtu.read(path)
     except vtu.BadFrame as fault:

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Reads a mesh of triangles from a VTU file: text, or binary data (in base64 or raw, within the
-arrays or appended, as it is or compressed by zlib); or from the pieces that a PVTU file lists.
+arrays or appended, as it is or compressed by zlib).
 
 The format is that of Kitware's "VTK file formats": a header of whole numbers before each array says
 how many bytes follow, or the number and sizes of the compressed blocks.
 """
 import base64
 import binascii
-import os
 import xml.etree.ElementTree as xml
 import zlib
 from dataclasses import dataclass
@@ -36,31 +35,13 @@ class Frame:
 def read(path):
     """The Frame in a file. Throws BadFrame."""
     try:
-        return together(path) if path.endswith(".pvtu") else Reader(path).frame()
+        return Reader(path).frame()
     except xml.ParseError as fault:
         raise BadFrame(f"{path} is not whole XML ({fault}), so it may be truncated.") from fault
     except (KeyError, ValueError, zlib.error, binascii.Error, IndexError) as fault:
         raise BadFrame(f"{path} is not a whole VTU file: {fault}.") from fault
     except OSError as fault:
         raise BadFrame(f"{path} cannot be read: {fault.strerror}.") from fault
-
-
-def together(path):
-    """The Frame whose pieces a file lists; vertices at which they meet are one again."""
-    folder = os.path.dirname(path)
-    sources = [tag.get("Source", "") for tag in xml.parse(path).getroot().iter("Piece")]
-    if not sources:
-        raise ValueError("it lists no pieces")
-    pieces = [read(os.path.join(folder, source)) for source in sources]
-    points, first, number = numpy.unique(numpy.concatenate([piece.points for piece in pieces]),
-                                         axis=0, return_index=True, return_inverse=True)
-    begins = numpy.cumsum([0] + [len(piece.points) for piece in pieces])
-    corners = numpy.concatenate([piece.triangles + begin
-                                 for piece, begin in zip(pieces, begins, strict=False)])
-    values = {name: numpy.concatenate([piece.values[name] for piece in pieces])[first]
-              for name in pieces[0].values}
-    return Frame(points, number.reshape(-1)[corners],
-                 numpy.concatenate([piece.phases for piece in pieces]), values)
 
 
 class Reader:

@@ -86,14 +86,6 @@ def hard_cases():
             {"name": "needle", "asked": "1e-9 wide", "what_happened": "kept", "holds": True}]
 
 
-def ranks():
-    """A run in two processes: of 100 µs a step 60 of work, 10 of telling, 8 of waiting, 20 of
-    repeating, so 2 of what is serial, for both."""
-    return {"scene": "speedup-four-circles", "ranks": 2, "steps": 50, "wall_s": 0.005,
-            "triangles_last": 280000, "bytes_per_step": 50000.0, "exchanges_per_step": 3.0,
-            "rank_us_per_step": {"work": 60.0, "tell": 10.0, "wait": 8.0, "repeat": 20.0}}
-
-
 def faults():
     """As verify/faults.sh writes them: one by a test of its room, one by another, one by nothing."""
     said = {"room": "quality", "kind": "limit", "slow": []}

@@ -12,13 +12,11 @@ import unittest
 
 import over_time
 
-from tests.samples import (PLOTS, VTU, Case, bench, faults, hard_cases, mutants, ranks, scene,
-                           verify)
+from tests.samples import (PLOTS, VTU, Case, bench, faults, hard_cases, mutants, scene, verify)
 from tests.test_over_time import RESULT, SERIES
 
 WHOLE = {"--bench": bench(), "--scenes": scene(0.01, 1e-3, 1), "--verify": verify(),
-         "--hard": hard_cases(), "--faults": faults(), "--mutants": mutants(),
-         "--ranks": ranks()}
+         "--hard": hard_cases(), "--faults": faults(), "--mutants": mutants()}
 FOREIGN = {
     "empty": b"", "blank": b" \n", "nothing": b"null", "number": b"7", "text": b'"a text"',
     "list": b"[[1, 2]]", "list of texts": b'["a", "b"]', "object": b'{"a": 1}',

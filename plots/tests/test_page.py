@@ -13,7 +13,7 @@ class Words(Case):
     def results(self, **change):
         found = {"bench": None, "scenes": [], "precision": [], "hard": None, "verify": None,
                  "published": load.read_published(PUBLISHED), "frames": None, "runs": [],
-                 "divided": [], "ranks": [], "files": []}
+                 "divided": [], "files": []}
         return {**found, **change}
 
     def scenes(self, *runs):

@@ -7,7 +7,6 @@ import dataclasses
 import os
 import pathlib
 import re
-import shutil
 import sys
 
 # The tests of a room; test programs have one name each in verify/CMakeLists.txt.
@@ -26,7 +25,6 @@ OWN = {
     "algorithm": ["algorithm", "effort"],
     "parallel": ["parallel", "ranks"],
     "ranks": ["ranks"],
-    "mpi": ["ranks_cli"],
     "topology": ["topology"],
     "io": ["io", "checkpoints"],
     "measures": ["measures"],
@@ -57,7 +55,6 @@ PYTHON = {
     "limits": ("verify/gate", ["limits_test"], []),
     "gate_cli": ("verify/scenes", ["gate_cli_test"], ["dsc_scene", "dsc_verify", "dsc_hard"]),
     "scene_output_cli": ("verify/scenes", ["scene_output_cli_test"], ["dsc_scene"]),
-    "ranks_cli": ("verify/mpi", ["ranks_cli_test"], ["dsc_scene"]),
     "plots": ("plots", ["tests.test_plots", "tests.test_parallel", "tests.test_precision",
                         "tests.test_page"], []),
 }
@@ -80,7 +77,6 @@ def program(name, source, build):
                        (("DSC_SCENE", str(build / "lib/scenes/dsc_scene")),
                         ("DSC_VERIFY", str(build / "verify/dsc_verify")),
                         ("DSC_HARD", str(build / "verify/dsc_hard")),
-                        ("DSC_MPIRUN", shutil.which("mpirun") or ""),
                         ("MPLBACKEND", "Agg"), ("PYTHONDONTWRITEBYTECODE", "1")))
     if name == "gate":
         return Program(name, (str(build / "verify/dsc_verify"), "run", *QUICK_GATE, "--out",
@@ -88,11 +84,6 @@ def program(name, source, build):
     test, suites = SUITES.get(name, (name, "*"))
     return Program(name, (str(build / f"verify/test_{test}"), "--gtest_fail_fast",
                           f"--gtest_filter={suites}"), build)
-
-
-def is_possible(room, build):
-    """Whether the tests of a room can run here: those of some need what a build without it leaves out."""
-    return room != "mpi" or (build / "lib/scenes/dsc_scene_mpi").exists()
 
 
 def own(fault):

@@ -29,50 +29,36 @@ constexpr std::string_view vtk_type() {
     }
 }
 
-void begin_file(PartFile& file, std::string_view type) {
-    file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type
-         << "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
-            "compressor=\"vtkZLibDataCompressor\">\n<"
-         << type;
-}
-
 // VTK counts without gaps: the living vertices and triangles, numbered in the order of their ids.
 // Tags and data are collected first, since a tag names the place of its data.
 template <class Real>
 class VtuWriter {
 public:
-    // What there is, without any simplex.
-    explicit VtuWriter(const Complex<Real>& complex) : complex_(complex) {}
-
-    VtuWriter(const Complex<Real>& complex, VtuShare share) : complex_(complex) {
-        const std::uint64_t count = complex.triangle_count();
-        const std::uint64_t first = count * share.number / share.of;
-        const std::uint64_t end = count * (std::uint64_t{share.number} + 1) / share.of;
-        std::vector<std::uint8_t> is_used(complex.vertex_bound(), share.of == 1 ? 1 : 0);
-        std::uint64_t number = 0;
-        for (const Triangle t : dsc::triangles(complex)) {
-            if (first <= number && number < end) {
-                triangles_.push_back(t.id);
-                for (const Vertex v : complex.vertices_of(t)) {
-                    is_used[v.id] = 1;
-                }
-            }
-            ++number;
-        }
+    explicit VtuWriter(const Complex<Real>& complex) : complex_(complex) {
         for (const Vertex v : dsc::vertices(complex)) {
-            if (is_used[v.id] != 0) {
-                vertices_.push_back(v.id);
-            }
+            vertices_.push_back(v.id);
+        }
+        for (const Triangle t : dsc::triangles(complex)) {
+            triangles_.push_back(t.id);
         }
     }
 
     void write(PartFile& file, std::span<const VtuArray> more) {
-        begin_file(file, "UnstructuredGrid");
-        file << ">\n<Piece NumberOfPoints=\"" << std::uint64_t{vertices_.size()}
+        file << "<?xml version=\"1.0\"?>\n"
+             << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+                "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
+             << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << std::uint64_t{vertices_.size()}
              << "\" NumberOfCells=\"" << std::uint64_t{triangles_.size()} << "\">\n<PointData>\n";
-        add_point_data(more);
+        add_vectors<Real>("position", vertices_, 2, positions());
+        add_all<Vertex>(more);
         file << take_tags() << "</PointData>\n<CellData Scalars=\"phase\">\n";
-        add_cell_data(more);
+        add("phase", 1, each<Phase>([&](std::uint32_t t) { return complex_.triangles[t].phase; }));
+        add("quality", 1, each<Real>([&](std::uint32_t t) {
+                const auto v = complex_.vertices_of(Triangle{t});
+                return quality<Real>(complex_.position(v[0]), complex_.position(v[1]),
+                                     complex_.position(v[2]));
+            }));
+        add_all<Triangle>(more);
         file << take_tags() << "</CellData>\n<Points>\n";
         // The same numbers, which are there once.
         file << tag<Real>("Points", 3, 0) << "</Points>\n<Cells>\n";
@@ -82,51 +68,16 @@ public:
              << "\n</AppendedData>\n</VTKFile>\n";
     }
 
-    // Which arrays the pieces have, and where they are.
-    void write_list(PartFile& file, std::span<const std::string> pieces,
-                    std::span<const VtuArray> more) {
-        has_data_ = false;
-        begin_file(file, "PUnstructuredGrid");
-        add_point_data(more);
-        file << " GhostLevel=\"0\">\n<PPointData>\n" << take_tags() << "</PPointData>\n";
-        add_cell_data(more);
-        file << "<PCellData Scalars=\"phase\">\n"
-             << take_tags() << "</PCellData>\n<PPoints>\n"
-             << tag<Real>("Points", 3, 0) << "</PPoints>\n";
-        for (const std::string& piece : pieces) {
-            file << "<Piece Source=\"" << escape_xml(piece) << "\"/>\n";
-        }
-        file << "</PUnstructuredGrid>\n</VTKFile>\n";
-    }
-
 private:
-    void add_point_data(std::span<const VtuArray> more) {
-        add_vectors<Real>("position", vertices_, 2, positions());
-        add_all<Vertex>(more);
-    }
-    void add_cell_data(std::span<const VtuArray> more) {
-        add("phase", 1, each<Phase>([&](std::uint32_t t) { return complex_.triangles[t].phase; }));
-        add("quality", 1, each<Real>([&](std::uint32_t t) {
-                const auto v = complex_.vertices_of(Triangle{t});
-                return quality<Real>(complex_.position(v[0]), complex_.position(v[1]),
-                                     complex_.position(v[2]));
-            }));
-        add_all<Triangle>(more);
-    }
-
     template <class Number>
-    [[nodiscard]] std::string tag(const std::string& name, int components,
-                                  std::size_t offset) const {
-        std::string text = has_data_ ? "<DataArray type=\"" : "<PDataArray type=\"";
+    static std::string tag(const std::string& name, int components, std::size_t offset) {
+        std::string text = "<DataArray type=\"";
         text += vtk_type<Number>();
         text += "\" Name=\"" + escape_xml(name) + "\"";
         if (components > 1) {
             text += " NumberOfComponents=\"" + std::to_string(components) + "\"";
         }
-        if (has_data_) {
-            text += " format=\"appended\" offset=\"" + std::to_string(offset) + "\"";
-        }
-        return text + "/>\n";
+        return text + " format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
     }
     template <class Number>
     void add(const std::string& name, int components, const std::vector<Number>& numbers) {
@@ -273,31 +224,15 @@ private:
     AppendedData data_;
     std::string tags_;
     std::set<std::string> names_; ///< in the present section
-    bool has_data_ = true;
 };
 
 } // namespace
 
 template <class Real>
 void write_vtu(const Complex<Real>& complex, const std::string& path,
-               std::span<const VtuArray> more, VtuShare share) {
-    if (share.number >= share.of) {
-        throw InputError({.what = "no such share of the triangles",
-                          .where = "write_vtu",
-                          .value = std::to_string(share.number),
-                          .allowed = "0 to the number of shares, here " + std::to_string(share.of) +
-                                     ", less 1"});
-    }
+               std::span<const VtuArray> more) {
     PartFile file(path);
-    VtuWriter<Real>(complex, share).write(file, more);
-    file.commit();
-}
-
-template <class Real>
-void write_pvtu(const Complex<Real>& complex, const std::string& path,
-                std::span<const std::string> pieces, std::span<const VtuArray> more) {
-    PartFile file(path);
-    VtuWriter<Real>(complex).write_list(file, pieces, more);
+    VtuWriter<Real>(complex).write(file, more);
     file.commit();
 }
 
@@ -313,13 +248,7 @@ void write_pvd(std::span<const PvdEntry> entries, const std::string& path) {
     file.commit();
 }
 
-#define DSC_INSTANTIATE(Real)                                                                      \
-    template void write_vtu(const Complex<Real>&, const std::string&, std::span<const VtuArray>,   \
-                            VtuShare);                                                             \
-    template void write_pvtu(const Complex<Real>&, const std::string&,                             \
-                             std::span<const std::string>, std::span<const VtuArray>);
-DSC_INSTANTIATE(double)
-DSC_INSTANTIATE(float)
-#undef DSC_INSTANTIATE
+template void write_vtu(const Complex<double>&, const std::string&, std::span<const VtuArray>);
+template void write_vtu(const Complex<float>&, const std::string&, std::span<const VtuArray>);
 
 } // namespace dsc

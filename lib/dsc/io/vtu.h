@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files for ParaView (thesis, section 8.11): a complex as a VTK unstructured grid (.vtu), also in
-// several pieces with a list of them (.pvtu), and the collection (.pvd) that gives a series of them
-// their times. The formats are those of Kitware's
+// Files for ParaView (thesis, section 8.11): a complex as a VTK unstructured grid (.vtu), and the
+// collection (.pvd) that gives a series of them their times. The formats are those of Kitware's
 // "VTK file formats": numbers are appended in binary, compressed by zlib.
 #pragma once
 
@@ -24,29 +23,15 @@ struct VtuArray {
     std::variant<std::vector<double>, std::vector<std::int32_t>> values;
 };
 
-/// Which triangles a file has: one of several shares of equal size, in the order of their ids.
-struct VtuShare {
-    std::uint32_t number = 0; ///< 0 to of - 1
-    std::uint32_t of = 1;     ///< the number of shares
-};
-
-/// Writes all living vertices and triangles, or the triangles of a share and their vertices; for
-/// each vertex its `position`, for each triangle its `phase` and its `quality` (equation 4 of the
-/// thesis); the attributes of vertices and triangles whose entries are numbers (double, float,
-/// integers of 8 to 64 bits) or points; and `more`. An attribute of one of these names is left out.
-/// Numbers read back bit by bit; vectors get a third component of 0. The file exists as a whole or
-/// not at all. O(n). Throws FileError; InputError where the length or the components of an array
-/// are wrong.
+/// Writes all living vertices and triangles; for each vertex its `position`, for each triangle its
+/// `phase` and its `quality` (equation 4 of the thesis); the attributes of vertices and triangles
+/// whose entries are numbers (double, float, integers of 8 to 64 bits) or points; and `more`. An
+/// attribute of one of these names is left out. Numbers read back bit by bit; vectors get a third
+/// component of 0. The file exists as a whole or not at all. O(n). Throws FileError; InputError
+/// where the length or the components of an array are wrong.
 template <class Real>
 void write_vtu(const Complex<Real>& complex, const std::string& path,
-               std::span<const VtuArray> more = {}, VtuShare share = {});
-
-/// Writes the list (.pvtu) of files with a share each, relative to its own folder, which have been
-/// written of this complex with these arrays. Vertices at which two shares meet are in both of
-/// them, with the same numbers. Throws as `write_vtu`.
-template <class Real>
-void write_pvtu(const Complex<Real>& complex, const std::string& path,
-                std::span<const std::string> pieces, std::span<const VtuArray> more = {});
+               std::span<const VtuArray> more = {});
 
 /// One file of a series.
 struct PvdEntry {

@@ -5,7 +5,6 @@
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/command_line/command_line.h"
 #include "scenes/command_line/scene_source.h"
-#include "scenes/command_line/together.h"
 #include "scenes/file/describe.h"
 #include "scenes/output/event_lines.h"
 #include "scenes/output/machine.h"
@@ -149,15 +148,13 @@ std::string names_of_strategies() {
     return names;
 }
 
-// Who asks for threads or processes and nothing else gets submeshes that follow the interface, as
-// many as its length pays for: on any number of threads, so that the result depends on none.
+// Who asks for threads and nothing else gets submeshes that follow the interface, as many as its
+// length pays for: on any number of threads, so that the result depends on none.
 Strategy strategy_of(const Arguments& arguments) {
     if (arguments.strategy) {
         return parse_strategy(*arguments.strategy);
     }
-    const Ranks* ranks = arguments.run.submeshing.ranks;
-    const bool is_shared = ranks != nullptr && ranks->size() > 1;
-    return arguments.threads || is_shared ? Strategy::cells : Strategy::sequential;
+    return arguments.threads ? Strategy::cells : Strategy::sequential;
 }
 
 // What the command line asks for.
@@ -203,8 +200,8 @@ void check_usage(const Arguments& arguments) {
     if (arguments.edits && arguments.resume) {
         refuse("a log of edits begins with the run", "--edits", "with --resume", "run SCENE");
     }
-    const auto check = [&](const auto& path, const char* option) {
-        if (path && leads(arguments.run.submeshing.ranks)) {
+    const auto check = [](const auto& path, const char* option) {
+        if (path) {
             check_writable(*path, option);
         }
     };
@@ -228,7 +225,6 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     }
     origin.commit = commit();
     origin.submeshing.threads = arguments.threads.value_or(origin.submeshing.threads);
-    origin.submeshing.ranks = arguments.run.submeshing.ranks;
     const SceneFile file = scene_of(origin, scenes);
     const Scene& scene = file.scene;
     const Parameters parameters = with_settings(scene, origin.settings);
@@ -237,7 +233,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     options.measure_shape = file.measures_shape;
     options.strategy = origin.strategy;
     options.submeshing = origin.submeshing;
-    options.progress = leads(arguments.run.submeshing.ranks) && isatty(STDERR_FILENO) != 0;
+    options.progress = isatty(STDERR_FILENO) != 0;
     options.interrupted = &interrupted;
     options.series_every = arguments.series ? arguments.every.value_or(1) : 0;
     options.edits = arguments.edits.value_or("");
@@ -252,17 +248,11 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
         options.checkpoint.origin.scene = std::filesystem::absolute(origin.scene).string();
     }
     options.resume = checkpoint ? &*checkpoint : nullptr;
-    if (Ranks* const ranks = origin.submeshing.ranks) {
-        ranks->stop_by(&interrupted);
-    }
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk
 
     const RunResult result = run_scene(scene, parameters, options);
-    if (!leads(arguments.run.submeshing.ranks)) {
-        return 0;
-    }
     print_summary(result);
     if (arguments.json) {
         write_file(*arguments.json, to_json(result));
@@ -293,15 +283,13 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
 } // namespace
 
 int scene_program(const std::string& program, const std::vector<Scene>& scenes, int argc,
-                  const char* const* argv, Ranks* ranks) {
-    silence_others(ranks);
+                  const char* const* argv) {
     CLI::App app{"Runs the scenes of a deformable simplicial complex and measures them."};
     app.require_subcommand(1);
     app.add_subcommand("list", "all scenes and the keys they take");
     auto* run_command = app.add_subcommand("run", "run one scene");
     run_command->footer(details());
     Arguments arguments;
-    arguments.run.submeshing.ranks = ranks;
     run_command->add_option(
         "scene", arguments.scene,
         "a name from the list, or a scene file: with a slash or ending in .toml");
@@ -380,12 +368,10 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         std::cout << describe(file, with_settings(file.scene, arguments.settings));
         return 0;
     };
-    return call_command(
-        app, program, argc, argv,
-        {{"list", list_all},
-         {"run",
-          [&] { return end_together(ranks, [&] { return run(program, scenes, arguments); }); }},
-         {"describe", describe_one}});
+    return call_command(app, program, argc, argv,
+                        {{"list", list_all},
+                         {"run", [&] { return run(program, scenes, arguments); }},
+                         {"describe", describe_one}});
 }
 
 } // namespace dsc::scenes

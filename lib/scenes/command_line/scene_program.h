@@ -2,7 +2,6 @@
 // The program behind dsc_scene, for any list of scenes.
 #pragma once
 
-#include "dsc/parallel/ranks/ranks.h"
 #include "scenes/scene.h"
 
 namespace dsc::scenes {
@@ -14,9 +13,7 @@ namespace dsc::scenes {
 /// NAME run --resume FILE [--threads N] ...
 /// Exit: 0 success; 1 the run broke an invariant or could not write its results; 2 bad usage.
 /// Results go to stdout, errors to stderr, one line each that begins with the program's name.
-/// `ranks`: processes that have been started with the same command line and share the work of a
-/// run; the first one alone prints, and writes files.
 int scene_program(const std::string& program, const std::vector<Scene>& scenes, int argc,
-                  const char* const* argv, Ranks* ranks = nullptr);
+                  const char* const* argv);
 
 } // namespace dsc::scenes

@@ -4,7 +4,6 @@
 #include "dsc/base/error.h"
 #include "scenes/digits.h"
 #include "scenes/output/event_lines.h"
-#include "scenes/output/frame_pieces.h"
 #include "scenes/output/outlines_file.h"
 #include "scenes/output/write_file.h"
 
@@ -88,18 +87,9 @@ std::string Frames::path_of(int step) const {
 
 template <class Real>
 std::string Frames::write(int step, double time, const Complex<Real>& complex,
-                          std::span<const VtuArray> more, std::span<const Event> events,
-                          Ranks* ranks) {
-    const bool is_shared = ranks != nullptr && ranks->size() > 1;
-    std::string path = path_of(step) + (is_shared ? ".pvtu" : ".vtu");
-    if (is_shared) {
-        write_in_pieces(path, complex, more, *ranks);
-    } else {
-        write_vtu(complex, path, more);
-    }
-    if (is_shared && ranks->rank() != 0) {
-        return path;
-    }
+                          std::span<const VtuArray> more, std::span<const Event> events) {
+    std::string path = path_of(step) + ".vtu";
+    write_vtu(complex, path, more);
     if (plan_.outlines) {
         write_file(path_of(step) + ".geojson", outlines_to_geojson(complex));
     }
@@ -144,7 +134,7 @@ void Frames::archive(Archive& archive) {
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::string Frames::write(int, double, const Complex<Real>&,                          \
-                                       std::span<const VtuArray>, std::span<const Event>, Ranks*);
+                                       std::span<const VtuArray>, std::span<const Event>);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

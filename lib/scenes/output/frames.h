@@ -5,7 +5,6 @@
 #include "dsc/base/archive.h"
 #include "dsc/complex/complex.h"
 #include "dsc/io/vtu.h"
-#include "dsc/parallel/ranks/ranks.h"
 #include "dsc/topology/events.h"
 #include "scenes/output/pictures.h"
 
@@ -52,12 +51,10 @@ public:
     [[nodiscard]] std::string path_of(int step) const;
     /// Writes the mesh, with these arrays beside its own, its outlines and its picture, if they are
     /// asked for, the picture with the events that came after the frame before. Returns the path of
-    /// the mesh. Ranks all call it: each writes a share of the mesh, and the first one the list of
-    /// these pieces when they are there, and all the rest. Throws FileError, on all ranks.
+    /// the mesh. Throws FileError.
     template <class Real>
     std::string write(int step, double time, const Complex<Real>& complex,
-                      std::span<const VtuArray> more, std::span<const Event> events,
-                      Ranks* ranks = nullptr);
+                      std::span<const VtuArray> more, std::span<const Event> events);
     /// Writes the collection, and the events beside it if there are any.
     void finish(std::span<const Event> events) const;
 

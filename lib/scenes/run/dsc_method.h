@@ -83,8 +83,7 @@ public:
                 std::min(submeshing.threads, submeshes_of(run.strategy, submeshing));
         }
         simulation_ = std::make_unique<Simulation<Real>>(complex_, options_, std::move(executor));
-        const Ranks* ranks = run.submeshing.ranks;
-        if (!run.edits.empty() && (ranks == nullptr || ranks->rank() == 0)) {
+        if (!run.edits.empty()) {
             edits_.emplace(run.edits);
             simulation_->add_listener(
                 [this](std::span<const Edit> edits) { edits_->write(edits); });

@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -175,16 +174,6 @@ std::string to_json(const RunResult& r) {
           {"quality", histogram_json(r.quality_histogram)},
           {"angle", histogram_json(r.angle_histogram)}}},
     });
-    if (r.ranks > 0) {
-        json["ranks"] = r.ranks;
-        json["bytes_per_step"] = finite(r.bytes_per_step);
-        json["exchanges_per_step"] = finite(r.exchanges_per_step);
-        const double us = 1e6 / std::max(r.steps, 1);
-        json["rank_us_per_step"] = {{"work", us * r.rank_times.work},
-                                    {"tell", us * r.rank_times.tell},
-                                    {"wait", us * r.rank_times.wait},
-                                    {"repeat", us * r.rank_times.repeat}};
-    }
     return json.dump(2) + "\n";
 }
 

@@ -75,13 +75,11 @@ public:
                           [this] { return measure_quality(complex()).min_angle_deg; });
         }
         save();
-        if (leads()) {
-            frames_.finish(result_.events);
-        }
+        frames_.finish(result_.events);
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
             method_.finish();
         }
-        if (!options_.outlines.empty() && leads()) {
+        if (!options_.outlines.empty()) {
             write_file(options_.outlines, outlines_to_geojson(complex()));
         }
         last(step_us_);
@@ -90,19 +88,7 @@ public:
 private:
     const auto& complex() { return method_.complex(); }
 
-    // Whether this process measures and writes. Others that share the work hold the same mesh.
-    [[nodiscard]] bool leads() const {
-        const Ranks* ranks = options_.submeshing.ranks;
-        return ranks == nullptr || ranks->rank() == 0;
-    }
-
-    // What all processes know of a signal to any of them, so that they end after the same step.
     [[nodiscard]] bool is_interrupted() const {
-        const Ranks* ranks = options_.submeshing.ranks;
-        if (ranks != nullptr && ranks->size() > 1) {
-            return ranks->is_to_stop() ||
-                   (options_.stop_after > 0 && result_.steps >= options_.stop_after);
-        }
         return (options_.interrupted != nullptr && options_.interrupted->load()) ||
                (options_.stop_after > 0 && result_.steps >= options_.stop_after);
     }
@@ -146,9 +132,8 @@ private:
         } else {
             const auto arrays =
                 method_.end_frame(leg_before(std::max(step, 1)), time_, step > 0 ? setup_.dt : 0);
-            const std::string path = frames_.write(step, time_, complex(), arrays, result_.events,
-                                                   options_.submeshing.ranks);
-            if (step > 0 && leads()) { // nothing has been divided before
+            const std::string path = frames_.write(step, time_, complex(), arrays, result_.events);
+            if (step > 0) { // nothing has been divided before
                 method_.map_submeshes(path);
             }
         }
@@ -200,7 +185,7 @@ private:
     }
 
     void save() {
-        if (options_.checkpoint.path.empty() || !leads()) {
+        if (options_.checkpoint.path.empty()) {
             return;
         }
         Archive state;
@@ -239,10 +224,6 @@ private:
     }
 
     void first() {
-        if (!leads()) {
-            observe(0);
-            return;
-        }
         result_.triangles_first = complex().triangle_count();
         result_.interface_vertices_first = method_.interface_vertices();
         result_.area_first = signed_area(outlines());
@@ -293,10 +274,6 @@ private:
     }
 
     void after(int step) {
-        if (!leads()) {
-            observe(step);
-            return;
-        }
         if (step % result_.quality_sampled_every == 0) {
             look_at_the_worst();
         }
@@ -311,9 +288,6 @@ private:
         result_.peak_memory_mb = peak_memory_mb();
         result_.triangles_last = complex().triangle_count();
         result_.mesh_hash = mesh_hash(complex());
-        if (!leads()) {
-            return;
-        }
         result_.interface_vertices_last = method_.interface_vertices();
         result_.last = figures(options_.measures);
         result_.area_ratio = signed_area(outlines()) / result_.area_first;
@@ -383,13 +357,6 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunO
         run_method<DscMethod<double>>(setup, parameters, options, result);
     } else {
         run_method<DscMethod<float>>(setup, parameters, options, result);
-    }
-    if (const Ranks* const ranks = options.submeshing.ranks) {
-        result.ranks = ranks->size();
-        const double steps = std::max(result.steps, 1);
-        result.bytes_per_step = static_cast<double>(ranks->bytes()) / steps;
-        result.exchanges_per_step = static_cast<double>(ranks->exchanges()) / steps;
-        result.rank_times = ranks->times();
     }
     return result;
 }

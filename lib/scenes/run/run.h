@@ -2,7 +2,6 @@
 // Runs a scene and measures it. Measuring is not timed, and does not slow down the steps.
 #pragma once
 
-#include "dsc/parallel/ranks/ranks.h"
 #include "dsc/quality/histogram.h"
 #include "dsc/topology/events.h"
 #include "measures/junctions.h"
@@ -53,12 +52,8 @@ struct RunResult {
     Strategy strategy = Strategy::sequential;
     std::uint32_t submeshes = 1;
     std::uint32_t threads = 1;      ///< the most that a step may use
-    std::uint32_t threads_used = 1; ///< the most that a step of this process has used
-    std::uint32_t ranks = 0; ///< processes that shared the work; 0: it was not run by any launcher
-    double bytes_per_step = 0;     ///< of all messages between them
-    double exchanges_per_step = 0; ///< how often they tell each other
-    RankTimes rank_times;          ///< of the first process, in all steps
-    int steps = 0;                 ///< done; fewer than asked for if `interrupted` or `gave_up`
+    std::uint32_t threads_used = 1; ///< the most that a step has used
+    int steps = 0;                  ///< done; fewer than asked for if `interrupted` or `gave_up`
     bool interrupted = false;
     std::string gave_up; ///< empty, or the reason
     /// Not all steps have been done: the figures are those of the last one that was.

@@ -75,10 +75,6 @@ bool is_parallel(Strategy strategy) { return entry_of(strategy).division.has_val
 
 std::string parallel_strategies() { return names_where(is_parallel); }
 
-bool is_shared(Strategy strategy) { return is_parallel(strategy) && strategy != Strategy::copy; }
-
-std::string shared_strategies() { return names_where(is_shared); }
-
 std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing) {
     return is_parallel(strategy) && submeshing.submeshes > 0 ? submeshing.submeshes
                                                              : entry_of(strategy).submeshes;

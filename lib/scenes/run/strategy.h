@@ -49,10 +49,6 @@ struct StrategyEntry {
 [[nodiscard]] bool is_parallel(Strategy strategy);
 /// "fixed, counting, ...": those of which is_parallel is true.
 [[nodiscard]] std::string parallel_strategies();
-/// Whether several processes can share its submeshes: all of these but `copy`.
-[[nodiscard]] bool is_shared(Strategy strategy);
-/// "fixed, counting, ...": those of which is_shared is true.
-[[nodiscard]] std::string shared_strategies();
 
 /// The number of submeshes that results: the number asked for, or the strategy's default; 0: chosen
 /// during the run.

@@ -40,15 +40,6 @@ void check_usage(const Scene& scene, const Setup& setup, const Parameters& param
                           .value = std::to_string(submeshing.threads),
                           .allowed = "1, or one of the strategies " + parallel_strategies()});
     }
-    const Ranks* const ranks = submeshing.ranks;
-    if (ranks != nullptr && ranks->size() > 1 && !is_shared(options.strategy)) {
-        throw InputError(
-            {.what = "this strategy runs in one process",
-             .where = "--strategy",
-             .value = "'" + to_string(options.strategy) + "' in " + std::to_string(ranks->size()) +
-                      " processes",
-             .allowed = "a single process, or one of the strategies " + shared_strategies()});
-    }
     if (options.strategy == Strategy::reference) {
         check_reference(scene, setup, parameters, options);
     }
