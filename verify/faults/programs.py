@@ -23,8 +23,7 @@ OWN = {
     "sizes": ["sizes", "graded"],
     "passes": ["passes", "effort", "sizes"],
     "algorithm": ["algorithm", "effort"],
-    "parallel": ["parallel", "ranks"],
-    "ranks": ["ranks"],
+    "parallel": ["parallel"],
     "topology": ["topology"],
     "io": ["io", "checkpoints"],
     "measures": ["measures"],
@@ -38,7 +37,7 @@ OWN = {
 # are asked last of all tests.
 OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "algorithm", "initial",
           "sizes", "io", "measures", "geometry", "recipes", "scene_files", "scene_runs",
-          "topology", "fuzz", "hard", "reference", "scenes", "parallel", "ranks", "velocities",
+          "topology", "fuzz", "hard", "reference", "scenes", "parallel", "velocities",
           "checkpoints", "figures", "hashes", "gate"]
 # Some suites of a test program, by a name of their own.
 SUITES = {

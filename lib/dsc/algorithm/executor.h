@@ -74,10 +74,6 @@ public:
     /// The edits counted since the last call.
     [[nodiscard]] virtual OperationCounts take_counts() = 0;
 
-    /// Whether any of the processes that share the work wants something; without others, `mine`.
-    /// For decisions that all of them have to make alike.
-    [[nodiscard]] virtual bool any_rank(bool mine) { return mine; }
-
     /// Between two steps: writes what the next one depends on, or reads it back into an executor
     /// that was made in the same way, after its complex has been read (base/archive.h). Without an
     /// override it throws InputError: a simulation by this executor has no checkpoints.

@@ -256,8 +256,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     try {
         while (remaining > 0 && sub_step(flow, time, remaining, report)) {
             tell_what_was_done();
-            if (remaining > 0 && interrupted_ != nullptr &&
-                executor_->any_rank(interrupted_->load())) {
+            if (remaining > 0 && interrupted_ != nullptr && interrupted_->load()) {
                 report.gave_up = GiveUp::interrupted;
                 break;
             }

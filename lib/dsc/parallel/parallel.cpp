@@ -32,8 +32,6 @@ std::unique_ptr<Executor<Real>> in_place(Complex<Real>& complex, const Options<R
     submeshes.threads = parallel.threads;
     submeshes.assignment = parallel.assignment;
     submeshes.profile = parallel.profile;
-    submeshes.ranks = parallel.ranks;
-    submeshes.checks_ranks = parallel.checks_ranks;
     if (parallel.awake_us) {
         submeshes.awake = std::chrono::microseconds(*parallel.awake_us);
     }
@@ -75,12 +73,6 @@ std::unique_ptr<Executor<Real>> cells(Complex<Real>& complex, const Options<Real
 template <class Real>
 std::unique_ptr<Executor<Real>> copies(Complex<Real>& complex, const Options<Real>& options,
                                        const Parallel& parallel, Algorithm<Real> algorithm) {
-    if (parallel.ranks != nullptr && parallel.ranks->size() > 1) {
-        throw InputError({.what = "submeshes that are copied cannot be shared by several processes",
-                          .where = "Parallel.division",
-                          .value = "copy",
-                          .allowed = "fixed, counting, active, blocks or cells"});
-    }
     CopyOptions copies = with_submeshes(CopyOptions{}, parallel);
     copies.threads = parallel.threads;
     return std::make_unique<CopyExecutor<Real>>(complex, options, std::move(algorithm), copies);

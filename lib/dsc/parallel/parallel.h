@@ -4,7 +4,6 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/in_place/schedule.h"
-#include "dsc/parallel/ranks/ranks.h"
 
 #include <cstdint>
 #include <memory>
@@ -32,9 +31,6 @@ struct Parallel {
     std::optional<std::uint32_t> awake_us = std::nullopt;
     Assignment assignment = Assignment::queue; ///< which thread runs which submesh
     bool profile = false;                      ///< measure times (in_place/step_profile.h)
-    /// Processes that share the submeshes (SubmeshOptions::ranks); not for the division `copy`.
-    Ranks* ranks = nullptr;
-    bool checks_ranks = false; ///< see SubmeshOptions::checks_ranks
 };
 
 /// Makes an executor for either precision.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Edits in both directions: what the submeshes did, for listeners; and what the application did
 // between two steps, for the submeshes.
-#include "dsc/parallel/in_place/submesh_ranks.h"
+#include "dsc/parallel/in_place/submesh_part.h"
 #include "dsc/passes/interface/carried.h"
 #include "dsc/passes/interface/suspects.h"
 #include "dsc/passes/readers.h"
@@ -40,7 +40,7 @@ void SubmeshExecutor<Real>::keep_edits(bool keep) {
     keeps_edits_ = keep;
     whole_.log.readers = keep ? 1 : 0;
     for (const auto& part : parts_) {
-        part->work.log.readers = keep || shared_ ? 1 : 0;
+        part->work.log.readers = keep ? 1 : 0;
     }
 }
 

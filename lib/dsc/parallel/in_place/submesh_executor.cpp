@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/in_place/submesh_ranks.h"
+#include "dsc/parallel/in_place/submesh_part.h"
 
 #include "dsc/base/require.h"
 #include "dsc/passes/interface/carried.h"
@@ -41,7 +41,6 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
     }
-    share_by(submeshes.ranks);
     // Until the first division all of the interface is in this list.
     whole_.interface = collect_moved(complex, options);
     // Everything that takes longer in a large mesh is done here rather than in a step: dividing it
@@ -91,15 +90,24 @@ void SubmeshExecutor<Real>::begin_step() {
     if (status_.step > 0) { // for the first step it was divided at construction
         divide();
     }
-    if (shared_) {
-        shared_->ranks.start_over();
-        if (submeshes_.checks_ranks) {
-            expect_agreement("before a step");
-        }
-    }
     ++status_.step;
     ++status_.steps_since_all;
     profile_.serial_outside = timer.lap();
+}
+
+// As many as have enough to do.
+template <class Real>
+void SubmeshExecutor<Real>::choose_threads() {
+    const std::size_t size = interface_size();
+    const std::size_t pay_off = size / submeshes_.vertices_per_thread;
+    useful_threads_ =
+        static_cast<std::uint32_t>(std::clamp<std::size_t>(pay_off, 1, first_colour_));
+    threads_ = std::min(useful_threads_,
+                        submeshes_.adapts_threads ? choice_.threads() : submeshes_.threads);
+    // Ahead of their use, for a new thread takes milliseconds to get a core of its own; but none
+    // where the interface is far too short, for it would also delay the steps meanwhile.
+    const std::size_t soon = (size + size / 2) / submeshes_.vertices_per_thread;
+    pool_.start(static_cast<std::uint32_t>(std::min<std::size_t>(soon, submeshes_.threads)));
 }
 
 template <class Real>
@@ -236,7 +244,6 @@ void SubmeshExecutor<Real>::connect() {
         before = first;
         first += count;
     }
-    share_out_parts();
 }
 
 template <class Real>
@@ -293,7 +300,6 @@ void SubmeshExecutor<Real>::put_back() {
 
 template <class Real>
 void SubmeshExecutor<Real>::end_step() {
-    tell_failure();
     if (stage_ != Stage::none) {
         put_back();
     }

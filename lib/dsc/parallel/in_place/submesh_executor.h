@@ -10,8 +10,6 @@
 #include "dsc/parallel/in_place/schedule.h"
 #include "dsc/parallel/in_place/step_profile.h"
 #include "dsc/parallel/partition/partition.h"
-#include "dsc/parallel/ranks/ranks.h"
-#include "dsc/parallel/ranks/share_out.h"
 #include "dsc/parallel/threads/thread_choice.h"
 #include "dsc/parallel/threads/thread_pool.h"
 #include "dsc/parallel/timer.h"
@@ -30,13 +28,6 @@ struct SubmeshOptions {
     /// How long threads wait awake for the next section.
     std::chrono::microseconds awake = default_awake_time();
     bool profile = false; ///< measure times: reads a clock twice for each pass and task
-    /// Processes that share the submeshes among them; null, or a single one: this process runs all.
-    /// Each holds a complex that began as the others did, and makes the same calls; the result does
-    /// not depend on their number. Must outlive the executor.
-    Ranks* ranks = nullptr;
-    /// Compares all that the ranks hold after each sub-step, O(mesh), and throws InvariantError
-    /// where it differs: for tests.
-    bool checks_ranks = false;
 };
 
 /// Runs a step in submeshes that lie in the complex itself.
@@ -71,7 +62,6 @@ public:
     [[nodiscard]] std::size_t interface_size() const override;
     void append_interface(std::vector<std::uint32_t>& list) const override;
     [[nodiscard]] OperationCounts take_counts() override;
-    [[nodiscard]] bool any_rank(bool mine) override;
     void archive(Archive& archive) override;
 
     /// The partition in force, for drawing.
@@ -86,15 +76,6 @@ public:
 private:
     struct Part;
     struct Joined;
-    struct Shared;
-
-    /// What runs between two exchanges of the ranks.
-    enum class Section : std::uint8_t {
-        upkeep,    ///< a pass of upkeep
-        aim,       ///< the last one, and finding the targets
-        aim_again, ///< new targets
-        move,      ///< one colour: movement and mesh update
-    };
 
     /// How far the sub-step has come.
     enum class Stage : std::uint8_t {
@@ -142,30 +123,6 @@ private:
     Reach<Real> aim_again_by_sight(const Flow<Real>& flow, Real time, Real dt);
     void join_interface();
     void hand_out_aims();
-    // Ranks that share the submeshes: submesh_ranks.cpp, submesh_messages.cpp and
-    // submesh_agreement.cpp.
-    void share_by(Ranks* ranks);
-    void share_out_parts();
-    void forget_others();
-    void place_others();
-    void run_aiming(Section section, FunctionRef<void(std::size_t)> task);
-    void run_moving(FunctionRef<void(std::size_t)> task);
-    void run_shared(std::size_t colour, Section section, FunctionRef<void(std::size_t)> task);
-    void remember(std::size_t colour, Section section);
-    void tell_section(std::size_t colour, Section section);
-    void hear_section(MessageReader& message, std::size_t colour, Section section,
-                      const ShareOfRank& share);
-    template <class Before>
-    void tell_part(MessageWriter& message, const Part& part, const Before& before, Section section,
-                   bool is_first);
-    void hear_part(MessageReader& message, Part& part, Section section, bool is_first);
-    template <class Before>
-    void tell_flags(MessageWriter& message, const Before& before, std::span<const Edit> edits,
-                    std::span<const std::uint32_t> seen_plain);
-    void tell_values(MessageWriter& message, std::size_t colour, Section section);
-    void grow_to(MessageReader& message);
-    void expect_agreement(const char* when);
-    void tell_failure();
     [[nodiscard]] Part& owner_of(std::uint32_t vertex);
     [[nodiscard]] Point<double> place_of(std::uint32_t vertex) const;
     [[nodiscard]] std::vector<float> work_of(const std::vector<std::uint32_t>& list) const;
@@ -187,7 +144,6 @@ private:
     Timer step_timer_;
     Work<Real> whole_;                  // for what all colours left
     std::unique_ptr<Joined> joined_;    // made when a flow sees the interface
-    std::unique_ptr<Shared> shared_;    // null: this process runs all submeshes
     std::vector<std::uint32_t> listed_; // scratch of hand_over
     std::vector<Point<double>> listed_places_;
     std::uint32_t threads_ = 1;

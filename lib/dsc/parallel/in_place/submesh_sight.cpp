@@ -2,7 +2,7 @@
 // Aiming by a flow that sees the interface: whenever it is asked, the interface vertices of all
 // submeshes have to be at the same stage, so they are integrated together. The flow itself is
 // evaluated submesh by submesh, in parallel; a motion of the whole interface is evaluated once.
-#include "dsc/parallel/in_place/submesh_ranks.h"
+#include "dsc/parallel/in_place/submesh_part.h"
 
 namespace dsc {
 

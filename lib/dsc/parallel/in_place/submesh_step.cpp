@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The step itself: what the submeshes do, what they hand on, and what is left at the end.
-#include "dsc/parallel/in_place/submesh_ranks.h"
+#include "dsc/parallel/in_place/submesh_part.h"
 #include "dsc/passes/readers.h"
 
 #include <algorithm>
@@ -160,11 +160,9 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     const std::size_t sections = std::max<std::size_t>(algorithm_.upkeep.size(), 1);
     std::size_t pass = 0;
     const auto task = [&](std::size_t i) { aim_part(*parts_[i], pass, flow, time, dt); };
-    forget_others();
     for (; pass < sections; ++pass) {
-        run_aiming(pass + 1 < sections ? Section::upkeep : Section::aim, task);
+        aiming_.run(pool_, threads_, submeshes_.assignment, task);
     }
-    place_others();
     const double wall = timer.lap();
     collect_edits();
     AimReport<Real> report;
@@ -310,7 +308,7 @@ Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, 
         return aim_again_by_sight(flow, time, dt);
     }
     const Velocity<Real>& velocity = *flow.velocity();
-    run_aiming(Section::aim_again, [&](std::size_t i) {
+    aiming_.run(pool_, threads_, submeshes_.assignment, [&](std::size_t i) {
         Part& part = *parts_[i];
         part.aimed.reach = find_targets(part.work, velocity, time, dt);
     });
@@ -343,7 +341,7 @@ MoveReport SubmeshExecutor<Real>::move() {
     }
     hand_out_resized(); // also where all edges are of one length: perhaps since a moment ago
     const double hand_over = timer.lap();
-    run_moving([&](std::size_t task) { move_part(task); });
+    moving_.run(pool_, threads_, submeshes_.assignment, [&](std::size_t task) { move_part(task); });
     const double wall = timer.lap();
     collect_edits();
     for (const auto& part : parts_) {
@@ -354,9 +352,6 @@ MoveReport SubmeshExecutor<Real>::move() {
     collect_changes();
     report.unreached += report.held;
     stage_ = Stage::none;
-    if (shared_ && submeshes_.checks_ranks) {
-        expect_agreement("after a sub-step");
-    }
     if (submeshes_.profile) {
         SubStepProfile& profile = profile_.sub_steps.back();
         profile.hand_over += hand_over;
