@@ -78,13 +78,6 @@ struct Work {
     /// Each vertex of the interface is marked as such.
     bool has_marks = false;
 
-    /// Vertices whose values a pass has written, while somebody has to be told (`touch`).
-    std::vector<std::uint32_t> touched;
-    /// Vertices that have become plain, perhaps again: an edit of the same section may have taken
-    /// the flag before. Kept as above.
-    std::vector<std::uint32_t> seen_plain;
-    bool notes_touched = false; ///< somebody has to be told
-
     std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
     std::size_t arrived = 0;    ///< movers of these that reached their targets
 
@@ -101,12 +94,6 @@ struct Work {
         if (record.stamp != epoch) {
             record.stamp = epoch;
             active.push_back(vertex);
-        }
-    }
-    /// To be called by a pass that has written to an attribute of a vertex other than by an edit.
-    void touch(std::uint32_t vertex) {
-        if (notes_touched) {
-            touched.push_back(vertex);
         }
     }
     /// To be called when the options have changed.

@@ -62,7 +62,6 @@ private:
         const GrowthBend<Real> bend = bend_of(ring);
         if (!bend.known) {
             rays_[Vertex{v}] = {};
-            work_.touch(v);
             return;
         }
         const bool touches =
@@ -76,7 +75,6 @@ private:
             work_.deferred.upkeep(v);
             return;
         }
-        work_.touch(v); // most of what follows writes to its ray
         if (touches && (is_run_over(ring, bend, bend.in, bend.out) ||
                         is_run_over(ring, bend, bend.out, bend.in))) {
             return;

@@ -181,9 +181,6 @@ template <class Real>
         std::uint32_t& flags = work.complex.vertices[ring.vertex].flags;
         if (meets == ((flags & vertex_plain) != 0) && (meets || work.has_marks)) {
             flags ^= vertex_plain;
-            if (!meets && work.notes_touched) {
-                work.seen_plain.push_back(ring.vertex);
-            }
         }
         may_face = meets && may_face_a_sheet(work.complex, ring);
     }

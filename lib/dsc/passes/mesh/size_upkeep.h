@@ -75,7 +75,6 @@ private:
         if (is_nearer || is_left_over || std::abs(now.length - stored.length) > change) {
             const VertexSize<Real> old = stored;
             stored = now;
-            work_.touch(ring.vertex);
             tell_neighbours(ring, old.length, now.length, is_nearer && rule_.needs_distance());
         }
         return stored.length;
