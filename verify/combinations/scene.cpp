@@ -325,6 +325,7 @@ void set_motion(Scene& scene, const Row& row, const Shape& shape) {
         if (row.place == Place::by_wall) {
             meet(scene, shape.radius, shape.centre.y() - near);
             scene.meets_wall = true;
+            scene.runs_into_wall = row.inside == Inside::carried;
         }
         break;
     case Motion::turn: turn(scene); break;

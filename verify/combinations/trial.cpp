@@ -208,14 +208,6 @@ void compare_areas(const Scene& scene, const Outcome<Real>& outcome, Findings& f
     }
 }
 
-// Faults that are known and open: a vertex or two may not arrive where a phase wets a wall, and
-// where a curve ends on a wall whose edges were long until graded sizes were switched off.
-bool is_open(const Row& row) {
-    const bool ends_on_wall =
-        row.place == Place::on_wall || row.place == Place::in_corner || row.place == Place::layer;
-    return row.place == Place::by_wall || (ends_on_wall && row.sizes == Sizes::switched_off);
-}
-
 // What holds at the end of every run.
 template <class Real>
 void judge(const Row& row, const Scene& scene, const Outcome<Real>& outcome, Findings& findings) {
@@ -231,13 +223,13 @@ void judge(const Row& row, const Scene& scene, const Outcome<Real>& outcome, Fin
     if (scene.meets) {
         const bool may_change = row.topology != Rule::keep && row.topology != Rule::forbidden;
         expect_none(may_change ? 0 : outcome.events, "events where the topology is kept");
-        expect_none(may_change && !is_open(row) ? outcome.unreached : 0, "vertices did not arrive");
+        expect_none(may_change && !scene.runs_into_wall ? outcome.unreached : 0,
+                    "vertices did not arrive");
         if (may_change && outcome.events == 0) {
             findings.problems.emplace_back("no event is told");
         }
     } else {
-        expect_none(scene.runs_into_wall || is_open(row) ? 0 : outcome.unreached,
-                    "vertices did not arrive");
+        expect_none(scene.runs_into_wall ? 0 : outcome.unreached, "vertices did not arrive");
         expect_none(row.phases == Phases::many ? 0 : outcome.events, "events where nothing meets");
     }
     if (row.interruption != Interruption::not_a_number) {

@@ -10,7 +10,12 @@ namespace dsc {
 
 namespace {
 
-enum State : std::uint8_t { waiting, claimed, done };
+enum State : std::uint8_t {
+    waiting,
+    claimed,
+    done,
+    failed, ///< it has thrown, or one that it waits for
+};
 
 } // namespace
 
@@ -45,8 +50,15 @@ std::span<const std::uint32_t> TaskGraph::predecessors(std::size_t task) const {
 
 bool Schedule::is_ready(std::size_t task) const {
     return std::ranges::all_of(tasks.predecessors(task), [this](std::uint32_t earlier) {
-        return states_[earlier].load(std::memory_order_acquire) == done;
+        return states_[earlier].load(std::memory_order_acquire) >= done;
     });
+}
+
+bool Schedule::follows_failure(std::size_t task) const {
+    return has_failed_.load(std::memory_order_relaxed) &&
+           std::ranges::any_of(tasks.predecessors(task), [this](std::uint32_t earlier) {
+               return states_[earlier].load(std::memory_order_relaxed) == failed;
+           });
 }
 
 bool Schedule::claim(std::size_t task) {
@@ -55,15 +67,17 @@ bool Schedule::claim(std::size_t task) {
 }
 
 void Schedule::run_one(std::size_t task, FunctionRef<void(std::size_t)> run) {
-    if (!has_failed_.load(std::memory_order_relaxed)) {
+    State outcome = follows_failure(task) ? failed : done;
+    if (outcome == done) {
         try {
             run(task);
         } catch (...) {
             failures_[task] = std::current_exception();
             has_failed_.store(true, std::memory_order_relaxed);
+            outcome = failed;
         }
     }
-    states_[task].store(done, std::memory_order_release);
+    states_[task].store(outcome, std::memory_order_release);
 }
 
 void Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,

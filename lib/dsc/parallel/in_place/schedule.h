@@ -68,13 +68,15 @@ public:
     TaskGraph tasks; ///< what there is to run; not to be changed during a run
 
     /// Calls `run(task)` once for each, on so many threads of the pool (fewer if it has fewer).
-    /// After one has thrown no further task begins, and the exception is rethrown when all have
-    /// ended. No allocation if the graph has not grown.
+    /// Where one has thrown, the tasks that wait for it do not begin, the others do: so what has
+    /// been done does not depend on threads. The exception of the first of them is rethrown when all
+    /// have ended. No allocation if the graph has not grown.
     void run(ThreadPool& pool, std::uint32_t threads, Assignment assignment,
              FunctionRef<void(std::size_t task)> run);
 
 private:
     [[nodiscard]] bool is_ready(std::size_t task) const;
+    [[nodiscard]] bool follows_failure(std::size_t task) const;
     bool claim(std::size_t task);
     void work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
               FunctionRef<void(std::size_t)> run);

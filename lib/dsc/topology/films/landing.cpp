@@ -210,10 +210,15 @@ private:
             target = foot_of(below, end);
             event.area = give_wedge(v, end, target, taker);
         }
+        const std::size_t transfers = work_.transfers.size();
         const bool has_landed = merge_ends(work_, Vertex{v}, Vertex{target}, false).is_valid();
         if (target != end) {
             event.area += std::exchange(work_.swept, 0);
             work_.events.push_back(event);
+        } else { // the flow was to take the vertex there: nothing has changed hands
+            work_.transfers.erase(work_.transfers.begin() + static_cast<std::ptrdiff_t>(transfers),
+                                  work_.transfers.end());
+            work_.swept = 0;
         }
         return has_landed;
     }
