@@ -4,6 +4,9 @@
 #include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
 #include "dsc/passes/edits.h"
+#include "dsc/passes/waiting.h"
+
+#include <algorithm>
 
 namespace dsc {
 
@@ -29,6 +32,28 @@ void stay_on_boundary(const Ring<Real>& ring, Real& x, Real& y) {
     const Real along = ((x - ring.x0) * tx + (y - ring.y0) * ty) / (tx * tx + ty * ty);
     x = ring.x0 + along * tx;
     y = ring.y0 + along * ty;
+}
+
+// Whether a neighbour on the way to (x, y) has been left to another submesh. Whoever comes near it
+// before it moves gets past it, and neither can move any more. O(degree), times what is put off.
+template <class Real>
+bool follows_deferred(const Work<Real>& work, const Ring<Real>& ring, Real x, Real y) {
+    const auto is_ahead = [&](std::uint32_t i) {
+        return (x - ring.x0) * (ring.link_x(i) - ring.x0) +
+                   (y - ring.y0) * (ring.link_y(i) - ring.y0) >
+               0;
+    };
+    const auto is_deferred = [&](std::uint32_t v) {
+        return std::ranges::any_of(work.deferred.entries, [&](const Deferred<Real>& one) {
+            return one.vertex == v && one.kind == DeferredKind::mover;
+        });
+    };
+    for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+        if (is_waiting(work.complex, ring.link[i]) && is_ahead(i) && is_deferred(ring.link[i])) {
+            return true;
+        }
+    }
+    return false;
 }
 
 } // namespace
@@ -73,8 +98,12 @@ void move_vertices(Work<Real>& work) {
         constexpr std::uint32_t late = vertex_contact | vertex_on_way;
         work.arrived += outcome == MoveOutcome::reached ? 1 : 0;
         if (outcome != MoveOutcome::reached) {
-            work.movers[kept++] = mover;
             flags |= vertex_on_way;
+            if (!work.submesh.region.is_whole() && follows_deferred(work, ring, x, y)) {
+                work.deferred.mover(mover);
+            } else {
+                work.movers[kept++] = mover;
+            }
         } else if ((flags & late) != 0) {
             flags &= ~late;
         }

@@ -2,6 +2,7 @@
 #include "dsc/passes/readers.h"
 
 #include "dsc/algebra/mesh_functions.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/gather.h"
 #include "dsc/passes/interface/carried.h"
 #include "dsc/passes/interface/suspects.h"
@@ -80,6 +81,16 @@ void forget_vanished(Work<Real>& work, std::span<const Edit> edits) {
     }
 }
 
+// Between triangles of one phase, perhaps on the domain boundary.
+template <class Real>
+bool is_inside_phase(const Complex<Real>& complex, Vertex v) {
+    if (!complex.is_alive(v) || complex.vertices[v.id].corner == no_id) {
+        return false;
+    }
+    const Phase phase = complex.phase_at(complex.vertices[v.id].corner);
+    return find_corner(complex, v, [&](Corner c) { return complex.phase_at(c) != phase; }) == no_id;
+}
+
 } // namespace
 
 std::span<const Edit> edits_after_renumbering(std::span<const Edit> edits) {
@@ -113,7 +124,7 @@ std::vector<std::uint32_t> taken_off(const Complex<Real>& complex, std::span<con
             gone.push_back(edit.vertex.id);
         } else if (edit.kind == EditKind::relabel) {
             for (const Vertex v : {edit.ends[0], edit.ends[1], edit.apexes[0]}) {
-                if (complex.is_alive(v) && !is_interface(complex, v)) {
+                if (is_inside_phase(complex, v)) {
                     gone.push_back(v.id);
                 }
             }

@@ -22,6 +22,12 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
                             .edge_length = edge_length,
                             .time = time,
                             .events = events};
+    for (const Suspect<Real>& suspect : suspects) {
+        if (is_held_up(work, suspect.vertex)) {
+            work.held_up.push_back(suspect.vertex);
+        }
+    }
+    std::ranges::sort(work.held_up);
     // Most suspects face no sheet: they count once something else has changed.
     const auto others =
         std::partition(suspects.begin(), suspects.end(), [](const Suspect<Real>& suspect) {

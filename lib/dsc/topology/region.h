@@ -37,6 +37,8 @@ struct TopologyWork {
     std::vector<Vertex> touched = {};
     std::vector<Transfer> transfers = {}; ///< kept where area is to be given back
     double swept = 0; ///< by junctions that became one, until the next event tells of it
+    /// The suspects that something was in the way of before the change, ascending.
+    std::vector<std::uint32_t> held_up = {};
 };
 
 /// The half-edge has another phase, or the outside of the domain, on its right. O(1).
@@ -90,11 +92,13 @@ template <class Real>
     return !work.options.may_change || work.options.may_change(contact);
 }
 
-/// Whether something was in the way of the vertex when it was to move, if it may move at all.
+/// Whether something is in the way of the vertex, or was before the change, if it may move at all.
 template <class Real>
-[[nodiscard]] bool is_held_up(const Complex<Real>& complex, std::uint32_t v) {
-    const std::uint32_t flags = complex.is_alive(Vertex{v}) ? complex.vertices[v].flags : 0;
-    return (flags & vertex_contact) != 0 && (flags & vertex_locked) == 0;
+[[nodiscard]] bool is_held_up(const TopologyWork<Real>& work, std::uint32_t v) {
+    const std::uint32_t flags = work.complex.is_alive(Vertex{v}) ? work.complex.vertices[v].flags
+                                                                 : std::uint32_t{vertex_locked};
+    return (flags & vertex_locked) == 0 &&
+           ((flags & vertex_contact) != 0 || std::ranges::binary_search(work.held_up, v));
 }
 
 /// The smallest height.

@@ -31,7 +31,7 @@ public:
     void run() {
         std::vector<std::tuple<Real, Real, std::uint32_t>> found;
         const auto take = [&](std::uint32_t v) {
-            if (is_held_up(complex_, v)) {
+            if (is_held_up(work_, v)) {
                 found.emplace_back(at(v).x(), at(v).y(), v);
             }
         };
@@ -49,7 +49,7 @@ public:
         std::ranges::sort(found);
         for (const auto& one : found) {
             std::uint32_t v = std::get<2>(one);
-            while (v != no_id && is_held_up(complex_, v)) {
+            while (v != no_id && is_held_up(work_, v)) {
                 v = land(v);
             }
         }
@@ -212,13 +212,12 @@ private:
         }
         const std::size_t transfers = work_.transfers.size();
         const bool has_landed = merge_ends(work_, Vertex{v}, Vertex{target}, false).is_valid();
+        // What the curve sweeps has not changed hands: the flow was to take the vertex there.
+        work_.transfers.erase(work_.transfers.begin() + static_cast<std::ptrdiff_t>(transfers),
+                              work_.transfers.end());
+        work_.swept = 0;
         if (target != end) {
-            event.area += std::exchange(work_.swept, 0);
             work_.events.push_back(event);
-        } else { // the flow was to take the vertex there: nothing has changed hands
-            work_.transfers.erase(work_.transfers.begin() + static_cast<std::ptrdiff_t>(transfers),
-                                  work_.transfers.end());
-            work_.swept = 0;
         }
         return has_landed;
     }

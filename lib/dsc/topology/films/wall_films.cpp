@@ -138,8 +138,8 @@ private:
         // Held up for good, or at once where no vertex lands.
         const auto is_pressed = [&](const WallChord<Real>& chord) {
             const Corner c = chord.sheet;
-            return is_stuck(c) || (is_held_up(complex_, complex_.vertex(next(c))) &&
-                                   is_held_up(complex_, complex_.vertex(prev(c))) &&
+            return is_stuck(c) || (is_held_up(work_, complex_.vertex(next(c))) &&
+                                   is_held_up(work_, complex_.vertex(prev(c))) &&
                                    !is_to_land(c, near) && !is_to_land(complex_.twin(c), near));
         };
         if (!(contact > 0) || (nearest < near && std::ranges::none_of(run, is_pressed))) {
@@ -210,7 +210,7 @@ private:
                 return true;
             }
             length += direction(complex_, c).norm();
-        } while (length < near && is_held_up(complex_, complex_.vertex(next(c))));
+        } while (length < near && is_held_up(work_, complex_.vertex(next(c))));
         return false;
     }
 
