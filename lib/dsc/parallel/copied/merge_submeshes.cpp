@@ -17,11 +17,20 @@ using copying::clear;
 
 namespace {
 
+// A list that has to grow gets room for an eighth more: the meshes of most steps are about as large
+// as before, and few of them the largest so far.
+void assign_with_room(std::vector<std::uint32_t>& list, std::size_t size, std::uint32_t value) {
+    if (list.capacity() < size) {
+        list.reserve(size + size / 8);
+    }
+    list.assign(size, value);
+}
+
 template <class Real>
 void merge_vertices(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& submesh) {
     Complex<Real>& fresh = submeshes.fresh;
     const Complex<Real>& complex = submesh.complex;
-    submesh.merged.assign(complex.vertex_bound(), no_id);
+    assign_with_room(submesh.merged, complex.vertex_bound(), no_id);
     submeshes.order.clear();
     for (const Vertex v : vertices(complex)) {
         const auto& record = complex.vertices[v.id];
@@ -66,7 +75,7 @@ template <class Real>
 void merge_triangles(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& submesh) {
     Complex<Real>& fresh = submeshes.fresh;
     const Complex<Real>& complex = submesh.complex;
-    submesh.merged_triangles.assign(complex.triangle_bound(), border_triangle);
+    assign_with_room(submesh.merged_triangles, complex.triangle_bound(), border_triangle);
     submeshes.order.clear();
     std::uint32_t id = fresh.triangle_bound();
     for (const Triangle t : triangles(complex)) {
