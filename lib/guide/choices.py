@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The table of choosing.md, from measurements:
+"""The tables of errors in choosing.md and in the README, from measurements:
 
-choices.py DSC_SCENE          runs all rows and writes the table into choosing.md
-choices.py DSC_SCENE --check  runs them and compares the errors with those in the file; not the times
+choices.py DSC_SCENE              runs all rows and writes both tables
+choices.py DSC_SCENE --check      runs them and compares their errors, not their times, with the pages
+choices.py DSC_SCENE --only PAGE  runs one table: README.md or lib/guide/choosing.md
 
-Exit 0: done; 1: an error differs. A row runs the single vortex with T = 8 and dt = h unless it says
-otherwise; the CPU time is the shortest of three runs.
+Exit code: 0 done, 1 an error differs, 2 bad usage. The CPU time of a row is the shortest of three
+runs.
 """
+import argparse
 import json
 import os
 import re
@@ -15,32 +17,23 @@ import subprocess
 import sys
 import tempfile
 
-PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "choosing.md")
-BEGIN, END = "<!-- table by choices.py -->\n", "<!-- end of the table -->\n"
-HEADER = ("| `--set` | error at the end | half-way | CPU time |\n"
-          "| --- | --- | --- | --- |\n")
-LENGTHS = ("0.04", "0.02", "0.01", "0.005")
-ROWS = (
-    *({"h": h, "dt": h} for h in LENGTHS),
-    # The deviation falls with the fourth power of h.
-    *({"h": h, "dt": h, "reading": "cubic", "deviation": f"{27000 * float(h) ** 4:.2g}"}
-      for h in LENGTHS),
-    {"h": "0.01", "dt": "0.01", "coarsening": "never"},
-    {"h": "0.01", "dt": "0.01", "insertion": "arc"},
-    {"h": "0.01", "dt": "0.01", "insertion": "linear"},
-    {"h": "0.01", "dt": "0.01", "coarsening": "length"},
-    {"h": "0.01", "dt": "0.01", "integrator": "midpoint"},
-    {"h": "0.01", "dt": "0.01", "integrator": "centred"},
-    {"h": "0.01", "dt": "0.001", "integrator": "euler"},
-    {"h": "0.01", "dt": "0.01", "integrator": "adaptive", "tolerance": "1e-5"},
-    {"h": "0.01", "dt": "0.01", "integrator": "centred", "insertion": "linear",
-     "coarsening": "length"},
-)
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+BEGIN, END = "<!-- table by lib/guide/choices.py -->\n", "<!-- end of the table -->\n"
+THESIS = {"integrator": "centred", "insertion": "linear", "coarsening": "length"}
 
 
-def measured(program, settings, runs):
-    """(error at the end, half-way, CPU seconds)"""
-    words = [program, "run", "single-vortex"]
+def cubic(h):
+    """The deviation falls with the fourth power of h."""
+    return {"reading": "cubic", "deviation": f"{27000 * float(h) ** 4:.2g}"}
+
+
+def words_of(settings):
+    return " ".join(f"{key}={value}" for key, value in settings.items())
+
+
+def measured(program, scene, settings, runs):
+    """The cells of a row: the errors at the end and half-way, the CPU seconds."""
+    words = [program, "run", scene]
     for key, value in settings.items():
         words += ["--set", f"{key}={value}"]
     results = []
@@ -51,35 +44,108 @@ def measured(program, settings, runs):
                            env={**os.environ, "OMP_WAIT_POLICY": "passive"})
             with open(result, encoding="utf-8") as stream:
                 results.append(json.load(stream))
-    return (results[0]["sd_rel_last"], results[0]["sd_rel_half"],
-            min(result["cpu_s"] for result in results))
+    return cells(results[0]["sd_rel_last"], results[0]["sd_rel_half"],
+                 min(result["cpu_s"] for result in results))
 
 
-def row(settings, figures):
-    words = " ".join(f"{key}={value}" for key, value in settings.items())
-    last, half, cpu = figures
-    return f"| `{words}` | {last:.1e} | {half:.1e} | {cpu:.2g} s |\n"
+def cells(last, half, cpu):
+    half = "-" if half is None else f"{half:.1e}"
+    return f"{last:.1e} | {half} | {float(f'{cpu:.2g}'):g} s"
+
+
+def choosing(program, runs):
+    """The single vortex with T = 8: what each choice does to the error."""
+    default = {"h": "0.01", "dt": "0.01"}
+    lengths = ("0.04", "0.02", "0.01", "0.005")
+    rows = (
+        *({"h": h, "dt": h} for h in lengths),
+        *({"h": h, "dt": h, **cubic(h)} for h in lengths),
+        {**default, "coarsening": "never"},
+        {**default, "insertion": "arc"},
+        {**default, "insertion": "linear"},
+        {**default, "coarsening": "length"},
+        {**default, "integrator": "midpoint"},
+        {**default, "integrator": "centred"},
+        {"h": "0.01", "dt": "0.001", "integrator": "euler"},
+        {**default, "integrator": "adaptive", "tolerance": "1e-5"},
+        {**default, **THESIS},
+    )
+    yield "| `--set` | error at the end | half-way | CPU time |"
+    yield "| --- | --- | --- | --- |"
+    for settings in rows:
+        yield f"| `{words_of(settings)}` | {measured(program, 'single-vortex', settings, runs)} |"
+
+
+def official(scene):
+    """The cells of the official 2D DSC at h = 0.01; it was not stopped half-way."""
+    path = os.path.join(ROOT, "reference", "published", "peers.json")
+    with open(path, encoding="utf-8") as stream:
+        runs = json.load(stream)["entries"]["official_dsc_scenes"]["values"]
+    run = next(run for run in runs if run["scene"] == scene and run["h"] == 0.01
+               and run.get("steps_each_way", 260) == 260)
+    return cells(run["sd_rel"], None, run["seconds"])
+
+
+def readme(program, runs):
+    """Three scenes, by the defaults, by other choices, and by the official 2D DSC."""
+    h = {"h": "0.01"}
+    rows = (
+        ("swirl", "the defaults", h),
+        ("swirl", "the interface read as a cubic", {**h, **cubic("0.01")}),
+        ("swirl", "the thesis's choices", {**h, **THESIS}),
+        ("swirl", "the official 2D DSC", None),
+        ("single-vortex", "the defaults", h),
+        ("single-vortex", "the interface read as a cubic", {**h, **cubic("0.01")}),
+        ("single-vortex", "the thesis's choices", {**h, **THESIS}),
+        ("single-vortex", "the official 2D DSC", None),
+        ("zalesak", "the defaults", h),
+        ("zalesak", "the official 2D DSC", None),
+    )
+    yield "| scene | method | error at the end | half-way | CPU time |"
+    yield "| --- | --- | --- | --- | --- |"
+    for scene, method, settings in rows:
+        figures = official(scene) if settings is None else measured(program, scene, settings, runs)
+        yield f"| `{scene}` | {method} | {figures} |"
+
+
+TABLES = {"lib/guide/choosing.md": choosing, "README.md": readme}
 
 
 def errors(table):
     """The rows without the times."""
-    return [re.sub(r"\| [^|]+ s \|$", "", line) for line in table.splitlines()]
+    return [re.sub(r"\| [^|]+ s \|$", "", line) for line in table]
+
+
+def differences(page, table):
+    """The rows of the page whose errors are not those of the table, each with what it should be."""
+    old, new = errors(page), errors(table)
+    return [f"{a}\n{b}" for a, b in zip(old, new) if a != b] + (
+        [] if len(old) == len(new) else [f"{len(old)} rows, not {len(new)}"])
 
 
 def main(arguments):
-    with open(PAGE, encoding="utf-8") as stream:
-        page = stream.read()
-    begin, end = page.index(BEGIN) + len(BEGIN), page.index(END)
-    check = "--check" in arguments
-    table = HEADER + "".join(row(r, measured(arguments[0], r, 1 if check else 3)) for r in ROWS)
-    if check:
-        differing = [f"{old}\n{new}" for old, new in zip(errors(page[begin:end]), errors(table))
-                     if old != new]
-        print("\n".join(differing) or "the errors are those of the table")
-        return 1 if differing or len(errors(page[begin:end])) != len(errors(table)) else 0
-    with open(PAGE, "w", encoding="utf-8") as stream:
-        stream.write(page[:begin] + table + page[end:])
-    return 0
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", metavar="DSC_SCENE")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--only", choices=TABLES, metavar="PAGE")
+    chosen = parser.parse_args(arguments)
+    differing = []
+    for page in [chosen.only] if chosen.only else TABLES:
+        path = os.path.join(ROOT, page)
+        with open(path, encoding="utf-8") as stream:
+            text = stream.read()
+        begin, end = text.index(BEGIN) + len(BEGIN), text.index(END)
+        table = list(TABLES[page](chosen.program, 1 if chosen.check else 3))
+        if chosen.check:
+            rows = text[begin:end].splitlines()
+            differing += [f"{page}: {row}" for row in differences(rows, table)]
+            continue
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text[:begin] + "".join(f"{line}\n" for line in table) + text[end:])
+    if chosen.check:
+        print("\n".join(differing) or "the errors are those of the tables")
+    return 1 if differing else 0
 
 
 if __name__ == "__main__":

@@ -55,6 +55,19 @@ class Pages(unittest.TestCase):
         self.assertGreater(sum(spans[:1] == ["lib/dsc/base"] for _, spans in page.rows), 0)
         self.check(check.rooms(page, "README.md", ROOT))
 
+    def test_scenes_are_of_the_catalogue(self):
+        program = os.path.join(BUILD, "lib", "scenes", "dsc_scene")
+        if not os.path.exists(program):
+            self.skipTest("dsc_scene is not built")
+        printed = subprocess.run([program, "list"], check=True, capture_output=True, text=True)
+        catalogue = {line.split()[0] for line in printed.stdout.splitlines()}
+        page = read("README.md")
+        # A row that names one scene names nothing but scenes.
+        rows = [spans for _, spans in page.rows if catalogue & set(spans)]
+        self.assertGreater(len(rows), 10)
+        for spans in rows:
+            self.assertLessEqual(set(spans), catalogue)
+
     def test_pictures_are_what_the_library_draws(self):
         program = os.path.join(BUILD, "lib", "guide", "dsc_guide_pictures")
         if not os.path.exists(program):
