@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// State as bytes: one function says what belongs to a value, and is used both to write it and to
-// read it back, so that the two cannot drift apart:
+// State as bytes. One function lists the parts of a value; it both writes and reads them, so that
+// the two cannot drift apart:
 //
 //     void archive(Archive& archive, Ball& ball) { archive(ball.place, ball.radius); }
 //
-// Little endian, as the machine must be; numbers keep their bits. What is read is not trusted: a
-// length beyond the end, a flag that is neither 0 nor 1, a choice that does not exist are refused.
+// Bytes are little endian, as the machine must be; numbers keep their bits. Input is not trusted: a
+// length beyond the end, a flag that is neither 0 nor 1, or a choice that does not exist is
+// refused.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -34,7 +35,7 @@ public:
 
     /// Whether values are read back rather than written.
     [[nodiscard]] bool is_reading() const { return is_reading_; }
-    /// What has been written; of one that reads, all it was given.
+    /// All bytes written so far; of an archive that reads, all bytes that it was given.
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
     /// Writes the values in their order, or reads them. Throws FileError as `refuse` does.
@@ -42,7 +43,7 @@ public:
     void operator()(Values&... values) {
         (visit(values), ...);
     }
-    /// An enum or a number that counts choices, of which there are `count`: 0 to count - 1.
+    /// A choice of `count`: an enum or a number, from 0 to count - 1.
     template <class Choice>
     void choice(Choice& value, std::uint32_t count) {
         auto number = static_cast<std::uint32_t>(value);
@@ -65,7 +66,7 @@ public:
     /// The length of a list whose entries take `least` bytes or more: writes `size`, or returns
     /// what has been read.
     [[nodiscard]] std::uint64_t length(std::uint64_t size, std::size_t least);
-    /// So many bytes as they lie in memory.
+    /// `size` bytes, as they lie in memory.
     void raw(void* data, std::size_t size);
 
     /// Refuses what has been read unless the condition holds.
@@ -146,7 +147,7 @@ void archive(Archive& archive, std::vector<Value>& list) {
     } else {
         const std::uint64_t count = archive.length(list.size(), 1);
         if (archive.is_reading()) {
-            list.clear(); // and filled one by one: the length is only what the file says
+            list.clear(); // filled one by one: the file's length is not trusted
         }
         for (std::uint64_t i = 0; i < count; ++i) {
             if (archive.is_reading()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The values of an enum with their names, as one table that stands beside the enum. What is
-// printed, parsed, listed in a help text or drawn by a test all comes from there.
+// The values of an enum with their names, as one table that stands beside the enum. Printing,
+// parsing, help texts and tests all use this table.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ template <class Enum, std::size_t n>
     return values;
 }
 
-/// "unknown" for a number that is no value of the enum. O(n).
+/// The name of a value; "unknown" for a number that is no value of the enum. O(n).
 template <class Enum, std::size_t n>
 [[nodiscard]] constexpr std::string_view name_in(const EnumTable<Enum, n>& table,
                                                  std::type_identity_t<Enum> value) {
@@ -48,7 +48,7 @@ template <class Enum, std::size_t n>
     return "unknown";
 }
 
-/// None where no value has this name. O(n).
+/// The value of this name; none if there is no such value. O(n).
 template <class Enum, std::size_t n>
 [[nodiscard]] constexpr std::optional<Enum> value_in(const EnumTable<Enum, n>& table,
                                                      std::string_view name) {
@@ -60,7 +60,7 @@ template <class Enum, std::size_t n>
     return std::nullopt;
 }
 
-/// "a, b, c": for messages and help texts.
+/// All names as "a, b, c", for messages and help texts.
 template <class Enum, std::size_t n>
 [[nodiscard]] std::string names_in(const EnumTable<Enum, n>& table) {
     std::string names;

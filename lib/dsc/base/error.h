@@ -12,7 +12,7 @@ namespace dsc {
 /// Bad input: says what was wrong, where, the value that was given and what is allowed.
 class InputError : public std::runtime_error {
 public:
-    /// Named, as four strings in a row are easily swapped:
+    /// The parts of the sentence, by name, because four strings in a row are easily swapped:
     /// `throw InputError({.what = "no bins", .where = "histogram", .value = "0", .allowed = "1"})`.
     struct Fields {
         std::string what;    ///< what was wrong
@@ -21,7 +21,7 @@ public:
         std::string allowed; ///< the values that would have been right
     };
 
-    /// The sentence of `what()` is put together from all fields.
+    /// `what()` combines all fields into one sentence.
     explicit InputError(Fields fields)
         : std::runtime_error(fields.where + ": " + fields.what + ": got " + fields.value +
                              "; allowed: " + fields.allowed),
@@ -49,9 +49,9 @@ public:
                              (error == 0 ? "" : ": " + std::generic_category().message(error))),
           path_(path), error_(error) {}
 
-    /// Of the file concerned.
+    /// The path of the file.
     [[nodiscard]] const std::string& path() const { return path_; }
-    /// 0 where the system gave no reason.
+    /// The value of errno; 0 if the system gave no reason.
     [[nodiscard]] int error() const { return error_; }
 
 private:

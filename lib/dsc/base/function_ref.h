@@ -20,7 +20,7 @@ public:
     template <class Function>
     requires(!std::is_same_v<std::remove_cvref_t<Function>, FunctionRef> &&
              std::is_object_v<std::remove_reference_t<Function>>)
-        FunctionRef(Function&& function) // NOLINT: to be converted to from any function object
+        FunctionRef(Function&& function) // NOLINT: implicit, so that any function object fits
         : object_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
           call_([](void* object, Arguments... arguments) -> Result {
               return (*static_cast<std::remove_reference_t<Function>*>(object))(

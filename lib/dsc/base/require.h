@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of options, made where they come in.
+// Checks of options, for the functions that receive them.
 #pragma once
 
 #include "dsc/base/error.h"

@@ -9,13 +9,13 @@ namespace dsc {
 /// not flip back and forth. Rounding is some 1e-15 (float: 1e-6) of that size.
 template <class Real>
 inline constexpr Real delaunay_slack = Real(1e-7);
-/// Of `delaunay_slack`, in float.
+/// `delaunay_slack` for float.
 template <>
 inline constexpr float delaunay_slack<float> = 1e-4F;
 
 /// A move leaves each triangle an altitude of at least this share of the base that does not move...
 inline constexpr double altitude_floor = 0.02;
-/// ... or this share of the altitude that it had, where that was less to begin with.
+/// ...or, if its altitude was lower than that before the move, this share of that altitude.
 inline constexpr double altitude_keep = 0.5;
 
 /// Rounding bound of a doubled area computed from differences of coordinates, relative to the sum
@@ -23,11 +23,11 @@ inline constexpr double altitude_keep = 0.5;
 /// (3 + 16 eps) eps with eps = 2^-53 (Shewchuk 1997), and 2^-24 for float.
 template <class Real>
 inline constexpr Real area_bound = Real(3.3306690738754716e-16);
-/// Of `area_bound`, in float.
+/// `area_bound` for float.
 template <>
 inline constexpr float area_bound<float> = 1.7881411e-7F;
 
-/// Target edge lengths of a simulation from here...
+/// The smallest target edge length of a simulation.
 ///
 /// The squared quality divides products of six lengths. They keep full precision for triangles of
 /// a quality above 1e-4 while h^6 is at least 1e8 times the smallest normal number, and edges of up
@@ -35,13 +35,13 @@ inline constexpr float area_bound<float> = 1.7881411e-7F;
 /// run in the unit coordinates of a `UnitMap`.
 template <class Real>
 inline constexpr double least_edge_length = 1e-50;
-/// Of `least_edge_length`, in float.
+/// `least_edge_length` for float.
 template <>
 inline constexpr double least_edge_length<float> = 1e-5;
-/// ... to here.
+/// The largest target edge length of a simulation; the reasons are those above.
 template <class Real>
 inline constexpr double most_edge_length = 1e50;
-/// Of `most_edge_length`, in float.
+/// `most_edge_length` for float.
 template <>
 inline constexpr double most_edge_length<float> = 1e5;
 

@@ -15,8 +15,8 @@ namespace dsc {
 template <class Real>
 using Point = Eigen::Matrix<Real, 2, 1>;
 
-/// Identifies a phase (a material) (thesis, section 8.6). Phases are small integers; more than two
-/// may meet.
+/// The number of a phase, that is, of a material (thesis, section 8.6). Phases are small integers;
+/// more than two may meet.
 using Phase = std::uint32_t;
 
 /// The phase around everything else; a domain edge of any other phase is part of the interface
@@ -26,7 +26,7 @@ inline constexpr Phase exterior_phase = 0;
 /// The phase of the border triangle, which stands in for "no neighbour". Never given by a user.
 inline constexpr Phase border_phase = 0xffffffffU;
 
-/// No simplex: what a handle is before it is given one.
+/// The id of no simplex; the initial id of every handle.
 inline constexpr std::uint32_t no_id = 0xffffffffU;
 
 /// A simplex by number. `Vertex`, `Edge` and `Triangle` are distinct types that do not compare
@@ -35,7 +35,7 @@ template <class Tag>
 struct Handle {
     std::uint32_t id = no_id; ///< of the simplex; edges are named by a corner
 
-    /// Whether it names anything at all; it may still be dead: see `Complex::is_alive`.
+    /// Whether the handle has an id. Its simplex may still be dead: see `Complex::is_alive`.
     [[nodiscard]] constexpr bool is_valid() const { return id != no_id; }
     friend constexpr auto operator<=>(Handle, Handle) = default;
 };

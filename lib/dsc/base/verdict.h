@@ -10,7 +10,8 @@
 namespace dsc {
 
 /// The answer of a guard, and of the operation behind it. Anything but `legal` means that the
-/// complex was left untouched. Guards test in the order of this list and name the first that stops.
+/// complex was left untouched. Guards test in the order of this list and return the first
+/// restriction that stops the operation.
 enum class Verdict : std::uint8_t {
     legal,
     not_a_simplex,        ///< the handle names nothing that lives in the complex
@@ -23,7 +24,7 @@ enum class Verdict : std::uint8_t {
                           ///< section 7.3)
     inverts,              ///< a triangle would turn over or lose its area
     no_gain,              ///< legal, but the quality would not rise (smoothing, improvement)
-    out_of_ids,           ///< the pool of a submesh is used up; another colour takes it
+    out_of_ids,           ///< the pool of a submesh is empty; another colour does the operation
 };
 
 inline constexpr std::array verdict_names{

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The Delaunay condition of one edge (thesis, section 4.2), without square roots: the angles
 // opposite to it add up to at most pi, up to a slack that keeps cocircular points from flipping
-// back and forth. `in_circle` and `certainly_in_circle` of predicates.h ask the same without slack.
+// back and forth. `in_circle` and `certainly_in_circle` of predicates.h test the same condition
+// without slack.
 #pragma once
 
 #include "dsc/base/tolerances.h"

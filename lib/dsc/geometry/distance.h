@@ -18,7 +18,7 @@ template <class Real>
     return std::sqrt(x * x + y * y);
 }
 
-/// The square of that distance.
+/// The squared distance between two points.
 template <class Real>
 [[nodiscard]] Real squared_distance(const Point<Real>& a, const Point<Real>& b) {
     const Real x = b.x() - a.x();
@@ -49,8 +49,8 @@ template <class Real>
     return {a.x() + fraction * (b.x() - a.x()), a.y() + fraction * (b.y() - a.y())};
 }
 
-/// The squared distance from p to the segment from a to b. Relative to a, so that it is more exact
-/// far from the origin than the distance to `nearest_point`, which is rounded to a coordinate.
+/// The squared distance from p to the segment from a to b. Computed relative to a, and so more
+/// exact far from the origin than the distance to `nearest_point`, whose coordinates are rounded.
 template <class Real>
 [[nodiscard]] Real squared_distance(const Point<Real>& p, const Point<Real>& a,
                                     const Point<Real>& b) {

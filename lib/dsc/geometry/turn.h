@@ -37,8 +37,8 @@ turns_less(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to
 }
 
 /// Whether the polyline turns by more than the angle of this cosine at `at`. Not the negation of
-/// `turns_less`: a polyline with an edge of no length does neither. The product of two lengths
-/// rather than the root of a product, which would leave the range of Real for lengths of 1e-100.
+/// `turns_less`: a polyline with an edge of no length does neither. Multiplies two lengths rather
+/// than taking the root of a product, which would leave the range of Real for lengths of 1e-100.
 template <class Real>
 [[nodiscard]] bool turns_more(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
                               double cosine) {
