@@ -39,16 +39,16 @@ inline constexpr SimplexKind kind_of = std::same_as<Simplex, Vertex> ? SimplexKi
                                        : std::same_as<Simplex, Edge> ? SimplexKind::edge
                                                                      : SimplexKind::triangle;
 
-/// What a vertex does with its value of a field where the interface moves.
+/// What happens to a field's value at a vertex that moves with the interface.
 enum class OnInterface : std::uint8_t {
-    sampled, ///< it takes that of its new place, as everywhere
-    carried, ///< it keeps it: a boundary value, which is known on the interface and behind it alone
+    sampled, ///< the vertex takes the value of its new place, as everywhere
+    carried, ///< the vertex keeps its value: known on the interface and behind it only
 };
 
-/// What a complex and its operations report to an attribute. Entries are named by vertex ids,
-/// corners (four to a triangle; both corners opposite to an edge are its entries) or triangle ids.
-/// Operations on disjoint submeshes run at the same time: a function that is told of an edit may
-/// touch only the entries named, and shared data only under a lock.
+/// The base class of attributes: a complex and its operations report every edit to it. Entries are
+/// named by vertex ids, corners (four to a triangle; both corners opposite to an edge are its
+/// entries) or triangle ids. Operations on disjoint submeshes run at the same time: a function that
+/// is told of an edit may touch only the entries named, and shared data only under a lock.
 class AttributeBase {
 public:
     /// The name and the kind do not change.
@@ -59,18 +59,18 @@ public:
     AttributeBase(AttributeBase&&) = delete;
     AttributeBase& operator=(AttributeBase&&) = delete;
 
-    /// As it was added.
+    /// The name under which it was added.
     [[nodiscard]] const std::string& name() const { return name_; }
-    /// Of the simplices that it belongs to.
+    /// The kind of simplices that have a value.
     [[nodiscard]] SimplexKind kind() const { return kind_; }
     /// Whether the values of vertices are samples of a field in the plane: a vertex that a step
     /// moves then takes the value of its new place, blended in its star. Otherwise, and by default,
-    /// it keeps its own, as it does after `set_position`.
+    /// it keeps its value, as it does after `set_position`.
     [[nodiscard]] bool is_field() const { return is_field_; }
-    /// Whether vertices of the interface keep their values of the field where they move. Those that
-    /// smoothing moves inside a phase do not.
+    /// What happens to the values of a field at vertices that move with the interface. A vertex
+    /// that smoothing moves inside a phase always takes the value of its new place.
     [[nodiscard]] OnInterface on_interface() const { return on_interface_; }
-    /// Makes them samples of a field, or not.
+    /// Declares the values to be samples of a field, or not.
     void set_field(bool is_field, OnInterface on_interface = OnInterface::sampled) {
         is_field_ = is_field;
         on_interface_ = on_interface;
@@ -79,7 +79,7 @@ public:
     // --- storage
     /// The number of entries.
     [[nodiscard]] virtual std::size_t size() const = 0;
-    /// New entries take the initial value.
+    /// Changes the number of entries; new ones take the initial value.
     virtual void resize(std::size_t size) = 0;
     /// Reserves room for `size` entries, so that growth up to that size copies nothing. Optional.
     virtual void reserve(std::size_t /*size*/) {}
@@ -147,7 +147,7 @@ public:
 
     /// The value of a simplex, which is not checked. O(1).
     [[nodiscard]] const T& operator[](Simplex simplex) const { return data_[simplex.id]; }
-    /// An edge has two entries, so it is written with `set`.
+    /// The same, to be changed. Not for edges, which have two entries: see `set`.
     [[nodiscard]] T& operator[](Simplex simplex) requires(!of_edges) { return data_[simplex.id]; }
     /// Writes both entries of a living edge of this complex.
     template <class AnyComplex>

@@ -60,7 +60,7 @@ public:
     [[nodiscard]] Own& get(const std::string& name) {
         return cast<Own>(name, find_or_throw(name).kind());
     }
-    /// Throws InputError if there is none of that name.
+    /// Removes the attribute of that name. Throws InputError if there is none.
     void remove(const std::string& name);
 
     /// Whether there are no attributes.
@@ -77,14 +77,14 @@ public:
     void resize_vertices(std::size_t bound);
     /// There are ids up to `bound` now.
     void resize_triangles(std::size_t bound);
-    /// Reserves room for that many entries, so that growth up to there copies nothing.
+    /// Reserves room for that many entries, so that growth up to that number copies nothing.
     void reserve(std::size_t vertex_bound, std::size_t triangle_bound);
     /// Vertex `to` is new, at a + fraction (b - a). See AttributeBase, as for the following ones.
     void blend_vertex(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
         tell(SimplexKind::vertex, [&](AttributeBase& each) { each.blend(to, a, b, fraction); });
     }
-    /// Moves vertex v by this fraction of the way to `b`: only the fields are told, and where the
-    /// interface moves those that are sampled there.
+    /// Vertex v moves by this fraction of the way to `b`: its fields are blended. If it moves with
+    /// the interface, fields that are carried there keep their values.
     void move_fields(std::uint32_t v, std::uint32_t b, double fraction, bool with_interface) {
         tell(SimplexKind::vertex, [&](AttributeBase& each) {
             if (each.is_field() &&
@@ -95,7 +95,7 @@ public:
     }
     /// Vertex `to` is new.
     void reset_vertex(std::uint32_t to) { reset(SimplexKind::vertex, to); }
-    /// The edge at corner `to` inherits from that at `from`.
+    /// The edge at corner `to` inherits from the edge at corner `from`.
     void copy_edge(Corner to, Corner from) {
         tell(SimplexKind::edge, [&](AttributeBase& each) { each.copy(to, from); });
     }

@@ -21,19 +21,19 @@ namespace dsc {
 enum VertexFlag : std::uint32_t {
     vertex_dead = 1U,   ///< the id is free
     vertex_locked = 2U, ///< the application forbids it to move or vanish
-    /// The vertex did not arrive in one step; two bits count such steps, up to three. With both
-    /// bits set the vertex is in contact: until it arrives it is tried only once a step, not
-    /// repeatedly.
+    /// This bit and the next count the steps in which the vertex did not arrive, up to three. A
+    /// vertex with both bits set is in contact: until it arrives, each step tries it only once.
     vertex_missed = 4U,
     vertex_contact = 12U,
     vertex_corner = 16U, ///< of the interface: it is kept, and the curve has no tangent there
     vertex_on_way = 32U, ///< it was moved or postponed, and has not arrived yet
     vertex_seam = 64U,   ///< two sheets of the interface met here: see topology/films/films.h
-    /// It is of the interface, or was at the last upkeep, or lies on the domain boundary. Kept only
-    /// where the topology may change.
+    /// The vertex is on the interface, or was at the last upkeep, or lies on the domain boundary.
+    /// Maintained only where the topology may change.
     vertex_on_interface = 128U,
-    /// When its star was last looked at, no vertex of the interface was in its link but the ends of
-    /// its two interface edges, and no edit has brought one there since. Kept as above.
+    /// When the star was last examined, its link held no interface vertices but the ends of the
+    /// vertex's own two interface edges, and no edit has brought one there since. Maintained only
+    /// where the topology may change.
     vertex_plain = 256U,
 };
 
@@ -58,20 +58,23 @@ struct VertexRecord {
 };
 static_assert(sizeof(VertexRecord<double>) == 32);
 
-/// Free ids. The whole complex grows its arrays when its pool is empty; a submesh that runs in
-/// parallel may not, and refuses the edit instead (`Verdict::out_of_ids`).
+/// A pool of free ids. The complex grows its arrays when its own pool is empty. A submesh that runs
+/// in parallel may not grow them: an edit that finds its pool empty is refused
+/// (`Verdict::out_of_ids`).
 struct IdPool {
     std::vector<std::uint32_t> vertices;  ///< ids without a vertex
     std::vector<std::uint32_t> triangles; ///< ids without a triangle
     bool may_grow = true;                 ///< false: an empty pool refuses
 };
 
-/// Whether a simulation works on a complex. It is of the object and not of its value: a copy or
-/// another complex that is moved to is free, and one that is assigned to stays as it is.
+/// Whether a simulation works on a complex. This belongs to the object, not to its value: a complex
+/// made from another one is free, and assignment changes nothing.
 class InUse {
 public:
     InUse() = default;
+    /// Free.
     InUse(const InUse& /*other*/) {}
+    /// Free.
     InUse(InUse&& /*other*/) noexcept {}
     /// Changes nothing.
     InUse& operator=(const InUse& /*other*/) { return *this; }
@@ -137,16 +140,17 @@ public:
         const Corner other = twin(c);
         return Edge{!is_border(other) && other < c ? other : c};
     }
-    /// Its two ends: the half-edge opposite to the edge's corner runs from the first to the second.
+    /// The two ends of an edge: the half-edge opposite to the edge's corner runs from the first to
+    /// the second.
     [[nodiscard]] std::array<Vertex, 2> vertices_of(Edge e) const {
         return {Vertex{vertex(next(e.id))}, Vertex{vertex(prev(e.id))}};
     }
-    /// Its three vertices, counter-clockwise.
+    /// The three vertices of a triangle, counter-clockwise.
     [[nodiscard]] std::array<Vertex, 3> vertices_of(Triangle t) const {
         const auto& v = triangles[t.id].v;
         return {Vertex{v[0]}, Vertex{v[1]}, Vertex{v[2]}};
     }
-    /// Its three edges, each opposite to the vertex of the same number.
+    /// The three edges of a triangle, each opposite to the vertex of the same number.
     [[nodiscard]] std::array<Edge, 3> edges_of(Triangle t) const {
         return {edge(corner_of(t.id, 0)), edge(corner_of(t.id, 1)), edge(corner_of(t.id, 2))};
     }
@@ -160,7 +164,7 @@ public:
     [[nodiscard]] Point<Real> position(Vertex v) const {
         return {vertices[v.id].x, vertices[v.id].y};
     }
-    /// Does not ask whether a triangle turns over. Noted in `journal`.
+    /// Moves a vertex, even if a triangle turns over. Noted in `journal`.
     void set_position(Vertex v, const Point<Real>& p);
     /// All positions as a 2 x vertex_bound() matrix, without a copy; free ids hold stale values.
     /// Changes made through it are not recorded in any log.
@@ -171,7 +175,7 @@ public:
     [[nodiscard]] Phase phase(Triangle t) const { return triangles[t.id].phase; }
     /// Noted in `journal`.
     void set_phase(Triangle t, Phase phase);
-    /// Whether the application forbids it to move or vanish.
+    /// Whether the application forbids the vertex to move or vanish.
     [[nodiscard]] bool is_locked(Vertex v) const {
         return (vertices[v.id].flags & vertex_locked) != 0;
     }
@@ -179,15 +183,15 @@ public:
     void set_locked(Vertex v, bool locked);
 
     // --- ids ----------------------------------------------------------------------------------
-    /// Sees to it that the pool has so many free ids, which then can be taken without fail; false,
-    /// and nothing is done, if it would have to grow and may not. Throws InputError where the ids
-    /// come to an end. After an exception the complex is what it was.
+    /// Makes sure that the pool has so many free ids, so that taking them cannot fail. Returns
+    /// false, and does nothing, if the pool would have to grow and may not. Throws InputError if
+    /// there are no more ids; an exception leaves the complex as it was.
     [[nodiscard]] bool have_ids(IdPool& pool, std::size_t vertex_total,
                                 std::size_t triangle_total) {
         return (pool.vertices.size() >= vertex_total && pool.triangles.size() >= triangle_total) ||
                (pool.may_grow && (grow(pool, vertex_total, triangle_total), true));
     }
-    /// Takes an id from the pool, which grows as above; no_id if it is empty and may not grow.
+    /// Takes an id from the pool, which grows if it is empty; no_id if it may not grow.
     std::uint32_t take_vertex(IdPool& pool);
     /// The same for a triangle.
     std::uint32_t take_triangle(IdPool& pool);
@@ -196,14 +200,14 @@ public:
     /// Puts an id back; the triangle is dead from then on.
     void give_triangle(IdPool& pool, std::uint32_t id);
     /// Reserves room for that many vertices and triangles and for their existing attributes: up to
-    /// there new ids copy nothing. O(n) if there is less room.
+    /// that number, new ids copy nothing. O(n) if there is less room.
     void reserve(std::size_t vertex_total, std::size_t triangle_total);
 
     // --- attributes ---------------------------------------------------------------------------
     AttributeSet attributes; ///< data of the application; follows every operation
 
-    /// Edits of the complex as a whole rather than of a submesh: those of the application, which a
-    /// running simulation reads before its next step.
+    /// The log of edits of the whole complex rather than of a submesh, such as those of the
+    /// application; a running simulation reads it before its next step.
     EditLog journal;
 
     InUse in_use; ///< a second simulation at the same time is refused

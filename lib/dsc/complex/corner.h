@@ -21,7 +21,7 @@ inline constexpr std::uint32_t triangle_limit = no_id / 4;
 
 /// The triangle of a corner.
 constexpr std::uint32_t triangle_of(Corner corner) { return corner >> 2U; }
-/// Which of the three corners of its triangle it is: 0, 1 or 2.
+/// The index of a corner in its triangle: 0, 1 or 2.
 constexpr std::uint32_t index_of(Corner corner) { return corner & 3U; }
 /// Corner `index` (0, 1 or 2) of a triangle.
 constexpr Corner corner_of(std::uint32_t triangle, std::uint32_t index) {

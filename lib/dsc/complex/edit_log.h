@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The log of edits. What changes connectivity, positions or phases (nearly always rewire.h) notes
-// each change here: it is always counted, and recorded if there is a reader. Active sets, interface
-// lists, counts and the listeners of an application are readers of such logs.
+// The log of edits. Functions that change connectivity, positions or phases (nearly all are in
+// rewire.h) note each change here: always as a count, and as a record if there is a reader. Active
+// sets, interface lists, counts and the listeners of an application read these logs.
 //
 // Each submesh has a log of its own, so that no two threads share one. The logs are read in the
 // order of the submeshes, so the result does not depend on threads.
@@ -60,8 +60,8 @@ enum class MoveReason : std::uint8_t {
     application, ///< an edit by the application
     flow,        ///< towards the target that the velocity gave it
     smoothing,   ///< for the quality of its star
-    coarsening,  ///< it remains when neighbours vanish: for an area, or in a triangle collapse
-    giving_back, ///< of area that a change of topology took from a phase
+    coarsening,  ///< of the vertex that survives a collapse, or a triangle collapse
+    giving_back, ///< to return area that a change of topology took from a phase
 };
 
 /// One edit. Fields that a kind of edit does not use are invalid (no_id).
@@ -119,9 +119,9 @@ using EditListener = std::function<void(std::span<const Edit> edits)>;
 class EditLog {
 public:
     EditLog() = default;
-    /// Empty, and without a reader.
+    /// A copy is empty and has no reader.
     EditLog(const EditLog& /*other*/) noexcept {}
-    /// The complex becomes another: what is not yet read is followed by a `rebuild`.
+    /// Another mesh takes the complex's place: readers find a `rebuild` after the records so far.
     EditLog& operator=(const EditLog& other);
     ~EditLog() = default;
 
@@ -130,10 +130,11 @@ public:
     std::uint32_t readers = 0; ///< records are kept while there are any: see `LogReader`
 };
 
-/// Makes a log keep its records while this object lives. The last reader empties the log, also if
-/// an exception ends it. The log must outlive it.
+/// Makes a log keep its records while this object lives. The last reader empties the log when it
+/// ends, also by an exception. The log must outlive its readers.
 class LogReader {
 public:
+    /// Reads the edits from now on.
     explicit LogReader(EditLog& log) : log_(log), from_(log.records.size()) { ++log_.readers; }
     ~LogReader();
     LogReader(const LogReader&) = delete;
@@ -141,8 +142,8 @@ public:
     LogReader(LogReader&&) = delete;
     LogReader& operator=(LogReader&&) = delete;
 
-    /// The edits since it was made; valid until the next one. Not for a log that another reader
-    /// empties meanwhile. O(1).
+    /// The edits since this reader was made; valid until the next edit. No other reader may have
+    /// emptied the log meanwhile. O(1).
     [[nodiscard]] std::span<const Edit> edits() const {
         return std::span<const Edit>(log_.records).subspan(from_);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gathers the star of a vertex into a ring. Half of a step's loads of memory happen here, and a
-// quarter of its instructions; so the walk writes each vertex once from registers into every row
+// Gathers the star of a vertex into a ring. Half of a step's memory loads happen here, and a
+// quarter of its instructions. So the walk writes each vertex once from registers into every row
 // that needs it, and stars are filled up to whole lanes without a loop.
 #pragma once
 
@@ -21,8 +21,8 @@ enum class Owned : std::uint8_t {
     tested,  ///< any other region: vertex by vertex
 };
 
-/// The smallest axis-aligned box around the star. It is kept up while the link is walked, in
-/// registers: a look at the rows of the ring would have to wait for the stores that fill them.
+/// The smallest axis-aligned box around the star. Updated in registers while the link is walked:
+/// reading the rows of the ring would have to wait for the stores that fill them.
 template <class Real>
 struct Bounds {
     Real x_low; ///< of the centre at first
@@ -36,7 +36,7 @@ struct Bounds {
         y_low = y < y_low ? y : y_low;
         y_high = y > y_high ? y : y_high;
     }
-    /// Whether an upright box owns all of it. Flags, not branches, which took longer.
+    /// Whether an upright box owns the whole star. Combines flags, because branches take longer.
     [[nodiscard]] bool lie_in(const Region& box) const {
         return (box.low <= static_cast<double>(x_low)) & (static_cast<double>(x_high) < box.high) &
                (box.side_low <= static_cast<double>(y_low)) &
@@ -60,8 +60,8 @@ public:
         }
     }
 
-    /// Writes triangle i with its first link vertex. It is entered through the edge of `entrance`,
-    /// its corner before the centre's. Returns the entrance of the next one.
+    /// Writes triangle i with its first link vertex. The walk enters it through the edge opposite
+    /// to `entrance`, its corner before the centre's. Returns the entrance of the next triangle.
     Corner write(std::size_t i, Corner entrance) {
         const TriangleRecord& triangle = triangles_[triangle_of(entrance)];
         const std::uint32_t exit =
@@ -149,7 +149,8 @@ private:
     Phase differing_ = 0;
 };
 
-/// A star at the end of the domain, which has a first and a last triangle. False: it does not fit.
+/// Gathers a star at the end of the domain, which has a first and a last triangle. Returns false if
+/// it does not fit.
 template <Owned how, class Real>
 [[gnu::noinline]] bool gather_open_star(const Complex<Real>& complex, const Region& region,
                                         Corner start, Ring<Real>& ring) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The vertex attributes that are samples of a field, where a vertex moves (thesis, section 5.5:
-// "new values will have to be created").
+// New values of fields, the vertex attributes that sample the plane, where a vertex moves (thesis,
+// section 5.5: "new values will have to be created").
 #pragma once
 
 #include "dsc/complex/circulate.h"
@@ -11,8 +11,9 @@
 namespace dsc {
 
 /// Gives the fields at `v` the values at `place`, a point of its star: linear in the triangle that
-/// holds it. To be called before `v` moves; the others keep their values. `with_interface`: it is
-/// not smoothing that moves it, and fields that the interface carries keep theirs. O(degree).
+/// holds it. To be called before `v` moves; other attributes are not touched. `with_interface`: the
+/// interface moves `v`, not smoothing, and fields that the interface carries keep their values.
+/// O(degree).
 template <class Real>
 [[gnu::noinline]] void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
                                        bool with_interface) {
@@ -51,7 +52,7 @@ template <class Real>
     }
     share_b = std::clamp(share_b, Real(0), Real(1));
     share_a = std::clamp(share_a, Real(0), 1 - share_b);
-    // Two blends make one of three values: of a in what b leaves over, then of b in the whole.
+    // Two blends combine three values: a with the part that b leaves over, then b with the whole.
     if (share_b < 1) {
         complex.attributes.move_fields(
             v.id, best_a.id, static_cast<double>(share_a / (1 - share_b)), with_interface);

@@ -61,7 +61,7 @@ void meet(Complex<Real>& complex, std::uint32_t a, std::uint32_t b) {
 }
 
 /// Flips the edge opposite to `c`, which has two triangles. Before: t = (a, b, w) with a at c, and
-/// u = (d, w, b). After: t = (a, b, d), u = (d, w, a). Returns nothing; a stays at c.
+/// u = (d, w, b). After: t = (a, b, d), u = (d, w, a). Vertex a stays at c.
 template <class Real>
 void flip(Complex<Real>& complex, EditLog& log, Corner c) {
     const Corner o = complex.twin(c);
@@ -105,8 +105,8 @@ void flip(Complex<Real>& complex, EditLog& log, Corner c) {
     });
 }
 
-/// How far from `a` (0) to `b` (1) a new vertex of their edge lies: by its nearest point there, and
-/// exactly one half at the midpoint.
+/// Where between `a` (0) and `b` (1) a new vertex of their edge lies: the parameter of the nearest
+/// point of the edge, exactly one half at the midpoint.
 template <class Real>
 [[nodiscard, gnu::noinline]] double split_fraction(const Point<Real>& place, const Point<Real>& a,
                                                    const Point<Real>& b) {
@@ -114,8 +114,8 @@ template <class Real>
                                          : static_cast<double>(nearest_fraction<Real>(place, a, b));
 }
 
-/// The values of `m`, a new vertex of the edge from `a` to `b`, by `split_fraction`; fields have
-/// those of its place, which may lie beside the edge.
+/// Blends the attributes of `m`, a new vertex of the edge from `a` to `b`, by `split_fraction`.
+/// Fields take the value at the place of `m`, which may lie beside the edge.
 template <class Real>
 [[gnu::noinline]] void blend_at(Complex<Real>& complex, Vertex m, Vertex a, Vertex b) {
     const Point<Real> place = complex.position(m);
@@ -134,11 +134,11 @@ template <class Real>
     }
 }
 
-/// Splits the edge opposite to `c` at the new vertex `m`, which is marked as one of the interface
-/// if the edge is of it or of the domain boundary and its ends are marked. `t2` and `u2` are new triangles; `u2` is not used
-/// if the edge is on the domain boundary. Before: t = (a, b, w), u = (d, w, b). After: t = (a, b,
-/// m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex attributes are blended by
-/// `blend_at`.
+/// Splits the edge opposite to `c` at the new vertex `m`. `m` is marked as an interface vertex if
+/// the edge lies on the interface or the domain boundary and its ends are marked. `t2` and `u2` are
+/// new triangles; `u2` is not used if the edge is on the domain boundary. Before: t = (a, b, w),
+/// u = (d, w, b). After: t = (a, b, m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex
+/// attributes are blended by `blend_at`.
 template <class Real>
 void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
            const Point<Real>& place, std::uint32_t t2, std::uint32_t u2) {
@@ -241,7 +241,7 @@ void close_gap(Complex<Real>& complex, Corner outer_a, Corner outer_b, std::uint
     complex.vertices[base].corner = apex_next ? prev(kept) : next(kept);
 }
 
-/// Which end of the edge opposite to a corner vanishes.
+/// The end of a collapsing edge that vanishes, as seen from the corner opposite to the edge.
 enum class Vanishing : std::uint8_t { next, prev };
 
 /// Collapses the edge opposite to `c`: the vanishing end v leaves its triangles to the other end;
@@ -296,9 +296,9 @@ void collapse(Complex<Real>& complex, EditLog& log, Corner c, Vanishing end, IdP
     complex.give_vertex(pool, v);
 }
 
-/// Moves a vertex; another submesh may be reading its position. A step moves it within its star,
-/// and gives its fields the values at the new place; where the application puts it is its own
-/// business.
+/// Moves a vertex; another submesh may be reading its position. A vertex that a step moves stays
+/// within its star, and its fields take the values at the new place. A vertex that the application
+/// moves may go anywhere and keeps its values.
 template <class Real>
 void move(Complex<Real>& complex, EditLog& log, std::uint32_t v, Real x, Real y,
           MoveReason reason) {

@@ -14,14 +14,14 @@ namespace dsc {
 
 /// Which vertices a submesh owns.
 struct Region {
-    /// By what the vertices are owned.
+    /// How a region decides which vertices it owns.
     enum class Kind : std::uint8_t {
         whole,  ///< everything is owned
         box,    ///< by position, in a frame that may be turned
         places, ///< by a function of the position
         labels, ///< by the id
-        /// A box along the axes that does not wrap around: `simplest` makes them of such boxes, for
-        /// which the test needs comparisons only.
+        /// A box along the axes that does not wrap around: its test needs comparisons only.
+        /// `simplest` turns such boxes into this kind.
         upright,
     };
     /// The number of the submesh that holds a point, by the partition of an application.
@@ -29,7 +29,7 @@ struct Region {
     /// The limit of a box that has none.
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    Kind kind = Kind::whole; ///< by what they are owned
+    Kind kind = Kind::whole; ///< how ownership is decided
     /// box: with u along the normal and w along its left, owns (u, w) where low <= u < high and
     /// side_low <= w < side_high. If low > high the slab wraps around the ends of the mesh: it owns
     /// u < high and u >= low, because the first and the last black slab form one (thesis, section
@@ -54,7 +54,7 @@ struct Region {
         return kind == Kind::upright ||
                (kind == Kind::box && low <= high && normal_y == 0 && normal_x == 1);
     }
-    /// The same region, of the kind whose tests are the quickest.
+    /// The same region, as the kind with the fastest test.
     [[nodiscard]] Region simplest() const {
         Region region = *this;
         region.kind = is_upright() ? Kind::upright : kind;
@@ -75,11 +75,12 @@ struct Region {
         const bool is_along = low <= high ? (low <= u) & (u < high) : (low <= u) | (u < high);
         return is_along & (side_low <= w) & (w < side_high);
     }
-    /// Whether it owns a vertex that lies at (x, y). O(1), or what `place` takes.
+    /// Whether it owns a vertex that lies at (x, y). Upright boxes, which almost all submeshes are,
+    /// are inlined. O(1), or what `place` takes.
     [[nodiscard]] bool owns(std::uint32_t vertex, double x, double y) const {
         return kind == Kind::upright ? is_inside(x, y) : is_owner(vertex, x, y);
     }
-    /// The same for any kind: the one that most submeshes are of needs no call.
+    /// The same for every kind.
     [[nodiscard]] bool is_owner(std::uint32_t vertex, double x, double y) const {
         switch (kind) {
         case Kind::whole: return true;
