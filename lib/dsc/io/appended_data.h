@@ -12,13 +12,13 @@ namespace dsc {
 /// Collects arrays, to be written when all are known.
 class AppendedData {
 public:
-    /// Returns the offset of the array, which its tag names. O(size).
+    /// Appends an array and returns its offset, which its tag names. O(size).
     template <class Number>
     std::size_t add(const std::vector<Number>& numbers) {
         return add_bytes(reinterpret_cast<const char*>(numbers.data()),
                          numbers.size() * sizeof(Number));
     }
-    /// In base64, without the underscore before the first one.
+    /// All arrays in base64, without the underscore in front of the first.
     [[nodiscard]] const std::string& text() const { return text_; }
 
 private:

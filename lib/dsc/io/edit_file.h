@@ -19,14 +19,15 @@ namespace dsc {
 ///     ...
 ///     file.commit();
 ///
-/// Until `commit` it is written beside its place. Throws FileError.
+/// Until `commit` the file stands beside its place. Throws FileError.
 class EditFile {
 public:
     /// Opens the file beside its place.
     explicit EditFile(std::string path);
     /// Appends records.
     void write(std::span<const Edit> edits);
-    /// Writes how many there are, and puts the file in its place. Nothing may be written after it.
+    /// Writes the number of records, and puts the file in its place. Nothing may be written
+    /// afterwards.
     void commit();
 
 private:
@@ -37,8 +38,8 @@ private:
 /// Writes a whole log at once. The file exists as a whole or not at all. Throws FileError.
 void write_edits(const std::string& path, std::span<const Edit> edits);
 
-/// Throws FileError where the file is missing, is no such file, has a line that is no record (with
-/// the number of the line), or ends before its end.
+/// Reads a whole log. Throws FileError if the file is missing, is no log of edits, has a line that
+/// is not a record (the error has the number of the line), or is cut off.
 [[nodiscard]] std::vector<Edit> read_edits(const std::string& path);
 
 } // namespace dsc

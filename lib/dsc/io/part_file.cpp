@@ -102,7 +102,7 @@ PartFile& PartFile::fixed(double value, int digits) {
 
 void PartFile::commit(Until until) {
     write_block();
-    // Some file systems cannot; then the rename is as safe as it gets.
+    // Some file systems cannot sync (EINVAL): the rename alone must do.
     if (until == Until::on_disk && ::fsync(descriptor_) != 0 && errno != EINVAL) {
         fail("writing failed", errno);
     }

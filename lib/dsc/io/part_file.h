@@ -35,12 +35,12 @@ public:
     /// With so many digits after the point.
     PartFile& fixed(double value, int digits);
 
-    /// How far a file has come when it takes its place.
+    /// How safe the content is before the file takes its place.
     enum class Until : std::uint8_t {
         written, ///< it survives the end of the program
-        on_disk, ///< and of the machine; takes milliseconds
+        on_disk, ///< and a crash of the machine; takes milliseconds
     };
-    /// Flushes, closes and renames. Nothing may be written after it.
+    /// Flushes, closes and renames. Nothing may be written afterwards.
     void commit(Until until = Until::written);
 
 private:

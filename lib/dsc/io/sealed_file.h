@@ -20,15 +20,15 @@ namespace dsc {
 /// What a file holds, and in which form.
 struct SealedKind {
     std::string name;          ///< at most 8 bytes, the rest of which are 0 in the file
-    std::uint32_t version = 1; ///< of the form of the bytes; files of another one are refused
+    std::uint32_t version = 1; ///< of the layout of the bytes; other versions are refused
 };
 
-/// Written beside its place, brought to the disk and renamed: whatever happens in between, the file
-/// that was there before stays whole. Throws FileError; InputError for a name of another length.
+/// Writes the file beside its place, syncs it to the disk and renames it, so that an existing file
+/// stays whole whatever happens. Throws FileError; InputError if `kind.name` has not 1 to 8 bytes.
 void write_sealed(const std::string& path, const SealedKind& kind, const std::string& bytes);
 
-/// Throws FileError where the file cannot be read, is of another kind or version, is cut off or
-/// continued, or its bytes have changed.
+/// Reads the bytes back. Throws FileError if the file cannot be read, is of another kind or
+/// version, is too short or too long, or its bytes have changed.
 [[nodiscard]] std::string read_sealed(const std::string& path, const SealedKind& kind);
 
 /// The checksum: FNV-1a over words of eight bytes and what remains. O(size).

@@ -24,7 +24,7 @@ struct SvgBox {
 struct SvgMark {
     double x = 0; ///< in units of the domain
     double y = 0;
-    std::string text{}; ///< shown where the picture is pointed at
+    std::string text{}; ///< its tooltip
 };
 
 /// How a picture looks.
@@ -35,15 +35,15 @@ struct SvgOptions {
     double interface_width_px = 2;            ///< 0: no interface
     std::string edge_colour = "#888888";      ///< as SVG and CSS write colours
     std::string interface_colour = "#000000"; ///< the same
-    /// Fill by phase; phases beyond the list start it again after its first entry, which is the
-    /// exterior's. The default is the colour-blind palette of Okabe and Ito (2008).
+    /// The fill of each phase. The first entry is the exterior's; phases beyond the list use the
+    /// other entries again. The default is the colour-blind palette of Okabe and Ito (2008).
     std::vector<std::string> phase_colours{"#ffffff", "#56b4e9", "#e69f00", "#009e73",
                                            "#cc79a7", "#f0e442", "#0072b2", "#d55e00"};
     /// The part of the plane to show; empty: all living vertices. The frames of a film need a
     /// fixed one.
     std::optional<SvgBox> view{};
     std::string title{}; ///< empty: none
-    /// In place of the colours of phases. An entry for each triangle id.
+    /// In place of the colours of phases. One entry for each triangle id.
     std::optional<SvgFill> fill{};
     std::vector<SvgMark> marks{};        ///< on top of everything else
     std::string mark_colour = "#d55e00"; ///< of the rings

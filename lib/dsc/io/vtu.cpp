@@ -60,7 +60,7 @@ public:
             }));
         add_all<Triangle>(more);
         file << take_tags() << "</CellData>\n<Points>\n";
-        // The same numbers, which are there once.
+        // The same numbers as `position`, which the file holds once.
         file << tag<Real>("Points", 3, 0) << "</Points>\n<Cells>\n";
         add_cells();
         file << take_tags() << "</Cells>\n</Piece>\n</UnstructuredGrid>\n"
@@ -107,7 +107,7 @@ private:
         return numbers;
     }
 
-    // Those of the ids listed; vectors of the plane get a third component.
+    // The entries of the ids listed; vectors of the plane get a third component.
     template <class Number>
     void add_vectors(const std::string& name, const std::vector<std::uint32_t>& ids,
                      std::size_t components, const std::vector<Number>& by_id) {

@@ -14,7 +14,7 @@
 
 namespace dsc {
 
-/// Numbers that are written beside those that a complex has itself.
+/// An array to be written beside the complex's own data.
 struct VtuArray {
     std::string name;                       ///< in the file
     SimplexKind kind = SimplexKind::vertex; ///< or triangle; the format has no data of edges
@@ -26,9 +26,9 @@ struct VtuArray {
 /// Writes all living vertices and triangles; for each vertex its `position`, for each triangle its
 /// `phase` and its `quality` (equation 4 of the thesis); the attributes of vertices and triangles
 /// whose entries are numbers (double, float, integers of 8 to 64 bits) or points; and `more`. An
-/// attribute of one of these names is left out. Numbers read back bit by bit; vectors get a third
-/// component of 0. The file exists as a whole or not at all. O(n). Throws FileError; InputError
-/// where the length or the components of an array are wrong.
+/// attribute whose name is already taken is left out. Numbers read back bit by bit; vectors get a
+/// third component of 0. The file exists as a whole or not at all. O(n). Throws FileError;
+/// InputError where the length or the components of an array are wrong.
 template <class Real>
 void write_vtu(const Complex<Real>& complex, const std::string& path,
                std::span<const VtuArray> more = {});

@@ -41,15 +41,16 @@ struct HistogramOptions {
 /// O(n log bins).
 [[nodiscard]] Histogram make_histogram(std::span<const double> values, std::vector<double> edges);
 
-/// Histograms of the living triangles. O(n log bins). Throw InputError as `uniform_edges` does.
+/// The histogram of the areas of the living triangles. O(n log bins). Throws InputError as
+/// `uniform_edges` does; so do the next two.
 template <class Real>
 [[nodiscard]] Histogram area_histogram(const Complex<Real>& complex,
                                        const HistogramOptions& options = {});
-/// Of the quality of equation 4.
+/// The same, of the quality (equation 4).
 template <class Real>
 [[nodiscard]] Histogram quality_histogram(const Complex<Real>& complex,
                                           const HistogramOptions& options = {});
-/// In degrees.
+/// The same, of the smallest angles, in degrees.
 template <class Real>
 [[nodiscard]] Histogram min_angle_histogram(const Complex<Real>& complex,
                                             const HistogramOptions& options = {});

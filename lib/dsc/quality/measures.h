@@ -13,16 +13,16 @@ namespace dsc {
 template <class Real>
 [[nodiscard]] Real vertex_distance(const Complex<Real>& complex, Vertex v,
                                    const Point<Real>& destination);
-/// Equation 2.
+/// Equation 2: the length of an edge.
 template <class Real>
 [[nodiscard]] Real length(const Complex<Real>& complex, Edge e);
 /// The square of equation 2, without a square root.
 template <class Real>
 [[nodiscard]] Real squared_length(const Complex<Real>& complex, Edge e);
-/// Equation 3.
+/// Equation 3: the signed area of a triangle.
 template <class Real>
 [[nodiscard]] Real area(const Complex<Real>& complex, Triangle t);
-/// Equation 4.
+/// Equation 4: the quality of a triangle.
 template <class Real>
 [[nodiscard]] Real quality(const Complex<Real>& complex, Triangle t);
 /// The smallest angle, in degrees, 0 to 60.

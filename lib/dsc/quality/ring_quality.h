@@ -99,13 +99,13 @@ bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
     }
     // Below this, products may have lost bits to underflow.
     constexpr Real guard = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
-    // The minima pass over what is not a number: a centre that is none, or so far away that a
-    // difference of products that have overflowed is none.
+    // A minimum ignores NaN. So a centre that is NaN, or so far away that products overflow and
+    // their difference is NaN, is refused here.
     constexpr Real far = sizeof(Real) == sizeof(double) ? Real(1e150) : Real(1e18);
     return least > 0 && scale > guard && std::abs(px) < far && std::abs(py) < far;
 }
 
-/// All that a mesh update has to know about a star, computed in one loop.
+/// The figures of a star that a mesh update needs, computed in one loop.
 template <class Real>
 struct StarReport {
     Real delaunay; ///< below 0: a spoke fails the Delaunay test by more than the slack
@@ -115,7 +115,7 @@ struct StarReport {
 };
 
 /// The Delaunay margin of a spoke from its end and the two next to it in the link, relative to the
-/// centre: its far angles lie at the previous and at the next one.
+/// centre: the angles opposite to the spoke lie at the previous and at the next vertex.
 template <class Real>
 [[nodiscard]] Real spoke_margin(Real x, Real y, Real x_next, Real y_next, Real x_previous,
                                 Real y_previous) {

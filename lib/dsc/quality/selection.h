@@ -43,7 +43,7 @@ template <class Simplex>
 template <class Simplex>
 class Selection {
 public:
-    /// Chooses. O(what the strategy takes).
+    /// Makes the choice, at the cost of the strategy.
     Selection(std::span<const Simplex> candidates, const QualityFunction<Simplex>& quality,
               const SelectionStrategy<Simplex>& strategy)
         : chosen_(strategy(candidates, quality)) {}

@@ -38,7 +38,7 @@ template <class Real>
 
 /// Calls `visit(std::span<const Corner>)` for each outline of each component, counter-clockwise
 /// around it: the corners opposite to its half-edges, in order, each in the triangle on the inside.
-/// They come in the order of their smallest corner. O(triangles).
+/// Outlines come in the order of their smallest corner. O(triangles).
 template <class Real, class Visit>
 void for_each_outline(const Complex<Real>& complex, Visit visit) {
     const auto is_edge = [&](Corner c) {

@@ -24,9 +24,10 @@ struct Embedding {
     std::string problem; ///< where two boundary edges meet, or one component overlaps another
 };
 
+/// Counts the parts of a complex and looks for overlaps. O(n + b log b) for b boundary edges if few
+/// of them lie above each other, as in a rectangle; O(b^2) at worst.
 /// \pre links are symmetric, every vertex is a disc or half disc that goes around it once, every
-/// triangle is positive. O(n + b log b) for b boundary edges if few of
-/// them lie above each other, as in a rectangle; O(b^2) at worst.
+/// triangle is positive.
 template <class Real>
 [[nodiscard]] Embedding check_embedding(const Complex<Real>& complex);
 

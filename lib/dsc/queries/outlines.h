@@ -31,7 +31,7 @@ struct InterfaceCurve {
 /// phase touches itself), and a curve between two phases ends at the domain boundary. The domain
 /// boundary has separate curves of its own; they continue through its corners.
 ///
-/// They come in the order of the smallest corner of the triangles on their left; a closed one
+/// Curves come in the order of the smallest corner of the triangles on their left; a closed curve
 /// begins where the edge opposite to that corner does. So the same complex gives the same lists,
 /// but `renumber` may change their order. O(triangles). Thread-safe while nobody writes.
 template <class Real>
@@ -45,8 +45,8 @@ using VertexLoop = std::vector<Vertex>;
 /// Where two triangles of these phases meet only at a vertex, two outlines touch, or one passes
 /// through it twice: at each vertex they continue with the next edge of the same fan of triangles.
 ///
-/// They come in the order of their smallest corner (of the triangles inside) and begin where the
-/// edge opposite to it does. O(triangles). Thread-safe while nobody writes.
+/// Outlines come in the order of their smallest corner (of the triangles inside) and begin where
+/// the edge opposite to it does. O(triangles). Thread-safe while nobody writes.
 template <class Real, class Belongs>
 [[nodiscard]] std::vector<VertexLoop> outlines_where(const Complex<Real>& complex,
                                                      Belongs belongs) {

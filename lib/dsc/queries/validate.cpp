@@ -234,7 +234,7 @@ Problem check_fan(const Complex<Real>& complex, std::uint32_t v, std::uint32_t e
     const Point<Real> begin = complex.position(Vertex{complex.vertex(next(first))});
     std::uint32_t met = 0;
     std::uint32_t rounds = 0;  // of a closed fan: how many times it passes direction 0
-    bool begins_again = false; // an open fan that comes back to where it began
+    bool begins_again = false; // an open fan that returns to its beginning
     circulate(complex, first, [&](Corner c) {
         ++met;
         const Point<Real> from = complex.position(Vertex{complex.vertex(next(c))});
