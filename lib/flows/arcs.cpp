@@ -9,15 +9,14 @@ namespace dsc::scenes {
 namespace {
 
 constexpr int chords_of_arc = 1 << 13;
-/// Ends that are nearer to each other are one point but for rounding. Relative to coordinates and
-/// radii.
+/// Ends nearer to each other are one point up to rounding. Relative to coordinates and radii.
 constexpr double same_point = 1e-13;
 
 Point<double> point_on(const Arc& arc, double angle) {
     return arc.centre + arc.radius * Point<double>(std::cos(angle), std::sin(angle));
 }
 
-/// What the arc contributes to the area: half the integral of x dy - y dx.
+/// The arc's part of the area: half the integral of x dy - y dx.
 double area_of(const Arc& arc) {
     return arc.radius / 2 *
            (arc.radius * (arc.end - arc.begin) +

@@ -28,7 +28,7 @@ struct Half {
     Point<double> disc;  ///< the centres: of the disc
     Point<double> above; ///< of the rounding above the neck
     Point<double> below;
-    double angle; ///< at which the neck's side of the disc sees them, from the axis
+    double angle; ///< from the axis to a rounding's centre, seen from the disc's
 };
 
 /// The half on the other side: turned by half a circle.
@@ -42,8 +42,8 @@ void append_both(const Point<double>& centre, std::span<const Arc> right, ExactS
     append_arcs({.origin = centre}, arcs, shape);
 }
 
-/// One curve, by how much the dumbbell has grown: from the neck below along the right half to the
-/// neck above, and then along the left one.
+/// Appends the outline of a dumbbell that has grown by `growth`, as one curve: from the neck below
+/// along the right half to the neck above, and then along the left half.
 void append_in_one_piece(const Dumbbell& d, double growth, ExactShape& shape) {
     const Half half(d);
     const double radius = d.radius + growth;

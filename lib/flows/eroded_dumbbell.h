@@ -17,8 +17,8 @@ namespace dsc::scenes {
 [[nodiscard]] ExactShape eroded_dumbbell(const Dumbbell& dumbbell, double depth);
 
 /// The points no farther than `distance` from the dumbbell. Its roundings lose that much of their
-/// radius, and when nothing is left of them there are notches between the discs and the neck, which
-/// the discs cover in the end. Throws InputError for a distance that is negative or not finite, or
+/// radius. Once nothing is left of them, there are notches between the discs and the neck; in the
+/// end the discs cover these. Throws InputError for a distance that is negative or not finite, or
 /// an invalid dumbbell.
 [[nodiscard]] ExactShape grown_dumbbell(const Dumbbell& dumbbell, double distance);
 

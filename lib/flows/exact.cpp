@@ -20,8 +20,7 @@ using std::numbers::pi;
 
 /// New markers are inserted in rounds: each looks at the intervals that the previous one made.
 constexpr int most_rounds = 40;
-/// In one round an interval is cut into at most this many parts: its length is only an estimate so
-/// far.
+/// One round cuts an interval into at most this many parts, because its length is only an estimate.
 constexpr double most_parts = 64.0;
 /// The initial number of markers on each smooth piece of a curve.
 constexpr int first_markers = 256;
@@ -136,7 +135,7 @@ Outline balanced_outline(const std::vector<Marker>& markers) {
     return outline;
 }
 
-/// The effect of rounding alone on vertices of this size.
+/// The effect of rounding alone, for coordinates of this size.
 double rounding_error(std::span<const Outline> outlines) {
     double size = 0.0;
     for (const Outline& outline : outlines) {

@@ -13,7 +13,7 @@
 
 namespace dsc::scenes {
 
-/// The first outlines moved rigidly, vertex by vertex: these are the true shape.
+/// The first outlines moved rigidly, vertex by vertex: the result is the true shape.
 [[nodiscard]] ExactShape translated_shape(std::span<const Outline> first,
                                           const Point<double>& displacement);
 [[nodiscard]] ExactShape rotated_shape(std::span<const Outline> first, const Point<double>& centre,
@@ -49,13 +49,13 @@ struct MarkerOptions {
 /// 0.
 [[nodiscard]] ExactShape advected_shape(const ParametricCurve& curve, const Flow& flow, double time,
                                         int steps, const MarkerOptions& options = {});
-/// With `advection_steps(time)` steps: own_error is below 1e-7 for the swirl of a circle of radius
-/// 0.15 until time 4.2, and for the single vortex at half of a period of up to 8.
+/// The same with `advection_steps(time)` steps: own_error is below 1e-7 for the swirl of a circle
+/// of radius 0.15 until time 4.2, and for the single vortex at half of a period of up to 8.
 [[nodiscard]] ExactShape advected_shape(const ParametricCurve& curve, const Flow& flow,
                                         double time);
 
-/// The curve itself, to which a flow and its reversal lead back. Markers that need no flow are
-/// cheap, so there are many: own_error is below 1e-9 for a circle of radius 0.15.
+/// The curve itself: the shape after a flow and its reversal. Markers that need no flow are cheap,
+/// so there are many: own_error is below 1e-9 for a circle of radius 0.15.
 [[nodiscard]] ExactShape unmoved_shape(const ParametricCurve& curve,
                                        const MarkerOptions& options = {.deviation = 2e-9});
 

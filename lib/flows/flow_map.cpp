@@ -19,7 +19,7 @@ constexpr std::size_t block_size = 256;
 
 using Block = std::array<Point<double>, block_size>;
 
-/// The part of the time that falls in one leg.
+/// The part of the time that one leg covers.
 struct Stretch {
     double begin, end;
     int steps;

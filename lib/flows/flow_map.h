@@ -14,7 +14,7 @@ namespace dsc::scenes {
 using FlowMap = std::function<void(std::span<Point<double>> points)>;
 
 [[nodiscard]] FlowMap translation_map(const Point<double>& displacement);
-/// Counter-clockwise by an angle in radians.
+/// A rotation counter-clockwise, by an angle in radians.
 [[nodiscard]] FlowMap rotation_map(const Point<double>& centre, double angle);
 /// The solution of Radial after a time, for points that do not reach the centre.
 [[nodiscard]] FlowMap radial_map(const Radial& field, double time);

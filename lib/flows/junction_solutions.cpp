@@ -17,11 +17,12 @@ namespace {
 
 using std::numbers::pi;
 constexpr double first_slope = std::numbers::sqrt3;
-/// Steps to where the curve is its asymptote, by RK4: the error is below 1e-12.
+/// The number of RK4 steps from the junction to where the curve is its asymptote: the error is
+/// below 1e-12.
 constexpr int steps = 1 << 14;
 
-/// The curve at one xi. The equation is of first order in the slope and in w = u - xi u', which is
-/// what keeps it from its asymptote:  p' = (1 + p^2) w / 2,  w' = -xi p'.
+/// The curve at one xi. The equation is of first order in the slope p and in w = u - xi u', which
+/// tends to 0 as the curve approaches its asymptote:  p' = (1 + p^2) w / 2,  w' = -xi p'.
 struct Place {
     double xi = 0;
     double p = first_slope;
@@ -42,8 +43,8 @@ struct Place {
 
 Place at_junction(double c) { return {c / 2, first_slope, -c / 2 * first_slope, 0}; }
 
-/// So far from the junction the curve is its asymptote, but for rounding: it approaches it like
-/// exp(-xi^2 / 4), or faster.
+/// The distance from the junction at which the curve is its asymptote up to rounding: it approaches
+/// the asymptote like exp(-xi^2 / 4), or faster.
 double reach(double c) { return std::sqrt(c * c / 4 + 169) - c / 2; }
 
 Place advance(const Place& from, double by) {
@@ -76,14 +77,14 @@ void check_theta(double theta) {
 }
 
 /// The part of the sector on one side of the x axis, in units of sqrt(t) from the centre: its area,
-/// and its curve, from the junction to where this leaves the box.
+/// and its curve from the junction to the border of the box.
 struct Part {
     std::vector<Point<double>> curve;
     bool leaves_by_side = true; ///< or else at `top`
     double area = 0;
 };
 
-/// Ends the curve where it leaves the box on its next step, which is as long as `by` or shorter.
+/// Ends the curve where it leaves the box on its next step, which is at most `by` long.
 void leave(const Place& from, double by, double side, double top, Part& part) {
     Place last = advance(from, std::min(by, side - from.xi));
     part.leaves_by_side = last.u() <= top;

@@ -21,12 +21,12 @@ struct Lens {
     double area = 0.1;
 };
 
-/// Of the arcs: the square root of area / (2 pi / 3 - sqrt(3) / 2). Throws InputError for an area
-/// that is not positive and finite.
+/// The radius of the arcs: the square root of area / (2 pi / 3 - sqrt(3) / 2). Throws InputError
+/// for an area that is not positive and finite.
 [[nodiscard]] double lens_radius(double area);
 
-/// The tips: first the one against the axis. Throws InputError for such an area or an axis without
-/// a direction; so does the next.
+/// The two tips, first the one against the axis; and the shape. Both throw InputError for an area
+/// that is not positive and finite, or an axis without a direction.
 [[nodiscard]] std::array<Point<double>, 2> lens_tips(const Lens& lens);
 [[nodiscard]] ExactShape lens_shape(const Lens& lens);
 
@@ -45,19 +45,20 @@ struct FourSectors {
 };
 
 /// The factor c: 0 at 60 degrees, where nothing drives the edge. By shooting, to about 1e-11;
-/// O(1e5) steps. Throws InputError for theta out of range, like the next.
+/// O(1e5) steps. Throws InputError for theta out of range.
 [[nodiscard]] double opening_factor(double theta);
 
-/// What the right one of the four phases holds of a box, to about 1e-10; the curves are polygons
-/// whose error `own_error` states. Its area, as long as the box is so large that the curves are
-/// straight where they leave it, falls at the rate 2 (pi / 3 - theta). The box is parallel to the
-/// axes, and the curves leave it on its right side, or above and below. Throws InputError for a
-/// time that is negative or not finite, or a box without the right junction in its interior.
+/// The part of a box that the right one of the four phases holds, to about 1e-10; the curves are
+/// polygons whose error `own_error` states. Its area, as long as the box is so large that the
+/// curves are straight where they leave it, falls at the rate 2 (pi / 3 - theta). The box is
+/// parallel to the axes, and the curves leave it on its right side, or above and below. Throws
+/// InputError for theta out of range, a time that is negative or not finite, or a box without the
+/// right junction in its interior.
 [[nodiscard]] ExactShape right_sector(const FourSectors& sectors, double time,
                                       const Rectangle& box);
 
-/// The area at a time of a grain with so many sides, which meets others at 120 degrees and does not
-/// touch the border of the domain: it changes at the rate (sides - 6) pi / 3 (see
+/// The area, at a time, of a grain with so many sides that meets others at 120 degrees and does not
+/// touch the border of the domain. It changes at the rate (sides - 6) pi / 3 (see
 /// measures/grains.h), until a side is lost. 0 once it is gone. Throws InputError for an area or
 /// time that is negative or not finite.
 [[nodiscard]] double grain_area(double first_area, std::uint32_t sides, double time);

@@ -68,8 +68,8 @@ struct Falling {
     double speed = 1.0; ///< far above
     void operator()(std::span<const Point<double>> positions, double time,
                     std::span<Point<double>> velocities) const;
-    /// Where the flow has carried the point after so much time: sinh((y - surface) / depth) decays
-    /// as exp(-time speed / depth).
+    /// The place to which the flow carries the point in this time: sinh((y - surface) / depth)
+    /// decays as exp(-time speed / depth).
     [[nodiscard]] Point<double> carried(const Point<double>& point, double time) const;
 };
 

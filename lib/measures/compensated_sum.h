@@ -18,7 +18,7 @@ public:
         sum_ = total;
     }
 
-    /// Adds the product with its own rounding error.
+    /// Adds a product together with its rounding error.
     void add_product(double left, double right) {
         const double product = left * right;
         error_ += std::fma(left, right, -product);

@@ -15,9 +15,9 @@ struct Order {
     [[nodiscard]] double spread() const { return largest - smallest; }
 };
 
-/// Of one error for each size, in any order of sizes; a statement about convergence should have
-/// four or more. Throws InputError unless there are as many errors as sizes, at least two, all of
-/// them finite and above 0, and no size twice.
+/// The order of convergence, from one error for each size; sizes come in any order. A statement
+/// about convergence should have four or more. Throws InputError unless there are as many errors as
+/// sizes, at least two, all of them finite and above 0, and no size twice.
 [[nodiscard]] Order fit_order(std::span<const double> sizes, std::span<const double> errors);
 
 } // namespace dsc::scenes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Named figures: what has been measured, in the order of measurement.
+// Named figures: the results of measures, in the order of measurement.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -15,7 +15,7 @@ namespace dsc::scenes {
 struct Figure;
 using Figures = std::vector<Figure>;
 
-/// A number that is NaN could not be measured. Several figures may be parts of one.
+/// NaN: could not be measured. A figure may have several figures as its parts.
 using Value = std::variant<double, std::uint64_t, std::string, Point<double>, Figures>;
 
 struct Figure {

@@ -35,7 +35,7 @@ struct GrainStatistics {
     std::vector<std::uint64_t> with_sides = {};
 };
 
-/// O(grains).
+/// The statistics of all grains. O(grains).
 [[nodiscard]] GrainStatistics summarise(std::span<const Grain> grains);
 
 /// The law of von Neumann and Mullins: domain units^2 per unit of time. `multiplier`: the speed of
@@ -45,7 +45,7 @@ struct GrainStatistics {
 struct GrainGrowth {
     Grain grain;         ///< as it was before
     double rate = 0;     ///< measured: domain units^2 per unit of time
-    double expected = 0; ///< by the law
+    double expected = 0; ///< by the law of von Neumann and Mullins
     /// The difference, relative to the expected rate; with six sides, where that is 0, to the rate
     /// with seven.
     double error_rel = 0;
@@ -67,11 +67,11 @@ struct GrowthOptions {
 struct GrowthFigures {
     std::uint64_t count = 0;
     double median_error_rel = 0;      ///< NaN without a grain, like the next two
-    double nine_tenths_error_rel = 0; ///< nine tenths of the grains have no more
+    double nine_tenths_error_rel = 0; ///< nine tenths of the grains have at most this
     double worst_error_rel = 0;
 };
 
-/// O(grains log grains).
+/// The errors of all grains. O(grains log grains).
 [[nodiscard]] GrowthFigures summarise(std::span<const GrainGrowth> growth);
 
 } // namespace dsc::scenes

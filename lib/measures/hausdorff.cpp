@@ -19,7 +19,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Halving an edge more often than this leaves nothing of it in double precision.
+/// After more halvings, nothing of an edge is left in double precision.
 constexpr int most_halvings = 60;
 
 struct Farthest {

@@ -22,10 +22,11 @@ struct HausdorffDistance {
     }
 };
 
-/// Of closed polylines with all the points of their edges, not only their vertices. Never above the
-/// true value (except for rounding) and below it by no more than the tolerance. Infinite if exactly
-/// one of the sets is empty. Throws InputError for an outline of fewer than three points or with
-/// one that is not finite, and for a tolerance that is not above zero.
+/// The distance between two sets of closed polylines: of all points of their edges, not only of
+/// vertices. Never above the true value (except for rounding) and below it by no more than the
+/// tolerance. Infinite if exactly one of the sets is empty. Throws InputError for an outline with
+/// fewer than three points, or with a point that is not finite, and for a tolerance that is not
+/// above zero.
 [[nodiscard]] HausdorffDistance hausdorff(std::span<const Outline> first,
                                           std::span<const Outline> second,
                                           const HausdorffOptions& options = {});

@@ -12,7 +12,7 @@ namespace dsc::scenes {
 
 struct OutlineOptions {
     /// How the curve runs between two vertices: with `Reading::cubic` each edge becomes `samples`
-    /// chords of its cubic, whose distance from it is 1 / samples^2 of that of the edge itself.
+    /// chords of its cubic, which lie 1 / samples^2 times as far from it as the edge itself.
     Reading reading = Reading::chords;
     int samples = 32;
     std::optional<Phase> phase = {}; ///< around this phase; none: around all but the exterior

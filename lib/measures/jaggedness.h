@@ -32,8 +32,8 @@ struct Jaggedness {
 
 /// Compares the turn at each vertex of `polygons` with that of the exact outlines over the same
 /// stretch. Both have the region on their left. O((n + m) log m) for n vertices near to m exact
-/// ones. No vertex is examined if either set is empty. Throws InputError for an outline of fewer
-/// than three points or with one that is not finite.
+/// ones. No vertex is examined if either set is empty. Throws InputError for an outline with fewer
+/// than three points, or with a point that is not finite.
 [[nodiscard]] Jaggedness measure_jaggedness(std::span<const Outline> polygons,
                                             std::span<const Outline> exact,
                                             const JaggednessOptions& options = {});

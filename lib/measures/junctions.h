@@ -30,13 +30,13 @@ struct JunctionFigures {
     std::uint64_t crossings = 0; ///< of these, with four sectors or more
     double min_deg = 0;          ///< of all angles; NaN without junctions
     double max_deg = 0;          ///< the same
-    /// Over the junctions with three sectors: by how much an angle of theirs differs most from 120
-    /// degrees. NaN without such a junction.
+    /// The median, over the junctions with three sectors, of the largest difference of their angles
+    /// from 120 degrees. NaN without such a junction.
     double median_deviation_deg = 0;
     double worst_deviation_deg = 0;
 };
 
-/// O(junctions).
+/// The figures of all junctions. O(junctions).
 [[nodiscard]] JunctionFigures summarise(const std::vector<Junction>& junctions);
 
 } // namespace dsc::scenes

@@ -16,7 +16,7 @@ namespace dsc::scenes {
 /// The mesh in the precision in which it is computed.
 using MeshView = std::variant<const Complex<double>*, const Complex<float>*>;
 
-/// What a measure can look at. Lengths and areas are in units of the domain.
+/// All that a measure can use. Lengths and areas are in units of the domain.
 struct Moment {
     MeshView mesh;
     std::span<const Outline> outlines; ///< the interface as it is read between its vertices
@@ -42,17 +42,17 @@ inline constexpr std::array needs_names{
 struct Measure {
     std::string name;        ///< of its value; results at the end and half-way add _last and _half
     std::string unit;        ///< "1" if it has none
-    std::string description; ///< what it is, in a few words
+    std::string description; ///< in a few words
     Needs needs = Needs::outlines;
     std::function<Value(const Moment&)> function;
     std::vector<std::string> uses{}; ///< measures before it, whose values it reads
 };
 
-/// What every run measures by default.
+/// The measures of a run by default.
 [[nodiscard]] const std::vector<Measure>& default_measures();
 
-/// Those of these names and the ones that they use, in the order of `measures`. Throws InputError
-/// for a name that is not among them. O(measures * names).
+/// The measures of these names, and the measures that these use, in the order of `measures`. Throws
+/// InputError for a name that `measures` does not have. O(measures * names).
 [[nodiscard]] std::vector<Measure>
 select_measures(const std::vector<std::string>& names,
                 const std::vector<Measure>& measures = default_measures());

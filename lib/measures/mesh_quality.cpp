@@ -19,8 +19,8 @@ void for_triangles(const Complex<Real>& complex, Visit visit) {
     }
 }
 
-/// A squared sine of the smallest angle that is above that of a quality by more than rounding, in
-/// either precision, also where the quality is 0 or negative.
+/// The squared sine of the smallest angle at this quality, plus a margin above rounding in either
+/// precision; also for a quality of 0 or below.
 double above(double quality) {
     const double positive = std::max(quality, 0.0);
     return 0.75 * positive * positive * 1.01 + 1e-5;

@@ -13,11 +13,11 @@ struct MeshQuality {
     std::uint64_t inverted = 0;   ///< not strictly positive, by the exact predicate
 };
 
-/// O(n).
+/// The quality of all triangles. O(n).
 template <class Real>
 [[nodiscard]] MeshQuality measure_quality(const Complex<Real>& complex);
 
-/// Only `min_quality` and `inverted`: cheap enough for every step. O(n).
+/// The same with `min_quality` and `inverted` only: cheap enough for every step. O(n).
 template <class Real>
 [[nodiscard]] MeshQuality measure_worst(const Complex<Real>& complex);
 

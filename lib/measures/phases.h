@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How the domain is divided among its phases, and how long their common interfaces are. Lengths and
-// areas are in units of the domain and those of the mesh: edges are straight.
+// areas are those of the mesh, whose edges are straight, in units of the domain.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -30,7 +30,7 @@ struct PhaseReport {
     std::vector<PairFigures> pairs;   ///< those that meet along an edge, in rising order
 };
 
-/// O(triangles + pairs log pairs).
+/// The figures of all phases and pairs. O(triangles + pairs log pairs).
 template <class Real>
 [[nodiscard]] PhaseReport measure_phases(const Complex<Real>& complex);
 

@@ -26,9 +26,9 @@ struct Segment {
 /// The edges of all outlines in their order, scaled.
 [[nodiscard]] std::vector<Segment> segments_of(std::span<const Outline> outlines, double scale);
 
-/// The power of two that brings the box around both to a size from 1/2 to 1, so that no square
-/// under- or overflows and no digit is lost. Throws InputError, naming `where`, for an outline of
-/// fewer than three points or with one that is not finite.
+/// The power of two that brings the box around both sets to a size from 1/2 to 1, so that no square
+/// under- or overflows and no digit is lost. Throws InputError, naming `where`, for an outline with
+/// fewer than three points, or with a point that is not finite.
 [[nodiscard]] double unit_scale(std::span<const Outline> first, std::span<const Outline> second,
                                 const std::string& where);
 
@@ -38,7 +38,8 @@ struct Near {
     double distance = std::numeric_limits<double>::infinity();
 };
 
-/// Of n segments, at least one; built in O(n), queried in O(log n) if the point is near to them.
+/// A tree over n segments, at least one; built in O(n), queried in O(log n) if the point is near
+/// the segments.
 class SegmentTree {
 public:
     explicit SegmentTree(std::vector<Segment> segments);
@@ -48,7 +49,7 @@ public:
     /// The segment nearest to p, or any that is not farther than `enough`. `guess` is tried first.
     [[nodiscard]] Near nearest(const Point<double>& p, std::size_t guess, double enough) const;
 
-    /// The nearest to p of the segments that do not run against `direction`; none if no such
+    /// The segment nearest to p among those that do not run against `direction`; none if no such
     /// segment is nearer than `within`.
     [[nodiscard]] std::optional<Near>
     nearest_along(const Point<double>& p, const Point<double>& direction, double within) const;

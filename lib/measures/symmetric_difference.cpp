@@ -21,15 +21,15 @@ namespace dsc::scenes {
 
 namespace {
 
-/// A strip narrower than this part of the extent is not searched for crossings: their effect is of
-/// the size of the rounding errors, and there may be very many if an edge is nearly vertical.
+/// Strips narrower than this part of the extent are not searched for crossings: the effect of a
+/// crossing is of the size of rounding errors there, and a nearly vertical edge may have very many.
 constexpr double thin_strip = 0x1p-50;
 
 /// With more new edges than this at one abscissa, sorting beats inserting.
 constexpr std::size_t few = 8;
 
-/// An edge from left to right, in coordinates scaled to unit size. `step` is what crossing it
-/// upwards adds to the winding number of its region.
+/// An edge from left to right, in coordinates scaled to unit size. `step` is the change of its
+/// region's winding number where one crosses it upwards.
 struct Edge {
     double x0, y0, x1, y1;
     int region;

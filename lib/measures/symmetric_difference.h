@@ -37,7 +37,8 @@ struct OverlapAreas {
 /// its digits next to a large one; equal outlines give exactly zero, and the error is about 1e-16
 /// times the squared size of the box around both. The time is that of a sort plus, for each vertex,
 /// the number of edges right above and below it: 1e5 edges take a few hundredths of a second.
-/// Throws InputError for an outline of fewer than three points or with one that is not finite.
+/// Throws InputError for an outline with fewer than three points, or with a point that is not
+/// finite.
 [[nodiscard]] OverlapAreas overlap_areas(const Region& first, const Region& second);
 
 /// The area in which two even-odd regions differ.

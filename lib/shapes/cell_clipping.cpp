@@ -17,7 +17,7 @@ public:
     SiteBuckets(const Rectangle& domain, std::span<const Point<double>> sites) : low_(domain.low) {
         const Point<double> size = domain.high - domain.low;
         const auto count = static_cast<double>(sites.size());
-        // No more grid cells than about the sites, however long and thin the domain is.
+        // At most about one grid cell to a site, however long and thin the domain is.
         width_ = std::max(std::sqrt(size.x() / count * size.y()), size.maxCoeff() / count);
         columns_ = 1 + static_cast<std::int64_t>(size.x() / width_);
         rows_ = 1 + static_cast<std::int64_t>(size.y() / width_);
@@ -80,7 +80,7 @@ private:
     std::vector<std::uint32_t> members_;
 };
 
-// Cuts away what is nearer to another site than to this one. Returns whether there was anything.
+// Cuts away the part that is nearer to another site. Returns whether there was such a part.
 bool clip(ClippedCell& cell, const Point<double>& to_other, std::uint32_t other,
           ClippedCell& scratch) {
     const double half = to_other.squaredNorm() / 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The Voronoi cell of each site, one by one: the domain, clipped by the bisectors to near sites
-// until none that is left can reach it.
+// until no remaining site can reach the cell.
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
@@ -25,11 +25,12 @@ struct ClippedCell {
     std::vector<std::uint32_t> beyond;  ///< the site or side beyond the edge from corner k to k + 1
 };
 
-/// Of the area of a polygon. O(corners).
+/// The centroid of a polygon's area. O(corners).
 [[nodiscard]] Point<double> centroid(std::span<const Point<double>> corners);
 
-/// O(n) expected for n sites that are spread evenly. Throws InputError for a domain that is empty
-/// or not finite, a site that is not finite or outside of it, and sites that are not apart.
+/// The cell of each site, in their order. O(n) expected for n sites that are spread evenly. Throws
+/// InputError for a domain that is empty or not finite, a site that is not finite or outside the
+/// domain, and sites that coincide.
 [[nodiscard]] std::vector<ClippedCell> clip_cells(const Rectangle& domain,
                                                   std::span<const Point<double>> sites);
 

@@ -14,14 +14,14 @@ namespace dsc::scenes {
 /// a region, clockwise around a hole in one.
 using Outline = std::vector<Point<double>>;
 
-/// Positive for a counter-clockwise outline. Computed relative to the first vertex and with a
-/// compensated sum, so that neither an offset nor the number of vertices costs digits.
+/// The area, positive for a counter-clockwise outline. Computed relative to the first vertex and
+/// with a compensated sum, so that neither an offset nor the number of vertices costs digits.
 [[nodiscard]] double signed_area(const Outline& outline);
 
 /// Sum of the signed areas: the area of a region whose holes run clockwise.
 [[nodiscard]] double signed_area(std::span<const Outline> outlines);
 
-/// A(t) / A(0) - 1.
+/// The relative change of an area, A(t) / A(0) - 1.
 [[nodiscard]] double area_drift(double area, double reference);
 
 [[nodiscard]] double perimeter(const Outline& outline);

@@ -14,9 +14,9 @@ namespace dsc::scenes {
 namespace {
 
 using std::numbers::pi;
-/// More vertices than this are the result of a wrong unit.
+/// A larger number of vertices results from a wrong unit.
 constexpr double most_vertices = 1e8;
-/// A side that is shorter is a point but for rounding. Relative to the size of the shape.
+/// A shorter side is a point up to rounding. Relative to the size of the shape.
 constexpr double same_point = 1e-13;
 
 void check_positive(double value, const std::string& what, const std::string& where) {

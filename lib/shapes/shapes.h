@@ -35,7 +35,7 @@ struct SlottedDisc {
 /// right, lower right. The lower two lie on the circle.
 [[nodiscard]] std::vector<Point<double>> slot_corners(const SlottedDisc& disc);
 [[nodiscard]] Outline slotted_disc(const SlottedDisc& disc, double edge_length);
-/// In closed form, for the disc itself and not for its polygon.
+/// The area in closed form, of the disc itself and not of its polygon.
 [[nodiscard]] double slotted_disc_area(const SlottedDisc& disc);
 
 /// A disc without its part in a second disc, the bite (thesis, section 9.3); the circles must
@@ -63,7 +63,7 @@ struct Dumbbell {
 /// and away from the axis.
 [[nodiscard]] Point<double> rounding_offset(const Dumbbell& dumbbell);
 [[nodiscard]] Outline dumbbell(const Dumbbell& dumbbell, double edge_length);
-/// In closed form.
+/// The area in closed form.
 [[nodiscard]] double dumbbell_area(const Dumbbell& dumbbell);
 
 /// A star with `tips` corners on the outer circle, the first at angle zero, and as many between

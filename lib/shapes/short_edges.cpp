@@ -54,7 +54,7 @@ public:
         for (const ShortEdge& edge : edges_below(shortest)) {
             const std::uint32_t a = cluster_of_[edge.from];
             const std::uint32_t b = cluster_of_[edge.to];
-            // It may be gone, or have grown, since the list was made.
+            // The edge may be gone, or longer, since the list was made.
             if (a != b && (clusters_[a].place - clusters_[b].place).norm() < shortest) {
                 gone += merge(std::min(a, b), std::max(a, b)) ? 1U : 0U;
             }
@@ -84,7 +84,7 @@ private:
         return corners;
     }
 
-    // The cell with one vertex for each cluster, and without the edges that are gone.
+    // The cell with one vertex for each cluster, and without contracted edges.
     [[nodiscard]] VoronoiCell shrunk(std::uint32_t cell) const {
         const VoronoiCell& whole = diagram_.cells[cell];
         VoronoiCell result;

@@ -7,8 +7,8 @@
 namespace dsc::scenes {
 
 /// Contracts edges, and pieces of the domain's sides, that are shorter than `shortest`, the
-/// shortest first, as `VoronoiOptions` says; then those that have become shorter by that, until
-/// nothing changes. O(n log n) for each of a few rounds.
+/// shortest first, as `VoronoiOptions` says; then edges that this has made too short, until nothing
+/// changes. O(n log n) for each of a few rounds.
 [[nodiscard]] VoronoiDiagram without_short_edges(VoronoiDiagram diagram, double shortest);
 
 } // namespace dsc::scenes

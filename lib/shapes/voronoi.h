@@ -14,10 +14,10 @@ namespace dsc::scenes {
 struct VoronoiOptions {
     /// Edges shorter than this, in units of the coordinates, and such pieces of the domain's sides,
     /// are contracted: their ends become one vertex in their middle, at which four or more cells
-    /// may meet; more than two such ends become one at their mean; one that contains a corner of
-    /// the domain becomes that corner. An edge stays where a cell would lose its third side or
-    /// would not be seen as a whole from its centre any more. Short edges make small triangles:
-    /// a third of the mesh's edge length avoids these.
+    /// may meet; more than two such ends become one vertex at their mean; a vertex that contains a
+    /// corner of the domain becomes that corner. An edge stays where a cell would lose its third
+    /// side or would not be seen as a whole from its centre any more. Short edges make small
+    /// triangles: a third of the mesh's edge length avoids these.
     double shortest = 0;
 };
 
@@ -44,7 +44,7 @@ struct VoronoiOptions {
 [[nodiscard]] std::vector<Point<double>>
 relaxed_sites(const Rectangle& domain, std::span<const Point<double>> sites, int rounds);
 
-/// Evenly distributed and independent. The same points with every compiler.
+/// Random points, evenly distributed and independent; the same with every compiler.
 [[nodiscard]] std::vector<Point<double>> random_sites(const Rectangle& domain, std::size_t count,
                                                       std::uint64_t seed);
 

@@ -13,7 +13,8 @@ namespace dsc::scenes {
 
 namespace {
 
-// What meets at a vertex, ascending: three sites, or two and a side, or a site and two sides.
+// The numbers that meet at a vertex, ascending: three sites, two sites and a side, or a site and
+// two sides.
 using Meeting = std::array<std::uint32_t, 3>;
 
 // A vertex as one cell sees it.
@@ -57,7 +58,7 @@ std::vector<Sighting> sightings_of(const std::vector<ClippedCell>& cells) {
                       .allowed = "sites in general position; if need be, shifted a little"});
 }
 
-// Each site of the meeting sees the vertex once, and nobody else does.
+// Each site of the meeting sees the vertex once, and no other site does.
 void check_agreement(std::span<const Sighting> group) {
     const Meeting& meeting = group.front().meeting;
     const auto sites = static_cast<std::size_t>(
@@ -91,7 +92,7 @@ std::uint32_t corner_between(std::uint32_t side, std::uint32_t other) {
     return side == bottom_side && other == left_side ? 0 : other - bottom_side;
 }
 
-// The vertex at which these meet, on the sides that it says; the meeting is not of two sides.
+// The vertex of a meeting with at most one side, and on that side if there is one.
 Point<double> vertex_at(const Rectangle& domain, std::span<const Point<double>> sites,
                         const Meeting& m) {
     const bool on_side = is_side(m[2]);

@@ -21,8 +21,8 @@ struct VoronoiCell {
 struct VoronoiDiagram {
     Rectangle domain;
     std::vector<Point<double>> sites;
-    /// The corners of the domain, from the lower left one counter-clockwise, and then the others,
-    /// in the order of the three numbers of the sites and sides that meet there.
+    /// The corners of the domain, counter-clockwise from the lower left one, and then the other
+    /// vertices, in the order of the three numbers of the sites and sides that meet there.
     std::vector<Point<double>> vertices;
     /// By vertex, which sides of the domain it lies on: bit k for the side `bottom_side` + k.
     std::vector<std::uint8_t> sides;
@@ -37,8 +37,8 @@ inline constexpr std::uint32_t domain_corners = 4;
 [[nodiscard]] bool is_seen_from(const Point<double>& point, std::span<const Point<double>> corners,
                                 std::span<const std::uint32_t> beyond);
 
-/// O(n log n), and as `clip_cells`. Throws InputError as that, and where cells do not agree on who
-/// meets at a vertex.
+/// The diagram of the sites. O(n log n), and the cost of `clip_cells`. Throws InputError as
+/// `clip_cells` does, and where cells disagree on the sites that meet at a vertex.
 [[nodiscard]] VoronoiDiagram voronoi_diagram(const Rectangle& domain,
                                              std::span<const Point<double>> sites);
 
