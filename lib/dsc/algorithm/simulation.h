@@ -48,6 +48,7 @@ struct Parallel;
 /// Takes a complex for one simulation while it lives. Throws InputError if another has it.
 class Claim {
 public:
+    /// Takes the complex that `use` belongs to.
     explicit Claim(InUse& use) : use_(use) {
         use.expect_free();
         use.by_a_simulation = true;
