@@ -2,6 +2,7 @@
 """The README and the guide say what is so: their programs are those that tests compile, their
 commands run and print what is shown, the files they name exist. Each check is tried on faults."""
 import filecmp
+import json
 import os
 import shutil
 import subprocess
@@ -55,18 +56,29 @@ class Pages(unittest.TestCase):
         self.assertGreater(sum(spans[:1] == ["lib/dsc/base"] for _, spans in page.rows), 0)
         self.check(check.rooms(page, "README.md", ROOT))
 
-    def test_scenes_are_of_the_catalogue(self):
+    def scene_program(self, *words):
+        """What dsc_scene prints."""
         program = os.path.join(BUILD, "lib", "scenes", "dsc_scene")
         if not os.path.exists(program):
             self.skipTest("dsc_scene is not built")
-        printed = subprocess.run([program, "list"], check=True, capture_output=True, text=True)
-        catalogue = {line.split()[0] for line in printed.stdout.splitlines()}
-        page = read("README.md")
-        # A row that names one scene names nothing but scenes.
-        rows = [spans for _, spans in page.rows if catalogue & set(spans)]
-        self.assertGreater(len(rows), 10)
-        for spans in rows:
-            self.assertLessEqual(set(spans), catalogue)
+        return subprocess.run([program, *words], check=True, capture_output=True, text=True).stdout
+
+    def check_rows(self, file, names, least):
+        """A row of a table that has one of the names has no other code."""
+        rows = [set(spans) for _, spans in read(file).rows if names & set(spans)]
+        self.assertGreaterEqual(len(rows), least)
+        self.check([f"{file}: there is no {name}" for row in rows for name in row - names])
+
+    def test_scenes_are_of_the_catalogue(self):
+        listed = self.scene_program("list").splitlines()
+        self.check_rows("README.md", {line.split()[0] for line in listed}, 10)
+
+    def test_fields_are_those_of_a_result(self):
+        result = os.path.join(scratch_folder(self), "result.json")
+        self.scene_program("run", "speedup-four-circles", "--set", "h=0.05", "--set", "steps=2",
+                           "--json", result)
+        with open(result, encoding="utf-8") as stream:
+            self.check_rows("lib/guide/commands.md", set(json.load(stream)), 7)
 
     def test_pictures_are_what_the_library_draws(self):
         program = os.path.join(BUILD, "lib", "guide", "dsc_guide_pictures")
