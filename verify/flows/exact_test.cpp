@@ -251,8 +251,7 @@ TEST_P(FarthestOut, IsKnownToItsOwnError) {
 
 INSTANTIATE_TEST_SUITE_P(Swirls, FarthestOut,
                          testing::Values(Swirled{2, 1, 1e-8}, Swirled{8, 4, 3e-8},
-                                         Swirled{16, 8, 1e-7}, Swirled{0, 2.6, 3e-8},
-                                         Swirled{0, 4.2, 1e-7}));
+                                         Swirled{0, 2.6, 3e-8}, Swirled{0, 4.2, 1e-7}));
 
 TEST(Exact, ACurveThatComesBackIsKnownBest) {
     const ExactShape shape = unmoved_shape(circle_curve({0.5, 0.75}, 0.15));

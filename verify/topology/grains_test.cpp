@@ -36,9 +36,14 @@ double worst_quality(const Complex<double>& complex) {
     return worst;
 }
 
-// The number of steps after which `least` phases are left, or `most`.
-int coarsen(Complex<double>& complex, double h, std::uint32_t threads, std::size_t least,
-            int most) {
+struct Course {
+    int steps = 0;
+    std::vector<Event> events;
+};
+
+// Until `least` phases are left, or for `most` steps.
+Course coarsen(Complex<double>& complex, double h, std::uint32_t threads, std::size_t least,
+               int most) {
     Options<double> options;
     options.edge_length = h;
     options.topology.rule = Topology::change;
@@ -47,28 +52,29 @@ int coarsen(Complex<double>& complex, double h, std::uint32_t threads, std::size
                                   Parallel{.threads = threads, .always_all_threads = true});
     const InterfaceMotion<double> motion = curvature_flow<double>();
     const double dt = 0.4 * h * h;
-    int step = 0;
-    for (; count_phases(complex) > least && step < most; ++step) {
+    Course course;
+    for (int& step = course.steps; count_phases(complex) > least && step < most; ++step) {
         const StepReport report = simulation.step(motion, step * dt, dt);
+        course.events.insert(course.events.end(), report.events.begin(), report.events.end());
         EXPECT_EQ(report.unreached, 0U) << step;
         EXPECT_EQ(test::ends_of(complex).crowded, 0U) << step;
         EXPECT_EQ(validate(complex).problem, "") << step;
         EXPECT_GT(worst_quality(complex), 0.01) << step;
     }
-    return step;
+    return course;
 }
 
 TEST(Grains, CoarsenToATenthAndNothingIsStuck) {
     constexpr double h = 0.018;
     auto complex = test::random_grains(30, h, 2);
-    EXPECT_LT(coarsen(complex, h, 1, 3, 5000), 5000);
+    EXPECT_LT(coarsen(complex, h, 1, 3, 5000).steps, 5000);
 }
 
 // Grains of four edges: films open between grains that are still jagged, at their junctions.
 TEST(Grains, OfACoarseStartLeaveNoCrowdedVertex) {
     constexpr double h = 0.03;
     auto complex = test::random_grains(60, h, 17);
-    EXPECT_EQ(coarsen(complex, h, 1, 3, 12), 12);
+    EXPECT_EQ(coarsen(complex, h, 1, 3, 12).steps, 12);
 }
 
 TEST(Grains, CoarsenInTheSameWayForAnyNumberOfThreads) {
@@ -76,7 +82,10 @@ TEST(Grains, CoarsenInTheSameWayForAnyNumberOfThreads) {
     std::uint64_t hash = 0;
     for (const std::uint32_t threads : {1U, 2U, 3U}) {
         auto complex = test::random_grains(30, h, 3);
-        EXPECT_EQ(coarsen(complex, h, threads, 3, 200), 200);
+        const Course course = coarsen(complex, h, threads, 3, 200);
+        EXPECT_EQ(course.steps, 200);
+        EXPECT_GT(std::ranges::count(course.events, EventKind::exchange, &Event::kind), 3);
+        EXPECT_GT(std::ranges::count(course.events, EventKind::remove, &Event::kind), 0);
         EXPECT_LT(count_phases(complex), 28U);
         hash = hash == 0 ? mesh_hash(complex) : hash;
         EXPECT_EQ(mesh_hash(complex), hash) << threads;
