@@ -112,8 +112,8 @@ Tolerance meeting(const Row& row, const Scene& scene, double length) {
     const double edge = scene.meets_wall ? PhaseThresholds{}.longest : upkeep.longest;
     area += thickness * std::max(edge, thickness); // half of it at either end
     // ...and from then on two phases, or a sheet and the wall, meet at its far end.
-    const double aside = are_two || scene.meets_wall ? edge * std::sin(scene.seam_angle) : 0;
-    return {area / length, std::max(thickness, aside)};
+    const double sideways = are_two || scene.meets_wall ? edge * std::sin(scene.seam_angle) : 0;
+    return {area / length, std::max(thickness, sideways)};
 }
 
 // Cells exchange neighbours at edges as short as the contact distance: half of the square over it
