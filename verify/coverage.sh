@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Which lines and branches of lib/dsc do the tests run? Builds them with --coverage, runs those of
+# Which lines and branches of lib/dsc and the modules do the tests run? Builds them with --coverage, runs those of
 # GoogleTest that are not long, and prints the shares of each room.
 set -euo pipefail
 
@@ -48,7 +48,7 @@ fi
 say "counting"
 rm -rf "$folder/html"
 mkdir -p "$folder/html"
-quietly gcovr --root . --filter 'lib/dsc/' --exclude-throw-branches --exclude-unreachable-branches \
+quietly gcovr --root . --filter 'lib/(dsc|thesis)/' --exclude-throw-branches --exclude-unreachable-branches \
     --json "$folder/coverage.json" -j "$jobs" "$folder" ||
     give_up "gcovr could not read the counts in $folder"
 quietly gcovr --root . --add-tracefile "$folder/coverage.json" --html-details \

@@ -15,7 +15,7 @@ usage: verify/faults.sh [--tenth HASH | --room NAME | --only NAME...] [--own] [-
   --own         by the tests of each fault's own room alone; no others are built
   --baseline    measures anew how long the tests take without a fault
   --jobs N      so many faults at the same time; by default one for each core
-  --mutants     in place of them a sample of small changes of lib/dsc made by rule, 1000 by default, in
+  --mutants     in place of them a sample of small changes of the library made by rule, 1000 by default, in
                 a build of their own: a score for each room, and what survives, in
                 build/mutants/mutants.md; --seconds: CPU time of tests that one has to survive;
                 --survivors: what survived is tried again, by the tests that were not tried on it;

@@ -73,7 +73,7 @@ run_tests() { # run_tests PRESET [COMMAND PREFIX...]
 
 # Short ones, of all that a step consists of.
 quick_tests=(test_base test_geometry test_complex test_operations test_quality test_motion
-    test_passes test_algorithm)
+    test_passes test_algorithm test_thesis)
 # What holds for the sequential run of every scene.
 quick_checks=(area_ratio symmetric_difference symmetric_difference_half inverted unreached
     min_quality)

@@ -15,8 +15,6 @@
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/operations/fan.h"
-#include "dsc/operations/local_retriangulation.h"
-#include "dsc/operations/loop_subdivision.h"
 #include "dsc/operations/smoothing.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
@@ -24,6 +22,8 @@
 #include "scenes/run/clock.h"
 #include "scenes/run/run.h"
 #include "scenes/run/start.h"
+#include "thesis/local_retriangulation.h"
+#include "thesis/loop_subdivision.h"
 
 #include <benchmark/benchmark.h>
 

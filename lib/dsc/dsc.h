@@ -12,17 +12,16 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/edit_log.h"
+#include "dsc/complex/gather.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/submesh.h"
-
-#include "dsc/algebra/algebra.h"
-#include "dsc/algebra/mesh_functions.h"
 
 #include "dsc/queries/components.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/locate.h"
 #include "dsc/queries/outlines.h"
+#include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 
 #include "dsc/sizes/measure.h"
@@ -31,15 +30,14 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/local_retriangulation.h"
-#include "dsc/operations/loop_subdivision.h"
+#include "dsc/operations/fan.h"
 #include "dsc/operations/replay.h"
 #include "dsc/operations/smoothing.h"
-#include "dsc/operations/triangle_collapse.h"
 
+#include "dsc/quality/delaunay.h"
 #include "dsc/quality/histogram.h"
 #include "dsc/quality/measures.h"
-#include "dsc/quality/selection.h"
+#include "dsc/quality/ring_quality.h"
 
 #include "dsc/initial/initial_complex.h"
 #include "dsc/initial/unit_box.h"
@@ -58,7 +56,6 @@
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/growth_corners.h"
 #include "dsc/passes/options.h"
-#include "dsc/passes/thesis_algorithm.h"
 
 #include "dsc/algorithm/run.h"
 #include "dsc/algorithm/simulation.h"

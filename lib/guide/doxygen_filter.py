@@ -3,7 +3,7 @@
 """Doxygen reads each header through this, and the headers stay as they are:
 
 - the comment at the top of a file becomes the description of the file;
-- what a room (a folder of lib/dsc) declares becomes part of the group of that name;
+- what a room (a folder of lib/dsc, or a module) declares becomes part of the group of that name;
 - a comment above several functions of one name, or beside an x and a y, is given to all of them.
 
 No line is added or removed, so that warnings name the right one."""
@@ -104,8 +104,8 @@ def filtered(path, text):
     say_once(lines)
     share_comments(lines)
     share_coordinates(lines)
-    room = re.search(r"/lib/dsc/(?:(\w+)/)?", path).group(1)
-    if room:
+    room = re.search(r"/lib/(?:dsc/)?(?:(\w+)/)?", path).group(1)
+    if room and room != "dsc":
         put_into_group(lines, room)
     return "\n".join(lines)
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "measures/junctions.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/queries/outlines.h"
+#include "dsc/queries/phases.h"
 
 #include <algorithm>
 #include <cmath>

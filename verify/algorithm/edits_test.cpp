@@ -3,18 +3,16 @@
 // and in passes of its own.
 #include "support/courses.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/gather.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/local_retriangulation.h"
 #include "dsc/operations/replay.h"
 #include "dsc/parallel/parallel.h"
-#include "dsc/passes/thesis_algorithm.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/hash.h"
+#include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
@@ -106,29 +104,6 @@ TEST_P(EditsInPlace, AreTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(EditLogs, OfRetriangulationAndSubdivisionAreReplayed) {
-    Complex<double> complex = disc();
-    const Complex<double> first = complex;
-    const Options<double> options{.edge_length = 0.8 * disc_h};
-    std::vector<Edit> edits;
-    Simulation<double> simulation(
-        complex, options,
-        std::make_unique<SequentialExecutor<double>>(
-            complex, options,
-            thesis_algorithm<double>(options, {.small_area = 0.6, .smooth_interface = true})));
-    simulation.add_listener(
-        [&](std::span<const Edit> some) { edits.insert(edits.end(), some.begin(), some.end()); });
-    OperationCounts counts;
-    for (int step = 0; step < 12; ++step) {
-        counts += simulation.step(swirl, 0.04 * step, 0.04).operations;
-    }
-    EXPECT_GT(counts.subdivisions, 0U);
-    EXPECT_GT(counts.retriangulations, 0U);
-    Complex<double> again = first;
-    EXPECT_EQ(replay<double>(again, edits).skipped, 0U);
-    EXPECT_EQ(mesh_hash(again), mesh_hash(complex));
-}
-
 TEST(EditLogs, OfCreateAndMergeSayThatAllIdsAreNew) {
     const Heard heard = hear({"copy", Division::copy}, 2);
     const auto rebuilds = std::ranges::count(heard.edits, EditKind::rebuild, &Edit::kind);
@@ -152,28 +127,6 @@ TEST(EditLogs, HaveTheUpkeepOfAStepThatGaveUp) {
     EXPECT_GT(edits.size(), 20U) << "edges were too long";
     Complex<double> again = first;
     EXPECT_EQ(replay<double>(again, edits).skipped, 0U);
-    EXPECT_EQ(mesh_hash(again), mesh_hash(complex));
-}
-
-// Locks are no edits: a log does not say that the application took one off.
-TEST(EditLogs, OfVerticesThatWereUnlockedAreReplayed) {
-    Complex<double> complex = disc();
-    Triangle t{1};
-    while (local_retriangulation_guard(complex, t) != Verdict::legal) {
-        ++t.id;
-    }
-    const auto corners = complex.vertices_of(t);
-    for (const Vertex v : corners) {
-        complex.set_locked(v, true);
-    }
-    Complex<double> again = complex;
-    complex.journal.readers = 1;
-    EXPECT_EQ(local_retriangulation(complex, t).verdict, Verdict::locked);
-    for (const Vertex v : corners) {
-        complex.set_locked(v, false);
-    }
-    EXPECT_EQ(local_retriangulation(complex, t).verdict, Verdict::legal);
-    EXPECT_EQ(replay<double>(again, complex.journal.records).skipped, 0U);
     EXPECT_EQ(mesh_hash(again), mesh_hash(complex));
 }
 
@@ -207,13 +160,18 @@ TEST(EditLogs, WithIdsThatNoRunHasAreSkipped) {
         expect_skipped(edit);
     }
     expect_skipped({.kind = EditKind::insert_vertex, .vertex = Vertex{absurd}});
-    const auto [a, b, c] = first.vertices_of(t);
-    for (const std::uint32_t id : {0U, 1'000'000'000U}) {
-        expect_skipped({.kind = EditKind::insert_triangle,
-                        .corner = 4 * id,
-                        .ends = {a, b},
-                        .apexes = {c, {}},
-                        .made = {no_id, 1}});
+}
+
+// The core does not have the operations of these.
+TEST(EditLogs, OfModulesNeedAFunctionThatRepeatsThem) {
+    const Complex<double> first = disc();
+    for (const EditKind kind :
+         {EditKind::retriangulate, EditKind::insert_triangle, EditKind::remove_triangle}) {
+        const std::array edits{Edit{.kind = EditKind::remove_vertex, .vertex = Vertex{1}},
+                               Edit{.kind = kind, .corner = corner_of(7, 0)}};
+        Complex<double> again = first;
+        EXPECT_THROW(replay<double>(again, edits), InputError);
+        EXPECT_EQ(mesh_hash(again), mesh_hash(first));
     }
 }
 

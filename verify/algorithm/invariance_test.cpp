@@ -8,8 +8,8 @@
 #include "support/simulation_testing.h"
 #include "support/ways.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/queries/phases.h"
 #include "measures/hausdorff.h"
 #include "measures/interface_outlines.h"
 

@@ -4,7 +4,6 @@
 
 #include "support/simulation_testing.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"
@@ -12,6 +11,7 @@
 #include "dsc/passes/mesh/update.h"
 #include "dsc/passes/move_vertices.h"
 #include "dsc/queries/hash.h"
+#include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
 

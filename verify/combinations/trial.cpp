@@ -6,11 +6,11 @@
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/distance.h"
 #include "dsc/passes/interface/carried.h"
+#include "dsc/queries/phases.h"
 
 #include <algorithm>
 #include <array>

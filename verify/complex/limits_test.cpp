@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Stars at the domain boundary and of too many triangles; numbering about the origin; sums of areas
 // of very different size; what insertion refuses.
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/gather.h"
 #include "dsc/complex/numbering.h"
+#include "dsc/queries/phases.h"
+#include "thesis/insertion_removal.h"
 
 #include "support/small_meshes.h"
 

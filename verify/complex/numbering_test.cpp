@@ -5,11 +5,11 @@
 #include "support/literal_sets.h"
 #include "support/small_meshes.h"
 
-#include "dsc/algebra/algebra.h"
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
+#include "thesis/algebra.h"
+#include "thesis/insertion_removal.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 
 #include "support/small_meshes.h"
 
-#include "dsc/algebra/algebra.h"
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/operations/edge_split.h"
+#include "thesis/algebra.h"
+#include "thesis/insertion_removal.h"
 
 #include <gtest/gtest.h>
 

@@ -36,10 +36,12 @@ class Rooms(unittest.TestCase):
             file("lib/dsc/base/a.h", line(1, 3, 2, 1), line(2, 0)),
             file("lib/dsc/base/b.cpp", line(1, 1)),
             file("lib/dsc/io/c.cpp", line(5, 7, 7, 0)),
-            file("lib/scenes/d.cpp", line(1, 0))]}))
+            file("lib/thesis/d.cpp", line(1, 1)),
+            file("lib/scenes/e.cpp", line(1, 0))]}))
         self.assertEqual(found["base"], rooms.Counts(3, 2, 2, 2))
         self.assertEqual(found["io"], rooms.Counts(1, 1, 2, 1))
-        self.assertEqual(found["all"], rooms.Counts(4, 3, 4, 3))
+        self.assertEqual(found["thesis"], rooms.Counts(1, 1))
+        self.assertEqual(found["all"], rooms.Counts(5, 4, 4, 3))
 
     def test_lines_without_code_do_not_count(self):
         brace = {**line(2, 0), "gcovr/noncode": True}

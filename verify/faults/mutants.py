@@ -28,6 +28,8 @@ TOKENS = ((" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), ("
           (" != ", " == "), (" && ", " || "), (" || ", " && "), (" + ", " - "), (" - ", " + "),
           (" * ", " + "))
 NUMBER = re.compile(r"(?<![\w.])(\d+)(?![\w.])")
+# The core, whose rooms are its folders, and the modules, each a room.
+CORE, MODULES = "dsc", ("thesis",)
 EQUIVALENT_KEYS = {"file", "code", "changed", "why"}
 
 
@@ -43,7 +45,8 @@ class Mutant:
 
     @property
     def room(self):
-        return self.file.split("/")[2]
+        library, room = self.file.split("/")[1:3]
+        return room if library == CORE else library
 
     @property
     def key(self):
@@ -96,12 +99,13 @@ def candidates_in(file, text):
 
 
 def candidates(source):
-    """All mutants of lib/dsc."""
+    """All mutants of the core and of the modules."""
     found = []
-    for path in sorted((source / "lib/dsc").rglob("*.*")):
-        if path.suffix in (".h", ".cpp"):
-            found += candidates_in(path.relative_to(source).as_posix(),
-                                   path.read_text(encoding="utf-8"))
+    for library in (CORE, *MODULES):
+        for path in sorted((source / "lib" / library).rglob("*.*")):
+            if path.suffix in (".h", ".cpp"):
+                found += candidates_in(path.relative_to(source).as_posix(),
+                                       path.read_text(encoding="utf-8"))
     return found
 
 

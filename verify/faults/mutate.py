@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""mutate.py DIR: runs the tests on a sample of the mutants of lib/dsc (mutants.py), each by the tests
+"""mutate.py DIR: runs the tests on a sample of the mutants of the library (mutants.py), each by the tests
 that come by it.
 
 DIR/source is a copy of the sources with the switches, DIR/build its build. Results are kept in
@@ -27,7 +27,8 @@ LEAST = 0.9     # of those that are not equivalent
 # Names what one test program is made of; the copy's have the listener besides.
 SOURCES = "add_executable(${name} ${arg_SOURCES} ${arg_APART}"
 LISTENER = "lib/fault/reach.cpp"
-PLACE = re.compile(r"source/(lib/dsc/[\w/]+\.(?:cpp|h)):(\d+)")
+LIBRARY = "|".join((mutants.CORE, *mutants.MODULES))
+PLACE = re.compile(rf"source/(lib/(?:{LIBRARY})/[\w/]+\.(?:cpp|h)):(\d+)")
 WRONG = re.compile(PLACE.pattern + r"(?::\d+)?: error")
 
 
@@ -82,7 +83,7 @@ def library_commands(build):
     """How each file of the library is compiled; without generating code."""
     entries = json.loads((build / "compile_commands.json").read_text())
     return [(entry["directory"], [*shlex.split(entry["command"]), "-fsyntax-only"])
-            for entry in entries if "/lib/dsc/CMakeFiles/dsc.dir/" in entry["command"]
+            for entry in entries if re.search(rf"/lib/(?:{LIBRARY})/CMakeFiles/", entry["command"])
             and "cmake_pch.hxx.gch" not in entry["command"].split(" -o ")[1]]
 
 

@@ -14,7 +14,6 @@ OWN = {
     "base": ["base"],
     "geometry": ["geometry"],
     "complex": ["complex", "operations", "fuzz"],
-    "algebra": ["complex", "operations"],
     "queries": ["complex"],
     "quality": ["quality"],
     "operations": ["operations", "reference"],
@@ -25,6 +24,7 @@ OWN = {
     "algorithm": ["algorithm", "effort"],
     "parallel": ["parallel"],
     "topology": ["topology"],
+    "thesis": ["thesis", "operations", "fuzz", "reference"],
     "io": ["io", "checkpoints"],
     "measures": ["measures"],
     "flows": ["flows"],
@@ -35,7 +35,7 @@ OWN = {
 }
 # Cheap ones first. The hashes notice nearly everything and say nothing about what is wrong, so they
 # are asked last of all tests.
-OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "algorithm", "initial",
+OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "thesis", "algorithm", "initial",
           "sizes", "io", "measures", "geometry", "recipes", "scene_files", "scene_runs",
           "topology", "fuzz", "hard", "reference", "scenes", "parallel", "velocities",
           "checkpoints", "figures", "hashes", "gate"]

@@ -14,6 +14,7 @@
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/validate.h"
 #include "scenes/run/checkpoint.h"
+#include "thesis/replay.h"
 
 #include <unistd.h>
 
@@ -144,7 +145,7 @@ void read_simulation(Bytes& decoder, bool in_cells) {
 void replay_edits(const std::vector<Edit>& edits) {
     if (std::ranges::find(edits, EditKind::rebuild, &Edit::kind) == edits.end()) {
         Complex<double> complex = test::disc_complex<double>(0.2);
-        const ReplayReport report = replay<double>(complex, edits);
+        const ReplayReport report = replay<double>(complex, edits, repeat_edit<double>);
         expect(report.done + report.skipped == edits.size(), "records that were lost");
     }
 }

@@ -7,20 +7,21 @@
 #include "fuzz/target.h"
 #include "support/random/complex.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/local_retriangulation.h"
-#include "dsc/operations/loop_subdivision.h"
 #include "dsc/operations/replay.h"
 #include "dsc/operations/smoothing.h"
-#include "dsc/operations/triangle_collapse.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
+#include "thesis/insertion_removal.h"
+#include "thesis/local_retriangulation.h"
+#include "thesis/loop_subdivision.h"
+#include "thesis/replay.h"
+#include "thesis/triangle_collapse.h"
 
 #include <algorithm>
 #include <array>
@@ -94,7 +95,8 @@ public:
 
     void check_log() const {
         Complex<Real> again = first_;
-        const ReplayReport report = replay<Real>(again, complex_.journal.records);
+        const ReplayReport report =
+            replay<Real>(again, complex_.journal.records, repeat_edit<Real>);
         expect(report.skipped == 0, "the log does not fit the complex that it is a log of");
         expect(mesh_hash(again) == mesh_hash(complex_), "the log replayed gives another complex");
     }
@@ -108,7 +110,7 @@ public:
             }
         }
         Complex<Real> again = first_;
-        const ReplayReport report = replay<Real>(again, rest);
+        const ReplayReport report = replay<Real>(again, rest, repeat_edit<Real>);
         expect(report.done + report.skipped == rest.size(), "records that were lost");
     }
 

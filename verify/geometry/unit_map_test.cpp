@@ -4,11 +4,11 @@
 
 #include "support/random/scene.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/initial/unit_box.h"
 #include "dsc/motion/unit_velocity.h"
 #include "dsc/queries/hash.h"
+#include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

@@ -155,6 +155,30 @@ def rooms(page, file, root):
     return problems
 
 
+def public_headers(root, module):
+    """MODULE/MODULE.h and what it includes, directly or not."""
+    found = [f"{module}/{module}.h"]
+    for header in found:
+        with open(os.path.join(root, "lib", header), encoding="utf-8") as stream:
+            found += [other for other in re.findall(r'#include "([^"]+)"', stream.read())
+                      if other not in found]
+    return found
+
+
+def modules(root, names):
+    """The core names no module; of what is below it a module includes public headers alone."""
+    problems = []
+    for at, module in enumerate(names):
+        allowed = {header for other in names[:at] for header in public_headers(root, other)}
+        for folder, _, files in os.walk(os.path.join(root, "lib", module)):
+            for name in (name for name in files if name.endswith((".h", ".cpp"))):
+                with open(os.path.join(folder, name), encoding="utf-8") as stream:
+                    included = re.findall(r'#include "([^"]+)"', stream.read())
+                problems += [f"lib/{module}: {name} includes {other}" for other in included
+                             if not other.startswith(f"{module}/") and other not in allowed]
+    return problems
+
+
 def recipes(page, file, root):
     """In a row of a table that names a recipe, the other code is in that recipe."""
     problems = []

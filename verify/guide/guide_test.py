@@ -17,6 +17,8 @@ BUILD = os.environ["DSC_BUILD"]
 GUIDE = os.path.join(ROOT, "lib", "guide")
 FILES = ["README.md"] + sorted(f"lib/guide/{name}" for name in os.listdir(GUIDE)
                                if name.endswith(".md"))
+MODULES = ["thesis"]  # what stands on another one after it
+FILES += [f"lib/{module}/README.md" for module in MODULES]
 
 
 def read(file):
@@ -79,6 +81,10 @@ class Pages(unittest.TestCase):
                            "--json", result)
         with open(result, encoding="utf-8") as stream:
             self.check_rows("lib/guide/commands.md", set(json.load(stream)), 7)
+
+    def test_modules_are_written_as_an_application_is(self):
+        self.check(check.modules(ROOT, ["dsc", *MODULES]))
+        self.assertNotEqual(check.modules(ROOT, [*MODULES, "dsc"]), [])
 
     def test_pictures_are_what_the_library_draws(self):
         program = os.path.join(BUILD, "lib", "guide", "dsc_guide_pictures")

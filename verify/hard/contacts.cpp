@@ -4,8 +4,8 @@
 #include "scene.h"
 #include "watch.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/queries/phases.h"
 #include "flows/exact.h"
 #include "flows/velocity.h"
 #include "measures/interface_outlines.h"

@@ -4,11 +4,11 @@
 #include "hard/watch.h"
 #include "support/ways.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
+#include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 #include "flows/velocity.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Input at the very limit of what is allowed, and outlines that begin anywhere.
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/initial/input/domain_check.h"
+#include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

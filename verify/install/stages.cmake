@@ -14,13 +14,22 @@ file(REMOVE_RECURSE ${work})
 set(prefix ${work}/prefix)
 stage(install ${CMAKE_COMMAND} --install ${library} --prefix ${prefix})
 
-# Headers: what an installed one includes is there, and each but dsc.h is included by another.
+# Headers: what an installed one includes is there, and each but dsc.h and those of the modules that
+# have their name is included by another. Nothing but dsc/ is below include/.
+set(modules thesis)
 file(GLOB_RECURSE installed RELATIVE ${prefix}/include ${prefix}/include/*)
 set(included dsc/dsc.h)
+foreach(module IN LISTS modules)
+    list(APPEND included dsc/${module}/${module}.h)
+endforeach()
+list(JOIN modules "|" modules_pattern)
 foreach(header IN LISTS installed)
-    file(STRINGS ${prefix}/include/${header} lines REGEX "^#include \"dsc/")
+    file(STRINGS ${prefix}/include/${header} lines REGEX "^#include \"")
     foreach(line IN LISTS lines)
         string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" other ${line})
+        if(other MATCHES "^(${modules_pattern})/")
+            string(PREPEND other dsc/)
+        endif()
         list(APPEND included ${other})
     endforeach()
 endforeach()
@@ -47,13 +56,19 @@ if(EXISTS ${prefix}/bin/dsc_verify)
     endif()
 endif()
 
-stage(configure ${CMAKE_COMMAND} -S ${source} -B ${work}/build -G ${generator}
+set(options -G ${generator}
     -D CMAKE_PREFIX_PATH=${prefix}
     -D CMAKE_CXX_COMPILER=${compiler}
     -D CMAKE_CXX_FLAGS=${flags}
     -D CMAKE_BUILD_TYPE=${build_type})
+stage(configure ${CMAKE_COMMAND} -S ${source} -B ${work}/build ${options})
 stage(build ${CMAKE_COMMAND} --build ${work}/build)
 stage(run ${work}/build/stranger)
+stage(configure-modules ${CMAKE_COMMAND} -S ${source}/modules -B ${work}/modules ${options})
+stage(build-modules ${CMAKE_COMMAND} --build ${work}/modules)
+foreach(module IN LISTS modules)
+    stage(run-${module} ${work}/modules/${module})
+endforeach()
 
 file(STRINGS ${work}/build/CMakeCache.txt found REGEX "^dsc_DIR")
 if(NOT found MATCHES "${prefix}")

@@ -8,10 +8,11 @@
 #include "support/small_meshes.h"
 #include "support/vtu_testing.h"
 
-#include "dsc/algebra/algebra.h"
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/quality/measures.h"
+#include "thesis/algebra.h"
+#include "thesis/insertion_removal.h"
+#include "thesis/mesh_functions.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/local_retriangulation.h"
-#include "dsc/operations/loop_subdivision.h"
+#include "thesis/local_retriangulation.h"
+#include "thesis/loop_subdivision.h"
 
 #include <gtest/gtest.h>
 

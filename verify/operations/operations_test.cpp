@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Edge flip, edge split, edge collapse and loop subdivision on hand-sized complexes: each verdict,
-// each result. A refused operation changes no byte; every result is validated.
+// Edge flip, edge split and edge collapse on hand-sized complexes: each verdict, each result. A
+// refused operation changes no byte; every result is validated.
 #include "support/operations_testing.h"
 #include "support/small_meshes.h"
 
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/loop_subdivision.h"
+#include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
 
@@ -293,80 +293,11 @@ TYPED_TEST(Operations, CollapseIsRefusedOutsideAndOnTheSubmeshBoundary) {
     EXPECT_FALSE(K.is_alive(Vertex{11}));
 }
 
-// --- loop subdivision
-// -----------------------------------------------------------------------------
-
-TYPED_TEST(Operations, SubdivisionInsideSplitsThreeNeighbours) {
-    auto K = grid<TypeParam>(3);
-    const Corner c = K.find_half_edge(Vertex{5}, Vertex{6});
-    const Triangle t{triangle_of(c)};
-    const auto corners = K.triangles[t.id].v;
-    const auto before = K.triangle_count();
-    const auto [verdict, added] = loop_subdivision(K, t);
-    EXPECT_EQ(verdict, Verdict::legal);
-    expect_valid(K);
-    EXPECT_EQ(K.triangle_count(), before + 6);
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        const auto p = K.position(Vertex{corners[(i + 1) % 3]});
-        const auto q = K.position(Vertex{corners[(i + 2) % 3]});
-        EXPECT_EQ(K.position(added[i]), midpoint<TypeParam>(p, q));
-        EXPECT_TRUE(K.find_edge(added[i], added[(i + 1) % 3]).is_valid());
-        EXPECT_FALSE(K.find_edge(added[i], Vertex{corners[i]}).is_valid());
-    }
-    // The triangle keeps its id in the middle.
-    EXPECT_TRUE(K.is_alive(t));
-    for (const Vertex v : K.vertices_of(t)) {
-        EXPECT_TRUE(v == added[0] || v == added[1] || v == added[2]);
-    }
-}
-
-TYPED_TEST(Operations, SubdivisionAtTheDomainBoundary) {
-    auto K = hexagon<TypeParam>(); // one edge of each triangle is on the boundary
-    EXPECT_EQ(loop_subdivision(K, Triangle{1}).verdict, Verdict::legal);
-    expect_valid(K);
-    EXPECT_EQ(K.triangle_count(), 6U + 3U + 2U);
-    auto alone = build<TypeParam>({{0, 0}, {2, 0}, {0, 2}}, {{0, 1, 2}}, {0});
-    EXPECT_EQ(loop_subdivision(alone, Triangle{1}).verdict, Verdict::legal);
-    expect_valid(alone);
-    EXPECT_EQ(alone.triangle_count(), 4U);
-}
-
-TYPED_TEST(Operations, SubdivisionIsRefused) {
-    const auto subdivide = [](Triangle t) {
-        return [t](auto& complex, const Submesh& submesh) {
-            return loop_subdivision(complex, submesh, t).verdict;
-        };
-    };
-    auto K = hexagon<TypeParam>();
-    expect_refused(K, Verdict::not_a_simplex, subdivide(Triangle{}));
-    expect_refused(K, Verdict::not_a_simplex, subdivide(Triangle{border_triangle}));
-    expect_refused(K, Verdict::not_a_simplex, subdivide(Triangle{7}));
-    // Triangle 1 is (0, 1, 2); its neighbours are (0, 6, 1) and (0, 2, 3).
-    expect_refused(K, Verdict::on_submesh_boundary, subdivide(Triangle{1}), {1, 1, 0, 1, 1, 1, 1});
-    expect_refused(K, Verdict::on_submesh_boundary, subdivide(Triangle{1}), {1, 1, 1, 0, 1, 1, 1});
-    expect_refused(K, Verdict::on_submesh_boundary, subdivide(Triangle{1}), {1, 1, 1, 1, 1, 1, 0});
-    EXPECT_EQ(verdict_with_ids(K, 2, 9, subdivide(Triangle{1})), Verdict::out_of_ids);
-    EXPECT_EQ(verdict_with_ids(K, 9, 4, subdivide(Triangle{1})), Verdict::out_of_ids);
-    EXPECT_EQ(verdict_with_ids(K, 3, 5, subdivide(Triangle{1})), Verdict::legal);
-    K.set_phase(Triangle{2}, 1);
-    expect_refused(K, Verdict::on_interface, subdivide(Triangle{1}));
-    expect_refused(K, Verdict::on_interface, subdivide(Triangle{2}));
-    // A vertex on the interface is no reason.
-    EXPECT_EQ(loop_subdivision(K, Triangle{4}).verdict, Verdict::legal);
-    expect_valid(K);
-    // The domain boundary of another phase than the exterior is interface (figure 8.3).
-    auto inner = build<TypeParam>({{0, 0}, {2, 0}, {0, 2}}, {{0, 1, 2}}, {1});
-    expect_refused(inner, Verdict::on_interface, subdivide(Triangle{1}));
-}
-
-TYPED_TEST(Operations, SubdivisionOfTheSmallestTriangleInverts) {
+TYPED_TEST(Operations, SplitOfTheSmallestTriangleInverts) {
     // The midpoint of two neighbouring numbers is one of them.
     const TypeParam one = 1;
     const TypeParam after = std::nextafter(one, TypeParam(2));
     auto K = build<TypeParam>({{one, one}, {after, one}, {one, after}}, {{0, 1, 2}}, {0});
-    expect_refused(K, Verdict::inverts, [](auto& complex, const Submesh& submesh) {
-        return loop_subdivision(complex, submesh, Triangle{1}).verdict;
-    });
     expect_refused(K, Verdict::inverts, [](auto& complex, const Submesh& submesh) {
         return edge_split(complex, submesh, complex.find_edge(Vertex{0}, Vertex{1})).verdict;
     });

@@ -3,9 +3,9 @@
 #include "support/courses.h"
 #include "support/simulation_testing.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/smoothing.h"
+#include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Measures [thesis 4.3] against trigonometry and the thesis's own figures, histograms, selection.
+// Measures [thesis 4.3] against trigonometry and the thesis's own figures, and histograms.
 #include "dsc/quality/histogram.h"
 #include "dsc/quality/measures.h"
-#include "dsc/quality/selection.h"
 
 #include "support/small_meshes.h"
 
-#include "dsc/algebra/algebra.h"
 #include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
 
 #include <gtest/gtest.h>
 
@@ -135,8 +134,7 @@ TYPED_TEST(Measures, SurviveExtremeScales) {
 
 TYPED_TEST(Measures, OfSimplices) {
     const auto complex = grid<TypeParam>(4, 0.15, 3);
-    const SimplexSet all = all_simplices(complex);
-    for (const Triangle t : all.triangles()) {
+    for (const Triangle t : triangles(complex)) {
         const auto v = complex.vertices_of(t);
         const auto a = complex.position(v[0]);
         const auto b = complex.position(v[1]);
@@ -148,7 +146,7 @@ TYPED_TEST(Measures, OfSimplices) {
         EXPECT_EQ(aspect_ratio(complex, t), aspect_ratio(a, b, c));
         EXPECT_EQ(radius_ratio(complex, t), radius_ratio(a, b, c));
     }
-    for (const Edge e : all.edges()) {
+    for (const Edge e : edges(complex)) {
         const auto v = complex.vertices_of(e);
         EXPECT_EQ(length(complex, e), (complex.position(v[1]) - complex.position(v[0])).norm());
         EXPECT_EQ(squared_length(complex, e),
@@ -214,7 +212,7 @@ TYPED_TEST(Measures, HistogramsOfAMesh) {
     EXPECT_EQ(min_angle_histogram(complex, outside).edges.back(), 60);
     const Histogram areas = area_histogram(complex);
     double largest = 0;
-    for (const Triangle t : all_simplices(complex).triangles()) {
+    for (const Triangle t : triangles(complex)) {
         largest = std::max(largest, static_cast<double>(area(complex, t)));
     }
     EXPECT_EQ(areas.edges.back(), largest);
@@ -225,99 +223,6 @@ TYPED_TEST(Measures, HistogramsOfAMesh) {
     EXPECT_EQ(*std::max_element(regular.counts.begin(), regular.counts.end()), 200U);
     EXPECT_GT(histogram_distance(regular, spread), 0.3);
     EXPECT_EQ(histogram_distance(spread, spread), 0);
-}
-
-// --- selection
-// ------------------------------------------------------------------------------------------
-
-template <class Simplex>
-std::vector<Simplex> handles(std::size_t count) {
-    std::vector<Simplex> list;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        list.push_back({i});
-    }
-    return list;
-}
-
-template <class Simplex>
-class Selecting : public testing::Test {};
-using Simplices = testing::Types<Vertex, Edge, Triangle>;
-TYPED_TEST_SUITE(Selecting, Simplices);
-
-TYPED_TEST(Selecting, AgreesWithASortedListWhateverTheOrder) {
-    std::mt19937 random(8);
-    for (int round = 0; round < 50; ++round) {
-        auto list = handles<TypeParam>(100);
-        std::vector<double> value(100);
-        for (double& v : value) {
-            v = static_cast<double>(random() % 20);
-        } // many ties
-        const QualityFunction<TypeParam> quality = [&](TypeParam s) { return value[s.id]; };
-        auto expected = list;
-        std::stable_sort(expected.begin(), expected.end(),
-                         [&](TypeParam a, TypeParam b) { return value[a.id] < value[b.id]; });
-        std::shuffle(list.begin(), list.end(), random);
-        for (const std::size_t n : {0U, 1U, 17U, 99U, 100U, 1000U}) {
-            const auto end = expected.begin() + static_cast<long>(std::min<std::size_t>(n, 100));
-            EXPECT_EQ(n_worst<TypeParam>(n)(list, quality),
-                      std::vector<TypeParam>(expected.begin(), end));
-        }
-        for (const double threshold : {-1.0, 0.0, 5.0, 7.5, 20.0}) {
-            const auto end = std::find_if(expected.begin(), expected.end(),
-                                          [&](TypeParam s) { return value[s.id] >= threshold; });
-            EXPECT_EQ(below<TypeParam>(threshold)(list, quality),
-                      std::vector<TypeParam>(expected.begin(), end));
-        }
-    }
-}
-
-TYPED_TEST(Selecting, NaNComesFirst) {
-    const auto list = handles<TypeParam>(5);
-    const QualityFunction<TypeParam> quality = [](TypeParam s) {
-        return s.id % 2 == 1 ? std::nan("") : static_cast<double>(s.id);
-    };
-    const std::vector<TypeParam> expected{{1}, {3}, {0}};
-    EXPECT_EQ(n_worst<TypeParam>(3)(list, quality), expected);
-    EXPECT_EQ(below<TypeParam>(1)(list, quality), expected);
-}
-
-TYPED_TEST(Selecting, HasNextAndGetNext) {
-    const auto list = handles<TypeParam>(6);
-    const QualityFunction<TypeParam> quality = [](TypeParam s) { return -1.0 * s.id; };
-    Selection<TypeParam> selection(list, quality, n_worst<TypeParam>(3));
-    EXPECT_EQ(selection.size(), 3U);
-    std::vector<std::uint32_t> ids;
-    while (selection.has_next()) {
-        ids.push_back(selection.get_next().id);
-    }
-    EXPECT_EQ(ids, (std::vector<std::uint32_t>{5, 4, 3}));
-    EXPECT_THROW(selection.get_next(), InvariantError);
-    // A strategy of the application's own.
-    const SelectionStrategy<TypeParam> even = [](std::span<const TypeParam> candidates,
-                                                 const QualityFunction<TypeParam>&) {
-        std::vector<TypeParam> chosen;
-        for (const TypeParam s : candidates) {
-            if (s.id % 2 == 0) {
-                chosen.push_back(s);
-            }
-        }
-        return chosen;
-    };
-    EXPECT_EQ(Selection<TypeParam>(list, quality, even).size(), 3U);
-}
-
-TYPED_TEST(Measures, SelectTheWorstTrianglesOfAMesh) {
-    const auto complex = grid<TypeParam>(8, 0.19, 3);
-    const auto triangles = all_simplices(complex).triangles();
-    const QualityFunction<Triangle> measure = [&](Triangle t) {
-        return static_cast<double>(quality(complex, t));
-    };
-    const auto worst = n_worst<Triangle>(10)(triangles, measure);
-    ASSERT_EQ(worst.size(), 10U);
-    const auto all = below<Triangle>(measure(worst.back()))(triangles, measure);
-    EXPECT_EQ(all,
-              std::vector<Triangle>(worst.begin(), worst.begin() + static_cast<long>(all.size())));
-    EXPECT_LT(measure(worst.front()), measure(worst.back()));
 }
 
 } // namespace

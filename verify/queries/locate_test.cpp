@@ -5,12 +5,12 @@
 #include "support/random/complex.h"
 #include "support/small_meshes.h"
 
-#include "dsc/algebra/algebra.h"
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/walk.h"
 #include "dsc/geometry/predicates.h"
+#include "thesis/algebra.h"
+#include "thesis/insertion_removal.h"
 
 #include <gtest/gtest.h>
 

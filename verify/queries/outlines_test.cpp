@@ -6,8 +6,8 @@
 #include "support/random/complex.h"
 #include "support/small_meshes.h"
 
-#include "dsc/algebra/algebra.h"
-#include "dsc/algebra/mesh_functions.h"
+#include "thesis/algebra.h"
+#include "thesis/mesh_functions.h"
 
 #include <gtest/gtest.h>
 

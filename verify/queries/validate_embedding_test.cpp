@@ -6,7 +6,7 @@
 #include "support/small_meshes.h"
 #include "support/validate_testing.h"
 
-#include "dsc/algebra/mesh_functions.h"
+#include "thesis/insertion_removal.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,10 @@
 #include "support/small_meshes.h"
 #include "support/validate_testing.h"
 
-#include "dsc/algebra/algebra.h"
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
+#include "dsc/queries/phases.h"
+#include "thesis/algebra.h"
+#include "thesis/insertion_removal.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 // A new operation: flips an edge where the other diagonal is shorter; run as a pass of its own.
 #include "dsc/dsc.h"
 #include "support/random/scene.h"
+#include "thesis/thesis.h"
 
 #include <gtest/gtest.h>
 

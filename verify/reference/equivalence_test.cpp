@@ -6,8 +6,6 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/local_retriangulation.h"
-#include "dsc/operations/loop_subdivision.h"
 #include "dsc/operations/smoothing.h"
 #include "reference/operations/edge_collapse.h"
 #include "reference/operations/edge_flip.h"
@@ -15,6 +13,8 @@
 #include "reference/operations/laplacian_smoothing.h"
 #include "reference/operations/local_retriangulation.h"
 #include "reference/operations/loop_subdivision.h"
+#include "thesis/local_retriangulation.h"
+#include "thesis/loop_subdivision.h"
 
 #include <gtest/gtest.h>
 

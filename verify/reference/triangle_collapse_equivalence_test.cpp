@@ -4,8 +4,8 @@
 // and the same mesh on thousands of random complexes, whole ones and submeshes.
 #include "support/equivalence_testing.h"
 
-#include "dsc/operations/triangle_collapse.h"
 #include "reference/operations/triangle_collapse.h"
+#include "thesis/triangle_collapse.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include "scenes/run/run.h"
 #include "shapes/shapes.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/queries/outlines.h"
+#include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
 

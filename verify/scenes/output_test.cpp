@@ -6,9 +6,9 @@
 #include "scenes/output/pictures.h"
 #include "scenes/output/progress.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/initial/initial_complex.h"
+#include "dsc/queries/phases.h"
 #include "scenes/file/outlines/pieces.h"
 
 #include <gtest/gtest.h>

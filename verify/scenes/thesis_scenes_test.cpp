@@ -6,10 +6,10 @@
 #include "scenes/file/scene_file.h"
 #include "scenes/run/run.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/quality/measures.h"
+#include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
 

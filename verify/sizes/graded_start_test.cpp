@@ -6,12 +6,12 @@
 
 #include "support/simulation_testing.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/hash.h"
+#include "dsc/queries/phases.h"
 #include "dsc/sizes/measure.h"
 
 #include <gtest/gtest.h>

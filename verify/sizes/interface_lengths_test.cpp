@@ -3,10 +3,10 @@
 #include "support/courses.h"
 #include "support/simulation_testing.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/hash.h"
+#include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
 

@@ -4,11 +4,11 @@
 #include "support/courses.h"
 #include "support/simulation_testing.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/hash.h"
+#include "dsc/queries/phases.h"
 #include "dsc/sizes/measure.h"
 
 #include <gtest/gtest.h>

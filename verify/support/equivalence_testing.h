@@ -7,11 +7,11 @@
 #include "snapshot.h"
 #include "support/random/complex.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/verdict.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/validate.h"
 #include "reference/algorithm/quality.h"
+#include "thesis/mesh_functions.h"
 
 #include <gtest/gtest.h>
 

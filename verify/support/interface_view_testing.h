@@ -2,8 +2,8 @@
 // The expected contents of a view of the interface, found from the triangles one by one.
 #pragma once
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/algorithm/interface_graph.h"
+#include "dsc/queries/phases.h"
 
 #include <map>
 #include <string>

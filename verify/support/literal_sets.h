@@ -3,8 +3,8 @@
 // (section 3.1), in which ids do not matter. Also random subsets.
 #pragma once
 
-#include "dsc/algebra/simplex_set.h"
 #include "dsc/complex/complex.h"
+#include "thesis/simplex_set.h"
 
 #include <algorithm>
 #include <iterator>

@@ -5,7 +5,6 @@
 
 #include "snapshot.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/verdict.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/queries/validate.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/io/svg.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/io/part_file.h"
+#include "dsc/queries/phases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,8 +170,10 @@ void write_interface(PartFile& file, const Complex<Real>& complex, const View& v
     file << "<path class=\"interface\" fill=\"none\" stroke-linecap=\"round\" stroke=\""
          << escape_xml(options.interface_colour) << "\" stroke-width=\""
          << options.interface_width_px << "\" d=\"";
-    const SimplexSet interface = interface_of(complex);
-    for (const Edge e : interface.edges()) {
+    for (const Edge e : edges(complex)) {
+        if (!is_interface(complex, e)) {
+            continue;
+        }
         const auto v = complex.vertices_of(e);
         file << 'M';
         view.put(file, complex.position(v[0]));

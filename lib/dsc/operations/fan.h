@@ -10,12 +10,13 @@
 
 namespace dsc {
 
+/// What one turn about a vertex tells.
 struct Fan {
-    bool on_boundary = false;
-    bool owned = true; ///< every triangle of the star is in the submesh
-    std::uint32_t interface_edges = 0;
-    std::uint32_t first = no_id; ///< the two boundary neighbours, if on_boundary
-    std::uint32_t last = no_id;
+    bool on_boundary = false;          ///< the domain ends at the vertex
+    bool owned = true;                 ///< every triangle of the star is in the submesh
+    std::uint32_t interface_edges = 0; ///< that meet at the vertex
+    std::uint32_t first = no_id;       ///< if on_boundary: the neighbour at the clockwise end
+    std::uint32_t last = no_id;        ///< and the one at the other end
 };
 
 /// Calls `visit(corner at the vertex)` for each star triangle, counter-clockwise; on the domain

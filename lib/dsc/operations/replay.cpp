@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/operations/replay.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/complex/rewire.h"
-#include "dsc/operations/local_retriangulation.h"
 
 #include <algorithm>
 #include <string>
@@ -18,8 +16,9 @@ namespace {
 template <class Real>
 class Replay {
 public:
-    Replay(Complex<Real>& complex, std::size_t edits)
-        : complex_(complex), most_vertices_(room_for(complex.vertex_bound(), edits)),
+    Replay(Complex<Real>& complex, std::size_t edits, const RepeatEdit<Real>& others)
+        : complex_(complex), others_(others),
+          most_vertices_(room_for(complex.vertex_bound(), edits)),
           most_triangles_(room_for(complex.triangle_bound(), edits)),
           readers_(std::exchange(complex.journal.readers, 0U)) {}
 
@@ -36,9 +35,9 @@ public:
             gather_free_ids();
             renumber(complex_);
             return true;
-        case EditKind::retriangulate: return retriangulate(edit);
-        case EditKind::insert_triangle: return insert_triangle(edit);
-        case EditKind::remove_triangle: return remove_triangle(edit);
+        case EditKind::retriangulate:
+        case EditKind::insert_triangle:
+        case EditKind::remove_triangle: return other(edit);
         case EditKind::rebuild: break; // refused before anything is done
         }
         return false;
@@ -192,56 +191,16 @@ private:
         return true;
     }
 
-    // By ear clipping alone: the flips after it have records of their own. Locks are no edits, so
-    // the log does not say that a vertex was unlocked before it vanished.
-    bool retriangulate(const Edit& edit) {
-        const Triangle t{triangle_of(edit.corner)};
-        if (!complex_.is_alive(t)) {
-            return false;
-        }
-        const auto v = complex_.vertices_of(t);
-        std::array<bool, 3> locked{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            locked[i] = complex_.is_locked(v[i]);
-            complex_.set_locked(v[i], false);
-        }
-        const Submesh submesh{Region{}, &freed_, &silent_};
-        const bool done = local_retriangulation(complex_, submesh, t).verdict == Verdict::legal;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (complex_.is_alive(v[i])) {
-                complex_.set_locked(v[i], locked[i]);
+    // An operation of a module.
+    bool other(const Edit& edit) {
+        if (edit.kind == EditKind::insert_triangle) {
+            const std::uint32_t id = triangle_of(edit.corner);
+            if (!have_triangle(id) || complex_.is_alive(Triangle{id})) {
+                return false;
             }
+            complex_.ids.triangles.assign(1, id);
         }
-        return done;
-    }
-
-    [[nodiscard]] static std::array<Vertex, 3> corners_of(const Edit& edit) {
-        return {edit.ends[0], edit.ends[1], edit.apexes[0]};
-    }
-
-    bool insert_triangle(const Edit& edit) {
-        const std::uint32_t id = triangle_of(edit.corner);
-        const auto v = corners_of(edit);
-        if (!have_triangle(id) || complex_.is_alive(Triangle{id}) ||
-            !std::ranges::all_of(v, [&](Vertex one) { return complex_.is_alive(one); })) {
-            return false;
-        }
-        complex_.ids.triangles.assign(1, id);
-        try {
-            dsc::insert_triangle(complex_, v[0], v[1], v[2], edit.made[0]);
-        } catch (const InputError&) {
-            return false; // there is no room for it without the records that were left out
-        }
-        return true;
-    }
-
-    bool remove_triangle(const Edit& edit) {
-        const Triangle t{triangle_of(edit.corner)};
-        if (!complex_.is_alive(t) || complex_.vertices_of(t) != corners_of(edit)) {
-            return false;
-        }
-        dsc::remove(complex_, SimplexSet({}, {}, {t}));
-        return true;
+        return others_(complex_, Submesh{Region{}, &freed_, &silent_}, edit);
     }
 
     static Point<Real> place(const Edit& edit) {
@@ -249,6 +208,7 @@ private:
     }
 
     Complex<Real>& complex_;
+    const RepeatEdit<Real>& others_;
     std::uint64_t most_vertices_;
     std::uint64_t most_triangles_;
     std::uint32_t readers_;
@@ -257,17 +217,29 @@ private:
     IdPool freed_; // not used: the records say which id comes next
 };
 
+// What is recorded, but cannot be repeated from the record alone.
+void check_kinds(std::span<const Edit> edits, bool has_others) {
+    for (const Edit& edit : edits) {
+        const bool of_a_module = edit.kind == EditKind::retriangulate ||
+                                 edit.kind == EditKind::insert_triangle ||
+                                 edit.kind == EditKind::remove_triangle;
+        if (edit.kind == EditKind::rebuild || (of_a_module && !has_others)) {
+            throw InputError({.what = "the log does not contain how to repeat a record",
+                              .where = "replay",
+                              .value = std::string(to_string(edit.kind)),
+                              .allowed = of_a_module ? "this kind with a function that repeats it"
+                                                     : "records of any other kind"});
+        }
+    }
+}
+
 } // namespace
 
 template <class Real>
-ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits) {
-    if (std::ranges::any_of(edits, [](const Edit& e) { return e.kind == EditKind::rebuild; })) {
-        throw InputError({.what = "what create and merge did to copies is not in a log",
-                          .where = "replay",
-                          .value = std::string(to_string(EditKind::rebuild)),
-                          .allowed = "records of any other kind"});
-    }
-    Replay<Real> again(complex, edits.size());
+ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits,
+                    const RepeatEdit<Real>& others) {
+    check_kinds(edits, static_cast<bool>(others));
+    Replay<Real> again(complex, edits.size(), others);
     ReplayReport report;
     try {
         for (const Edit& edit : edits) {
@@ -310,7 +282,7 @@ std::vector<Edit> cut_down(const Complex<Real>& first, std::vector<Edit> edits,
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template ReplayReport replay(Complex<Real>&, std::span<const Edit>);                           \
+    template ReplayReport replay(Complex<Real>&, std::span<const Edit>, const RepeatEdit<Real>&);  \
     template std::vector<Edit> cut_down(const Complex<Real>&, std::vector<Edit>,                   \
                                         const std::function<bool(const Complex<Real>&)>&);
 DSC_INSTANTIATE(double)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/complex/submesh.h"
 
 #include <cstdint>
 #include <functional>
@@ -18,14 +19,23 @@ struct ReplayReport {
     std::uint64_t skipped = 0; ///< records that name simplices that do not exist
 };
 
+/// Repeats a record of an operation that the core does not have: a `retriangulate`, an
+/// `insert_triangle` or a `remove_triangle`. Returns false, and changes nothing, if its simplices
+/// do not exist. What `submesh` has is not used otherwise; the next triangle that the complex gives
+/// out is the one that an `insert_triangle` names.
+template <class Real>
+using RepeatEdit = std::function<bool(Complex<Real>& complex, const Submesh& submesh, const Edit&)>;
+
 /// Repeats the edits without testing whether they are legal: the same simplices with the same ids,
 /// so that handles in later records mean what they meant. A record whose simplices do not exist, or
 /// differ from what the record says, is skipped; in an unbroken log none is. Vertex attributes are
 /// blended as in the run. Whatever reads the journal learns of one `rebuild`. O(edits); O(mesh) for
 /// each `renumber`, and once at the end for the pool of free ids. Throws InputError, and does
-/// nothing, if a log has a `rebuild`: the log does not contain what create and merge did.
+/// nothing, if a log has a `rebuild`, because it does not contain how the other mesh came about, or
+/// a record that `others` would have to repeat, and there is none.
 template <class Real>
-ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits);
+ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits,
+                    const RepeatEdit<Real>& others = {});
 
 /// Leaves out records for as long as `fails(first complex with the rest replayed)` stays true, in
 /// ever smaller pieces (A. Zeller, R. Hildebrandt, "Simplifying and isolating failure-inducing

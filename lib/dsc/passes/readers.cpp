@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/readers.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/gather.h"
 #include "dsc/passes/interface/carried.h"
 #include "dsc/passes/interface/suspects.h"
+#include "dsc/queries/phases.h"
 
 #include <algorithm>
 #include <iterator>

@@ -2,12 +2,12 @@
 // The mesh during a run, in either precision.
 #pragma once
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/algorithm/simulation.h"
 #include "dsc/io/edit_file.h"
 #include "dsc/motion/growth.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/passes/interface/growth_corners.h"
+#include "dsc/queries/phases.h"
 #include "scenes/output/submesh_map.h"
 #include "scenes/run/frame_arrays.h"
 #include "scenes/run/kept_value.h"

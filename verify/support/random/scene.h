@@ -5,11 +5,11 @@
 
 #include "support/environment.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/base/enum_table.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/motion/integrator.h"
+#include "dsc/queries/phases.h"
 
 #include <algorithm>
 #include <cmath>

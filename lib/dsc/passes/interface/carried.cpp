@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/interface/carried.h"
 
-#include "dsc/algebra/mesh_functions.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/interface/list.h"
+#include "dsc/queries/phases.h"
 
 #include <algorithm>
 

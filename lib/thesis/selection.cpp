@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/quality/selection.h"
+#include "thesis/selection.h"
 
 #include "dsc/base/error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/operations/loop_subdivision.h"
+#include "thesis/loop_subdivision.h"
 
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"

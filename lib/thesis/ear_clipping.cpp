@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/operations/ear_clipping.h"
+#include "thesis/ear_clipping.h"
 
 #include "dsc/geometry/predicates.h"
 

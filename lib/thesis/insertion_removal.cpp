@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/algebra/mesh_functions.h"
+#include "thesis/insertion_removal.h"
 
-#include "dsc/algebra/algebra.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/interface_pair.h"
 #include "dsc/complex/ranges.h"

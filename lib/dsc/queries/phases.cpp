@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/algebra/mesh_functions.h"
+#include "dsc/queries/phases.h"
 
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/interface_pair.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/geometry/predicates.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace dsc {
 
@@ -36,30 +35,6 @@ bool any_edge_of(Triangle t, Test test) {
 } // namespace
 
 template <class Real>
-int orientation(const Complex<Real>& complex, Triangle t) {
-    const auto v = complex.vertices_of(t);
-    return dsc::orientation(complex.position(v[0]), complex.position(v[1]), complex.position(v[2]));
-}
-
-template <class Real>
-bool is_valid_simplex(const Complex<Real>& complex, Vertex v) {
-    return complex.is_alive(v);
-}
-template <class Real>
-bool is_valid_simplex(const Complex<Real>& complex, Edge e) {
-    return complex.is_alive(e);
-}
-template <class Real>
-bool is_valid_simplex(const Complex<Real>& complex, Triangle t) {
-    return complex.is_alive(t);
-}
-
-template <class Real>
-Phase phase(const Complex<Real>& complex, Triangle t) {
-    return complex.phase(t);
-}
-
-template <class Real>
 bool is_boundary(const Complex<Real>& complex, Vertex v) {
     return any_edge_at(complex, v, [&](Corner c) { return is_border(complex.twin(c)); });
 }
@@ -83,39 +58,6 @@ bool is_interface(const Complex<Real>& complex, Edge e) {
 template <class Real>
 bool is_interface(const Complex<Real>& complex, Triangle t) {
     return any_edge_of<Real>(t, [&](Corner c) { return is_interface_corner(complex, c); });
-}
-
-template <class Real>
-bool is_submesh_boundary(const Complex<Real>& complex, const Region& region, Vertex v) {
-    if (!owns(complex, region, v.id)) {
-        return false;
-    }
-    bool found = false;
-    for_each_corner(complex, v, [&](Corner c) {
-        found = found || !owns_triangle(complex, region, triangle_of(c));
-    });
-    return found;
-}
-
-template <class Real>
-bool is_submesh_boundary(const Complex<Real>& complex, const Region& region, Edge e) {
-    const Corner across = complex.twin(e.id);
-    return !is_border(across) && owns_triangle(complex, region, triangle_of(e.id)) !=
-                                     owns_triangle(complex, region, triangle_of(across));
-}
-
-template <class Real>
-SimplexSet interface_of(const Complex<Real>& complex) {
-    std::vector<Vertex> vertices;
-    std::vector<Edge> found;
-    for (const Edge e : edges(complex)) {
-        if (is_interface(complex, e)) {
-            found.push_back(e);
-            const auto ends = complex.vertices_of(e);
-            vertices.insert(vertices.end(), ends.begin(), ends.end());
-        }
-    }
-    return SimplexSet(std::move(vertices), std::move(found), {});
 }
 
 template <class Real>
@@ -151,15 +93,9 @@ double phase_area(const Complex<Real>& complex, Phase phase) {
 }
 
 #define DSC_INSTANTIATE_SIMPLEX(Real, Simplex)                                                     \
-    template bool is_valid_simplex(const Complex<Real>&, Simplex);                                 \
     template bool is_boundary(const Complex<Real>&, Simplex);                                      \
     template bool is_interface(const Complex<Real>&, Simplex);
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template int orientation(const Complex<Real>&, Triangle);                                      \
-    template Phase phase(const Complex<Real>&, Triangle);                                          \
-    template bool is_submesh_boundary(const Complex<Real>&, const Region&, Vertex);                \
-    template bool is_submesh_boundary(const Complex<Real>&, const Region&, Edge);                  \
-    template SimplexSet interface_of(const Complex<Real>&);                                        \
     template std::vector<Phase> phases(const Complex<Real>&);                                      \
     template double phase_area(const Complex<Real>&, Phase);                                       \
     DSC_INSTANTIATE_SIMPLEX(Real, Vertex)                                                          \

@@ -7,7 +7,7 @@
 
 #include "dsc/base/verdict.h"
 #include "dsc/passes/algorithm.h"
-#include "dsc/quality/selection.h"
+#include "thesis/selection.h"
 
 namespace dsc {
 

@@ -8,8 +8,8 @@
 // degree of the vertex (or the sum of the degrees), k the number of simplices collected for a set.
 #pragma once
 
-#include "dsc/algebra/simplex_set.h"
 #include "dsc/complex/circulate.h"
+#include "thesis/simplex_set.h"
 
 namespace dsc {
 

@@ -5,8 +5,9 @@
 
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/operations/ear_clipping.h"
-#include "dsc/operations/local_retriangulation.h"
+#include "dsc/queries/phases.h"
+#include "thesis/ear_clipping.h"
+#include "thesis/local_retriangulation.h"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,9 @@
 #include "dsc/base/error.h"
 #include "dsc/operations/fan.h"
 #include "dsc/operations/replay.h"
-#include "dsc/operations/triangle_collapse.h"
 #include "dsc/queries/hash.h"
+#include "thesis/insertion_removal.h"
+#include "thesis/triangle_collapse.h"
 
 #include <gtest/gtest.h>
 

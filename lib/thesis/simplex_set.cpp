@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/algebra/simplex_set.h"
+#include "thesis/simplex_set.h"
 
 #include "dsc/base/error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/algebra/algebra.h"
+#include "thesis/algebra.h"
 
 #include "dsc/complex/ranges.h"
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/passes/thesis_algorithm.h"
+#include "thesis/thesis_algorithm.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/operations/edge_flip.h"
-#include "dsc/operations/local_retriangulation.h"
-#include "dsc/operations/loop_subdivision.h"
 #include "dsc/operations/smoothing.h"
-#include "dsc/passes/interface/upkeep.h"
-#include "dsc/passes/mesh/update.h"
 #include "dsc/quality/delaunay.h"
 #include "dsc/quality/measures.h"
 #include "dsc/quality/ring_quality.h"
+#include "thesis/local_retriangulation.h"
+#include "thesis/loop_subdivision.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 // give its negative.
 #pragma once
 
-#include "dsc/algebra/simplex_set.h"
+#include "thesis/simplex_set.h"
 
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/operations/triangle_collapse.h"
+#include "thesis/triangle_collapse.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/rewire.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/operations/local_retriangulation.h"
+#include "thesis/local_retriangulation.h"
 
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/geometry/triangle.h"
-#include "dsc/operations/ear_clipping.h"
 #include "dsc/operations/fan.h"
+#include "thesis/ear_clipping.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Replay of a log with operations of this module in it: `replay<double>(complex, edits,
+// repeat_edit<double>)`.
+#pragma once
+
+#include "dsc/operations/replay.h"
+
+namespace dsc {
+
+/// Repeats a local retriangulation, an insertion or a removal; see `RepeatEdit`.
+template <class Real>
+bool repeat_edit(Complex<Real>& complex, const Submesh& submesh, const Edit& edit);
+
+} // namespace dsc
