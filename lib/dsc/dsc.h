@@ -6,8 +6,8 @@
 #include "dsc/base/error.h"
 #include "dsc/base/types.h"
 #include "dsc/base/verdict.h"
+#include "dsc/geometry/frame.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/geometry/unit_map.h"
 
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/complex.h"
@@ -35,19 +35,16 @@
 #include "dsc/operations/smoothing.h"
 
 #include "dsc/quality/delaunay.h"
-#include "dsc/quality/histogram.h"
 #include "dsc/quality/measures.h"
 #include "dsc/quality/ring_quality.h"
 
 #include "dsc/initial/initial_complex.h"
-#include "dsc/initial/unit_box.h"
 
 #include "dsc/motion/curvature_flow.h"
 #include "dsc/motion/growth.h"
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interface_flow.h"
 #include "dsc/motion/interpolation.h"
-#include "dsc/motion/unit_velocity.h"
 
 #include "dsc/topology/change.h"
 #include "dsc/topology/events.h"

@@ -2,6 +2,7 @@
 // Edits in and out of a simulation: listeners, replay, and what the application does between steps
 // and in passes of its own.
 #include "support/courses.h"
+#include "support/cut_down.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/gather.h"

@@ -3,6 +3,7 @@
 // ends with a valid complex. The seeds are fixed; DSC_FUZZ_SEEDS=N runs N scenes of each kind, and
 // DSC_FUZZ_FIRST says where to begin; with DSC_FUZZ_TOPOLOGY the topology changes in every scene
 // and not only in some. The scene that took the most CPU time is printed at the end.
+#include "support/cut_down.h"
 #include "support/environment.h"
 #include "support/random/options.h"
 #include "support/random/scene.h"
@@ -28,6 +29,7 @@
 namespace dsc::fuzz_test {
 namespace {
 
+using test::cut_down;
 using test::Dice;
 using test::from_environment;
 using test::RandomFlow;

@@ -6,7 +6,7 @@
 #include "accuracy.h"
 
 #include "dsc/base/error.h"
-#include "dsc/quality/histogram.h"
+#include "measures/histogram.h"
 #include "scenes/file/excerpt.h"
 #include "scenes/file/nearest.h"
 

@@ -16,6 +16,7 @@ namespace dsc::gate {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
+using scenes::Histogram;
 
 constexpr int check_width = 36;
 

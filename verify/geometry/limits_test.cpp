@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Formulas where something is zero, or exactly as large as something else.
 #include "dsc/geometry/distance.h"
+#include "dsc/geometry/frame.h"
 #include "dsc/geometry/turn.h"
-#include "dsc/geometry/unit_map.h"
 
 #include <gtest/gtest.h>
 
@@ -28,9 +28,9 @@ TEST(Limits, CurvatureOfPointsThatCoincideIsZero) {
 }
 
 TEST(Limits, ABoxAsFarAwayAsItIsLargeHasItsCornerAsTheOrigin) {
-    EXPECT_EQ(fit_unit_map({1, 0}, {2, 1}).origin, Point<double>(1, 0));
-    EXPECT_EQ(fit_unit_map({-2, 0}, {-1, 1}).origin, Point<double>(-1, 0));
-    EXPECT_EQ(fit_unit_map({0.5, 0}, {1.5, 1}).origin, Point<double>(0, 0));
+    EXPECT_EQ(choose_frame({1, 0}, {2, 1}).origin, Point<double>(1, 0));
+    EXPECT_EQ(choose_frame({-2, 0}, {-1, 1}).origin, Point<double>(-1, 0));
+    EXPECT_EQ(choose_frame({0.5, 0}, {1.5, 1}).origin, Point<double>(0, 0));
 }
 
 } // namespace

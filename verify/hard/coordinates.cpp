@@ -4,14 +4,13 @@
 #include "scene.h"
 #include "watch.h"
 
-#include "dsc/initial/unit_box.h"
-#include "dsc/motion/unit_velocity.h"
 #include "dsc/queries/hash.h"
 #include "flows/exact.h"
 #include "flows/velocity.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"
+#include "support/frame_testing.h"
 
 #include <cmath>
 #include <limits>
@@ -62,27 +61,27 @@ std::vector<Outline> exact_of(Motion motion, const Place& place) {
     return scenes::rotated_shape(outlines, place.at(0.5, 0.5), std::numbers::pi / 2).outlines;
 }
 
-// The interface at the end, in the coordinates of the unit square: without a map, or with one.
+// The interface at the end, in the coordinates of the unit square: without a frame, or with one.
 template <class Real>
-std::vector<Outline> run_at(const Place& place, Motion motion, bool with_map, HardResult& result,
+std::vector<Outline> run_at(const Place& place, Motion motion, bool with_frame, HardResult& result,
                             std::uint64_t* hash = nullptr) {
     const auto velocity = velocity_of(motion, place);
     constexpr double dt = 1.0 / offset_steps;
-    const UnitMap map =
-        with_map ? fit_unit_map(place.domain().low, place.domain().high) : UnitMap{};
-    auto scene = scene_of<Real>(map, place.domain(), place.outlines(), place.h * place.size);
+    const Frame frame =
+        with_frame ? choose_frame(place.domain().low, place.domain().high) : Frame{};
+    auto scene = scene_of<Real>(frame, place.domain(), place.outlines(), place.h * place.size);
     Watch<Real> watch(scene.complex, scene.options, {.domain = scene.domain, .thorough_every = 10},
                       result);
-    watch.run(velocity_to_unit<Real>(map, velocity), 0, dt, offset_steps);
+    watch.run(test::velocity_in<Real>(frame, velocity), 0, dt, offset_steps);
     if (hash != nullptr) {
         *hash = mesh_hash(scene.complex);
     }
     // The difference is exact where coordinates are far from the origin, and the scale but for one
     // rounding.
     return mapped(scenes::interface_outlines(scene.complex), [&](const Point<double>& unit) {
-        if (with_map) {
-            const Point<double> shift = map.origin - place.at(0, 0);
-            return Point<double>((unit * std::ldexp(1.0, map.exponent) + shift) / place.size);
+        if (with_frame) {
+            const Point<double> shift = frame.origin - place.at(0, 0);
+            return Point<double>((unit * frame.unit + shift) / place.size);
         }
         return Point<double>((unit - place.at(0, 0)) / place.size);
     });
@@ -100,11 +99,11 @@ double rounding_cost(const std::vector<Outline>& outlines, double offset, double
            scenes::signed_area(outlines);
 }
 
-HardResult offset_case(double offset, bool with_map) {
+HardResult offset_case(double offset, bool with_frame) {
     HardResult result;
     result.asked = "a circle translated and turned, " + text(offset) +
                    " from the origin at h = 0.02" +
-                   (with_map ? ", in the coordinates of a UnitMap" : "");
+                   (with_frame ? ", in the coordinates of a frame" : "");
     const Place there{.offset = offset};
     double worst = 0;
     double worst_share = 0;
@@ -114,9 +113,9 @@ HardResult offset_case(double offset, bool with_map) {
     for (const Motion motion : {Motion::translation, Motion::rotation}) {
         HardResult plain;
         const double at_origin = error_of(run_at<double>({}, motion, false, plain), motion);
-        const double far = error_of(run_at<double>(there, motion, with_map, result), motion);
-        // Without a map each step rounds anew, and may do so the same way each time.
-        const double allowed = at_origin + 1e-13 + (with_map ? 3 : 2 * (offset_steps + 1)) * once;
+        const double far = error_of(run_at<double>(there, motion, with_frame, result), motion);
+        // Without a frame each step rounds anew, and may do so the same way each time.
+        const double allowed = at_origin + 1e-13 + (with_frame ? 3 : 2 * (offset_steps + 1)) * once;
         expect(result, far <= allowed,
                std::string(motion == Motion::translation ? "translation" : "rotation") +
                    ": error " + text(far) + ", allowed " + text(allowed));
@@ -137,8 +136,7 @@ HardResult offset_case(double offset, bool with_map) {
 
 HardResult size_case(double size) {
     HardResult result;
-    result.asked =
-        "the same scene at a size of " + text(size) + ", in the coordinates of a UnitMap";
+    result.asked = "the same scene at a size of " + text(size) + ", in the coordinates of a frame";
     double worst = 0;
     for (const Motion motion : {Motion::translation, Motion::rotation}) {
         HardResult plain;
@@ -158,10 +156,10 @@ HardResult size_case(double size) {
 }
 
 // By a power of two nothing may change at all.
-HardResult power_case(int exponent, bool with_map) {
+HardResult power_case(int exponent, bool with_frame) {
     HardResult result;
     result.asked = "the same scene times 2^" + std::to_string(exponent) +
-                   (with_map ? ", in the coordinates of a UnitMap" : ", as it is");
+                   (with_frame ? ", in the coordinates of a frame" : ", as it is");
     bool same = true;
     for (const Motion motion : {Motion::translation, Motion::rotation}) {
         HardResult plain;
@@ -169,8 +167,8 @@ HardResult power_case(int exponent, bool with_map) {
         std::uint64_t scaled = 0;
         const auto at_one = run_at<double>({.h = 0.05}, motion, false, plain, &one);
         const Place place{.size = std::ldexp(1.0, exponent), .h = 0.05};
-        const auto here = run_at<double>(place, motion, with_map, result, &scaled);
-        same = same && here == at_one && (!with_map || scaled == one);
+        const auto here = run_at<double>(place, motion, with_frame, result, &scaled);
+        same = same && here == at_one && (!with_frame || scaled == one);
         result.error = error_of(here, motion, 0.05);
     }
     result.error_is = "symmetric difference to the exact shape, relative";
@@ -182,7 +180,7 @@ HardResult power_case(int exponent, bool with_map) {
 
 HardResult bare_size_case(double size) {
     HardResult result;
-    result.asked = "a scene of size " + text(size) + " without a map";
+    result.asked = "a scene of size " + text(size) + " without a frame";
     const Place place{.size = size, .h = 0.05};
     const auto build = [&] {
         return scene_of<double>(place.domain(), place.outlines(), place.h * place.size);
@@ -190,14 +188,14 @@ HardResult bare_size_case(double size) {
     // Beyond this a mesh cannot even be made; before it, one can be looked at, but not moved.
     if (size < 1e-98 || size > 1e98) {
         expect_input_error(
-            result, [&] { (void)build(); }, "UnitMap");
+            result, [&] { (void)build(); }, "choose_frame");
     } else {
         auto scene = build();
         expect_input_error(
             result, [&] { const Simulation<double> simulation(scene.complex, scene.options); },
-            "UnitMap");
+            "choose_frame");
     }
-    result.happened = "refused by a typed error that names the map";
+    result.happened = "refused by a typed error that names the way out";
     return result;
 }
 
@@ -247,7 +245,7 @@ HardResult float_outline_case() {
 // The way out that these errors name.
 HardResult float_mapped_case() {
     HardResult result;
-    result.asked = "float at an offset of 1e5, h = 0.02, in the coordinates of a UnitMap";
+    result.asked = "float at an offset of 1e5, h = 0.02, in the coordinates of a frame";
     const Place there{.offset = 1e5};
     constexpr auto epsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
     // In unit coordinates of up to 1 the steps' roundings add up to this at most.

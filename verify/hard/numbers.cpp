@@ -5,7 +5,7 @@
 #include "watch.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/geometry/unit_map.h"
+#include "dsc/geometry/frame.h"
 #include "flows/exact.h"
 #include "measures/interface_outlines.h"
 #include "shapes/shapes.h"
@@ -200,7 +200,7 @@ HardResult denormal_coordinates() {
     expect_input_error(
         result,
         [&] {
-            (void)fit_unit_map({0, 0}, {tiny, tiny});
+            (void)choose_frame({0, 0}, {tiny, tiny});
         },
         "1e-290");
     result.happened = "as with zeros; a domain of that size is refused by a typed error";

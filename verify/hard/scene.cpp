@@ -3,9 +3,9 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/initial/unit_box.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
+#include "support/frame_testing.h"
 
 #include <array>
 #include <cmath>
@@ -35,13 +35,11 @@ Scene<Real> scene_of(const Rectangle& domain, std::span<const scenes::Outline> o
 }
 
 template <class Real>
-Scene<Real> scene_of(const UnitMap& map, const Rectangle& domain,
+Scene<Real> scene_of(const Frame& frame, const Rectangle& domain,
                      std::span<const scenes::Outline> outlines, double h) {
-    Scene<Real> scene{to_unit(map, domain),
-                      initial_complex<Real>(map, domain, shapes_of(outlines), {.edge_length = h}),
-                      {}};
-    scene.options.edge_length = static_cast<Real>(length_to_unit(map, h));
-    return scene;
+    const auto in_frame = [&](const Point<double>& p) { return test::to_frame(frame, p); };
+    return scene_of<Real>({in_frame(domain.low), in_frame(domain.high)}, mapped(outlines, in_frame),
+                          h / frame.unit);
 }
 
 Scene<double> grid_scene(const Rectangle& domain, int columns, int rows,
@@ -148,7 +146,7 @@ void expect_input_error(HardResult& result, const std::function<void()>& build,
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Scene<Real> scene_of(const Rectangle&, std::span<const scenes::Outline>, double);     \
-    template Scene<Real> scene_of(const UnitMap&, const Rectangle&,                                \
+    template Scene<Real> scene_of(const Frame&, const Rectangle&,                                  \
                                   std::span<const scenes::Outline>, double);                       \
     template std::vector<scenes::Outline> outlines_of(const Complex<Real>&, Phase);                \
     template double shape_error(const Complex<Real>&, std::span<const scenes::Outline>);

@@ -4,7 +4,7 @@
 
 #include "result.h"
 
-#include "dsc/geometry/unit_map.h"
+#include "dsc/geometry/frame.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/passes/options.h"
 #include "shapes/outline.h"
@@ -29,9 +29,9 @@ struct Scene {
 template <class Real>
 Scene<Real> scene_of(const Rectangle& domain, std::span<const scenes::Outline> outlines, double h);
 
-/// The same, in the unit coordinates of a map; the scene's domain is in unit coordinates too.
+/// The same in a frame; the scene's domain is in its coordinates too.
 template <class Real>
-Scene<Real> scene_of(const UnitMap& map, const Rectangle& domain,
+Scene<Real> scene_of(const Frame& frame, const Rectangle& domain,
                      std::span<const scenes::Outline> outlines, double h);
 
 /// A grid of squares, columns by rows, each cut in two with diagonals that alternate; a triangle's

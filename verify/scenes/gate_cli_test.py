@@ -160,7 +160,7 @@ class HardCases(CommandLine):
         self.assertEqual(held["missed"], held["unreached"])
         self.assertGreater(held["held"], 0)
         self.assertIsNone(held["error"])
-        self.assertIn("UnitMap", refused["error_message"])
+        self.assertIn("choose_frame", refused["error_message"])
         with open(self.path("hard.md"), encoding="utf-8") as stream:
             rows = stream.read().splitlines()
         self.assertEqual(len(rows), 4)

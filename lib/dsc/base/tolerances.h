@@ -32,7 +32,7 @@ inline constexpr float area_bound<float> = 1.7881411e-7F;
 /// The squared quality divides products of six lengths. They keep full precision for triangles of
 /// a quality above 1e-4 while h^6 is at least 1e8 times the smallest normal number, and edges of up
 /// to 16 h do not overflow while h^6 is at most 1e-8 times the largest. A scene of another size is
-/// run in the unit coordinates of a `UnitMap`.
+/// run in the coordinates of a `Frame`.
 template <class Real>
 inline constexpr double least_edge_length = 1e-50;
 /// `least_edge_length` for float.

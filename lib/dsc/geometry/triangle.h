@@ -90,37 +90,6 @@ template <class Real>
     return degrees * std::atan2(cross, dot);
 }
 
-/// The mean ratio, 4 sqrt 3 area / (sum of the squared edge lengths): smooth, from 0 to 1.
-template <class Real>
-[[nodiscard]] Real mean_ratio(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
-    const Real sum = squared_distance(b, c) + squared_distance(c, a) + squared_distance(a, b);
-    constexpr Real four_sqrt3 = static_cast<Real>(6.9282032302755091741);
-    return sum > 0 ? four_sqrt3 * (area(a, b, c) / sum) : Real{0};
-}
-
-/// The aspect ratio: shortest altitude over longest edge, times 2 / sqrt 3; from 0 to 1.
-template <class Real>
-[[nodiscard]] Real aspect_ratio(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
-    const Real longest =
-        std::max({squared_distance(b, c), squared_distance(c, a), squared_distance(a, b)});
-    constexpr Real four_over_sqrt3 = static_cast<Real>(2.3094010767585030580);
-    return longest > 0 ? four_over_sqrt3 * (area(a, b, c) / longest) : Real{0};
-}
-
-/// The radius ratio: twice the inscribed over the circumscribed circle's radius; from 0 to 1.
-template <class Real>
-[[nodiscard]] Real radius_ratio(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
-    const Real la = distance(b, c);
-    const Real lb = distance(c, a);
-    const Real lc = distance(a, b);
-    const Real signed_area = area(a, b, c);
-    if (!(std::min({la, lb, lc}) > 0)) {
-        return 0;
-    }
-    // 16 area^2 / (la lb lc (la + lb + lc)), two lengths to each area.
-    return 16 * (signed_area / (la * lb)) * (std::abs(signed_area) / (lc * (la + lb + lc)));
-}
-
 /// The centre of the circle through the corners; not finite for a degenerate triangle.
 template <class Real>
 [[nodiscard]] Point<Real> circumcentre(const Point<Real>& a, const Point<Real>& b,

@@ -253,40 +253,7 @@ ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits,
     return report;
 }
 
-template <class Real>
-std::vector<Edit> cut_down(const Complex<Real>& first, std::vector<Edit> edits,
-                           const std::function<bool(const Complex<Real>& replayed)>& fails) {
-    const auto still_fails = [&](const std::vector<Edit>& some) {
-        Complex<Real> complex = first;
-        replay<Real>(complex, some);
-        return fails(complex);
-    };
-    if (!still_fails(edits)) {
-        return edits;
-    }
-    for (std::size_t piece = (edits.size() + 1) / 2; piece > 0; piece /= 2) {
-        // From the end: later records depend on earlier ones.
-        for (std::size_t end = edits.size(); end > 0;) {
-            const std::size_t begin = end > piece ? end - piece : 0;
-            std::vector<Edit> fewer(edits.begin(),
-                                    edits.begin() + static_cast<std::ptrdiff_t>(begin));
-            fewer.insert(fewer.end(), edits.begin() + static_cast<std::ptrdiff_t>(end),
-                         edits.end());
-            if (still_fails(fewer)) {
-                edits = std::move(fewer);
-            }
-            end = begin;
-        }
-    }
-    return edits;
-}
-
-#define DSC_INSTANTIATE(Real)                                                                      \
-    template ReplayReport replay(Complex<Real>&, std::span<const Edit>, const RepeatEdit<Real>&);  \
-    template std::vector<Edit> cut_down(const Complex<Real>&, std::vector<Edit>,                   \
-                                        const std::function<bool(const Complex<Real>&)>&);
-DSC_INSTANTIATE(double)
-DSC_INSTANTIATE(float)
-#undef DSC_INSTANTIATE
+template ReplayReport replay(Complex<double>&, std::span<const Edit>, const RepeatEdit<double>&);
+template ReplayReport replay(Complex<float>&, std::span<const Edit>, const RepeatEdit<float>&);
 
 } // namespace dsc

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Replays a log of edits on the complex that it began with: the result is the same mesh, bit for
-// bit. A failed run is kept as its first complex and its log, and reduced by leaving out records.
+// bit.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <vector>
 
 namespace dsc {
 
@@ -36,14 +35,5 @@ using RepeatEdit = std::function<bool(Complex<Real>& complex, const Submesh& sub
 template <class Real>
 ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits,
                     const RepeatEdit<Real>& others = {});
-
-/// Leaves out records for as long as `fails(first complex with the rest replayed)` stays true, in
-/// ever smaller pieces (A. Zeller, R. Hildebrandt, "Simplifying and isolating failure-inducing
-/// input", 2002). Returns the remaining records: all of them if `fails` is false to begin with.
-/// O(edits^2) replays at worst, usually O(edits log edits).
-template <class Real>
-[[nodiscard]] std::vector<Edit>
-cut_down(const Complex<Real>& first, std::vector<Edit> edits,
-         const std::function<bool(const Complex<Real>& replayed)>& fails);
 
 } // namespace dsc

@@ -4,11 +4,6 @@
 namespace dsc {
 
 template <class Real>
-Real vertex_distance(const Complex<Real>& complex, Vertex v, const Point<Real>& destination) {
-    return distance(complex.position(v), destination);
-}
-
-template <class Real>
 Real length(const Complex<Real>& complex, Edge e) {
     const auto v = complex.vertices_of(e);
     return distance(complex.position(v[0]), complex.position(v[1]));
@@ -21,7 +16,6 @@ Real squared_length(const Complex<Real>& complex, Edge e) {
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template Real vertex_distance(const Complex<Real>&, Vertex, const Point<Real>&);               \
     template Real length(const Complex<Real>&, Edge);                                              \
     template Real squared_length(const Complex<Real>&, Edge);
 DSC_INSTANTIATE(double)
@@ -40,9 +34,6 @@ DSC_INSTANTIATE(float)
 DSC_TRIANGLE_MEASURE(area)
 DSC_TRIANGLE_MEASURE(quality)
 DSC_TRIANGLE_MEASURE(min_angle_deg)
-DSC_TRIANGLE_MEASURE(mean_ratio)
-DSC_TRIANGLE_MEASURE(aspect_ratio)
-DSC_TRIANGLE_MEASURE(radius_ratio)
 #undef DSC_TRIANGLE_MEASURE
 
 } // namespace dsc

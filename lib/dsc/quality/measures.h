@@ -9,10 +9,6 @@
 
 namespace dsc {
 
-/// Equation 1: how far a vertex is from its destination.
-template <class Real>
-[[nodiscard]] Real vertex_distance(const Complex<Real>& complex, Vertex v,
-                                   const Point<Real>& destination);
 /// Equation 2: the length of an edge.
 template <class Real>
 [[nodiscard]] Real length(const Complex<Real>& complex, Edge e);
@@ -28,14 +24,5 @@ template <class Real>
 /// The smallest angle, in degrees, 0 to 60.
 template <class Real>
 [[nodiscard]] Real min_angle_deg(const Complex<Real>& complex, Triangle t);
-/// The mean ratio, 1 for an equilateral triangle.
-template <class Real>
-[[nodiscard]] Real mean_ratio(const Complex<Real>& complex, Triangle t);
-/// The aspect ratio, 1 for an equilateral triangle.
-template <class Real>
-[[nodiscard]] Real aspect_ratio(const Complex<Real>& complex, Triangle t);
-/// The radius ratio, 1 for an equilateral triangle.
-template <class Real>
-[[nodiscard]] Real radius_ratio(const Complex<Real>& complex, Triangle t);
 
 } // namespace dsc

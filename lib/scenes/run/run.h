@@ -2,8 +2,8 @@
 // Runs a scene and measures it. Measuring is not timed, and does not slow down the steps.
 #pragma once
 
-#include "dsc/quality/histogram.h"
 #include "dsc/topology/events.h"
+#include "measures/histogram.h"
 #include "measures/junctions.h"
 #include "measures/measures.h"
 #include "measures/phases.h"

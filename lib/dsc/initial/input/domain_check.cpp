@@ -63,7 +63,7 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
                           .value = text(h),
                           .allowed = text(least_initial_edge_length) + " to " +
                                      text(1 / least_initial_edge_length) +
-                                     "; a UnitMap brings any scene there"});
+                                     "; choose_frame brings any scene there"});
     }
     if (h > std::min(width, height)) {
         throw InputError({.what = "edge length is larger than the domain",
@@ -78,7 +78,7 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
                           .where = "options",
                           .value = text(h),
                           .allowed = "at least " + text(least_steps * resolution) +
-                                     "; a UnitMap brings a scene near the origin"});
+                                     "; choose_frame brings a scene near the origin"});
     }
     check_sizes(options.sizes, h);
     const double spacing = spacing_of(options, std::min(width, height));

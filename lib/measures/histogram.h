@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace dsc {
+namespace dsc::scenes {
 
 /// Bin i holds the values from edges[i] to edges[i + 1], without the upper end except in the last
 /// bin.
@@ -60,4 +60,4 @@ template <class Real>
 /// Throws InputError where the bins differ or one of the histograms is empty.
 [[nodiscard]] double histogram_distance(const Histogram& a, const Histogram& b);
 
-} // namespace dsc
+} // namespace dsc::scenes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/quality/histogram.h"
+#include "measures/histogram.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace dsc {
+namespace dsc::scenes {
 
 namespace {
 
@@ -147,4 +147,4 @@ DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE
 
-} // namespace dsc
+} // namespace dsc::scenes
