@@ -4,10 +4,12 @@
 
 #include "dsc/base/archive.h"
 #include "dsc/base/error.h"
+#include "dsc/base/require.h"
 #include "dsc/base/types.h"
 #include "dsc/base/verdict.h"
 #include "dsc/geometry/frame.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/geometry/turn.h"
 
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/complex.h"
@@ -15,6 +17,7 @@
 #include "dsc/complex/gather.h"
 #include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/complex/spokes.h"
 #include "dsc/complex/submesh.h"
 
 #include "dsc/queries/components.h"
@@ -40,18 +43,16 @@
 
 #include "dsc/initial/initial_complex.h"
 
-#include "dsc/motion/curvature_flow.h"
-#include "dsc/motion/growth.h"
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interface_flow.h"
 #include "dsc/motion/interpolation.h"
+#include "dsc/motion/movement.h"
 
 #include "dsc/topology/change.h"
 #include "dsc/topology/events.h"
 #include "dsc/topology/options.h"
 
 #include "dsc/passes/algorithm.h"
-#include "dsc/passes/interface/growth_corners.h"
 #include "dsc/passes/options.h"
 
 #include "dsc/algorithm/run.h"

@@ -2,6 +2,7 @@
 // Draws the pictures of the guide: `dsc_guide_pictures FOLDER`. The same bytes on every machine, so
 // that a test can compare them with the ones in lib/guide/pictures.
 #include "dsc/dsc.h"
+#include "geometric_flows/geometric_flows.h"
 #include "thesis/algebra.h"
 
 #include <cmath>

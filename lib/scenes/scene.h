@@ -4,9 +4,9 @@
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
-#include "dsc/motion/curvature_flow.h"
 #include "dsc/motion/interpolation.h"
 #include "flows/velocity.h"
+#include "geometric_flows/curvature_flow.h"
 #include "scenes/keys.h"
 #include "shapes/exact_shape.h"
 

@@ -51,7 +51,7 @@ public:
             on_interface[i] = fan.interface_edges > 0;
             owned = owned && fan.owned;
             locked[i] = complex_.is_locked(Vertex{v_[i]});
-            corners[i] = (complex_.vertices[v_[i]].flags & vertex_corner) != 0;
+            corners[i] = complex_.is_corner(Vertex{v_[i]});
         }
         if (!pin(on_boundary)) {
             return {Verdict::on_boundary};

@@ -7,15 +7,15 @@
 
 #include "dsc/complex/numbering.h"
 #include "dsc/io/edit_file.h"
-#include "dsc/motion/curvature_flow.h"
-#include "dsc/motion/growth.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/operations/replay.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
-#include "dsc/passes/interface/growth_corners.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
+#include "geometric_flows/curvature_flow.h"
+#include "geometric_flows/growth.h"
+#include "geometric_flows/growth_corners.h"
 
 #include <omp.h>
 

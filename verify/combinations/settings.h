@@ -4,9 +4,9 @@
 
 #include "combinations/scene.h"
 
-#include "dsc/motion/growth.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/passes/options.h"
+#include "geometric_flows/growth.h"
 
 namespace dsc::combinations {
 

@@ -24,6 +24,7 @@ OWN = {
     "algorithm": ["algorithm", "effort"],
     "parallel": ["parallel"],
     "topology": ["topology"],
+    "geometric_flows": ["geometric_flows", "velocities", "algorithm"],
     "thesis": ["thesis", "operations", "fuzz", "reference"],
     "io": ["io", "checkpoints"],
     "measures": ["measures"],
@@ -36,6 +37,7 @@ OWN = {
 # Cheap ones first. The hashes notice nearly everything and say nothing about what is wrong, so they
 # are asked last of all tests.
 OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "thesis", "algorithm", "initial",
+          "geometric_flows",
           "sizes", "io", "measures", "geometry", "recipes", "scene_files", "scene_runs",
           "topology", "fuzz", "hard", "reference", "scenes", "parallel", "velocities",
           "checkpoints", "figures", "hashes", "gate"]

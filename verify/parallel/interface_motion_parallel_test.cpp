@@ -5,10 +5,10 @@
 #include "support/submesh_executor_testing.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/motion/curvature_flow.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
+#include "geometric_flows/curvature_flow.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include "support/ways.h"
 
 #include "dsc/initial/initial_complex.h"
-#include "dsc/motion/curvature_flow.h"
-#include "dsc/passes/interface/growth_corners.h"
 #include "dsc/queries/hash.h"
+#include "geometric_flows/curvature_flow.h"
+#include "geometric_flows/growth_corners.h"
 
 #include <gtest/gtest.h>
 

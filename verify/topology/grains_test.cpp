@@ -5,11 +5,11 @@
 #include "support/topology/topology_testing.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/motion/curvature_flow.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
+#include "geometric_flows/curvature_flow.h"
 
 #include <gtest/gtest.h>
 

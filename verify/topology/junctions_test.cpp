@@ -6,8 +6,8 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/motion/curvature_flow.h"
 #include "dsc/queries/validate.h"
+#include "geometric_flows/curvature_flow.h"
 
 #include <gtest/gtest.h>
 

@@ -181,6 +181,13 @@ public:
     }
     /// Forbids a vertex to move or vanish, or allows it. Operations answer `Verdict::locked`.
     void set_locked(Vertex v, bool locked);
+    /// Whether it is a corner of the interface: it is kept, and the curve has no tangent there.
+    [[nodiscard]] bool is_corner(Vertex v) const {
+        return (vertices[v.id].flags & vertex_corner) != 0;
+    }
+    /// Makes a vertex of the interface a corner, or an ordinary point of its curve. The next step
+    /// takes account of it; O(1).
+    void set_corner(Vertex v, bool corner);
 
     // --- ids ----------------------------------------------------------------------------------
     /// Makes sure that the pool has so many free ids, so that taking them cannot fail. Returns

@@ -65,6 +65,7 @@ bool all_positive(const Ring<Real>& ring, Real px, Real py) {
     return true;
 }
 
+/// How far a vertex came.
 enum class MoveOutcome : std::uint8_t {
     reached, ///< the vertex is at its target
     partly,  ///< it went some of the way

@@ -4,10 +4,10 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/io/edit_file.h"
-#include "dsc/motion/growth.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
-#include "dsc/passes/interface/growth_corners.h"
 #include "dsc/queries/phases.h"
+#include "geometric_flows/growth.h"
+#include "geometric_flows/growth_corners.h"
 #include "scenes/output/submesh_map.h"
 #include "scenes/run/frame_arrays.h"
 #include "scenes/run/kept_value.h"

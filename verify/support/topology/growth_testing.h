@@ -6,8 +6,8 @@
 
 #include "dsc/initial/initial_complex.h"
 #include "dsc/parallel/parallel.h"
-#include "dsc/passes/interface/growth_corners.h"
 #include "flows/two_discs.h"
+#include "geometric_flows/growth_corners.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"

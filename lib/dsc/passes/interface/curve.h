@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The interface as a curve, seen from the star of one of its vertices: which spokes belong to it,
-// where it continues smoothly, how it bends, and how close its next sheet is.
+// The interface as a curve, seen from the star of one of its vertices: where it continues smoothly,
+// how it bends, and how close its next sheet is.
 #pragma once
 
 #include "dsc/complex/complex.h"
 #include "dsc/complex/interface_pair.h"
 #include "dsc/complex/ring.h"
+#include "dsc/complex/spokes.h"
 #include "dsc/geometry/distance.h"
 #include "dsc/geometry/turn.h"
 #include "dsc/motion/interpolation.h"
@@ -15,45 +16,12 @@
 
 namespace dsc {
 
-/// The interface spokes of a ring; more than two make a junction.
-struct Spokes {
-    std::uint32_t count = 0;
-    std::uint32_t first = 0;
-    std::uint32_t second = 0;
-
-    [[nodiscard]] std::uint32_t other(std::uint32_t spoke) const {
-        return first == spoke ? second : first;
-    }
-};
-
-template <class Real>
-Spokes interface_spokes(const Ring<Real>& ring) {
-    Spokes spokes;
-    const std::uint32_t n = ring.link_size();
-    Phase before = ring.phase_before(0);
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const Phase after = ring.phase_after(i);
-        if (before != after && is_interface_pair(before, after)) {
-            (spokes.count == 0 ? spokes.first : spokes.second) = i;
-            ++spokes.count;
-        }
-        before = after;
-    }
-    return spokes;
-}
-
-template <class Real>
-Point<Real> link_point(const Ring<Real>& ring, std::uint32_t i) {
-    return {ring.link_x(i), ring.link_y(i)};
-}
-
 /// Whether a cubic may pass through `at`: it must not be a corner, nor turn by a right angle or
 /// more, which a polynomial in chord length cannot follow.
 template <class Real>
 bool is_smooth(const Complex<Real>& complex, std::uint32_t vertex, const Point<Real>& from,
                const Point<Real>& at, const Point<Real>& to) {
-    return (complex.vertices[vertex].flags & vertex_corner) == 0 &&
-           turns_less<Real>(from, at, to, Real(0));
+    return !complex.is_corner(Vertex{vertex}) && turns_less<Real>(from, at, to, Real(0));
 }
 
 /// Sets p0, p1, p2 and has_first, for the interface edge that leaves the centre along `spoke`. On

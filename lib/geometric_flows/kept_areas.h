@@ -2,8 +2,8 @@
 // Moves curves along their normals so that phases have given areas.
 #pragma once
 
-#include "dsc/motion/curvature_flow.h"
-#include "dsc/motion/curve_network.h"
+#include "geometric_flows/curvature_flow.h"
+#include "geometric_flows/curve_network.h"
 
 namespace dsc {
 

@@ -5,8 +5,8 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/algorithm/interface_graph.h"
-#include "dsc/motion/curvature_flow.h"
-#include "dsc/motion/curve_network.h"
+#include "geometric_flows/curvature_flow.h"
+#include "geometric_flows/curve_network.h"
 
 #include <gtest/gtest.h>
 

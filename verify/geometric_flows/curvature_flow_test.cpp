@@ -4,7 +4,7 @@
 
 #include "dsc/algorithm/interface_graph.h"
 #include "dsc/base/error.h"
-#include "dsc/motion/curvature_flow.h"
+#include "geometric_flows/curvature_flow.h"
 
 #include <gtest/gtest.h>
 

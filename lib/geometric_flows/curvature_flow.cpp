@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/motion/curvature_flow.h"
+#include "geometric_flows/curvature_flow.h"
 
 #include "dsc/base/error.h"
-#include "dsc/motion/curve_network.h"
-#include "dsc/motion/kept_areas.h"
+#include "geometric_flows/curve_network.h"
+#include "geometric_flows/kept_areas.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 // meeting in a sharp notch.
 //
 // Normals alone do neither: the arc starts from one point, and what is inserted there later lies
-// beside it. So a pass (passes/interface/growth_corners.h) puts a fan of vertices at the corner,
+// beside it. So a pass (growth_corners.h) puts a fan of vertices at the corner,
 // each with a direction of its own, and the flow moves each along its ray: a characteristic of the
 // eikonal equation (J. A. Sethian, "Curvature and the evolution of fronts", 1985).
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/motion/curve_network.h"
+#include "geometric_flows/curve_network.h"
 
 #include "dsc/complex/circulate.h"
 

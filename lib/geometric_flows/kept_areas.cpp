@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/motion/kept_areas.h"
+#include "geometric_flows/kept_areas.h"
 
 #include "dsc/geometry/turn.h"
 
@@ -26,7 +26,8 @@ Eigen::VectorXd areas(const CurveNetwork& network, std::span<const Point<double>
     for (const CurveEdge& edge : network.edges) {
         // Relative to a vertex, so that an offset of all costs no digits.
         const double part =
-            cross<double>(positions[edge.from] - positions[0], positions[edge.to] - positions[0]) / 2;
+            cross<double>(positions[edge.from] - positions[0], positions[edge.to] - positions[0]) /
+            2;
         if (const int left = place_in(kept, edge.left); left >= 0) {
             sum[left] += part;
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/motion/growth.h"
+#include "geometric_flows/growth.h"
 
 #include "dsc/base/error.h"
 #include "dsc/base/require.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/passes/interface/growth_corners.h"
+#include "geometric_flows/growth_corners.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/gather.h"
@@ -7,7 +7,7 @@
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/passes/interface/growth_bend.h"
+#include "geometric_flows/growth_bend.h"
 
 #include <algorithm>
 #include <array>
@@ -91,24 +91,17 @@ private:
     }
 
     // --- notches ------------------------------------------------------------------------------
-    [[nodiscard]] bool is_corner(std::uint32_t v) const {
-        return (complex_.vertices[v].flags & vertex_corner) != 0;
-    }
+    [[nodiscard]] bool is_corner(std::uint32_t v) const { return complex_.is_corner(Vertex{v}); }
     // What another submesh owns may be becoming one.
     [[nodiscard]] bool may_be_corner(std::uint32_t v) const {
         return !owns(complex_, work_.submesh.region, v) || is_corner(v);
     }
-    void set_corner(std::uint32_t v, bool corner) {
-        auto& flags = complex_.vertices[v].flags;
-        flags = corner ? flags | vertex_corner : flags & ~std::uint32_t{vertex_corner};
-    }
-
     void mark(std::uint32_t v, const GrowthBend<Real>& bend) {
         if (std::abs(bend.turn) < smooth_) {
-            set_corner(v, false);
+            complex_.set_corner(Vertex{v}, false);
         } else if (bend.turn * bend.speed < 0 && std::abs(bend.turn) > notch_ &&
                    has_longer_edges(bend, lengths(work_.options.interface.shortest))) {
-            set_corner(v, true);
+            complex_.set_corner(Vertex{v}, true);
         }
     }
 
@@ -228,7 +221,7 @@ private:
                              static_cast<float>(-by),
                              k + 1 == count ? 0 : static_cast<float>(angle - by),
                              FanState::opening};
-            set_corner(member.id, true);
+            complex_.set_corner(member, true);
         }
     }
 
@@ -297,7 +290,7 @@ private:
         } else if (bend.speed * radius < 0) {
             close(ring, bend, is_inside);
         } else if (is_inside && std::abs(radius) > lengths(grown)) {
-            set_corner(v.id, false);
+            complex_.set_corner(v, false);
         }
     }
 
@@ -335,7 +328,7 @@ private:
         const bool is_last = ray.to_last == 0;
         if (is_last || !(collapse_into(ring, bend.out) || collapse_into(ring, bend.in))) {
             ray = {};
-            set_corner(ring.vertex, is_last);
+            complex_.set_corner(Vertex{ring.vertex}, is_last);
         }
     }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The corners of an interface that grows along its normal (motion/growth.h): fans where they open,
+// The corners of an interface that grows along its normal (growth.h): fans where they open,
 // notches where sheets run into each other.
 #pragma once
 
-#include "dsc/motion/growth.h"
 #include "dsc/passes/algorithm.h"
+#include "geometric_flows/growth.h"
 
 namespace dsc {
 

@@ -2,8 +2,9 @@
 // A growing interface as seen from one of its vertices: how it turns there, and which way it moves.
 #pragma once
 
-#include "dsc/motion/growth.h"
-#include "dsc/passes/interface/curve.h"
+#include "dsc/complex/spokes.h"
+#include "dsc/geometry/turn.h"
+#include "geometric_flows/growth.h"
 
 namespace dsc {
 
