@@ -53,7 +53,9 @@
 #include "dsc/topology/options.h"
 
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/interface/carried.h"
 #include "dsc/passes/options.h"
+#include "dsc/passes/work_archive.h"
 
 #include "dsc/algorithm/run.h"
 #include "dsc/algorithm/simulation.h"
@@ -66,10 +68,9 @@
 #include "dsc/parallel/threads/thread_choice.h"
 #include "dsc/parallel/threads/thread_pool.h"
 
-#include "dsc/parallel/copied/copied_submeshes.h"
-#include "dsc/parallel/copied/copy_executor.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
+#include "dsc/parallel/timer.h"
 
 #include "dsc/io/edit_file.h"
 #include "dsc/io/sealed_file.h"

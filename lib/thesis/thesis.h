@@ -15,3 +15,6 @@
 
 #include "thesis/selection.h"
 #include "thesis/thesis_algorithm.h"
+
+#include "thesis/copied_submeshes.h"
+#include "thesis/copy_executor.h"

@@ -106,7 +106,7 @@ TEST_P(EditsInPlace, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(EditLogs, OfCreateAndMergeSayThatAllIdsAreNew) {
-    const Heard heard = hear({"copy", Division::copy}, 2);
+    const Heard heard = hear({"copy", copy_division}, 2);
     const auto rebuilds = std::ranges::count(heard.edits, EditKind::rebuild, &Edit::kind);
     EXPECT_GE(rebuilds, 4); // red and black in each step
     Complex<double> complex = disc();

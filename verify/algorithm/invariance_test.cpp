@@ -158,8 +158,8 @@ std::vector<Case> cases() { return {swirled(), merged(), graded(), of_patches()}
 
 std::vector<Way> all_ways() {
     std::vector<Way> ways{Way{}};
-    for (const DivisionEntry& entry : divisions()) {
-        ways.emplace_back(entry.division);
+    for (const Division division : test::all_divisions()) {
+        ways.emplace_back(division);
     }
     return ways;
 }
@@ -287,7 +287,7 @@ TEST(Invariance, TurnedByARightAngleGivesTheSameBits) {
 // that begins with one axis: other submeshes, in which the same interface moves.
 TEST(Invariance, TurnedByARightAngleMovesTheSameInterfaceInOtherSubmeshes) {
     for (const Case& one : {swirled(), graded(), of_patches()}) {
-        for (const Way& way : {Way{Division::blocks}, Way{Division::cells}, Way{Division::copy}}) {
+        for (const Way& way : {Way{Division::blocks}, Way{Division::cells}, Way{copy_division}}) {
             expect_within(1e-14, one, turned, way);
         }
     }

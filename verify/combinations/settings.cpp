@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "combinations/settings.h"
+#include "thesis/copy_executor.h"
 
 #include <array>
 #include <cmath>
@@ -75,7 +76,7 @@ GrowthOptions<Real> growth_of(const Row& row) {
 Parallel parallel_of(const Row& row, std::uint32_t threads) {
     constexpr std::array divisions{Division::cells,    Division::cells,  Division::fixed,
                                    Division::counting, Division::active, Division::blocks,
-                                   Division::copy};
+                                   copy_division};
     constexpr std::array submeshes{0U, 2U, 4U, 9U};
     Parallel parallel;
     parallel.threads = threads;

@@ -339,8 +339,8 @@ TEST(OwnAttributes, AreConservedWhereAFlowTurnsBack) {
     constexpr double h = 0.05;
     constexpr int half = 8;
     std::vector<Way> ways{Way{}};
-    for (const DivisionEntry& entry : divisions()) {
-        ways.emplace_back(entry.division);
+    for (const Division division : test::all_divisions()) {
+        ways.emplace_back(division);
     }
     for (const Way& way : ways) {
         SCOPED_TRACE(name_of(way));

@@ -25,7 +25,7 @@ OWN = {
     "parallel": ["parallel"],
     "topology": ["topology"],
     "geometric_flows": ["geometric_flows", "velocities", "algorithm"],
-    "thesis": ["thesis", "operations", "fuzz", "reference"],
+    "thesis": ["thesis", "copies", "operations", "fuzz", "reference"],
     "io": ["io", "checkpoints"],
     "measures": ["measures"],
     "flows": ["flows"],
@@ -39,7 +39,7 @@ OWN = {
 OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "thesis", "algorithm", "initial",
           "geometric_flows",
           "sizes", "io", "measures", "geometry", "recipes", "scene_files", "scene_runs",
-          "topology", "fuzz", "hard", "reference", "scenes", "parallel", "velocities",
+          "topology", "fuzz", "hard", "reference", "scenes", "parallel", "copies", "velocities",
           "checkpoints", "figures", "hashes", "gate"]
 # Some suites of a test program, by a name of their own.
 SUITES = {

@@ -6,6 +6,7 @@
 #include "support/random/options.h"
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"
+#include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
@@ -92,11 +93,11 @@ std::unique_ptr<Executor<Real>> draw_executor(Dice& dice, Complex<Real>& complex
     if (kind < 0.75) {
         return test::random_executor(dice, complex, options, 1, words);
     }
-    const auto& all = divisions();
+    const auto all = test::all_divisions();
     const auto which = static_cast<std::size_t>(dice.in(0, static_cast<int>(all.size()) - 1));
     return make_executor(
         complex, options,
-        Parallel{.division = all[which].division, .submeshes = test::number_in(dice, 0, 9)});
+        Parallel{.division = all[which], .submeshes = test::number_in(dice, 0, 9)});
 }
 
 template <class Real>

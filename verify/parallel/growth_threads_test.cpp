@@ -5,6 +5,7 @@
 #include "support/topology/growth_testing.h"
 
 #include "dsc/queries/hash.h"
+#include "thesis/copy_executor.h"
 
 #include <gtest/gtest.h>
 
@@ -74,11 +75,8 @@ TEST_P(GrowthThreads, GiveTheSameBitsInSinglePrecision) {
 
 INSTANTIATE_TEST_SUITE_P(Divisions, GrowthThreads,
                          testing::Values(Division::cells, Division::fixed, Division::counting,
-                                         Division::copy),
-                         [](const auto& one) {
-                             return std::string(
-                                 divisions()[static_cast<std::size_t>(one.param)].name);
-                         });
+                                         copy_division),
+                         [](const auto& one) { return std::string(one.param->name); });
 
 } // namespace
 } // namespace dsc::growth_threads_test

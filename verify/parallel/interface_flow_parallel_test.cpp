@@ -5,8 +5,8 @@
 #include "support/random/scene.h"
 #include "support/submesh_executor_testing.h"
 
-#include "dsc/parallel/copied/copy_executor.h"
 #include "dsc/queries/hash.h"
+#include "thesis/copy_executor.h"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 #include "geometric_flows/curvature_flow.h"
+#include "thesis/copy_executor.h"
 
 #include <gtest/gtest.h>
 
@@ -74,8 +75,8 @@ Outcome run(const std::optional<Parallel>& parallel) {
 
 TEST(InterfaceMotionParallel, TheSameBitsForAnyNumberOfThreads) {
     const Outcome alone = run({});
-    for (const Division division : {Division::cells, Division::counting, Division::copy}) {
-        SCOPED_TRACE(static_cast<int>(division));
+    for (const Division division : {Division::cells, Division::counting, copy_division}) {
+        SCOPED_TRACE(division->name);
         const auto with = [division](std::uint32_t threads) {
             return run(Parallel{.threads = threads,
                                 .division = division,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // As few slabs as there can be, and divisions that are none.
 #include "dsc/base/error.h"
-#include "dsc/parallel/copied/copied_submeshes.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/parallel/partition/blocks.h"
@@ -122,16 +121,6 @@ TEST_F(OnARow, ASingleSubmeshIsWhatOneAsksFor) {
         const auto* seen = dynamic_cast<const SubmeshExecutor<double>*>(executor.get());
         ASSERT_NE(seen, nullptr);
         EXPECT_EQ(seen->partition().colours.front().regions.size(), submeshes);
-    }
-}
-
-TEST(CopyLimits, ADivisionHasSubmeshesAndADirection) {
-    const auto mesh = test::grid<double>(4);
-    CopiedSubmeshes<double> submeshes;
-    for (const CountingDivision& bad :
-         {CountingDivision{.submeshes = 0}, CountingDivision{.submeshes = 2, .normal_x = 2},
-          CountingDivision{.submeshes = 2, .normal_x = 0, .normal_y = 0}}) {
-        EXPECT_THROW(create_submeshes(mesh, bad, submeshes), InputError);
     }
 }
 

@@ -160,7 +160,7 @@ TEST_P(WallContacts, SlideAlongEachWallEachWay) {
 
 INSTANTIATE_TEST_SUITE_P(Strategies, WallContacts,
                          testing::Values(std::nullopt, Division::cells, Division::blocks,
-                                         Division::copy),
+                                         copy_division),
                          [](const auto& one) { return test::name_of(one.param); });
 
 TEST(WallContact, ADropSpreadsToItsContactAngle) {

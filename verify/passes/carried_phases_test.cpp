@@ -67,7 +67,7 @@ TEST_P(CarriedPhase, KeepsItsTrianglesInARigidMotion) {
     test::expect_whole(complex, *simulation);
     EXPECT_EQ(simulation->interface_size(), on_curve);
     // Create and merge gives everything new ids, as the thesis does.
-    if (GetParam().division != Division::copy) {
+    if (GetParam().division != copy_division) {
         EXPECT_EQ(triangles_inside(complex), before);
     }
     EXPECT_EQ(triangles_inside(complex).size(), before.size());
@@ -170,7 +170,7 @@ TEST(CarriedPhases, KeepNoNoteThatNobodyReads) {
         const Options<double> options = carrying();
         Simulation<double> simulation(
             complex, options,
-            copies ? make_executor(complex, options, Parallel{.division = Division::copy})
+            copies ? make_executor(complex, options, Parallel{.division = copy_division})
                    : nullptr);
         const auto size = [&] {
             Archive archive;

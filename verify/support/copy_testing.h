@@ -5,7 +5,7 @@
 #include "constant_flow.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/parallel/copied/copy_executor.h"
+#include "thesis/copy_executor.h"
 
 #include <algorithm>
 #include <memory>

@@ -7,6 +7,7 @@
 
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/validate.h"
+#include "thesis/copy_executor.h"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +66,7 @@ inline const std::vector<Course> all_courses{{"sequential", {}},
                                              {"active", Division::active},
                                              {"blocks", Division::blocks},
                                              {"cells", Division::cells},
-                                             {"copy", Division::copy}};
+                                             {"copy", copy_division}};
 
 inline const auto course_name = [](const auto& one) { return std::string(one.param.name); };
 

@@ -3,18 +3,27 @@
 #pragma once
 
 #include "dsc/parallel/parallel.h"
+#include "thesis/copy_executor.h"
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dsc::test {
 
 /// None: sequential.
 using Way = std::optional<Division>;
 
+/// Those of the library, and create and merge.
+inline std::vector<Division> all_divisions() {
+    std::vector<Division> all(divisions().begin(), divisions().end());
+    all.push_back(copy_division);
+    return all;
+}
+
 inline std::string name_of(const Way& way) {
-    return way ? std::string(divisions().at(static_cast<std::size_t>(*way)).name) : "sequential";
+    return way ? std::string((*way)->name) : "sequential";
 }
 
 /// Null for the sequential method: a simulation then makes its own.

@@ -2,6 +2,7 @@
 // `vertex_plain` says that a star need not be looked at: it must be true of each vertex that has
 // it, whatever has happened to the mesh, and most vertices must have it.
 #include "support/topology/growing_discs.h"
+#include "support/ways.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/operations/edge_flip.h"
@@ -78,15 +79,15 @@ TEST(Plain, AreThoseWithNoOtherInterfaceInTheirLink) {
 }
 
 TEST(Plain, AreTheSameInSubmeshes) {
-    for (const DivisionEntry& entry : divisions()) {
+    for (const Division division : test::all_divisions()) {
         auto complex = discs_nearby(2);
         Simulation<double> simulation(complex, options(),
                                       make_executor(complex, options(),
                                                     Parallel{.threads = 2,
-                                                             .division = entry.division,
+                                                             .division = division,
                                                              .submeshes = 6,
                                                              .always_all_threads = true}));
-        expect_in_run(complex, simulation, std::string(entry.name));
+        expect_in_run(complex, simulation, std::string(division->name));
     }
 }
 

@@ -151,7 +151,7 @@ TEST_P(WallFilmsEveryWay, ADiscWetsTheWallThatItComesTo) {
 
 INSTANTIATE_TEST_SUITE_P(Topology, WallFilmsEveryWay,
                          testing::Values(Division::fixed, Division::active, Division::blocks,
-                                         Division::cells, Division::copy),
+                                         Division::cells, copy_division),
                          [](const auto& one) { return test::name_of(one.param); });
 
 TEST(WallFilms, OpenAtAContactOfSeveralEdges) {

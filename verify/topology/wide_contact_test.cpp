@@ -98,7 +98,7 @@ TEST_P(WideContact, ANeckClosesOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Topology, WideContact,
                          testing::Values(Division::fixed, Division::counting, Division::active,
-                                         Division::blocks, Division::cells, Division::copy),
+                                         Division::blocks, Division::cells, copy_division),
                          [](const auto& one) { return test::name_of(one.param); });
 
 // From the sub-step in which the film opens on, there is one piece and no hole.

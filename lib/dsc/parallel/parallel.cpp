@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/parallel.h"
 
-#include "dsc/base/error.h"
-#include "dsc/parallel/copied/copy_executor.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/partition/blocks.h"
 #include "dsc/parallel/partition/cells.h"
 #include "dsc/parallel/partition/slabs.h"
 
+#include <array>
 #include <type_traits>
 #include <utility>
 
@@ -70,50 +69,42 @@ std::unique_ptr<Executor<Real>> cells(Complex<Real>& complex, const Options<Real
         std::make_unique<CellPartitioner<Real>>(with_submeshes(CellOptions{}, parallel)));
 }
 
-template <class Real>
-std::unique_ptr<Executor<Real>> copies(Complex<Real>& complex, const Options<Real>& options,
-                                       const Parallel& parallel, Algorithm<Real> algorithm) {
-    CopyOptions copies = with_submeshes(CopyOptions{}, parallel);
-    copies.threads = parallel.threads;
-    return std::make_unique<CopyExecutor<Real>>(complex, options, std::move(algorithm), copies);
-}
-
 } // namespace
 
-const std::vector<DivisionEntry>& divisions() {
-    static const std::vector<DivisionEntry> all{
-        {Division::fixed, "fixed", "slabs of equal width (thesis, section 6.3)",
-         SlabOptions{}.submeshes, slabs<double, Slabbing::fixed>, slabs<float, Slabbing::fixed>},
-        {Division::counting, "counting",
-         "slabs of equal numbers of triangles (thesis, section 6.3)", SlabOptions{}.submeshes,
-         slabs<double, Slabbing::counting>, slabs<float, Slabbing::counting>},
-        {Division::active, "active", "slabs of equal work", SlabOptions{}.submeshes,
-         slabs<double, Slabbing::active>, slabs<float, Slabbing::active>},
-        {Division::blocks, "blocks", "cut in two directions, three colours (thesis, section 6)",
-         BlockOptions{}.submeshes, blocks<double>, blocks<float>},
-        {Division::cells, "cells", "submeshes that follow the interface", CellOptions{}.submeshes,
-         cells<double>, cells<float>},
-        {Division::copy, "copy", "submeshes created and merged (thesis, algorithms 6.1 and 6.2)",
-         CopyOptions{}.submeshes, copies<double>, copies<float>},
-    };
+constinit const DivisionEntry detail::fixed_division{
+    "fixed", "slabs of equal width (thesis, section 6.3)", SlabOptions{}.submeshes,
+    slabs<double, Slabbing::fixed>, slabs<float, Slabbing::fixed>};
+constinit const DivisionEntry detail::counting_division{
+    "counting", "slabs of equal numbers of triangles (thesis, section 6.3)",
+    SlabOptions{}.submeshes, slabs<double, Slabbing::counting>, slabs<float, Slabbing::counting>};
+constinit const DivisionEntry detail::active_division{
+    "active", "slabs of equal work", SlabOptions{}.submeshes, slabs<double, Slabbing::active>,
+    slabs<float, Slabbing::active>};
+constinit const DivisionEntry detail::blocks_division{
+    "blocks", "cut in two directions, three colours (thesis, section 6)", BlockOptions{}.submeshes,
+    blocks<double>, blocks<float>};
+constinit const DivisionEntry detail::cells_division{"cells", "submeshes that follow the interface",
+                                                     CellOptions{}.submeshes, cells<double>,
+                                                     cells<float>};
+
+std::span<const Division> divisions() {
+    static constexpr std::array all{Division::fixed, Division::counting, Division::active,
+                                    Division::blocks, Division::cells};
     return all;
 }
 
 std::uint32_t submeshes_of(const Parallel& parallel) {
-    return parallel.submeshes > 0
-               ? parallel.submeshes
-               : divisions().at(static_cast<std::size_t>(parallel.division)).submeshes;
+    return parallel.submeshes > 0 ? parallel.submeshes : parallel.division->submeshes;
 }
 
 template <class Real>
 std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
                                               const Parallel& parallel, Algorithm<Real> algorithm) {
     complex.in_use.expect_free(); // before an executor takes ids that the other one counts
-    const DivisionEntry& entry = divisions().at(static_cast<std::size_t>(parallel.division));
     if constexpr (std::is_same_v<Real, double>) {
-        return entry.in_double(complex, options, parallel, std::move(algorithm));
+        return parallel.division->in_double(complex, options, parallel, std::move(algorithm));
     } else {
-        return entry.in_float(complex, options, parallel, std::move(algorithm));
+        return parallel.division->in_float(complex, options, parallel, std::move(algorithm));
     }
 }
 

@@ -8,13 +8,46 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
-#include <vector>
 
 namespace dsc {
 
-/// How the mesh is divided into submeshes. `divisions` describes each way.
-enum class Division : std::uint8_t { fixed, counting, active, blocks, cells, copy };
+struct DivisionEntry;
+
+/// How the mesh is divided into submeshes: by one of the library's ways, one of a module, or one of
+/// the application's own. Two are equal if their entries are the same object.
+class Division {
+public:
+    /// The entry must outlive whatever uses the division.
+    explicit constexpr Division(const DivisionEntry& entry) : entry_(&entry) {}
+    /// Its properties.
+    constexpr const DivisionEntry* operator->() const { return entry_; }
+    friend bool operator==(const Division&, const Division&) = default;
+
+    static const Division fixed;    ///< slabs of equal width (thesis, section 6.3)
+    static const Division counting; ///< slabs of equal numbers of triangles (thesis, section 6.3)
+    static const Division active;   ///< slabs of equal work
+    static const Division blocks;   ///< cut in two directions
+    static const Division cells;    ///< submeshes that follow the interface
+
+private:
+    const DivisionEntry* entry_;
+};
+
+namespace detail {
+extern const DivisionEntry fixed_division;
+extern const DivisionEntry counting_division;
+extern const DivisionEntry active_division;
+extern const DivisionEntry blocks_division;
+extern const DivisionEntry cells_division;
+} // namespace detail
+
+inline constexpr Division Division::fixed{detail::fixed_division};
+inline constexpr Division Division::counting{detail::counting_division};
+inline constexpr Division Division::active{detail::active_division};
+inline constexpr Division Division::blocks{detail::blocks_division};
+inline constexpr Division Division::cells{detail::cells_division};
 
 /// The result depends on the division, the number of submeshes and the direction, and on nothing
 /// else here.
@@ -42,7 +75,6 @@ using MakeExecutor = std::unique_ptr<Executor<Real>> (*)(Complex<Real>& complex,
 
 /// The properties of a division.
 struct DivisionEntry {
-    Division division;              ///< which one it is
     std::string_view name;          ///< on command lines and in files
     std::string_view description;   ///< one sentence, for help texts
     std::uint32_t submeshes;        ///< if no number is asked for; 0: chosen during the run
@@ -50,8 +82,8 @@ struct DivisionEntry {
     MakeExecutor<float> in_float;   ///< makes its executor
 };
 
-/// One entry for each division, in their order.
-[[nodiscard]] const std::vector<DivisionEntry>& divisions();
+/// The library's divisions, in their order.
+[[nodiscard]] std::span<const Division> divisions();
 
 /// The number of submeshes that results: the number asked for, or the division's default; 0: chosen
 /// during the run.

@@ -2,19 +2,25 @@
 #include "scenes/run/strategy.h"
 
 #include "dsc/base/error.h"
+#include "thesis/copy_executor.h"
+
+#include <algorithm>
 
 namespace dsc::scenes {
 
 namespace {
 
-// Between the first and the last strategy are the divisions of the library, in their order.
+// Between the first and the last strategy are the divisions of the library, in their order, and
+// that of the thesis.
 std::vector<StrategyEntry> make_strategies() {
     std::vector<StrategyEntry> all{
         {Strategy::sequential, "sequential", "the whole mesh at once", 1, std::nullopt}};
-    for (const DivisionEntry& entry : divisions()) {
-        all.push_back({static_cast<Strategy>(all.size()), std::string(entry.name),
-                       std::string(entry.description), entry.submeshes, entry.division});
-    }
+    const auto add = [&](Division division) {
+        all.push_back({static_cast<Strategy>(all.size()), std::string(division->name),
+                       std::string(division->description), division->submeshes, division});
+    };
+    std::ranges::for_each(divisions(), add);
+    add(copy_division);
     all.push_back({Strategy::reference, "reference", "the literal sequential method of the thesis",
                    1, std::nullopt});
     return all;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Parallel DSC as printed in the thesis: algorithm 6.3 over CreateSubmeshes and MergeSubmeshes,
 // which copy the whole mesh into submeshes and back, for red and again for black. It is here to
-// show what this costs compared with the submeshes that run in place (submesh_executor.h).
+// show what this costs compared with the submeshes that run in place
+// (dsc/parallel/in_place/submesh_executor.h).
 #pragma once
 
-#include "dsc/algorithm/executor.h"
-#include "dsc/parallel/copied/copied_submeshes.h"
+#include "dsc/parallel/parallel.h"
+#include "thesis/copied_submeshes.h"
 
 #include <exception>
 
@@ -113,5 +114,12 @@ private:
     CopyCosts costs_;
     std::vector<Edit> edits_;
 };
+
+namespace detail {
+extern const DivisionEntry copy_division;
+} // namespace detail
+
+/// Create and merge as one of the ways to divide a mesh: `Parallel{.division = copy_division}`.
+inline constexpr Division copy_division{detail::copy_division};
 
 } // namespace dsc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/copied/copied_submeshes.h"
+#include "thesis/copied_submeshes.h"
 
-#include "dsc/parallel/copied/copying.h"
+#include "thesis/copying.h"
 
 #include "dsc/base/require.h"
 #include "dsc/complex/ranges.h"

@@ -3,7 +3,7 @@
 // sequential one, with the same bits for any number of threads; nothing that a boundary holds up is
 // lost; an exception in a submesh is passed on and leaves a complex that can continue.
 #include "dsc/complex/gather.h"
-#include "dsc/parallel/copied/copy_executor.h"
+#include "thesis/copy_executor.h"
 
 #include "support/copy_testing.h"
 #include "support/random/scene.h"

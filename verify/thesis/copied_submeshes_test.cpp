@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // CreateSubmeshes and MergeSubmeshes (thesis, algorithms 6.1 and 6.2) by themselves: dividing and
 // merging changes nothing but the ids, whatever data are attached to the simplices.
-#include "dsc/parallel/copied/copied_submeshes.h"
+#include "thesis/copied_submeshes.h"
 
 #include "support/random/scene.h"
+#include "support/small_meshes.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
@@ -240,6 +241,16 @@ TEST(CopiedSubmeshes, RefuseAMeshWhoseIdsAreLent) {
     mesh.lent_vertices = 0;
     mesh.lent_triangles = 1;
     EXPECT_THROW(create_submeshes(mesh, {}, submeshes), InputError);
+}
+
+TEST(CopiedSubmeshesOf, ADivisionHasSubmeshesAndADirection) {
+    const auto mesh = test::grid<double>(4);
+    CopiedSubmeshes<double> submeshes;
+    for (const CountingDivision& bad :
+         {CountingDivision{.submeshes = 0}, CountingDivision{.submeshes = 2, .normal_x = 2},
+          CountingDivision{.submeshes = 2, .normal_x = 0, .normal_y = 0}}) {
+        EXPECT_THROW(create_submeshes(mesh, bad, submeshes), InputError);
+    }
 }
 
 } // namespace

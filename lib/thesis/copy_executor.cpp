@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/copied/copy_executor.h"
+#include "thesis/copy_executor.h"
 
 #include "dsc/base/require.h"
 #include "dsc/parallel/timer.h"
@@ -328,6 +328,22 @@ template <class Real>
 void CopyExecutor<Real>::archive(Archive& archive) {
     archive(whole_, epoch_, costs_.steps, costs_.rounds);
 }
+
+namespace {
+
+template <class Real>
+std::unique_ptr<Executor<Real>> make_copies(Complex<Real>& complex, const Options<Real>& options,
+                                            const Parallel& parallel, Algorithm<Real> algorithm) {
+    return std::make_unique<CopyExecutor<Real>>(
+        complex, options, std::move(algorithm),
+        CopyOptions{.submeshes = submeshes_of(parallel), .threads = parallel.threads});
+}
+
+} // namespace
+
+constinit const DivisionEntry detail::copy_division{
+    "copy", "submeshes created and merged (thesis, algorithms 6.1 and 6.2)",
+    CopyOptions{}.submeshes, make_copies<double>, make_copies<float>};
 
 template class CopyExecutor<double>;
 template class CopyExecutor<float>;
