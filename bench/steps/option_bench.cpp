@@ -43,6 +43,7 @@ public:
         : setup_(scene.prepare(parameters)),
           complex_(scenes::first_complex<double>(setup_, parameters)),
           options_(scenes::scene_options<double>(setup_, parameters)),
+          topology_(scenes::topology_options<double>(parameters)),
           least_(static_cast<std::size_t>(std::min(setup_.steps, most_steps)), 1e9) {}
 
     /// A run from the beginning. Throws InvariantError if a vertex does not arrive.
@@ -50,7 +51,7 @@ public:
         using Clock = std::chrono::steady_clock;
         Complex<double> complex = complex_;
         const auto simulation =
-            scenes::make_simulation(complex, options_, scenes::Strategy::sequential, {});
+            scenes::make_simulation(complex, options_, topology_, scenes::Strategy::sequential, {});
         double sum = 0;
         for (std::size_t step = 0; step < least_.size(); ++step) {
             const double time = static_cast<double>(step) * setup_.dt;
@@ -80,6 +81,7 @@ private:
     scenes::Setup setup_;
     Complex<double> complex_;
     Options<double> options_;
+    TopologyOptions<double> topology_;
     std::vector<double> least_;
     std::vector<double> sums_;
     std::uint64_t hash_ = 0;

@@ -98,7 +98,9 @@ WholeRun run_whole(const Start& start, Complex<double>& complex, const RunCase& 
     submeshing.threads = c.threads;
     WholeRun run;
     const auto begin = Clock::now();
-    const auto simulation = scenes::make_simulation(complex, options, c.strategy, submeshing);
+    const auto simulation = scenes::make_simulation(
+        complex, options, scenes::topology_options<double>(start.parameters), c.strategy,
+        submeshing);
     run.construction_s = seconds_since(begin);
     const auto& velocity = start.setup.flow.front().velocity;
     const double dt = start.parameters.dt;

@@ -56,7 +56,7 @@ void add(StepRun& run, const StepReport& report) {
 StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& options) {
     const Options<double> choices = scenes::scene_options<double>(start.parameters);
     const auto simulation =
-        scenes::make_simulation(complex, choices, options.strategy, options.submeshing);
+        scenes::make_simulation(complex, choices, {}, options.strategy, options.submeshing);
     const auto& velocity = start.setup.flow.front().velocity;
     const double dt = start.parameters.dt;
     StepRun run;

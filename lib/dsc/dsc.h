@@ -48,10 +48,6 @@
 #include "dsc/motion/interpolation.h"
 #include "dsc/motion/movement.h"
 
-#include "dsc/topology/change.h"
-#include "dsc/topology/events.h"
-#include "dsc/topology/options.h"
-
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/carried.h"
 #include "dsc/passes/options.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/passes/options.h"
+#include "topology/options.h"
 
 #include <cstdint>
 

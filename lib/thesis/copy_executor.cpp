@@ -86,7 +86,6 @@ template <class Real>
 MoveReport CopyExecutor<Real>::move() {
     under_way_ = true;
     MoveReport report;
-    whole_.has_marks = options_.topology.changes(); // upkeep has seen them all
     whole_.movers.clear();
     report.held = collect_movers(whole_);
     // Algorithm 6.3: the mesh is divided anew until nothing is put off, except for what two colours
@@ -262,11 +261,6 @@ bool CopyExecutor<Real>::take_back() {
         is_as_given = is_as_given && work.interface == tasks_[i]->given;
     }
     take_interface_back(is_as_given);
-    for (Suspect<Real>& suspect : whole_.topology_suspects) {
-        suspect.vertex = submeshes_.merged_vertex(suspect.vertex);
-    }
-    std::erase_if(whole_.topology_suspects,
-                  [](const auto& suspect) { return suspect.vertex == no_id; });
     std::erase_if(whole_.movers, [](const auto& mover) { return mover.vertex == no_id; });
     return is_put_off;
 }
@@ -291,7 +285,6 @@ template <class Real>
 void CopyExecutor<Real>::recover() {
     const std::vector<std::uint32_t> active = std::move(whole_.active);
     forget(whole_);
-    whole_.topology_suspects.clear();
     whole_.epoch = next_stamp(complex_, epoch_);
     for (const std::uint32_t v : active) {
         if (complex_.is_alive(Vertex{v})) {

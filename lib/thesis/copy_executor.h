@@ -57,10 +57,9 @@ public:
     /// Edits within submeshes name the ids of copies and are not reported: each merge is one
     /// `rebuild`.
     [[nodiscard]] std::vector<Edit> take_edits() override;
-    void take_suspects(std::vector<Suspect<Real>>& list) override { append_suspects(whole_, list); }
+    void add_upkeep(const Pass<Real>& pass) override { algorithm_.upkeep.push_back(pass); }
     void begin_step() override {
         ++costs_.steps;
-        whole_.topology_suspects.clear(); // of a sub-step that gave up
         whole_.changed_interface.clear(); // there is no other list that would read it
     }
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;

@@ -131,7 +131,6 @@ Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, P
     complex.triangles[id] = TriangleRecord{v, neighbours, phase, 0};
     complex.attributes.reset_triangle(id);
     for (std::uint32_t i = 0; i < 3; ++i) {
-        rewire::meet(complex, v[i], v[(i + 1) % 3]);
         const Corner here = corner_of(id, i);
         const Corner across = neighbours[i];
         if (is_border(across)) {

@@ -203,7 +203,6 @@ void write_triangles(Complex<Real>& complex, RetriangulationPlan<Real>& plan) {
         complex.triangles[id] = {v, {border_corner, border_corner, border_corner}, phase, 0};
         for (std::uint32_t i = 0; i < 3; ++i) {
             complex.vertices[v[i]].corner = corner_of(id, i);
-            rewire::meet(complex, v[i], v[(i + 1) % 3]);
         }
         attach(corner_of(id, 2), p);
         attach(corner_of(id, 0), q);

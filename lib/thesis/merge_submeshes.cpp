@@ -49,9 +49,7 @@ void merge_vertices(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& subme
         if (original != no_id) {
             submeshes.merged[original] = id;
         }
-        // Each copy has seen its own part of the star: none knows all that is in the link.
-        const std::uint32_t unsure = original != no_id ? vertex_plain : 0U;
-        fresh.vertices.push_back({record.x, record.y, no_id, record.flags & ~unsure, 0, no_id});
+        fresh.vertices.push_back({record.x, record.y, no_id, record.flags, 0, no_id});
         submeshes.order.push_back(v.id);
     }
     fresh.attributes.append(SimplexKind::vertex, complex.attributes, submeshes.order);

@@ -8,6 +8,7 @@
 #include "support/random/options.h"
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"
+#include "support/topology/changing.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/io/edit_file.h"
@@ -70,7 +71,7 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
     const double h = dice.in(0.03, 0.07);
     auto complex = patches ? test::random_patches<Real>(dice, h, dice.in(2, 400))
                            : test::random_shapes<Real>(dice, h);
-    auto options = test::draw_options<Real>(dice, h, words);
+    test::ChangingOptions<Real> options{test::draw_options<Real>(dice, h, words)};
     // Of its own, so that the rest of a scene is what it was before topologies could change.
     Dice topology_dice(seed + 0x70b0UL);
     test::draw_topology(topology_dice, std::getenv("DSC_FUZZ_TOPOLOGY") != nullptr, h,
@@ -90,7 +91,7 @@ Drawn survive(std::uint64_t seed, bool wild, bool patches) {
     }
     const Complex<Real> first = complex;
     std::vector<Edit> edits;
-    Simulation<Real> simulation(complex, options, std::move(executor));
+    test::ChangingSimulation<Real> simulation(complex, options, std::move(executor));
     // Torn flows make interfaces of any length, fine sizes meshes of any size: then it is enough,
     // also in the middle of a step.
     constexpr std::size_t enough = 300'000;

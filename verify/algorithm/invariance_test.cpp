@@ -6,6 +6,7 @@
 // far the interface may lie from the image of the other one.
 #include "support/random/scene.h"
 #include "support/simulation_testing.h"
+#include "support/topology/changing.h"
 #include "support/ways.h"
 
 #include "dsc/complex/ranges.h"
@@ -64,7 +65,7 @@ Complex<double> mapped(const Complex<double>& complex, const Map& map) {
     return make_complex<double>(points, corners, phases);
 }
 
-Options<double> mapped(Options<double> options, const Map& map) {
+test::ChangingOptions<double> mapped(test::ChangingOptions<double> options, const Map& map) {
     options.edge_length *= map.scale;
     options.topology.contact *= map.scale;
     options.topology.least_area *= map.scale * map.scale;
@@ -75,7 +76,7 @@ Options<double> mapped(Options<double> options, const Map& map) {
 struct Case {
     std::string name;
     std::function<Complex<double>()> complex;
-    Options<double> options;
+    test::ChangingOptions<double> options;
     std::function<Point<double>(const Point<double>& p, double time)> velocity;
     double dt = 0.01;
     int steps = 12;
@@ -90,8 +91,8 @@ Velocity<double> mapped(const Case& one, const Map& map) {
     };
 }
 
-Options<double> options_of(double h) {
-    Options<double> options;
+test::ChangingOptions<double> options_of(double h) {
+    test::ChangingOptions<double> options;
     options.edge_length = h;
     return options;
 }
@@ -167,7 +168,7 @@ std::vector<Way> all_ways() {
 // Slabs are cut across a direction, which is turned as well.
 std::unique_ptr<Executor<double>> executor_of(const Way& way, const Map& map,
                                               Complex<double>& complex,
-                                              const Options<double>& options) {
+                                              const test::ChangingOptions<double>& options) {
     if (!way) {
         return nullptr;
     }
@@ -183,9 +184,9 @@ struct Ran {
 
 Ran run(const Case& one, const Map& map, const Way& way) {
     Ran ran{.complex = mapped(one.complex(), map)};
-    const Options<double> options = mapped(one.options, map);
-    Simulation<double> simulation(ran.complex, options,
-                                  executor_of(way, map, ran.complex, options));
+    const test::ChangingOptions<double> options = mapped(one.options, map);
+    test::ChangingSimulation<double> simulation(ran.complex, options,
+                                                executor_of(way, map, ran.complex, options));
     simulation.add_listener([&](std::span<const Edit> edits) { ran.edits += edits.size(); });
     const Velocity<double> velocity = mapped(one, map);
     const double dt = one.dt * map.time_scale;

@@ -43,20 +43,6 @@ TEST(SimulationOptions, AreCopied) {
     expect_whole(complex, simulation);
 }
 
-// A mark in the mesh stands for what a scan of the mesh would have wiped off.
-TEST(SimulationOptions, AreSetWithoutAScanOfTheMesh) {
-    Complex<double> complex = disc();
-    Options<double> options{.edge_length = disc_h};
-    Simulation<double> simulation(complex, options);
-    complex.vertices[7].flags |= vertex_plain;
-    options.max_passes = 20;
-    simulation.set_options(options);
-    EXPECT_NE(complex.vertices[7].flags & vertex_plain, 0U);
-    options.topology.rule = Topology::change; // nobody has kept it up to date
-    simulation.set_options(options);
-    EXPECT_EQ(complex.vertices[7].flags & vertex_plain, 0U);
-}
-
 TEST_P(EveryWay, SetOptionsTakesThemAsAWhole) {
     Complex<double> complex = disc();
     auto simulation = make_simulation(complex, {.edge_length = disc_h}, GetParam());

@@ -23,7 +23,7 @@ std::string field_fault(const Complex<Real>& complex) {
     return "the field is off by " + std::to_string(worst);
 }
 
-std::string account_fault(const StepReport& report, bool is_given_back) {
+std::string account_fault(const test::ChangingReport& report, bool is_given_back) {
     double taken = 0;
     bool is_one_way = true;
     for (const Event& event : report.events) {

@@ -2,7 +2,8 @@
 // What holds in every run, whatever its scene; each fault in a sentence, or empty.
 #pragma once
 
-#include "dsc/algorithm/simulation.h"
+#include "support/topology/changing.h"
+
 #include "dsc/complex/complex.h"
 
 #include <string>
@@ -21,6 +22,6 @@ template <class Real>
 
 /// What the events of a step took is given back or owed, if that is asked for. Only areas that go
 /// to and fro between the same two phases are set off against each other.
-[[nodiscard]] std::string account_fault(const StepReport& report, bool is_given_back);
+[[nodiscard]] std::string account_fault(const test::ChangingReport& report, bool is_given_back);
 
 } // namespace dsc::combinations

@@ -78,7 +78,7 @@ public:
 
 private:
     [[nodiscard]] Complex<Real> first_complex() const {
-        const Options<Real> options = options_of<Real>(row_, scene_, 0);
+        const test::ChangingOptions<Real> options = options_of<Real>(row_, scene_, 0);
         InitialOptions initial;
         initial.edge_length = scene_.h;
         initial.sizes = sizes_in<double>(options.sizes);
@@ -94,8 +94,9 @@ private:
         return complex;
     }
 
-    [[nodiscard]] std::unique_ptr<Simulation<Real>> simulation_of(Complex<Real>& complex) {
-        const Options<Real> options = options_of<Real>(row_, scene_, 0);
+    [[nodiscard]] std::unique_ptr<test::ChangingSimulation<Real>>
+    simulation_of(Complex<Real>& complex) {
+        const test::ChangingOptions<Real> options = options_of<Real>(row_, scene_, 0);
         auto algorithm = is_normal(row_.motion)
                              ? growth_algorithm<Real>(complex, growth_of<Real>(row_))
                              : default_algorithm<Real>();
@@ -115,7 +116,8 @@ private:
                                            std::move(algorithm));
         }
         seen_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
-        return std::make_unique<Simulation<Real>>(complex, options, std::move(executor));
+        return std::make_unique<test::ChangingSimulation<Real>>(complex, options,
+                                                                std::move(executor));
     }
 
     // This executor tells nobody how many threads share its submeshes.
@@ -169,7 +171,7 @@ private:
         }
     }
 
-    StepReport advance(Real time, Real dt) {
+    test::ChangingReport advance(Real time, Real dt) {
         if (is_normal(row_.motion)) {
             const InterfaceFlow<Real> inner = growth<Real>(growth_of<Real>(row_));
             return simulation_->step(
@@ -245,7 +247,7 @@ private:
         if (is_middle && interruption_ == Interruption::tiny_step) {
             take(advance(time, dt * std::numeric_limits<Real>::epsilon()), i);
         }
-        const StepReport report = advance(time, dt);
+        const test::ChangingReport report = advance(time, dt);
         take(report, i);
         for (std::uint32_t k = 0; k < report.sub_steps; ++k) {
             outcome_.times.push_back(static_cast<double>(time) +
@@ -254,7 +256,7 @@ private:
         trouble_ = Trouble::none;
     }
 
-    void take(const StepReport& report, int i) {
+    void take(const test::ChangingReport& report, int i) {
         const std::string when = ", step " + std::to_string(i);
         outcome_.held += report.held;
         // What is held may be in the way of others.
@@ -363,7 +365,7 @@ private:
     Real held_from_ = 0;
     Outcome<Real> outcome_;
     std::unique_ptr<Complex<Real>> complex_;
-    std::unique_ptr<Simulation<Real>> simulation_;
+    std::unique_ptr<test::ChangingSimulation<Real>> simulation_;
     const SubmeshExecutor<Real>* seen_ = nullptr;
     std::atomic<std::uint32_t> team_ = 1;
     std::vector<Edit> edits_;

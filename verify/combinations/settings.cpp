@@ -35,8 +35,8 @@ SizeOptions<Real> sizes_of(const Row& row, const Scene& scene, int half) {
 } // namespace
 
 template <class Real>
-Options<Real> options_of(const Row& row, const Scene& scene, int half) {
-    Options<Real> options;
+test::ChangingOptions<Real> options_of(const Row& row, const Scene& scene, int half) {
+    test::ChangingOptions<Real> options;
     const Real h = static_cast<Real>(scene.h);
     options.edge_length = h;
     options.sizes = sizes_of<Real>(row, scene, half);
@@ -88,8 +88,8 @@ Parallel parallel_of(const Row& row, std::uint32_t threads) {
 
 double contact_of(const Row& row) { return row.topology == Rule::wide ? 1.5 : default_contact; }
 
-template Options<double> options_of(const Row&, const Scene&, int);
-template Options<float> options_of(const Row&, const Scene&, int);
+template test::ChangingOptions<double> options_of(const Row&, const Scene&, int);
+template test::ChangingOptions<float> options_of(const Row&, const Scene&, int);
 template GrowthOptions<double> growth_of(const Row&);
 template GrowthOptions<float> growth_of(const Row&);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "combinations/scene.h"
+#include "support/topology/changing.h"
 
 #include "dsc/parallel/parallel.h"
 #include "dsc/passes/options.h"
@@ -12,7 +13,7 @@ namespace dsc::combinations {
 
 /// `half`: 0 in the first half of the run, 1 in the second.
 template <class Real>
-[[nodiscard]] Options<Real> options_of(const Row& row, const Scene& scene, int half);
+[[nodiscard]] test::ChangingOptions<Real> options_of(const Row& row, const Scene& scene, int half);
 
 /// Of `grow` and `shrink`.
 template <class Real>

@@ -3,6 +3,7 @@
 // mesh with a small disc in it, steps touch a small part. Counted by Linux, which marks the pages
 // that a process uses.
 #include "support/random/scene.h"
+#include "support/topology/changing.h"
 #include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"
@@ -49,12 +50,15 @@ struct Touched {
 };
 
 // A disc of diameter 0.5 in the middle of the domain, which moves to and fro.
-Touched touched_by_steps(const Options<double>& options, const Way& way) {
+Touched touched_by_steps(const test::ChangingOptions<double>& options, const Way& way) {
     constexpr double side = 8;
     const Point<double> centre(side / 2, side / 2);
     const std::vector<Shape> shapes{{test::circle_points(centre, 0.25, 79), 1}};
     auto complex = initial_complex<double>({{0, 0}, {side, side}}, shapes, {.edge_length = h});
     Simulation<double> simulation(complex, options, test::executor_of(way, complex, options));
+    if (options.topology.changes()) {
+        simulation.add_stage(std::make_shared<TopologyStage<double>>(options.topology));
+    }
     double speed = 1;
     const Velocity<double> shear = [&](auto positions, double, auto velocities) {
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -80,7 +84,7 @@ Touched touched_by_steps(const Options<double>& options, const Way& way) {
     return touched;
 }
 
-void expect_small_part(const Options<double>& options, const Way& way) {
+void expect_small_part(const test::ChangingOptions<double>& options, const Way& way) {
     const Touched touched = touched_by_steps(options, way);
     SCOPED_TRACE(test::name_of(way) + ": " + std::to_string(touched.kilobytes) + " kB of " +
                  std::to_string(touched.mesh));
@@ -101,8 +105,8 @@ protected:
     }
 };
 
-Options<double> default_options() {
-    Options<double> options;
+test::ChangingOptions<double> default_options() {
+    test::ChangingOptions<double> options;
     options.edge_length = h;
     return options;
 }
@@ -115,7 +119,7 @@ TEST_F(TouchedMemory, IsThatOfTheInterface) {
 }
 
 TEST_F(TouchedMemory, IsThatOfTheInterfaceWhereTheTopologyMayChange) {
-    Options<double> options = default_options();
+    auto options = default_options();
     options.topology.rule = Topology::change;
     options.topology.contact = 2 * h;
     expect_small_part(options, {});

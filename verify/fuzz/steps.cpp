@@ -6,6 +6,7 @@
 #include "support/random/options.h"
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"
+#include "support/topology/changing.h"
 #include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"
@@ -63,9 +64,9 @@ void draw_sizes(Dice& dice, double h, SizeOptions<Real>& sizes) {
 }
 
 template <class Real>
-Options<Real> draw_all_options(Dice& dice, double h) {
+test::ChangingOptions<Real> draw_all_options(Dice& dice, double h) {
     std::ostringstream words; // the bytes say all
-    Options<Real> options = test::draw_options<Real>(dice, h, words);
+    test::ChangingOptions<Real> options{test::draw_options<Real>(dice, h, words)};
     options.max_sub_steps = 20;
     test::draw_topology(dice, false, h, options.topology, words);
     if (dice.chance(0.1)) {

@@ -5,6 +5,7 @@
 #include "dsc/algorithm/interface_graph.h"
 #include "dsc/base/error.h"
 #include "geometric_flows/curvature_flow.h"
+#include "topology/stage.h"
 
 #include <gtest/gtest.h>
 
@@ -80,9 +81,9 @@ TEST(CurvatureFlow, APieceThatVanishesHoldsNoOtherOne) {
             const std::vector<Shape> shapes{{test::circle_points({0.7, 0.7}, 0.15, 60), 2},
                                             {test::circle_points({0.3, 0.3}, radius, 60), 1}};
             auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-            auto options = options_for<double>(h);
-            options.topology.rule = Topology::change;
-            Simulation<double> simulation(complex, options);
+            Simulation<double> simulation(complex, options_for<double>(h));
+            simulation.add_stage(std::make_shared<TopologyStage<double>>(
+                TopologyOptions<double>{.rule = Topology::change}));
             const auto motion = curvature_flow<double>();
             for (double time = 0; time < 0.0075; time += dt) {
                 EXPECT_EQ(simulation.step(motion, 0, dt).held, 0U);

@@ -39,6 +39,7 @@ public:
     void absorb(std::span<const Edit> edits) override { inner_->absorb(edits); }
     void keep_edits(bool keep) override { inner_->keep_edits(keep); }
     [[nodiscard]] std::vector<Edit> take_edits() override { return inner_->take_edits(); }
+    void add_upkeep(const Pass<Real>& pass) override { inner_->add_upkeep(pass); }
     void begin_step() override { inner_->begin_step(); }
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Again aim_again(const Flow<Real>& flow, Real time, Real dt) override;

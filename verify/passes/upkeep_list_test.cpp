@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list that the interface upkeep keeps: who stays on it, who leaves it, who is marked, woken or
+// The list that the interface upkeep keeps: who stays on it, who leaves it, who is woken or
 // put off.
 #include "dsc/passes/interface/upkeep.h"
 
@@ -63,20 +63,6 @@ TEST(UpkeepList, AVertexOfTooManyTrianglesStaysOnIt) {
     work.interface = {0};
     upkeep_interface(work);
     EXPECT_EQ(work.interface, std::vector<std::uint32_t>{0});
-}
-
-TEST(UpkeepList, NewVerticesAreMarkedAsOfTheInterface) {
-    auto complex = test::disc_complex<double>(0.1);
-    auto options = options_for<double>(0.06);
-    options.topology.rule = Topology::change;
-    Work<double> work(complex, options);
-    work.interface = collect_interface(complex);
-    const std::size_t before = work.interface.size();
-    upkeep_interface(work);
-    ASSERT_GT(work.interface.size(), before);
-    for (const std::uint32_t v : work.interface) {
-        EXPECT_NE(complex.vertices[v].flags & vertex_on_interface, 0U) << v;
-    }
 }
 
 TEST(UpkeepList, TheStarOfAVertexThatKeepsTheAreaIsWoken) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Changes of topology on meshes so small that what must happen can be read off them.
-#include "dsc/topology/change.h"
+#include "topology/change.h"
 
 #include "support/small_meshes.h"
 
 #include "dsc/complex/ranges.h"
 #include "dsc/quality/measures.h"
-#include "dsc/topology/junctions/sectors.h"
+#include "topology/junctions/sectors.h"
 
 #include <gtest/gtest.h>
 

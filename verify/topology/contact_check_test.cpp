@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contact distances of phases that are not there.
 #include "dsc/base/error.h"
-#include "dsc/topology/contact_check.h"
+#include "topology/contact_check.h"
 
 #include "support/small_meshes.h"
 

@@ -5,9 +5,9 @@
 
 #include "dsc/geometry/predicates.h"
 #include "dsc/queries/validate.h"
-#include "dsc/topology/films/chords.h"
-#include "dsc/topology/films/film_ray.h"
-#include "dsc/topology/films/film_region.h"
+#include "topology/films/chords.h"
+#include "topology/films/film_ray.h"
+#include "topology/films/film_region.h"
 
 #include <algorithm>
 #include <optional>

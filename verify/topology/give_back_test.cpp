@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Area that a change of topology takes is given back, to the rounding of the positions.
-#include "dsc/topology/give_back.h"
+#include "topology/give_back.h"
 
 #include "support/random/scene.h"
+#include "support/topology/changing.h"
 #include "support/topology/topology_testing.h"
 
 #include "dsc/algorithm/simulation.h"
@@ -172,10 +173,10 @@ struct Course {
 Course change_grains(bool gives_back) {
     constexpr double h = 0.03;
     auto complex = test::random_grains(40, h, 5);
-    Options<double> options;
+    test::ChangingOptions<double> options;
     options.edge_length = h;
     options.interface.corner_degrees = 180;
-    Simulation<double> simulation(complex, options);
+    test::ChangingSimulation<double> simulation(complex, options);
     Course course;
     for (int i = 0; i < 60; ++i) {
         simulation.step(curvature_flow<double>(), 0, 0.2 * h * h);
@@ -222,10 +223,10 @@ TEST(GiveBack, IsTheSameForAnyNumberOfThreads) {
         const std::vector<Shape> shapes{{test::circle_points({0.375, 0.5}, 0.1, 45), 1},
                                         {test::circle_points({0.625, 0.5}, 0.1, 45), 1}};
         auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-        Options<double> options;
+        test::ChangingOptions<double> options;
         options.edge_length = h;
         options.topology = {.rule = Topology::change, .gives_back_area = true};
-        Simulation<double> simulation(
+        test::ChangingSimulation<double> simulation(
             complex, options,
             Parallel{.threads = threads, .division = Division::cells, .always_all_threads = true});
         const Velocity<double> towards_each_other = [](std::span<const Point<double>> positions,
@@ -237,7 +238,7 @@ TEST(GiveBack, IsTheSameForAnyNumberOfThreads) {
         };
         auto& account = accounts.emplace_back();
         for (int i = 0; i < 9; ++i) {
-            const StepReport report = simulation.step(towards_each_other, 0, 0.3 * h);
+            const test::ChangingReport report = simulation.step(towards_each_other, 0, 0.3 * h);
             account += report.area;
             EXPECT_EQ(validate(complex).problem, "");
         }

@@ -2,6 +2,7 @@
 // A network of grains coarsens to a tenth by curvature flow: no vertex is stuck, and none keeps
 // more sectors than are stable.
 #include "support/random/scene.h"
+#include "support/topology/changing.h"
 #include "support/topology/topology_testing.h"
 
 #include "dsc/algorithm/simulation.h"
@@ -44,17 +45,17 @@ struct Course {
 // Until `least` phases are left, or for `most` steps.
 Course coarsen(Complex<double>& complex, double h, std::uint32_t threads, std::size_t least,
                int most) {
-    Options<double> options;
+    test::ChangingOptions<double> options;
     options.edge_length = h;
     options.topology.rule = Topology::change;
     options.interface.corner_degrees = 180; // curvature flow knows no corners
-    Simulation<double> simulation(complex, options,
-                                  Parallel{.threads = threads, .always_all_threads = true});
+    test::ChangingSimulation<double> simulation(
+        complex, options, Parallel{.threads = threads, .always_all_threads = true});
     const InterfaceMotion<double> motion = curvature_flow<double>();
     const double dt = 0.4 * h * h;
     Course course;
     for (int& step = course.steps; count_phases(complex) > least && step < most; ++step) {
-        const StepReport report = simulation.step(motion, step * dt, dt);
+        const test::ChangingReport report = simulation.step(motion, step * dt, dt);
         course.events.insert(course.events.end(), report.events.begin(), report.events.end());
         EXPECT_EQ(report.unreached, 0U) << step;
         EXPECT_EQ(test::ends_of(complex).crowded, 0U) << step;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Junctions: four sectors come apart as the energy wants it, or stay together. How fast they do is
 // tested by the scene t1, and how a network of grains coarsens in grains_test.cpp.
-#include "dsc/topology/junctions/junctions.h"
+#include "topology/junctions/junctions.h"
+
+#include "support/topology/changing.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
@@ -73,20 +75,20 @@ std::vector<P> junctions(const Complex<double>& complex, std::size_t edges) {
     return found;
 }
 
-Options<double> options(double h) {
-    Options<double> result;
+test::ChangingOptions<double> options(double h) {
+    test::ChangingOptions<double> result;
     result.edge_length = h;
     result.topology.rule = Topology::change;
     result.interface.corner_degrees = 180; // curvature flow knows no corners
     return result;
 }
 
-std::vector<Event> run(Simulation<double>& simulation, Complex<double>& complex, double dt,
-                       int steps) {
+std::vector<Event> run(test::ChangingSimulation<double>& simulation, Complex<double>& complex,
+                       double dt, int steps) {
     const InterfaceMotion<double> motion = curvature_flow<double>();
     std::vector<Event> events;
     for (int step = 0; step < steps; ++step) {
-        const StepReport report = simulation.step(motion, step * dt, dt);
+        const test::ChangingReport report = simulation.step(motion, step * dt, dt);
         events.insert(events.end(), report.events.begin(), report.events.end());
         EXPECT_EQ(validate(complex).problem, "");
     }
@@ -97,13 +99,13 @@ TEST(Junctions, TheEnergyDecidesWhichSectorsPart) {
     constexpr double h = 0.02;
     for (const bool is_dear : {false, true}) {
         auto complex = four_sectors(40, h);
-        Options<double> dear = options(h);
+        test::ChangingOptions<double> dear = options(h);
         if (is_dear) { // an interface between 2 and 4
             dear.topology.energy = [](Phase one, Phase other) {
                 return one + other == 6 && one != other ? 5.0 : 1.0;
             };
         }
-        Simulation<double> simulation(complex, dear);
+        test::ChangingSimulation<double> simulation(complex, dear);
         const std::vector<Event> events = run(simulation, complex, 1e-6, 3);
         ASSERT_GE(events.size(), 1U);
         const std::set<Phase> taken{events[0].taken[0], events[0].taken[1]};
@@ -113,18 +115,18 @@ TEST(Junctions, TheEnergyDecidesWhichSectorsPart) {
 
 TEST(Junctions, ANegativeEnergyIsRefused) {
     auto complex = four_sectors(40, 0.02);
-    Options<double> bad = options(0.02);
+    test::ChangingOptions<double> bad = options(0.02);
     bad.topology.energy = [](Phase, Phase) { return -1.0; };
-    Simulation<double> simulation(complex, bad);
+    test::ChangingSimulation<double> simulation(complex, bad);
     EXPECT_THROW((void)run(simulation, complex, 1e-6, 3), InputError);
     EXPECT_EQ(validate(complex).problem, "");
 }
 
 TEST(Junctions, FourSectorsStayTogetherWhereTheTopologyIsKept) {
     auto complex = four_sectors(40, 0.02);
-    Options<double> keeping = options(0.02);
+    test::ChangingOptions<double> keeping = options(0.02);
     keeping.topology.rule = Topology::keep;
-    Simulation<double> simulation(complex, keeping);
+    test::ChangingSimulation<double> simulation(complex, keeping);
     EXPECT_TRUE(run(simulation, complex, 1e-5, 5).empty());
     EXPECT_EQ(junctions(complex, 4).size(), 1U);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Two ends of a short edge merge, and what would be in the way is removed first.
-#include "dsc/topology/junctions/merging.h"
+#include "topology/junctions/merging.h"
 
 #include "dsc/complex/ranges.h"
 #include "dsc/quality/measures.h"

@@ -2,8 +2,8 @@
 // At which area pieces of a phase vanish, whatever their shape and the number of their vertices.
 #include "support/topology/growing_discs.h"
 
-#include "dsc/algorithm/executor.h"
-#include "dsc/passes/algorithm.h"
+#include "dsc/passes/interface/list.h"
+#include "topology/notes.h"
 
 #include <cmath>
 #include <numbers>
@@ -27,12 +27,12 @@ Velocity<double> shrink_to(P place) {
 // Phase 1 shrinks, by two percent of its area in a step, until it vanishes: that is at the area
 // asked for, but for a few steps.
 void expect_vanishes_below(double least_area, Complex<double> complex, P place, double length) {
-    Options<double> shrinking;
+    test::ChangingOptions<double> shrinking;
     shrinking.edge_length = length;
     shrinking.topology = {.rule = Topology::change, .least_area = least_area};
-    Simulation<double> simulation(complex, shrinking);
+    test::ChangingSimulation<double> simulation(complex, shrinking);
     for (int step = 0; step < 600; ++step) {
-        const StepReport report = simulation.step(shrink_to(place), 0, 0.01);
+        const test::ChangingReport report = simulation.step(shrink_to(place), 0, 0.01);
         if (!report.events.empty()) {
             EXPECT_EQ(validate(complex).problem, "");
             ASSERT_EQ(report.events.size(), 1U);
@@ -96,17 +96,15 @@ TEST(Remnants, AreNotSoughtAtLargePieces) {
         const std::vector<Shape> shapes{
             {test::circle_points({0.5, 0.5}, times * radius, static_cast<int>(40 * times)), 1}};
         auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-        auto large = options();
-        large.topology.least_area = least_area;
-        SequentialExecutor<double> executor(complex, large, default_algorithm<double>());
-        executor.begin_step();
-        (void)executor.aim(shrink_to({0.5, 0.5}), 0, 0.001);
-        std::vector<Suspect<double>> suspects;
-        executor.take_suspects(suspects);
-        const auto sharp = std::ranges::count_if(suspects, &Suspect<double>::is_sharp);
+        const auto large = options();
+        Work<double> work(complex, large);
+        work.interface = collect_interface(complex);
+        note_stars(work,
+                   {.contact = default_contact * h, .curvature = curvature_around(least_area)}, 1);
+        const auto sharp = std::ranges::count_if(work.interface, [&](std::uint32_t v) {
+            return (notes_of(complex)[Vertex{v}].what & noted_sharp) != 0;
+        });
         EXPECT_EQ(sharp > 0, times < 2) << times;
-        (void)executor.move();
-        executor.end_step();
     }
 }
 

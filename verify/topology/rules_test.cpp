@@ -24,7 +24,7 @@ double area_that_changed_hands(const std::vector<Event>& events) {
 
 TEST(Topology, IsKeptUnlessAskedFor) {
     auto complex = discs_nearby();
-    Simulation<double> simulation(complex, options(Topology::keep));
+    test::ChangingSimulation<double> simulation(complex, options(Topology::keep));
     const Grown grown = run(complex, simulation);
     EXPECT_TRUE(grown.events.empty());
     EXPECT_EQ(grown.outlines, 2U);
@@ -32,9 +32,9 @@ TEST(Topology, IsKeptUnlessAskedFor) {
 
 TEST(Topology, EveryAreaThatChangesHandsIsTold) {
     auto complex = discs_nearby();
-    Simulation<double> simulation(complex, options());
+    test::ChangingSimulation<double> simulation(complex, options());
     std::vector<Event> heard;
-    simulation.add_event_listener([&](std::span<const Event> events) {
+    simulation.topology().add_listener([&](std::span<const Event> events) {
         heard.insert(heard.end(), events.begin(), events.end());
     });
     double relabelled = 0;
@@ -52,21 +52,21 @@ TEST(Topology, EveryAreaThatChangesHandsIsTold) {
 }
 
 TEST(Topology, EachPairOfPhasesHasItsOwnRule) {
-    Options<double> own = options(Topology::keep);
+    test::ChangingOptions<double> own = options(Topology::keep);
     own.topology.pairs = {{.one = 0, .other = 1, .rule = Topology::change}};
     auto complex = discs_nearby();
-    Simulation<double> simulation(complex, own);
+    test::ChangingSimulation<double> simulation(complex, own);
     EXPECT_EQ(count(run(complex, simulation).events, EventKind::merge), 1U);
 
     own = options(Topology::change);
     own.topology.pairs = {{.one = 1, .other = 0, .rule = Topology::keep}};
     auto kept = discs_nearby();
-    Simulation<double> keeping(kept, own);
+    test::ChangingSimulation<double> keeping(kept, own);
     EXPECT_TRUE(run(kept, keeping).events.empty());
 }
 
 TEST(Topology, TheApplicationMaySayNo) {
-    Options<double> asked = options();
+    test::ChangingOptions<double> asked = options();
     int times = 0;
     Contact seen;
     asked.topology.may_change = [&](const Contact& contact) {
@@ -75,7 +75,7 @@ TEST(Topology, TheApplicationMaySayNo) {
         return false;
     };
     auto complex = discs_nearby();
-    Simulation<double> simulation(complex, asked);
+    test::ChangingSimulation<double> simulation(complex, asked);
     const Grown grown = run(complex, simulation);
     EXPECT_TRUE(grown.events.empty());
     EXPECT_EQ(grown.outlines, 2U);
@@ -87,10 +87,10 @@ TEST(Topology, TheApplicationMaySayNo) {
 }
 
 TEST(Topology, WhatTheApplicationThrowsComesOut) {
-    Options<double> asked = options();
+    test::ChangingOptions<double> asked = options();
     asked.topology.may_change = [](const Contact&) -> bool { throw std::runtime_error("no"); };
     auto complex = discs_nearby();
-    Simulation<double> simulation(complex, asked);
+    test::ChangingSimulation<double> simulation(complex, asked);
     EXPECT_THROW((void)run(complex, simulation), std::runtime_error);
     EXPECT_EQ(validate(complex).problem, "");
     asked.topology.may_change = {};
@@ -98,12 +98,29 @@ TEST(Topology, WhatTheApplicationThrowsComesOut) {
     EXPECT_EQ(count(run(complex, simulation).events, EventKind::merge), 1U) << "it goes on";
 }
 
+// Another complex takes the place of the first one in mid-run, without notes of its own: with two
+// submeshes, these must not be made by both of them.
+TEST(Topology, GoesOnWhereTheComplexIsReplaced) {
+    for (const std::uint32_t submeshes : {1U, 6U}) {
+        auto complex = discs_nearby();
+        test::ChangingSimulation<double> simulation(
+            complex, options(),
+            Parallel{.threads = 2, .submeshes = submeshes, .always_all_threads = true});
+        (void)simulation.step(grow(), 0, 0.3 * h);
+        complex = discs_nearby(2);
+        const Grown grown = run(complex, simulation);
+        EXPECT_EQ(count(grown.events, EventKind::meet), 1U);
+        complex = discs_nearby();
+        EXPECT_EQ(count(run(complex, simulation).events, EventKind::merge), 1U);
+    }
+}
+
 TEST(TopologyOptions, BadOnesAreRefused) {
     const auto refused = [](auto change) {
         auto complex = discs_nearby();
-        Options<double> bad = options();
+        test::ChangingOptions<double> bad = options();
         change(bad.topology);
-        EXPECT_THROW(Simulation<double>(complex, bad), InputError);
+        EXPECT_THROW(test::ChangingSimulation<double>(complex, bad), InputError);
     };
     refused([](auto& t) { t.contact = -1; });
     refused([](auto& t) { t.contact = 0.3; }); // wider than the discs

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Phases that meet, merge and part: what happens, where and when, is the same in every division of
 // the mesh and for any number of threads, and each event is told once.
-#include "dsc/topology/change.h"
+#include "topology/change.h"
 
 #include "support/topology/growing_discs.h"
 #include "support/ways.h"
@@ -36,7 +36,7 @@ TEST_P(EveryWay, TwoDiscsMergeOnce) {
     std::uint64_t hash = 0;
     for (const std::uint32_t threads : {1U, 3U}) {
         auto complex = discs_nearby();
-        Simulation<double> simulation(
+        test::ChangingSimulation<double> simulation(
             complex, options(),
             Parallel{.threads = threads, .division = GetParam(), .always_all_threads = true});
         const Grown grown = run(complex, simulation);
@@ -59,7 +59,8 @@ TEST_P(EveryWay, TwoDiscsMergeOnce) {
 
 TEST_P(EveryWay, WhatTheTopologyDoesIsCounted) {
     auto complex = discs_nearby();
-    Simulation<double> simulation(complex, options(), Parallel{.division = GetParam()});
+    test::ChangingSimulation<double> simulation(complex, options(),
+                                                Parallel{.division = GetParam()});
     std::map<EditKind, std::uint64_t> kinds;
     simulation.add_listener([&](std::span<const Edit> edits) {
         for (const Edit& edit : edits) {
@@ -80,46 +81,6 @@ TEST_P(EveryWay, WhatTheTopologyDoesIsCounted) {
     EXPECT_EQ(counts.flips, kinds[EditKind::flip]);
     EXPECT_EQ(counts.splits + counts.interface_splits, kinds[EditKind::split]);
     EXPECT_EQ(counts.collapses + counts.interface_collapses, kinds[EditKind::collapse]);
-}
-
-// A sub-step that gives up has noted suspects, whose ids may mean anything in the next step.
-void expect_no_old_suspects(Complex<double>& complex, Executor<double>& executor) {
-    const Velocity<double> velocity = grow();
-    std::vector<Suspect<double>> suspects;
-    for (const bool is_second : {false, true}) {
-        executor.begin_step();
-        if (is_second) {
-            executor.take_suspects(suspects);
-            EXPECT_TRUE(suspects.empty()) << suspects.size() << " of the step before";
-        }
-        (void)executor.aim(velocity, 0, 0.3 * h);
-        if (is_second) {
-            executor.take_suspects(suspects);
-            EXPECT_FALSE(suspects.empty());
-        }
-        executor.end_step(); // without a move
-    }
-    EXPECT_EQ(validate(complex).problem, "");
-}
-
-Complex<double> discs_that_nearly_touch() {
-    auto complex = discs_nearby();
-    Simulation<double> simulation(complex, options());
-    (void)run(complex, simulation, 0.02);
-    return complex;
-}
-
-TEST_P(EveryWay, SuspectsDoNotOutliveTheirStep) {
-    auto complex = discs_that_nearly_touch();
-    const auto executor = make_executor(
-        complex, options(), Parallel{.division = GetParam(), .always_all_threads = true});
-    expect_no_old_suspects(complex, *executor);
-}
-
-TEST(Topology, SuspectsDoNotOutliveTheirStep) {
-    auto complex = discs_that_nearly_touch();
-    SequentialExecutor<double> executor(complex, options(), default_algorithm<double>());
-    expect_no_old_suspects(complex, executor);
 }
 
 struct Area {
@@ -173,15 +134,15 @@ void expect_arrival_once_free(Complex<double>& complex, Executor<double>& execut
 }
 
 // In one stage, so that the velocity is that of where a vertex starts.
-Options<double> options_of_one_stage() {
-    Options<double> result = options();
+test::ChangingOptions<double> options_of_one_stage() {
+    test::ChangingOptions<double> result = options();
     result.integrator = Integrator::euler;
     return result;
 }
 
 Complex<double> discs_that_nearly_meet() {
     auto complex = discs_nearby(2);
-    Simulation<double> simulation(complex, options(Topology::keep));
+    test::ChangingSimulation<double> simulation(complex, options(Topology::keep));
     (void)run(complex, simulation, 0.02);
     return complex;
 }
@@ -237,12 +198,12 @@ Velocity<double> squeeze() {
 TEST_P(EveryWay, ANeckThatClosesInManyPlacesSplitsOnce) {
     for (const std::uint32_t threads : {1U, 3U}) {
         auto complex = squares_with_a_neck();
-        Simulation<double> simulation(
+        test::ChangingSimulation<double> simulation(
             complex, options(),
             Parallel{.threads = threads, .division = GetParam(), .always_all_threads = true});
         std::vector<Event> events;
         for (int step = 0; step < 8; ++step) {
-            const StepReport report = simulation.step(squeeze(), 0.001 * step, 0.001);
+            const test::ChangingReport report = simulation.step(squeeze(), 0.001 * step, 0.001);
             events.insert(events.end(), report.events.begin(), report.events.end());
             EXPECT_EQ(validate(complex).problem, "");
         }
@@ -260,7 +221,7 @@ TEST_P(EveryWay, ANeckThatClosesInManyPlacesSplitsOnce) {
 
 TEST(Topology, TwoPhasesMeetWithoutMixing) {
     auto complex = discs_nearby(2);
-    Simulation<double> simulation(complex, options());
+    test::ChangingSimulation<double> simulation(complex, options());
     const Grown grown = run(complex, simulation);
     EXPECT_EQ(count(grown.events, EventKind::meet), 1U);
     EXPECT_EQ(count(grown.events, EventKind::merge), 0U);
@@ -272,7 +233,7 @@ TEST(Topology, TwoPhasesMeetWithoutMixing) {
 // The two triangles of the bridge go to the two sides, one each.
 TEST(Topology, AFilmThatOpensIsShared) {
     auto complex = discs_nearby(2);
-    Simulation<double> simulation(complex, options());
+    test::ChangingSimulation<double> simulation(complex, options());
     std::vector<Edit> relabelled;
     simulation.add_listener([&](std::span<const Edit> edits) {
         std::ranges::copy_if(edits, std::back_inserter(relabelled),
@@ -301,13 +262,13 @@ TEST(Topology, AFilamentIsDrawnOutWithoutEnd) {
     };
     for (const Opening opening : {Opening::squeezed, Opening::thin}) {
         auto complex = initial_complex<double>({{-6, 0}, {7, 1}}, shapes, {.edge_length = 0.06});
-        Options<double> stretching = options();
+        test::ChangingOptions<double> stretching = options();
         stretching.edge_length = 0.06;
         stretching.topology.opening = opening;
-        Simulation<double> simulation(complex, stretching);
+        test::ChangingSimulation<double> simulation(complex, stretching);
         std::vector<Event> events;
         for (int step = 0; step < 120; ++step) {
-            const StepReport report = simulation.step(strain, 0, 0.025);
+            const test::ChangingReport report = simulation.step(strain, 0, 0.025);
             events.insert(events.end(), report.events.begin(), report.events.end());
         }
         EXPECT_EQ(events.empty(), opening == Opening::squeezed)
@@ -324,10 +285,10 @@ TEST(Topology, SmallPiecesVanish) {
             velocities[i] = (Point<double>(0.5, 0.5) - positions[i]).normalized();
         }
     };
-    Simulation<double> simulation(complex, options());
+    test::ChangingSimulation<double> simulation(complex, options());
     std::vector<Event> events;
     for (double time = 0; time < 0.1; time += 0.002) {
-        const StepReport report = simulation.step(shrink, time, 0.002);
+        const test::ChangingReport report = simulation.step(shrink, time, 0.002);
         events.insert(events.end(), report.events.begin(), report.events.end());
     }
     ASSERT_EQ(events.size(), 1U);
@@ -345,10 +306,10 @@ TEST(Topology, WhatVanishesIsNotLeftBehind) {
         const Point<double> centre(0.5, 0.5);
         const std::vector<Shape> shapes{{test::circle_points(centre, 0.58 * h, 6), 1}};
         auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-        Options<double> in_one = options(rule);
+        test::ChangingOptions<double> in_one = options(rule);
         in_one.sub_step = 2;
         in_one.integrator = Integrator::euler;
-        Simulation<double> simulation(complex, in_one);
+        test::ChangingSimulation<double> simulation(complex, in_one);
         constexpr double dt = 0.1;
         const Velocity<double> mirrored = [&](std::span<const Point<double>> positions, double,
                                               std::span<Point<double>> velocities) {
@@ -356,7 +317,7 @@ TEST(Topology, WhatVanishesIsNotLeftBehind) {
                 velocities[i] = {2 * (centre.x() - positions[i].x()) / dt, 0.0};
             }
         };
-        const StepReport report = simulation.step(mirrored, 0, dt);
+        const test::ChangingReport report = simulation.step(mirrored, 0, dt);
         EXPECT_EQ(validate(complex).problem, "");
         if (rule == Topology::keep) {
             EXPECT_GT(report.unreached, 0U);

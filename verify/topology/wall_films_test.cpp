@@ -41,15 +41,16 @@ struct Wetted {
     std::uint64_t unreached = 0;
 };
 
-Wetted run(const Approach& approach, Options<double> options,
+Wetted run(const Approach& approach, test::ChangingOptions<double> options,
            const std::optional<Parallel>& parallel = {}) {
     const double length = options.edge_length;
     const int vertices = static_cast<int>(3 * std::numbers::pi * radius / length);
     const std::vector<Shape> shapes{{test::circle_points(approach.centre, radius, vertices), 1}};
     Wetted result{initial_complex<double>({}, shapes, {.edge_length = length}), {}};
     const auto simulation =
-        parallel ? std::make_unique<Simulation<double>>(result.complex, options, *parallel)
-                 : std::make_unique<Simulation<double>>(result.complex, options);
+        parallel
+            ? std::make_unique<test::ChangingSimulation<double>>(result.complex, options, *parallel)
+            : std::make_unique<test::ChangingSimulation<double>>(result.complex, options);
     const Velocity<double> velocity = [&](std::span<const P> positions, double,
                                           std::span<P> velocities) {
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -60,7 +61,7 @@ Wetted run(const Approach& approach, Options<double> options,
         }
     };
     for (int step = 0; step < steps; ++step) {
-        const StepReport report = simulation->step(velocity, step / 60.0, 1 / 60.0);
+        const test::ChangingReport report = simulation->step(velocity, step / 60.0, 1 / 60.0);
         result.events.insert(result.events.end(), report.events.begin(), report.events.end());
         result.unreached += report.unreached;
         EXPECT_EQ(validate(result.complex).problem, "");
@@ -68,8 +69,8 @@ Wetted run(const Approach& approach, Options<double> options,
     return result;
 }
 
-Options<double> changing(double length, double contact = 0) {
-    Options<double> result;
+test::ChangingOptions<double> changing(double length, double contact = 0) {
+    test::ChangingOptions<double> result;
     result.edge_length = length;
     result.topology = {.rule = Topology::change, .contact = contact};
     return result;
@@ -212,14 +213,14 @@ TEST(WallFilms, EachPhaseBeyondAFilmIsAskedFor) {
     }
     curves[2] = {{curves[0].points.back(), curves[0].points.front()}, 1, 2};
     auto complex = initial_complex<double>({}, curves, {.edge_length = h});
-    Options<double> options = changing(h, 2 * h);
+    test::ChangingOptions<double> options = changing(h, 2 * h);
     std::array<int, 3> asked{};
     options.topology.may_change = [&](const Contact& contact) {
         ++asked.at(contact.sides[0]);
         EXPECT_EQ(contact.sides[1], border_phase);
         return contact.sides[0] == 1;
     };
-    Simulation<double> simulation(complex, options);
+    test::ChangingSimulation<double> simulation(complex, options);
     const Velocity<double> fall = [](std::span<const P> positions, double,
                                      std::span<P> velocities) {
         std::ranges::fill(velocities.first(positions.size()), falls.way);
@@ -251,7 +252,7 @@ TEST(WallFilms, NoVertexWetsTheWallWhereTheApplicationSaysNo) {
         }
         const std::vector<Curve> curves{{arc, 1, 0}};
         auto complex = initial_complex<double>({}, curves, {.edge_length = h});
-        Options<double> options = changing(h);
+        test::ChangingOptions<double> options = changing(h);
         int times = 0;
         options.topology.may_change = [&](const Contact& contact) {
             ++times;
@@ -259,14 +260,14 @@ TEST(WallFilms, NoVertexWetsTheWallWhereTheApplicationSaysNo) {
             EXPECT_EQ(contact.sides, (std::array<Phase, 2>{1, border_phase}));
             return !refuses;
         };
-        Simulation<double> simulation(complex, options);
+        test::ChangingSimulation<double> simulation(complex, options);
         const Velocity<double> fall = [](std::span<const P> positions, double,
                                          std::span<P> velocities) {
             std::ranges::fill(velocities.first(positions.size()), P(0, -0.3));
         };
         std::vector<Event> events;
         for (int step = 0; step < 20; ++step) {
-            const StepReport report = simulation.step(fall, 0, 1 / 60.0);
+            const test::ChangingReport report = simulation.step(fall, 0, 1 / 60.0);
             events.insert(events.end(), report.events.begin(), report.events.end());
         }
         EXPECT_GT(times, 0);
@@ -281,7 +282,7 @@ void expect_left_alone(const std::vector<P>& curve, double speed, double contact
     const std::vector<Curve> curves{{curve, 0, 1}};
     auto complex = initial_complex<double>({}, curves, {.edge_length = h});
     const double before = area_of(complex, 1);
-    Simulation<double> simulation(complex, changing(h, contact));
+    test::ChangingSimulation<double> simulation(complex, changing(h, contact));
     const Velocity<double> slide = [&](std::span<const P> positions, double,
                                        std::span<P> velocities) {
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -290,7 +291,7 @@ void expect_left_alone(const std::vector<P>& curve, double speed, double contact
     };
     std::uint64_t unreached = 0;
     for (int step = 0; step < 20; ++step) {
-        const StepReport report = simulation.step(slide, 0, 0.4 * h);
+        const test::ChangingReport report = simulation.step(slide, 0, 0.4 * h);
         // The end of a curve that is close to a corner of the domain goes there.
         EXPECT_EQ(count(report.events, EventKind::exchange), report.events.size());
         unreached += report.unreached;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Junctions at the sides of the domain: ends of curves that meet on the wall, junctions that reach
 // it, and corners.
-#include "dsc/topology/change.h"
+#include "topology/change.h"
 
 #include "support/topology/topology_testing.h"
 

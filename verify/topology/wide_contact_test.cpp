@@ -9,7 +9,7 @@
 #include "dsc/quality/measures.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/locate.h"
-#include "dsc/topology/region.h"
+#include "topology/region.h"
 
 namespace dsc::wide_contact_test {
 namespace {
@@ -35,7 +35,7 @@ protected:
         std::uint64_t hash = 0;
         for (const std::uint32_t threads : {1U, 3U}) {
             Complex<double> complex = make();
-            Simulation<double> simulation(
+            test::ChangingSimulation<double> simulation(
                 complex, wide_options(contact, h),
                 Parallel{.threads = threads, .division = GetParam(), .always_all_threads = true});
             const Events events = run_on(complex, simulation, velocity, step, steps);
@@ -110,7 +110,7 @@ TEST(WideContactOf, DiscsLeaveNoHole) {
         options.topology.may_change = [](const Contact& film) { // the widest reaches the walls
             return film.sides[1] != border_phase;
         };
-        Simulation<double> simulation(complex, options);
+        test::ChangingSimulation<double> simulation(complex, options);
         bool has_merged = false;
         const auto after = [&](const Events& events) {
             has_merged = has_merged || count(events, EventKind::merge) > 0;
@@ -128,7 +128,7 @@ TEST(WideContactOf, TheSeamEndsWhereTheFilmIsThicker) {
     constexpr double gap = 0.12;
     constexpr double contact = 4 * h;
     auto complex = two_discs_apart(gap, h);
-    Simulation<double> simulation(complex, wide_options(contact, h));
+    test::ChangingSimulation<double> simulation(complex, wide_options(contact, h));
     for (int step = 0; step < 9; ++step) {
         (void)simulation.step(grow_apart(gap), step * dt, dt);
         const double radius = 0.1 + (step + 1) * dt;
@@ -169,7 +169,7 @@ TEST(WideContactConvergence, OfAFixedLength) {
     double before = 1;
     for (const double edge_length : {0.02, 0.01, 0.005}) {
         auto complex = two_discs_apart(gap, edge_length);
-        Simulation<double> simulation(complex, wide_options(contact, edge_length));
+        test::ChangingSimulation<double> simulation(complex, wide_options(contact, edge_length));
         const double step = edge_length / 20;
         const Events events = run_on(complex, simulation, grow_apart(gap), step,
                                      static_cast<int>(1.2 * expected / step));
@@ -192,7 +192,7 @@ double area_of(const Complex<double>& complex, Phase phase) {
 TEST(WideContactOf, TwoPhasesMeetWithoutMixing) {
     constexpr double gap = 0.12;
     auto complex = two_discs_apart(gap, h, 2);
-    Simulation<double> simulation(complex, wide_options(3 * h, h));
+    test::ChangingSimulation<double> simulation(complex, wide_options(3 * h, h));
     const Events events = run_on(complex, simulation, grow_apart(gap), dt, 10);
     EXPECT_EQ(count(events, EventKind::meet), 1U);
     EXPECT_EQ(count(events, EventKind::widen) + 1, events.size());
@@ -206,22 +206,22 @@ TEST(WideContactOf, TwoPhasesMeetWithoutMixing) {
 
 TEST(WideContactOf, EachPairIsItsOwn) {
     constexpr double gap = 0.12;
-    Options<double> options = wide_options(0, h);
+    test::ChangingOptions<double> options = wide_options(0, h);
     options.topology.pairs = {{.one = 0, .other = 1, .rule = Topology::change, .contact = 4 * h}};
     auto complex = two_discs_apart(gap, h);
-    Simulation<double> simulation(complex, options);
+    test::ChangingSimulation<double> simulation(complex, options);
     const Events events = run_on(complex, simulation, grow_apart(gap), dt, 6);
     EXPECT_EQ(count(events, EventKind::merge), 1U);
 
     // A film opens at the smaller distance of its two sheets.
     auto different = two_discs_apart(gap, h, 2);
-    Simulation<double> other(different, options);
+    test::ChangingSimulation<double> other(different, options);
     EXPECT_TRUE(run_on(different, other, grow_apart(gap), dt, 8).empty());
 }
 
 TEST(WideContactOf, TheApplicationMaySayNo) {
     constexpr double gap = 0.1;
-    Options<double> asked = wide_options(4 * h, h);
+    test::ChangingOptions<double> asked = wide_options(4 * h, h);
     int times = 0;
     Contact seen;
     asked.topology.may_change = [&](const Contact& contact) {
@@ -230,7 +230,7 @@ TEST(WideContactOf, TheApplicationMaySayNo) {
         return false;
     };
     auto complex = two_discs_apart(gap, h);
-    Simulation<double> simulation(complex, asked);
+    test::ChangingSimulation<double> simulation(complex, asked);
     std::uint32_t sub_steps = 0;
     for (int step = 0; step < 5; ++step) {
         sub_steps += simulation.step(grow_apart(gap), step * dt, dt).sub_steps;
@@ -247,7 +247,7 @@ TEST(WideContactOf, TheApplicationMaySayNo) {
 TEST(WideContactOf, EveryAreaThatChangesHandsIsTold) {
     constexpr double gap = 0.12;
     auto complex = two_discs_apart(gap, h);
-    Simulation<double> simulation(complex, wide_options(4 * h, h));
+    test::ChangingSimulation<double> simulation(complex, wide_options(4 * h, h));
     double relabelled = 0;
     simulation.add_listener([&](std::span<const Edit> edits) {
         for (const Edit& edit : edits) {
@@ -274,7 +274,7 @@ TEST(WideContactOf, ASlotIsFilled) {
     const Velocity<double> press = velocity_of([](const Point<double>& p) {
         return Point<double>(std::abs(p.x() - 0.5) > 0.1 ? 0.0 : (p.x() < 0.5 ? 1.0 : -1.0), 0);
     });
-    Simulation<double> simulation(complex, wide_options(2.5 * h, h));
+    test::ChangingSimulation<double> simulation(complex, wide_options(2.5 * h, h));
     const Events events = run_on(complex, simulation, press, dt, 3);
     EXPECT_EQ(count(events, EventKind::fill), 1U);
     EXPECT_EQ(count(events, EventKind::split), 0U);
@@ -289,7 +289,7 @@ TEST(WideContactOf, AThinBarVanishesAtOnce) {
         initial_complex<double>({}, std::vector<Shape>{{outline, 1}}, {.edge_length = h});
     const Velocity<double> press =
         velocity_of([](const Point<double>& p) { return Point<double>(0, p.y() < 0.5 ? 1 : -1); });
-    Simulation<double> simulation(complex, wide_options(3 * h, h));
+    test::ChangingSimulation<double> simulation(complex, wide_options(3 * h, h));
     const Events events = run_on(complex, simulation, press, dt, 4);
     ASSERT_EQ(events.size(), 1U);
     EXPECT_EQ(events[0].kind, EventKind::remove);
@@ -299,33 +299,35 @@ TEST(WideContactOf, AThinBarVanishesAtOnce) {
 // Wider than a phase: refused with all that is needed to correct it.
 TEST(WideContactOf, MoreThanAPhaseIsRefused) {
     auto complex = two_discs_apart(0.1, h);
-    EXPECT_NO_THROW(Simulation<double>(complex, wide_options(0.27, h))); // of both discs together
+    EXPECT_NO_THROW(
+        test::ChangingSimulation<double>(complex, wide_options(0.27, h))); // of both discs together
     try {
-        Simulation<double> simulation(complex, wide_options(0.3, h));
+        test::ChangingSimulation<double> simulation(complex, wide_options(0.3, h));
         ADD_FAILURE() << "not refused";
     } catch (const InputError& error) {
         EXPECT_NE(error.problem().find("wider than phase 1"), std::string::npos) << error.what();
         EXPECT_EQ(error.value(), "0.3");
         EXPECT_NE(error.allowed().find("0.28"), std::string::npos) << error.what();
     }
-    Options<double> kept = wide_options(0.1, h);
+    test::ChangingOptions<double> kept = wide_options(0.1, h);
     kept.topology.pairs = {{.one = 0, .other = 1, .rule = Topology::keep, .contact = 0.3}};
-    EXPECT_NO_THROW(Simulation<double>(complex, kept)) << "nothing opens at this distance";
-    Simulation<double> simulation(complex, wide_options(0.1, h));
+    EXPECT_NO_THROW(test::ChangingSimulation<double>(complex, kept))
+        << "nothing opens at this distance";
+    test::ChangingSimulation<double> simulation(complex, wide_options(0.1, h));
     EXPECT_THROW(simulation.set_options(wide_options(0.3, h)), InputError);
-    EXPECT_EQ(simulation.options().topology.contact, 0.1);
+    EXPECT_EQ(simulation.topology().options().contact, 0.1);
 }
 
 // A phase that has shrunk since is no mistake of the options.
 TEST(WideContactOf, AShrunkenPhaseIsNotRefused) {
     auto complex = two_discs_apart(0.1, h);
-    Options<double> options = wide_options(0.1, h);
-    Simulation<double> simulation(complex, options);
+    test::ChangingOptions<double> options = wide_options(0.1, h);
+    test::ChangingSimulation<double> simulation(complex, options);
     (void)run_on(complex, simulation, grow_apart(0.1, -1), dt, 12);
     EXPECT_LT(area_of(complex, 1), 0.0078) << "of a disc of that diameter";
     options.insertion = Insertion::arc;
     EXPECT_NO_THROW(simulation.set_options(options));
-    EXPECT_THROW(Simulation<double>(complex, options), InputError);
+    EXPECT_THROW(test::ChangingSimulation<double>(complex, options), InputError);
 }
 
 } // namespace

@@ -23,18 +23,18 @@ using test::from_environment;
 template <class Real>
 struct Scene {
     Complex<Real> complex;
-    Options<Real> options;
+    test::ChangingOptions<Real> options;
     Velocity<Real> velocity;
     Real dt;
 };
 
 // The contact distance is halved until no phase is too small for it.
 template <class Real>
-void make_allowed(const Complex<Real>& complex, Options<Real>& options) {
+void make_allowed(const Complex<Real>& complex, test::ChangingOptions<Real>& options) {
     const auto is_refused = [&] {
         try {
             Complex<Real> copy = complex;
-            Simulation<Real> simulation(copy, options);
+            test::ChangingSimulation<Real> simulation(copy, options);
             return false;
         } catch (const InputError&) {
             return true;
@@ -54,7 +54,7 @@ Scene<Real> draw(std::uint64_t seed) {
     const double h = dice.in(0.03, 0.07);
     auto complex = dice.chance(0.4) ? test::random_patches<Real>(dice, h, dice.in(2, 60))
                                     : test::random_shapes<Real>(dice, h);
-    Options<Real> options;
+    test::ChangingOptions<Real> options;
     options.edge_length = static_cast<Real>(h);
     options.max_sub_steps = 60;
     options.topology.rule = Topology::change;
@@ -82,12 +82,12 @@ struct Outcome {
 template <class Real>
 Outcome survive(std::uint64_t seed, std::uint32_t threads, Division division) {
     Scene<Real> scene = draw<Real>(seed);
-    Simulation<Real> simulation(
+    test::ChangingSimulation<Real> simulation(
         scene.complex, scene.options,
         Parallel{.threads = threads, .division = division, .always_all_threads = true});
     Outcome outcome;
     for (int step = 0; step < 10; ++step) {
-        const StepReport report =
+        const test::ChangingReport report =
             simulation.step(scene.velocity, static_cast<Real>(step) * scene.dt, scene.dt);
         outcome.events += report.events.size();
         const std::string problem = validate(scene.complex).problem;

@@ -29,9 +29,9 @@ void expect_nothing(const std::vector<Shape>& shapes, double contact,
                     const Velocity<double>& velocity, double step, int steps,
                     Opening opening = Opening::squeezed) {
     auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-    Options<double> options = wide_options(contact, h);
+    test::ChangingOptions<double> options = wide_options(contact, h);
     options.topology.opening = opening;
-    Simulation<double> simulation(complex, options);
+    test::ChangingSimulation<double> simulation(complex, options);
     const Events events = run_on(complex, simulation, velocity, step, steps);
     for (const Event& event : events) {
         ADD_FAILURE() << to_string(event.kind) << " of phase " << event.lost << " at " << event.x
@@ -82,14 +82,14 @@ TEST(WideContactOfNone, ARing) {
 
 TEST(WideContactOfNone, SheetsThatMoveApart) {
     auto complex = two_discs_apart(2 * h, h);
-    Simulation<double> simulation(complex, wide_options(4 * h, h));
+    test::ChangingSimulation<double> simulation(complex, wide_options(4 * h, h));
     EXPECT_TRUE(run_on(complex, simulation, grow_apart(2 * h, -1), dt, 8).empty());
     EXPECT_EQ(pieces(complex, 1), 2);
     // If thinness is enough, they merge at once and once.
     auto another = two_discs_apart(2 * h, h);
-    Options<double> thin = wide_options(4 * h, h);
+    test::ChangingOptions<double> thin = wide_options(4 * h, h);
     thin.topology.opening = Opening::thin;
-    Simulation<double> thinning(another, thin);
+    test::ChangingSimulation<double> thinning(another, thin);
     const Events events = run_on(another, thinning, grow_apart(2 * h, -0.1), dt, 8);
     EXPECT_EQ(count(events, EventKind::merge), 1U);
     EXPECT_EQ(count(events, EventKind::split), 0U);
@@ -100,9 +100,9 @@ TEST(WideContactOfNone, SheetsThatMoveApart) {
 TEST(WideContactOfNone, ANeckThatAFilmHasLeft) {
     constexpr double gap = 3.7 * h;
     auto complex = two_discs_apart(gap, h);
-    Options<double> thin = wide_options(4 * h, h);
+    test::ChangingOptions<double> thin = wide_options(4 * h, h);
     thin.topology.opening = Opening::thin;
-    Simulation<double> simulation(complex, thin);
+    test::ChangingSimulation<double> simulation(complex, thin);
     const Events events = run_on(complex, simulation, grow_apart(gap, 0.02), dt, 12);
     EXPECT_EQ(count(events, EventKind::merge), 1U);
     EXPECT_EQ(count(events, EventKind::split), 0U);
@@ -115,7 +115,7 @@ TEST(WideContactOfNone, AFilamentThatIsDrawnOut) {
     auto complex = initial_complex<double>({{-6, 0}, {7, 1}}, shapes, {.edge_length = 0.06});
     const Velocity<double> strain =
         velocity_of([](const Point<double>& p) { return Point<double>(p.x() - 0.5, 0.5 - p.y()); });
-    Simulation<double> simulation(complex, wide_options(0.15, 0.06));
+    test::ChangingSimulation<double> simulation(complex, wide_options(0.15, 0.06));
     EXPECT_TRUE(run_on(complex, simulation, strain, 0.025, 100).empty());
 }
 

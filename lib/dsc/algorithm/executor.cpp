@@ -4,7 +4,6 @@
 #include "dsc/base/error.h"
 #include "dsc/passes/interface/carried.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/passes/interface/suspects.h"
 #include "dsc/passes/readers.h"
 #include "dsc/passes/work_archive.h"
 
@@ -75,9 +74,7 @@ std::uint64_t give_up_movers(Work<Real>& work) {
         flags += (flags & vertex_contact) == vertex_contact ? 0U : std::uint32_t{vertex_missed};
     }
     const std::uint64_t given_up = work.movers.size();
-    if (work.options.topology.changes()) {
-        work.missed.swap(work.movers);
-    }
+    work.missed.swap(work.movers);
     work.movers.clear();
     return given_up;
 }
@@ -144,9 +141,6 @@ void absorb_edits(Work<Real>& work, std::span<const Edit> edits) {
         work.find_past();
     }
     const std::vector<std::uint32_t> changed = interface_changes(after);
-    if (work.options.topology.changes()) {
-        renew_marks(complex, changed);
-    }
     take_off(work.interface, changed);
     const std::vector<std::uint32_t> on = moved_among(complex, work.options, changed);
     work.interface.insert(work.interface.end(), on.begin(), on.end());
@@ -196,7 +190,6 @@ void SequentialExecutor<Real>::begin_step() {
         shuffle_interface(work_.interface, work_.options.shuffle_seed + steps_);
     }
     ++steps_;
-    work_.topology_suspects.clear(); // of a sub-step that gave up
     work_.changed_interface.clear(); // there is no other list that would read it
 }
 
@@ -213,7 +206,6 @@ Reach<Real> SequentialExecutor<Real>::aim_again(const Flow<Real>& flow, Real tim
 template <class Real>
 MoveReport SequentialExecutor<Real>::move() {
     MoveReport report;
-    work_.has_marks = work_.options.topology.changes(); // upkeep has seen them all
     work_.movers.clear();
     report.held = collect_movers(work_);
     report.passes = run_motion(work_, algorithm_.motion, epoch_);

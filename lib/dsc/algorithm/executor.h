@@ -41,9 +41,9 @@ public:
     /// The records since the last call, in an order in which they can be replayed.
     [[nodiscard]] virtual std::vector<Edit> take_edits() = 0;
 
-    /// Appends the vertices at which upkeep saw that the topology may have to change, and forgets
-    /// them.
-    virtual void take_suspects(std::vector<Suspect<Real>>& list) { (void)list; }
+    /// Appends a pass to the upkeep, between two steps: what a stage has to see before anything
+    /// moves.
+    virtual void add_upkeep(const Pass<Real>& pass) = 0;
 
     /// Vertices that the next mesh update has to look at, because their edges or the targets of
     /// these may have to change. Only called if edges are not all of one length, or were not.
@@ -58,9 +58,9 @@ public:
     virtual Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) = 0;
     /// Movement and mesh update, until all vertices are at their targets or make no more progress.
     virtual MoveReport move() = 0;
-    /// Tries those that did not arrive once more, after a change of the topology, which may have
-    /// set them free. `gone` are the vertices that it took off the interface, ascending. Returns
-    /// how many have arrived now, or are no longer to be moved.
+    /// Tries those that did not arrive once more, after a stage has edited the complex, which may
+    /// have set them free. `gone` are the vertices that it took off the interface, ascending.
+    /// Returns how many have arrived now, or are no longer to be moved.
     [[nodiscard]] virtual std::uint64_t move_missed(std::span<const std::uint32_t> /*gone*/) {
         return 0;
     }
@@ -88,8 +88,7 @@ bool is_in_contact(const VertexRecord<Real>& record) {
 }
 
 /// Empties `work.movers`: they did not arrive this time, which is noted for each vertex. Returns
-/// their number, without those that have vanished. Where the topology may change they are kept in
-/// `work.missed`.
+/// their number, without those that have vanished. They are kept in `work.missed`.
 template <class Real>
 std::uint64_t give_up_movers(Work<Real>& work);
 
@@ -132,18 +131,6 @@ void clear_stamps(Complex<Real>& complex);
 template <class Real>
 void absorb_edits(Work<Real>& work, std::span<const Edit> edits);
 
-/// Appends the topology's suspects of a work to `list`, and empties them. An empty list changes
-/// places with them: nearly every vertex of the interface is a suspect in each sub-step.
-template <class Real>
-void append_suspects(Work<Real>& work, std::vector<Suspect<Real>>& list) {
-    if (list.empty()) {
-        list.swap(work.topology_suspects);
-        return;
-    }
-    list.insert(list.end(), work.topology_suspects.begin(), work.topology_suspects.end());
-    work.topology_suspects.clear();
-}
-
 /// Appends the records of a log to `edits`, and empties it.
 void append_edits(EditLog& log, std::vector<Edit>& edits);
 
@@ -159,7 +146,7 @@ public:
     void absorb(std::span<const Edit> edits) override { absorb_edits(work_, edits); }
     void keep_edits(bool keep) override { work_.log.readers = keep ? 1 : 0; }
     [[nodiscard]] std::vector<Edit> take_edits() override;
-    void take_suspects(std::vector<Suspect<Real>>& list) override { append_suspects(work_, list); }
+    void add_upkeep(const Pass<Real>& pass) override { algorithm_.upkeep.push_back(pass); }
     void resize(std::span<const std::uint32_t> list) override {
         work_.resized.insert(work_.resized.end(), list.begin(), list.end());
     }

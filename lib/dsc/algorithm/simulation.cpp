@@ -3,12 +3,9 @@
 
 #include "dsc/base/error.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/passes/interface/suspects.h"
 #include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/passes/readers.h"
 #include "dsc/sizes/measure.h"
-#include "dsc/topology/change.h"
-#include "dsc/topology/contact_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,10 +23,6 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
     : complex_(complex), claim_(complex.in_use), options_(options), executor_(std::move(executor)),
       reading_(complex.journal), absorbed_(complex.journal.records.size()) {
     check_options(options);
-    check_contact<Real>(complex, options.topology, options.edge_length);
-    if (options.topology.changes()) {
-        forget_plain(complex); // of an earlier simulation
-    }
     if (executor_) {
         executor_->set_options(completed());
     } else {
@@ -46,17 +39,16 @@ Simulation<Real>::~Simulation() = default;
 template <class Real>
 void Simulation<Real>::set_options(const Options<Real>& options) {
     check_options(options);
-    // Only if the contact distances change: a phase may have shrunk since, which is no error.
-    if (differ_in_contact(options.topology, options_.topology)) {
-        check_contact<Real>(complex_, options.topology, options.edge_length);
-    }
-    if (options.topology.changes() && !options_.topology.changes()) {
-        forget_plain(complex_); // nobody has kept it
+    for (const auto& stage : stages_) {
+        stage->check(complex_, options);
     }
     const bool is_another = options.integrator != options_.integrator;
     const bool was_uniform = options_.sizes.is_uniform();
     options_ = options;
     executor_->set_options(completed());
+    for (const auto& stage : stages_) {
+        stage->begin(complex_, options);
+    }
     if (is_another) {
         forget();
     }
@@ -111,6 +103,16 @@ void Simulation<Real>::add_listener(EditListener listener) {
 }
 
 template <class Real>
+void Simulation<Real>::add_stage(std::shared_ptr<Stage<Real>> stage) {
+    stage->check(complex_, options_);
+    stage->begin(complex_, options_);
+    if (const auto pass = stage->pass()) {
+        executor_->add_upkeep(*pass);
+    }
+    stages_.push_back(std::move(stage));
+}
+
+template <class Real>
 void Simulation<Real>::tell(std::span<const Edit> edits) {
     if (edits.empty()) {
         return;
@@ -127,8 +129,7 @@ void Simulation<Real>::tell_what_was_done() {
     }
 }
 
-// What the application did since the last step, or what a change of topology did just now. O(their
-// edits).
+// What the application did since the last step, or what a stage did just now. O(their edits).
 template <class Real>
 void Simulation<Real>::absorb(By by, Real time) {
     EditLog& journal = complex_.journal;
@@ -140,6 +141,9 @@ void Simulation<Real>::absorb(By by, Real time) {
     executor_->absorb(edits);
     const auto after = edits_after_renumbering(edits);
     if (after.size() != edits.size()) {
+        for (const auto& stage : stages_) {
+            stage->begin(complex_, options_); // attributes may be others
+        }
         measure(time);
     }
     // A new interface edge of the application may make a sharp turn, which is a corner from now on;
@@ -160,31 +164,35 @@ void Simulation<Real>::absorb(By by, Real time) {
     }
 }
 
-// After each sub-step, serially, at the places that the upkeep of the sub-step has noted. False if
-// nothing was changed.
+// After each sub-step, serially. Where stages have edited the complex, vertices that did not arrive
+// try again. Returns how many of these have arrived now, or are no longer to be moved.
 template <class Real>
-bool Simulation<Real>::change_topology(Real time, StepReport& report) {
-    suspects_.clear();
-    executor_->take_suspects(suspects_);
-    if (suspects_.empty()) {
-        return false;
-    }
-    const std::size_t before = report.events.size();
-    report.area += dsc::change_topology<Real>(complex_, options_.topology, options_.edge_length,
-                                              suspects_, static_cast<double>(time), report.events);
-    if (absorbed_ == complex_.journal.records.size()) {
-        return false;
-    }
-    gone_ = taken_off(complex_, std::span<const Edit>(complex_.journal.records).subspan(absorbed_));
+std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, bool has_missed) {
+    bool has_edited = false;
+    gone_.clear();
     tell_what_was_done(); // what the sub-step did comes first
-    absorb(By::topology, time);
-    if (report.events.size() == before) {
-        return true;
+    for (const auto& stage : stages_) {
+        to_stages_.clear();
+        executor_->append_interface(to_stages_);
+        stage->run({.complex = complex_,
+                    .interface = to_stages_,
+                    .edge_length = options_.edge_length,
+                    .time = time,
+                    .dt = dt});
+        const std::span<const Edit> edits(complex_.journal.records);
+        if (absorbed_ < edits.size()) {
+            has_edited = true;
+            const auto gone = taken_off(complex_, edits.subspan(absorbed_));
+            gone_.insert(gone_.end(), gone.begin(), gone.end());
+            absorb(By::stage, time);
+        }
+        stage->tell();
     }
-    for (const EventListener& listener : event_listeners_) {
-        listener(std::span<const Event>(report.events).subspan(before));
+    if (!has_edited || !has_missed) {
+        return 0;
     }
-    return true;
+    std::ranges::sort(gone_);
+    return executor_->move_missed(gone_);
 }
 
 // The application has moved the vertex: its missed targets and its last step no longer count.
@@ -271,7 +279,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     executor_->end_step();
     tell_what_was_done(); // a sub-step that gives up has done its upkeep
     report.operations = executor_->take_counts();
-    report.operations += std::exchange(complex_.journal.counts, {}); // changes of topology
+    report.operations += std::exchange(complex_.journal.counts, {}); // of stages
     report.reached = static_cast<double>(time);
     if (options_.carried_phases.empty()) {
         report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());
@@ -332,9 +340,8 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
     ++report.sub_steps;
     time += dt;
     remaining = dt < remaining ? remaining - dt : Real(0);
-    if (options_.topology.changes() && change_topology(time, report) &&
-        moved.unreached > moved.held) {
-        report.unreached -= executor_->move_missed(gone_);
+    if (!stages_.empty()) {
+        report.unreached -= run_stages(time, dt, moved.unreached > moved.held);
     }
     return true;
 }

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "dsc/algorithm/executor.h"
+#include "dsc/algorithm/stage.h"
 #include "dsc/motion/integrator.h"
-#include "dsc/topology/events.h"
 
 #include <atomic>
 #include <limits>
@@ -25,7 +25,7 @@ enum class GiveUp : std::uint8_t {
 
 /// What one step did.
 struct StepReport {
-    OperationCounts operations;  ///< counts of what was done, changes of topology included
+    OperationCounts operations;  ///< counts of what was done, by stages as well
     std::uint32_t sub_steps = 0; ///< how many the step was cut into
     std::uint32_t passes = 0;    ///< of movement and mesh update, summed over sub-steps
     /// Vertices that did not arrive, summed over sub-steps; includes `held`. Those whose piece of a
@@ -37,9 +37,7 @@ struct StepReport {
     Vertex where;                         ///< when the step gave up: the fastest vertex...
     double speed = 0;                     ///< ...and its speed
     std::uint32_t interface_vertices = 0; ///< at the end of the step
-    double reached = 0;        ///< the time at the end: earlier than asked for if it gave up
-    std::vector<Event> events; ///< changes of topology, in the order in which they happened
-    AreaAccount area;          ///< of these events: see `TopologyOptions::gives_back_area`
+    double reached = 0; ///< the time at the end: earlier than asked for if it gave up
 };
 
 /// The number of threads, and how the mesh is divided among them; see parallel/parallel.h.
@@ -71,8 +69,7 @@ private:
 template <class Real>
 class Simulation {
 public:
-    /// Sequential, with the default algorithm. Throws InputError if an option is out of range, or a
-    /// contact distance wider than a phase (topology/contact_check.h).
+    /// Sequential, with the default algorithm. Throws InputError if an option is out of range.
     Simulation(Complex<Real>& complex, const Options<Real>& options);
     /// In parallel: `Simulation simulation(complex, options, Parallel{.threads = 2})`. The result
     /// does not depend on the number of threads.
@@ -89,10 +86,9 @@ public:
     /// Those of the next step.
     [[nodiscard]] const Options<Real>& options() const { return options_; }
     /// Checks the options and replaces all of them for the next step; integrators with a memory
-    /// start afresh if the integrator changes. Throws InputError if one is out of range, or a new
-    /// contact distance wider than a phase, and then keeps the old ones. All vertices are visited
-    /// if the topology may change from now on and could not before, if edges may grow or could, and
-    /// if other phases are carried; none otherwise.
+    /// start afresh if the integrator changes. Throws InputError if one is out of range or a stage
+    /// refuses them, and then keeps the old ones. All vertices are visited if edges may grow or
+    /// could, and if other phases are carried; none otherwise.
     void set_options(const Options<Real>& options);
 
     /// Reports all edits to the listener from now on: those of the application between steps at the
@@ -100,11 +96,10 @@ public:
     /// their order are the same for any number of threads. Without a listener there is no cost.
     void add_listener(EditListener listener);
 
-    /// Reports changes of topology to the listener from now on, after the sub-step in which they
-    /// happen. They are in the report of the step as well.
-    void add_event_listener(EventListener listener) {
-        event_listeners_.push_back(std::move(listener));
-    }
+    /// Runs the stage after each sub-step from now on, after the stages that were added before, and
+    /// its pass at the end of the upkeep. Between two steps. Throws InputError if the stage does
+    /// not suit the complex or the options.
+    void add_stage(std::shared_ptr<Stage<Real>> stage);
 
     /// A step gives up after the sub-step in which the flag is set. Null: steps are not
     /// interrupted.
@@ -157,9 +152,9 @@ private:
     Real shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach);
     void find_fastest(const Flow<Real>& flow, Real time, Real dt, StepReport& report) const;
 
-    enum class By : std::uint8_t { application, topology };
+    enum class By : std::uint8_t { application, stage };
     void absorb(By by, Real time);
-    bool change_topology(Real time, StepReport& report);
+    std::uint64_t run_stages(Real time, Real dt, bool has_missed);
     [[nodiscard]] std::vector<std::uint32_t> moved() const;
     void forget_vertex(Vertex v);
     [[nodiscard]] Options<Real> completed() const;
@@ -175,13 +170,13 @@ private:
     bool is_whole_ = true; ///< no archive was refused since the last one that was read
     Real fastest_ = 0;     ///< speed of the last sub-step: the estimate for the next one
     std::vector<EditListener> listeners_;
-    std::vector<EventListener> event_listeners_;
-    std::vector<Suspect<Real>> suspects_; ///< scratch of change_topology
-    std::vector<std::uint32_t> gone_;     ///< the vertices that the last one took off the interface
-    std::uint32_t swept_ = 0;             ///< the vertex at which the slow sweep goes on
-    std::vector<std::uint32_t> to_sweep_; ///< scratch of sweep, and of the count of the interface
-    LogReader reading_;                   ///< of the journal, from the beginning to the end
-    std::size_t absorbed_;                ///< records of the journal that have been read
+    std::vector<std::shared_ptr<Stage<Real>>> stages_;
+    std::vector<std::uint32_t> to_stages_; ///< scratch of run_stages
+    std::vector<std::uint32_t> gone_;      ///< vertices that stages took off the interface
+    std::uint32_t swept_ = 0;              ///< the vertex at which the slow sweep goes on
+    std::vector<std::uint32_t> to_sweep_;  ///< scratch of sweep, and of the count of the interface
+    LogReader reading_;                    ///< of the journal, from the beginning to the end
+    std::size_t absorbed_;                 ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;
     Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
 };

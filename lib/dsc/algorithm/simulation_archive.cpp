@@ -21,6 +21,9 @@ void Simulation<Real>::archive(Archive& archive) {
                    "has read edits that were not made");
     absorbed_ = static_cast<std::size_t>(absorbed);
     executor_->archive(archive);
+    for (const auto& stage : stages_) {
+        stage->archive(archive);
+    }
     if (archive.is_reading()) {
         if (const ValidationReport report = validate(complex_); !report.ok()) {
             archive.refuse("holds no valid complex: " + report.problem);

@@ -27,14 +27,6 @@ enum VertexFlag : std::uint32_t {
     vertex_contact = 12U,
     vertex_corner = 16U, ///< of the interface: it is kept, and the curve has no tangent there
     vertex_on_way = 32U, ///< it was moved or postponed, and has not arrived yet
-    vertex_seam = 64U,   ///< two sheets of the interface met here: see topology/films/films.h
-    /// The vertex is on the interface, or was at the last upkeep, or lies on the domain boundary.
-    /// Maintained only where the topology may change.
-    vertex_on_interface = 128U,
-    /// When the star was last examined, its link held no interface vertices but the ends of the
-    /// vertex's own two interface edges, and no edit has brought one there since. Maintained only
-    /// where the topology may change.
-    vertex_plain = 256U,
 };
 
 /// A triangle, by id.

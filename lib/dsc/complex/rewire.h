@@ -49,17 +49,6 @@ void link(Complex<Real>& complex, Corner a, Corner b) {
     }
 }
 
-/// Two vertices have become neighbours, each a part of the other's link: see `vertex_plain`.
-template <class Real>
-void meet(Complex<Real>& complex, std::uint32_t a, std::uint32_t b) {
-    std::uint32_t& one = complex.vertices[a].flags;
-    std::uint32_t& other = complex.vertices[b].flags;
-    if ((one & other & vertex_on_interface) != 0) [[unlikely]] {
-        one &= ~std::uint32_t{vertex_plain};
-        other &= ~std::uint32_t{vertex_plain};
-    }
-}
-
 /// Flips the edge opposite to `c`, which has two triangles. Before: t = (a, b, w) with a at c, and
 /// u = (d, w, b). After: t = (a, b, d), u = (d, w, a). Vertex a stays at c.
 template <class Real>
@@ -87,7 +76,6 @@ void flip(Complex<Real>& complex, EditLog& log, Corner c) {
     ur.n[index_of(uw)] = tb;
     complex.vertices[b].corner = tb;
     complex.vertices[w].corner = uw;
-    meet(complex, a, d);
     // Edge data are stored at the corners opposite to the edge, and two edges changed theirs.
     complex.attributes.copy_edge(c, uw);
     complex.attributes.copy_edge(o, tb);
@@ -134,11 +122,10 @@ template <class Real>
     }
 }
 
-/// Splits the edge opposite to `c` at the new vertex `m`. `m` is marked as an interface vertex if
-/// the edge lies on the interface or the domain boundary and its ends are marked. `t2` and `u2` are
-/// new triangles; `u2` is not used if the edge is on the domain boundary. Before: t = (a, b, w),
-/// u = (d, w, b). After: t = (a, b, m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex
-/// attributes are blended by `blend_at`.
+/// Splits the edge opposite to `c` at the new vertex `m`. `t2` and `u2` are new triangles; `u2` is
+/// not used if the edge is on the domain boundary. Before: t = (a, b, w), u = (d, w, b). After: t =
+/// (a, b, m), t2 = (a, m, w), u = (d, w, m), u2 = (d, m, b). Vertex attributes are blended by
+/// `blend_at`.
 template <class Real>
 void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
            const Point<Real>& place, std::uint32_t t2, std::uint32_t u2) {
@@ -155,10 +142,6 @@ void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
     const bool on_interface = is_interface_pair(tr.phase, complex.phase_at(o));
     complex.vertices[m].x = place.x();
     complex.vertices[m].y = place.y();
-    if (on_interface || is_border(o)) {
-        complex.vertices[m].flags |=
-            complex.vertices[b].flags & complex.vertices[w].flags & vertex_on_interface;
-    }
     const auto note_split = [&](std::uint32_t d) {
         if (!attributes.empty(SimplexKind::vertex)) [[unlikely]] {
             blend_at(complex, Vertex{m}, Vertex{b}, Vertex{w});
@@ -271,7 +254,6 @@ void collapse(Complex<Real>& complex, EditLog& log, Corner c, Vanishing end, IdP
          !is_border(across) && triangle_of(across) != u;) {
         const Corner here = ccw ? next(across) : prev(across);
         complex.triangles[triangle_of(here)].v[index_of(here)] = keep;
-        meet(complex, keep, complex.vertex(across));
         across = complex.twin(ccw ? next(here) : prev(here));
     }
     // Two edges become one: the data of the kept edge stay, those of the vanishing one go.

@@ -55,7 +55,6 @@ void check_options(const Options<Real>& options) {
             "0, or 0.1 and more");
     require(i.finest > 0 && i.finest <= 1, "interface.finest", i.finest,
             "more than 0, up to 1, in edge lengths");
-    check_topology(options.topology);
     require(options.tolerance > 0 && std::isfinite(options.tolerance), "tolerance",
             options.tolerance, "more than 0, in edge lengths");
     require(options.sub_step > 0 && options.sub_step <= 2, "sub_step", options.sub_step,

@@ -8,7 +8,6 @@
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interpolation.h"
 #include "dsc/sizes/options.h"
-#include "dsc/topology/options.h"
 
 #include <algorithm>
 #include <vector>
@@ -85,8 +84,6 @@ struct Options {
     PhaseThresholds phases = {};                 ///< of every phase without thresholds of its own
     std::vector<PhaseThresholds> per_phase = {}; ///< by phase number; may be shorter
     InterfaceThresholds interface = {};          ///< of all interfaces
-
-    TopologyOptions<Real> topology = {}; ///< kept, unless asked for
 
     /// Phases whose inside moves with the flow as well, not only the interface around it (thesis,
     /// section 9.1): a phase that moves as a rigid body keeps its triangles. Only for flows that

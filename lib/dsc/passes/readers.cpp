@@ -4,7 +4,6 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/gather.h"
 #include "dsc/passes/interface/carried.h"
-#include "dsc/passes/interface/suspects.h"
 #include "dsc/queries/phases.h"
 
 #include <algorithm>
@@ -217,10 +216,6 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
     find_interface_changes(reading.edits(), changed);
     if (changed.empty()) {
         return;
-    }
-    // In a submesh it is done when all have finished: stars beside its border are not its own.
-    if (!pass.attends && work.submesh.region.is_whole() && work.options.topology.changes()) {
-        renew_marks(work.complex, changed);
     }
     take_off(work.interface, changed);
     for (const std::uint32_t v : changed) {

@@ -8,7 +8,6 @@
 #include "dsc/complex/submesh.h"
 #include "dsc/passes/deferred.h"
 #include "dsc/passes/options.h"
-#include "dsc/topology/suspicion.h"
 
 #include <vector>
 
@@ -70,13 +69,8 @@ struct Work {
     /// Changes of the interface by passes of an application: see `run_pass`.
     std::vector<std::uint32_t> changed_interface;
 
-    /// Those that did not arrive in the last sub-step. Empty if the topology is kept.
+    /// The movers that did not arrive in the last sub-step.
     std::vector<Mover<Real>> missed;
-
-    /// Interface vertices where the topology may have to change. Empty if it is kept.
-    std::vector<Suspect<Real>> topology_suspects;
-    /// Each vertex of the interface is marked as such.
-    bool has_marks = false;
 
     std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
     std::size_t arrived = 0;    ///< movers of these that reached their targets

@@ -7,25 +7,16 @@
 
 namespace dsc {
 
-template <class Real>
-void archive(Archive& archive, Suspect<Real>& suspect) {
-    archive(suspect.vertex, suspect.x, suspect.y, suspect.is_thin, suspect.is_facing,
-            suspect.is_sharp, suspect.is_junction);
-}
-
 /// The interface, the active set and what else waits for the next step; everything else of a work
 /// is scratch, or empty between two steps. To be called after the complex has been read: throws
 /// FileError for an id that it does not have.
 template <class Real>
 void archive(Archive& archive, Work<Real>& work) {
-    archive(work.interface, work.active, work.resized, work.changed_interface,
-            work.topology_suspects, work.epoch, work.time, work.dt);
+    archive(work.interface, work.active, work.resized, work.changed_interface, work.epoch,
+            work.time, work.dt);
     for (const auto* list :
          {&work.interface, &work.active, &work.resized, &work.changed_interface}) {
         expect_vertices<Real>(archive, work.complex, *list);
-    }
-    for (const Suspect<Real>& suspect : work.topology_suspects) {
-        expect_vertices<Real>(archive, work.complex, std::span(&suspect.vertex, 1));
     }
     for (const std::uint32_t v : work.interface) {
         archive.expect(work.complex.is_alive(Vertex{v}), "lists a vertex that does not live");

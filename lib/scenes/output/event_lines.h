@@ -2,7 +2,7 @@
 // Changes of the topology as a file: one JSON object a line.
 #pragma once
 
-#include "dsc/topology/events.h"
+#include "topology/events.h"
 
 #include <span>
 #include <string>

@@ -5,8 +5,8 @@
 #include "dsc/base/archive.h"
 #include "dsc/complex/complex.h"
 #include "dsc/io/vtu.h"
-#include "dsc/topology/events.h"
 #include "scenes/output/pictures.h"
+#include "topology/events.h"
 
 #include <optional>
 #include <span>

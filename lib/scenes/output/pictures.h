@@ -5,7 +5,7 @@
 #include "dsc/base/enum_table.h"
 #include "dsc/complex/complex.h"
 #include "dsc/io/vtu.h"
-#include "dsc/topology/events.h"
+#include "topology/events.h"
 
 #include <set>
 #include <span>

@@ -13,6 +13,7 @@
 #include "scenes/run/kept_value.h"
 #include "scenes/run/run.h"
 #include "scenes/run/start.h"
+#include "topology/stage.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -83,6 +84,10 @@ public:
                 std::min(submeshing.threads, submeshes_of(run.strategy, submeshing));
         }
         simulation_ = std::make_unique<Simulation<Real>>(complex_, options_, std::move(executor));
+        if (const auto topology = topology_options<Real>(parameters); topology.changes()) {
+            topology_ = std::make_shared<TopologyStage<Real>>(topology);
+            simulation_->add_stage(topology_);
+        }
         if (!run.edits.empty()) {
             edits_.emplace(run.edits);
             simulation_->add_listener(
@@ -206,13 +211,17 @@ private:
         vertex_steps_ += report.interface_vertices;
         result.vertex_passes += std::uint64_t{report.passes} * report.interface_vertices;
         add_operations(result, report.operations);
-        result.area += report.area;
-        result.events.insert(result.events.end(), report.events.begin(), report.events.end());
+        if (topology_) {
+            result.area += topology_->take_area();
+            const std::vector<Event> events = topology_->take_events();
+            result.events.insert(result.events.end(), events.begin(), events.end());
+        }
     }
 
     Complex<Real> complex_;
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
+    std::shared_ptr<TopologyStage<Real>> topology_; ///< null where the topology is kept
     const SubmeshExecutor<Real>* submeshes_ = nullptr;
     std::uint32_t threads_of_copies_ = 1; ///< of the strategy that copies submeshes
     const Velocity* leg_ = nullptr;       ///< the velocity of the previous step

@@ -2,7 +2,6 @@
 // Runs a scene and measures it. Measuring is not timed, and does not slow down the steps.
 #pragma once
 
-#include "dsc/topology/events.h"
 #include "measures/histogram.h"
 #include "measures/junctions.h"
 #include "measures/measures.h"
@@ -13,6 +12,7 @@
 #include "scenes/run/checkpoint.h"
 #include "scenes/run/strategy.h"
 #include "scenes/scene.h"
+#include "topology/events.h"
 
 #include <atomic>
 #include <functional>

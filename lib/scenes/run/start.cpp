@@ -4,6 +4,7 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
+#include "topology/stage.h"
 
 namespace dsc::scenes {
 
@@ -67,9 +68,6 @@ Options<Real> scene_options(const Parameters& parameters) {
     options.tolerance = parameters.tolerance;
     options.insertion = parameters.insertion;
     options.interface = parameters.interface;
-    options.topology.rule = parameters.topology;
-    options.topology.contact = static_cast<Real>(parameters.contact);
-    options.topology.gives_back_area = parameters.gives_back;
     options.shuffle_seed = parameters.seed;
     return options;
 }
@@ -87,19 +85,35 @@ Options<Real> scene_options(const Setup& setup, const Parameters& parameters) {
 }
 
 template <class Real>
+TopologyOptions<Real> topology_options(const Parameters& parameters) {
+    TopologyOptions<Real> options;
+    options.rule = parameters.topology;
+    options.contact = static_cast<Real>(parameters.contact);
+    options.gives_back_area = parameters.gives_back;
+    return options;
+}
+
+template <class Real>
 std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,
-                                                  const Options<Real>& options, Strategy strategy,
-                                                  const Submeshing& submeshing) {
-    return std::make_unique<Simulation<Real>>(
+                                                  const Options<Real>& options,
+                                                  const TopologyOptions<Real>& topology,
+                                                  Strategy strategy, const Submeshing& submeshing) {
+    auto simulation = std::make_unique<Simulation<Real>>(
         complex, options, make_executor(complex, options, strategy, submeshing));
+    if (topology.changes()) {
+        simulation->add_stage(std::make_shared<TopologyStage<Real>>(topology));
+    }
+    return simulation;
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Complex<Real> first_complex(const Setup&, const Parameters&);                         \
     template Options<Real> scene_options(const Parameters&);                                       \
     template Options<Real> scene_options(const Setup&, const Parameters&);                         \
+    template TopologyOptions<Real> topology_options(const Parameters&);                            \
     template std::unique_ptr<Simulation<Real>> make_simulation(                                    \
-        Complex<Real>&, const Options<Real>&, Strategy, const Submeshing&);
+        Complex<Real>&, const Options<Real>&, const TopologyOptions<Real>&, Strategy,              \
+        const Submeshing&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

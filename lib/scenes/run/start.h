@@ -5,6 +5,7 @@
 #include "dsc/complex/complex.h"
 #include "scenes/run/strategy.h"
 #include "scenes/scene.h"
+#include "topology/options.h"
 
 #include <memory>
 
@@ -22,10 +23,13 @@ template <class Real>
 Options<Real> scene_options(const Parameters& parameters);
 template <class Real>
 Options<Real> scene_options(const Setup& setup, const Parameters& parameters);
+template <class Real>
+TopologyOptions<Real> topology_options(const Parameters& parameters);
 /// A simulation of `complex`, which must outlive it, as must `options`.
 template <class Real>
 std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,
-                                                  const Options<Real>& options, Strategy strategy,
-                                                  const Submeshing& submeshing);
+                                                  const Options<Real>& options,
+                                                  const TopologyOptions<Real>& topology,
+                                                  Strategy strategy, const Submeshing& submeshing);
 
 } // namespace dsc::scenes

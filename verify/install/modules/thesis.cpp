@@ -11,8 +11,7 @@ int main() {
     auto complex = dsc::initial_complex<double>({{0, 0}, {1, 1}}, shapes, {.edge_length = 0.05});
     const dsc::Options<double> options{.edge_length = 0.05};
     dsc::Simulation<double> simulation(
-        complex, options,
-        dsc::make_executor(complex, options, {}, dsc::thesis_algorithm(options)));
+        complex, options, dsc::make_executor(complex, options, {}, dsc::thesis_algorithm(options)));
     const dsc::Velocity<double> to_the_right = [](auto, double, auto velocities) {
         std::ranges::fill(velocities, dsc::Point<double>(1, 0));
     };

@@ -6,6 +6,7 @@
 #include "scene.h"
 
 #include "dsc/passes/options.h"
+#include "topology/options.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "support/random/scene.h"
+#include "support/topology/changing.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/complex/ranges.h"
@@ -39,8 +40,8 @@ inline Velocity<double> grow() {
         };
 }
 
-inline Options<double> options(Topology rule = Topology::change) {
-    Options<double> result;
+inline test::ChangingOptions<double> options(Topology rule = Topology::change) {
+    test::ChangingOptions<double> result;
     result.edge_length = h;
     result.topology.rule = rule;
     return result;
@@ -61,11 +62,12 @@ struct Grown {
     std::uint64_t hash = 0;
 };
 
-inline Grown run(Complex<double>& complex, Simulation<double>& simulation, double duration = 0.05) {
+inline Grown run(Complex<double>& complex, test::ChangingSimulation<double>& simulation,
+                 double duration = 0.05) {
     Grown grown;
     constexpr double dt = 0.3 * h;
     for (double time = 0; time < duration; time += dt) {
-        const StepReport report = simulation.step(grow(), time, dt);
+        const test::ChangingReport report = simulation.step(grow(), time, dt);
         grown.events.insert(grown.events.end(), report.events.begin(), report.events.end());
         EXPECT_EQ(validate(complex).problem, "");
     }

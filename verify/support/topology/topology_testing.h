@@ -5,7 +5,7 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/validate.h"
-#include "dsc/topology/change.h"
+#include "topology/change.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "support/random/scene.h"
+#include "support/topology/changing.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
@@ -20,8 +21,8 @@ namespace dsc::test {
 
 using Events = std::vector<Event>;
 
-inline Options<double> wide_options(double contact, double edge_length) {
-    Options<double> result;
+inline test::ChangingOptions<double> wide_options(double contact, double edge_length) {
+    test::ChangingOptions<double> result;
     result.edge_length = edge_length;
     result.topology.rule = Topology::change;
     result.topology.contact = contact;
@@ -69,18 +70,18 @@ inline std::size_t count(const Events& events, EventKind kind) {
 /// Steps on, with `after(events of the step)` after each, and returns all events. The complex is
 /// validated after every step.
 template <class After>
-Events run_on(Complex<double>& complex, Simulation<double>& simulation,
+Events run_on(Complex<double>& complex, test::ChangingSimulation<double>& simulation,
               const Velocity<double>& velocity, double dt, int steps, After after) {
     Events events;
     for (int step = 0; step < steps; ++step) {
-        const StepReport report = simulation.step(velocity, step * dt, dt);
+        const test::ChangingReport report = simulation.step(velocity, step * dt, dt);
         events.insert(events.end(), report.events.begin(), report.events.end());
         EXPECT_EQ(validate(complex).problem, "") << "step " << step;
         after(report.events);
     }
     return events;
 }
-inline Events run_on(Complex<double>& complex, Simulation<double>& simulation,
+inline Events run_on(Complex<double>& complex, test::ChangingSimulation<double>& simulation,
                      const Velocity<double>& velocity, double dt, int steps) {
     return run_on(complex, simulation, velocity, dt, steps, [](const Events&) {});
 }

@@ -3,7 +3,6 @@
 // between two steps, for the submeshes.
 #include "dsc/parallel/in_place/submesh_part.h"
 #include "dsc/passes/interface/carried.h"
-#include "dsc/passes/interface/suspects.h"
 #include "dsc/passes/readers.h"
 
 #include <algorithm>
@@ -64,15 +63,7 @@ std::vector<Edit> SubmeshExecutor<Real>::take_edits() {
     return std::exchange(edits_, {});
 }
 
-template <class Real>
-void SubmeshExecutor<Real>::take_suspects(std::vector<Suspect<Real>>& list) {
-    for (const auto& part : parts_) {
-        append_suspects(part->work, list);
-    }
-    append_suspects(whole_, list);
-}
-
-// The edits of the topology have been absorbed: their stars are active.
+// The edits of the stages have been absorbed: their stars are active.
 template <class Real>
 std::uint64_t SubmeshExecutor<Real>::move_missed(std::span<const std::uint32_t> gone) {
     stage_ = Stage::under_way;
@@ -115,9 +106,6 @@ void SubmeshExecutor<Real>::collect_changes() {
 
 template <class Real>
 void SubmeshExecutor<Real>::change_interface(std::span<const std::uint32_t> changed) {
-    if (options_.topology.changes()) {
-        renew_marks(complex_, changed);
-    }
     for (std::size_t i = 0; i < first_colour_; ++i) {
         take_off(parts_[i]->work.interface, changed);
     }
@@ -208,7 +196,6 @@ void SubmeshExecutor<Real>::hand_out_resized() {
     template void SubmeshExecutor<Real>::collect_edits();                                          \
     template void SubmeshExecutor<Real>::collect_changes();                                        \
     template std::vector<Edit> SubmeshExecutor<Real>::take_edits();                                \
-    template void SubmeshExecutor<Real>::take_suspects(std::vector<Suspect<Real>>&);               \
     template std::uint64_t SubmeshExecutor<Real>::move_missed(std::span<const std::uint32_t>);     \
     template void SubmeshExecutor<Real>::absorb(std::span<const Edit>);
 DSC_INSTANTIATE(double)

@@ -274,7 +274,6 @@ void SubmeshExecutor<Real>::put_back() {
         work.active.clear();
         work.deferred.clear();
         work.movers.clear();
-        work.topology_suspects.clear();
     };
     for (const auto& part : parts_) {
         empty(part->work);

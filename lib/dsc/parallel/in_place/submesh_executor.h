@@ -52,7 +52,7 @@ public:
     void resize(std::span<const std::uint32_t> list) override;
     void keep_edits(bool keep) override;
     [[nodiscard]] std::vector<Edit> take_edits() override;
-    void take_suspects(std::vector<Suspect<Real>>& list) override;
+    void add_upkeep(const Pass<Real>& pass) override { algorithm_.upkeep.push_back(pass); }
     void begin_step() override;
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;

@@ -324,9 +324,6 @@ MoveReport SubmeshExecutor<Real>::move() {
     Timer timer(submeshes_.profile);
     stage_ = Stage::under_way;
     MoveReport report;
-    for (const auto& part : parts_) {
-        part->work.has_marks = options_.topology.changes(); // upkeep has seen them all
-    }
     if (!whole_.interface.empty()) {
         whole_.movers.clear();
         report.held += collect_movers(whole_);

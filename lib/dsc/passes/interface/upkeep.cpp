@@ -7,7 +7,6 @@
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/edits.h"
 #include "dsc/passes/interface/curve.h"
-#include "dsc/passes/interface/suspects.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
 #include "dsc/sizes/field.h"
@@ -34,8 +33,6 @@ public:
           turn_squared_(
               static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
-          contact_(largest_contact(work.options.topology, work.options.edge_length)),
-          curvature_(curvature_around(least_area(work.options.topology, work.options.edge_length))),
           sizes_(work.options.sizes, work.options.edge_length),
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
           // A wall edge ahead that is shorter than a sub-step blocks the motion. A poor triangle
@@ -84,7 +81,6 @@ private:
             return;
         }
         const Spokes spokes = interface_spokes(ring);
-        bool is_known = ring.owned; // the star is as it was gathered, and nobody else writes to it
         if (!ring.owned) {
             // Nobody rewrites the triangles that straddle two submeshes, or moves their vertices:
             // what there is to do can be seen from here, except beyond the link, as for a gap.
@@ -97,18 +93,9 @@ private:
             if (ring.one_phase && ring.closed && work_.options.carries(ring.phase[0])) {
                 work_.interface_next.push_back(v);
             }
-        } else if ((should_collapse(ring, spokes) && try_collapse(ring, spokes)) ||
-                   (wants_wall_upkeep(ring) && keep_wall(v, ring))) {
-            is_known = false;
-        } else {
+        } else if (!(should_collapse(ring, spokes) && try_collapse(ring, spokes)) &&
+                   !(wants_wall_upkeep(ring) && keep_wall(v, ring))) {
             refine(v, ring, spokes);
-            is_known = newest_ == no_id;
-        }
-        // Last, though the ring is that of before the edit: loads of whole vectors wait for the
-        // stores that have filled it, which are done by now.
-        if (contact_ > 0) {
-            mark_interface(complex_, v, spokes.count > 0 || !ring.closed);
-            suspect<Real>(work_, ring, spokes, {contact_, curvature_}, is_known);
         }
     }
 
@@ -405,7 +392,6 @@ private:
         }
         if (result.verdict == Verdict::legal) {
             newest_ = result.vertex.id;
-            mark_interface(complex_, newest_, contact_ > 0); // ends of the edge may not be yet
         }
         return true;
     }
@@ -430,8 +416,6 @@ private:
     Real finest_squared_;
     Real turn_squared_;
     Real gap_squared_;
-    Real contact_; // where the topology may change; 0: nowhere
-    Real curvature_;
     SizeRule<Real> sizes_;
     bool follows_shape_;
     WallLimits<Real> wall_;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Whether contact distances suit the phases of a complex.
+#pragma once
+
+#include "dsc/complex/complex.h"
+#include "topology/options.h"
+
+namespace dsc {
+
+/// Throws InputError if a contact distance of several edge lengths (`is_wide`) is wider than one of
+/// its two phases: than the disc that has the area of that phase. Phases without a triangle do not
+/// count. O(triangles + pairs) if there is such a distance, else O(pairs).
+template <class Real>
+void check_contact(const Complex<Real>& complex, const TopologyOptions<Real>& options,
+                   Real edge_length);
+
+/// Whether the two have different contact distances somewhere. O(pairs).
+template <class Real>
+[[nodiscard]] bool differ_in_contact(const TopologyOptions<Real>& one,
+                                     const TopologyOptions<Real>& other);
+
+} // namespace dsc

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// A ray across a film: from the middle of an interface edge, straight into the phase on its left,
+// from triangle to triangle, to where that phase ends.
+#pragma once
+
+#include "dsc/geometry/turn.h"
+#include "topology/region.h"
+
+namespace dsc {
+
+/// Where a ray has met the interface again.
+template <class Real>
+struct FilmRay {
+    Corner opposite = no_id; ///< the half-edge it met, with the film on its left; no_id: none
+    Corner wall = no_id;     ///< the same on the domain boundary, if it has met that instead
+    Real thickness = 0;      ///< from the start to there
+    Point<Real> middle;      ///< halfway
+};
+
+/// Follows the ray of the half-edge `sheet` and calls `visit(triangle, from, to)` for each triangle
+/// on its way, with the distances at which it enters and leaves. Finds nothing if the film is
+/// `longest` or more. O(longest / length of the edges).
+template <class Real, class Visit>
+[[nodiscard]] FilmRay<Real> cross_film(const Complex<Real>& complex, Corner sheet, Real longest,
+                                       Visit visit) {
+    constexpr int most_triangles = 1024; // rounding must not send it in circles
+    const Point<Real> along = direction(complex, sheet);
+    const Point<Real> start =
+        complex.position(Vertex{complex.vertex(next(sheet))}) + along / Real(2);
+    const Point<Real> way = Point<Real>(-along.y(), along.x()) / along.norm();
+    Corner entered = sheet;
+    Real from = 0;
+    for (int i = 0; i < most_triangles; ++i) {
+        const Point<Real> apex = complex.position(Vertex{complex.vertex(entered)}) - start;
+        // The edge that it leaves through lies opposite to one end of the edge that it came
+        // through.
+        const Corner out = cross<Real>(way, apex) > 0 ? next(entered) : prev(entered);
+        const Point<Real> first = complex.position(Vertex{complex.vertex(next(out))}) - start;
+        const Point<Real> edge = direction(complex, out);
+        const Real to = cross<Real>(first, edge) / cross<Real>(way, edge);
+        if (!(to < longest)) { // or no number
+            return {};
+        }
+        visit(Triangle{triangle_of(out)}, from, to);
+        const Corner across = complex.twin(out);
+        if (is_border(across)) {
+            return {no_id, out, to, start + way * (to / Real(2))};
+        }
+        if (complex.phase_at(across) != complex.phase_at(out)) {
+            return {out, no_id, to, start + way * (to / Real(2))};
+        }
+        entered = across;
+        from = to;
+    }
+    return {};
+}
+
+} // namespace dsc

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "topology/films/film_region.h"
+
+#include "dsc/geometry/predicates.h"
+#include "topology/films/film_ray.h"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_set>
+
+namespace dsc {
+
+namespace {
+
+constexpr int smoothing_rounds = 4;
+/// A vertex is not moved where a triangle would fall below this area doubled over its longest edge
+/// squared, which is 0.87 at most.
+constexpr double least_share = 0.2;
+/// A pocket shares more of its outline than this with the region about it. The phase beyond a neck
+/// shares less.
+constexpr double pocket_share = 1.0 / 3;
+
+} // namespace
+
+template <class Real>
+void FilmRegion<Real>::offer(Triangle t, Phase to, Real distance) {
+    const auto [at, is_new] = entries_.try_emplace(t.id, Entry{to, distance});
+    if (is_new) {
+        order_.push_back(t);
+    } else if (distance < at->second.distance ||
+               (distance == at->second.distance && to < at->second.to)) {
+        at->second = {to, distance};
+    }
+}
+
+template <class Real>
+void FilmRegion<Real>::add_ray(Corner sheet) {
+    struct Crossed {
+        Triangle t;
+        Real middle;
+    };
+    const Complex<Real>& complex = work_.complex;
+    std::vector<Crossed> crossed;
+    const FilmRay<Real> ray =
+        cross_film(complex, sheet, contact_, [&](Triangle t, Real from, Real to) {
+            crossed.push_back({t, (from + to) / 2});
+        });
+    if (ray.opposite == no_id && ray.wall == no_id) {
+        return;
+    }
+    const Phase one = complex.phase_at(complex.twin(sheet));
+    const Phase other = ray.wall == no_id ? complex.phase_at(complex.twin(ray.opposite)) : one;
+    for (const auto& [t, middle] : crossed) {
+        offer(t, one, middle);
+        offer(t, other, ray.thickness - middle);
+    }
+}
+
+template <class Real>
+void FilmRegion<Real>::fill() {
+    const Complex<Real>& complex = work_.complex;
+    const auto take = [&](Triangle t, Phase to) {
+        offer(t, to, std::numeric_limits<Real>::infinity());
+    };
+    for (std::size_t i = 0; i < order_.size(); ++i) { // it grows
+        const Phase to = entries_.at(order_[i].id).to;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const Triangle t{triangle_of(complex.twin(corner_of(order_[i].id, k)))};
+            if (!is_rest(t)) {
+                continue;
+            }
+            int closed = 0;
+            for (std::uint32_t side = 0; side < 3; ++side) {
+                closed +=
+                    contains(Triangle{triangle_of(complex.twin(corner_of(t.id, side)))}) ? 1 : 0;
+            }
+            if (closed > 1) {
+                take(t, to);
+            } else if (is_small_piece(t)) {
+                for (const Triangle small : piece_) {
+                    take(small, to);
+                }
+            }
+        }
+    }
+}
+
+// Of the film, and not in the region.
+template <class Real>
+bool FilmRegion<Real>::is_rest(Triangle t) const {
+    return t.id != border_triangle && work_.complex.phase(t) == film_ && !contains(t);
+}
+
+// Whether the piece that the region leaves here is too small to last: below the least area, or a
+// pocket between rays, thinner than the contact distance. Then `piece_` holds it.
+template <class Real>
+bool FilmRegion<Real>::is_small_piece(Triangle start) {
+    const Complex<Real>& complex = work_.complex;
+    piece_.assign(1, start);
+    Real doubled = 0;
+    Real perimeter = 0;
+    Real shared = 0; // with the region
+    for (std::size_t i = 0; i < piece_.size(); ++i) {
+        doubled += doubled_area(complex, piece_[i]);
+        if (piece_.size() > most_of_piece) {
+            return false;
+        }
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const Corner side = corner_of(piece_[i].id, k);
+            const Triangle t{triangle_of(complex.twin(side))};
+            if (!is_rest(t)) {
+                const Real length = direction(complex, side).norm();
+                perimeter += length;
+                shared += contains(t) ? length : Real(0);
+            } else if (std::ranges::find(piece_, t) == piece_.end()) {
+                piece_.push_back(t);
+            }
+        }
+    }
+    // Of a disc this is the diameter, of a strip twice its thickness.
+    const Real width = 2 * doubled / perimeter;
+    return doubled / 2 < least_area(work_) ||
+           (width < contact_ && shared > static_cast<Real>(pocket_share) * perimeter);
+}
+
+template <class Real>
+Phase FilmRegion<Real>::phase_later(Triangle t) const {
+    const auto at = entries_.find(t.id);
+    return at != entries_.end() ? at->second.to : work_.complex.phase(t);
+}
+
+template <class Real>
+void FilmRegion<Real>::smooth() {
+    std::vector<Vertex> list;
+    std::unordered_set<std::uint32_t> listed;
+    for (const Triangle t : order_) {
+        for (const Vertex v : work_.complex.vertices_of(t)) {
+            if (listed.insert(v.id).second) {
+                list.push_back(v);
+            }
+        }
+    }
+    for (int round = 0; round < smoothing_rounds; ++round) {
+        std::ranges::for_each(list, [&](Vertex v) { straighten(v); });
+    }
+}
+
+// Moves the vertex between its two neighbours on the interface to be.
+template <class Real>
+void FilmRegion<Real>::straighten(Vertex v) {
+    Complex<Real>& complex = work_.complex;
+    int neighbours = 0;
+    bool is_inside = !complex.is_locked(v);
+    Point<Real> sum(0, 0);
+    for_each_corner(complex, v, [&](Corner c) {
+        const Corner before = complex.twin(prev(c));
+        is_inside = is_inside && !is_border(before) && complex.phase_at(c) == film_;
+        if (is_inside &&
+            phase_later(Triangle{triangle_of(before)}) != phase_later(Triangle{triangle_of(c)})) {
+            ++neighbours;
+            sum += complex.position(Vertex{complex.vertex(next(c))});
+        }
+    });
+    if (!is_inside || neighbours != 2) {
+        return;
+    }
+    const Point<Real> place = sum / Real(2);
+    const Real share = worst_share(v, place);
+    if (share >= static_cast<Real>(least_share) || share > worst_share(v, complex.position(v))) {
+        if (share > 0 && is_all_positive(v, place)) {
+            rewire::move(complex, complex.journal, v.id, place.x(), place.y(),
+                         MoveReason::smoothing);
+        }
+    }
+}
+
+// The smallest area doubled over the longest edge squared of the triangles about the vertex.
+template <class Real>
+Real FilmRegion<Real>::worst_share(Vertex v, const Point<Real>& place) const {
+    const Complex<Real>& complex = work_.complex;
+    Real worst = std::numeric_limits<Real>::max();
+    for_each_corner(complex, v, [&](Corner c) {
+        const Point<Real> a = complex.position(Vertex{complex.vertex(next(c))}) - place;
+        const Point<Real> b = complex.position(Vertex{complex.vertex(prev(c))}) - place;
+        const Real longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+        worst = std::min(worst, cross<Real>(a, b) / longest);
+    });
+    return worst;
+}
+
+// Exact: of the thinnest triangles the share has the sign of its rounding.
+template <class Real>
+bool FilmRegion<Real>::is_all_positive(Vertex v, const Point<Real>& place) const {
+    const Complex<Real>& complex = work_.complex;
+    bool is_positive = true;
+    for_each_corner(complex, v, [&](Corner c) {
+        is_positive = is_positive &&
+                      orientation<Real>(place, complex.position(Vertex{complex.vertex(next(c))}),
+                                        complex.position(Vertex{complex.vertex(prev(c))})) > 0;
+    });
+    return is_positive;
+}
+
+template <class Real>
+double FilmRegion<Real>::give_all() {
+    double area = 0;
+    for (const Triangle t : order_) {
+        area += static_cast<double>(doubled_area(work_.complex, t)) / 2;
+        give(work_, t, entries_.at(t.id).to);
+        mark_seam(work_, t);
+    }
+    return area;
+}
+
+template class FilmRegion<double>;
+template class FilmRegion<float>;
+
+} // namespace dsc

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: MIT
+#include "topology/films/films.h"
+
+#include "topology/films/bridge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace dsc {
+
+namespace {
+
+/// Cosine of the largest angle between two sheets that meet at the end of a seam. Three successive
+/// vertices of one curve have a larger one.
+constexpr double seam_angle = 0.5;
+/// A piece whose mean thickness is less than this many contact distances is the rest of a film that
+/// has opened at its ends. Triangles that lean are thinner than their film, by half at most.
+constexpr double rest_of_film = 2.5;
+/// More than rounding can change in a thickness.
+constexpr double rounding = 1e-3;
+
+template <class Real>
+class Films {
+public:
+    explicit Films(TopologyWork<Real>& work) : work_(work), complex_(work.complex) {
+        const Real contact =
+            std::min(largest_contact(work.options, work.edge_length),
+                     static_cast<Real>(most_contact_of_triangles) * work.edge_length);
+        most_squared_ = static_cast<Real>(1 + rounding) * contact * contact;
+    }
+
+    void run(std::span<const Suspect<Real>> suspects, std::span<const Suspect<Real>> notable) {
+        // Which stars face a sheet was seen before anything changed.
+        if (work_.touched.empty()) {
+            find_near(notable, &Suspect<Real>::is_facing);
+        } else {
+            find_near(suspects, &Suspect<Real>::is_thin);
+        }
+        if (near_.empty()) {
+            return;
+        }
+        Bridge<Real> bridge{};
+        for (std::size_t i = 0; i < suspects.size(); ++i) {
+            complex_.vertices[suspects[i].vertex].slot = static_cast<std::uint32_t>(i);
+        }
+        const std::size_t before = work_.events.size();
+        const auto opens = [&](Triangle t) { return find_bridge(work_, suspects, t, bridge); };
+        for (const Triangle t : thin_triangles(opens)) {
+            if (is_thin(work_, t) && opens(t)) { // those before it may have closed it
+                open(bridge);
+            }
+        }
+        // Seams of earlier events, whose sheets have come closer since, and of those just now.
+        if (work_.events.size() != before) {
+            find_near(suspects, &Suspect<Real>::is_thin);
+        }
+        const auto goes_on = [&](Triangle t) { return is_end_of_seam(t); };
+        for (const Triangle t : thin_triangles(goes_on)) {
+            if (is_thin(work_, t) && is_end_of_seam(t)) {
+                follow_seam(t);
+            }
+        }
+    }
+
+private:
+    // --- candidates ---------------------------------------------------------------------------
+    // Each triangle that bridges a film has a vertex on one of its sheets and the opposite edge on
+    // the other; so has the end of a seam. Nearly no interface vertex has a triangle of this kind
+    // before an event makes some.
+    void find_near(std::span<const Suspect<Real>> suspects, bool Suspect<Real>::*may_be) {
+        near_.clear();
+        for (const auto& suspect : suspects) {
+            if (!(suspect.*may_be) || !complex_.is_alive(Vertex{suspect.vertex})) {
+                continue;
+            }
+            (void)find_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
+                if (is_sheet(complex_, c) && !is_thick(c) && !is_plain_ear(c)) {
+                    near_.push_back(Triangle{triangle_of(c)});
+                }
+                return false; // all of them, in any order
+            });
+        }
+    }
+
+    // Between two successive edges of one sheet, away from seams: it bridges no film, and is not
+    // the end of a seam.
+    bool is_plain_ear(Corner c) const {
+        return (is_sheet(complex_, next(c)) || is_sheet(complex_, prev(c))) &&
+               !is_seam(complex_.vertex(c)) && !is_seam(complex_.vertex(next(c))) &&
+               !is_seam(complex_.vertex(prev(c)));
+    }
+
+    // In the order of their places, which is the same for every way to divide the mesh.
+    template <class Test>
+    std::vector<Triangle> thin_triangles(Test test) const {
+        std::vector<std::tuple<Real, Real, std::uint32_t>> found;
+        for (const Triangle t : near_) {
+            if (complex_.is_alive(t) && test(t) && is_thin(work_, t)) {
+                const Point<Real> place = centroid(complex_, t);
+                found.emplace_back(place.x(), place.y(), t.id);
+            }
+        }
+        std::ranges::sort(found);
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+        std::vector<Triangle> list;
+        for (const auto& one : found) {
+            list.push_back(Triangle{std::get<2>(one)});
+        }
+        return list;
+    }
+
+    // Thicker than any contact distance: `is_thin` would say no. The squares of thickness and
+    // contact are compared, both times the longest edge squared.
+    bool is_thick(Corner c) const {
+        const Point<Real> a = direction(complex_, c);
+        const Point<Real> b = direction(complex_, next(c));
+        const Real doubled = cross<Real>(a, b);
+        const Real longest =
+            std::max(std::max(a.squaredNorm(), b.squaredNorm()), (a + b).squaredNorm());
+        return doubled * doubled > most_squared_ * longest;
+    }
+
+    // --- events -------------------------------------------------------------------------------
+    // Both sheets on one outline of the film: it falls into two pieces. On two: they become one.
+    // If one of the two pieces is too small to last, the bridge is a part of what made the piece:
+    // of a seam, ahead of its end, or of the end of a filament. Then `pocket_` is at that piece.
+    // A piece that is larger, but thin all along, is the rest of a film that has opened at its
+    // other end: it is left to the seam.
+    EventKind kind_of(const Bridge<Real>& bridge, Phase one, Phase other) {
+        pocket_.clear();
+        const auto [first, second] = bridge.sheets;
+        Area ahead{};
+        Area behind{};
+        bool is_same = false;
+        Area* side = &ahead;
+        const Point<Real> origin = complex_.position(Vertex{complex_.vertex(first)});
+        for (Corner c = along_outline(complex_, first); c != first;
+             c = along_outline(complex_, c)) {
+            if (c == second) {
+                is_same = true;
+                side = &behind;
+                continue;
+            }
+            add(c, origin, *side);
+        }
+        if (is_same) {
+            // Each side is closed by the bridge, which has no area to speak of. What lies outside
+            // an outline has a negative area here.
+            const bool is_ahead =
+                ahead.doubled > 0 && !(behind.doubled > 0 && behind.doubled < ahead.doubled);
+            const Area& smaller = is_ahead ? ahead : behind;
+            if (smaller.doubled > 0 && smaller.doubled / 2 < least_area(work_)) {
+                pocket_ = smaller.at;
+                return smaller.on_seam
+                           ? EventKind::widen
+                           : (complex_.phase_at(first) == exterior_phase ? EventKind::fill
+                                                                         : EventKind::remove);
+            }
+            const Real contact = std::max(contact_at(work_, first), contact_at(work_, second));
+            if (is_rest_of_film(ahead, contact) || is_rest_of_film(behind, contact)) {
+                return EventKind::widen;
+            }
+        }
+        if (one != other) {
+            return EventKind::meet;
+        }
+        return is_same ? EventKind::split : EventKind::merge;
+    }
+
+    struct Area {
+        Real doubled = 0;
+        Real perimeter = 0;
+        std::vector<Triangle> at; ///< the first few
+        bool on_seam = false;
+    };
+
+    void add(Corner c, const Point<Real>& origin, Area& area) const {
+        const std::uint32_t v = complex_.vertex(next(c));
+        const Point<Real> from = complex_.position(Vertex{v}) - origin;
+        const Point<Real> way = direction(complex_, c);
+        area.doubled += cross<Real>(from, way);
+        area.perimeter += way.norm();
+        if (area.at.size() < most_of_piece) {
+            area.at.push_back(Triangle{triangle_of(c)});
+        }
+        area.on_seam = area.on_seam || is_seam(v);
+    }
+
+    // The mean thickness of a long piece is its area over half its outline.
+    static bool is_rest_of_film(const Area& piece, Real contact) {
+        return piece.on_seam && piece.doubled > 0 &&
+               piece.doubled < static_cast<Real>(rest_of_film) * contact * piece.perimeter;
+    }
+
+    bool is_seam(std::uint32_t v) const { return is_on_seam(work_, v); }
+
+    void open(const Bridge<Real>& bridge) {
+        const Triangle t{triangle_of(bridge.sheets[0])};
+        const Triangle u{triangle_of(bridge.sheets[1])};
+        const Phase film = complex_.phase(t);
+        const Phase one = complex_.phase_at(complex_.twin(bridge.sheets[0]));
+        const Phase other = complex_.phase_at(complex_.twin(bridge.sheets[1]));
+        const Point<Real> place = (centroid(complex_, t) + centroid(complex_, u)) / Real(2);
+        const auto x = static_cast<double>(place.x());
+        const auto y = static_cast<double>(place.y());
+        const auto& may_change = work_.options.may_change;
+        if (may_change && !may_change({.film = film,
+                                       .sides = {one, other},
+                                       .x = x,
+                                       .y = y,
+                                       .thickness = static_cast<double>(bridge.thickness)})) {
+            return;
+        }
+        Event event{.kind = kind_of(bridge, one, other),
+                    .time = work_.time,
+                    .x = x,
+                    .y = y,
+                    .lost = film,
+                    .taken = {one, other}};
+        event.area = static_cast<double>(doubled_area(complex_, t) + doubled_area(complex_, u)) / 2;
+        close(t, one);
+        close(u, other);
+        for (const Triangle end : {t, u}) {
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                event.area += close_from(complex_.twin(corner_of(end.id, i)), film);
+            }
+        }
+        for (const Triangle rest : pocket_) {
+            if (complex_.phase(rest) == film) {
+                event.area += give_piece(rest, one);
+            }
+        }
+        work_.events.push_back(event);
+    }
+
+    void close(Triangle t, Phase phase) {
+        give(work_, t, phase);
+        mark_seam(work_, t);
+    }
+
+    double give_piece(Triangle start, Phase to) {
+        double area = 0;
+        gather_piece(complex_, start, piece_);
+        if (piece_.size() > most_of_piece) {
+            return 0;
+        }
+        for (const Triangle t : piece_) {
+            area += static_cast<double>(doubled_area(complex_, t)) / 2;
+            close(t, to);
+        }
+        return area;
+    }
+
+    // --- seams --------------------------------------------------------------------------------
+    // A triangle that an earlier event has left at the end of its seam: one of its two sheets is
+    // the end itself, across the film, or the two meet in a sharp notch there.
+    bool is_end_of_seam(Triangle t) const {
+        std::array<Corner, 3> sheets{};
+        if (sheets_of(complex_, t, sheets) != 2) {
+            return false;
+        }
+        for (const Corner c : {sheets[0], sheets[1]}) {
+            if (is_seam(complex_.vertex(next(c))) && is_seam(complex_.vertex(prev(c)))) {
+                return true;
+            }
+        }
+        // The vertex that both share is opposite to neither.
+        const Corner shared = next(sheets[0]) == sheets[1] ? prev(sheets[0]) : next(sheets[0]);
+        const Point<Real> a = direction(complex_, sheets[0]);
+        const Point<Real> b = direction(complex_, sheets[1]);
+        // A tip between two vertices of the seam that hold up each other.
+        const auto is_held_up = [&](Corner c) {
+            const std::uint32_t v = complex_.vertex(next(c) == shared ? prev(c) : next(c));
+            return is_seam(v) && (complex_.vertices[v].flags & vertex_contact) != 0;
+        };
+        const bool is_tip = is_held_up(sheets[0]) && is_held_up(sheets[1]);
+        return (is_tip || is_seam(complex_.vertex(shared))) &&
+               -a.dot(b) > static_cast<Real>(seam_angle) * a.norm() * b.norm();
+    }
+
+    void follow_seam(Triangle t) {
+        const Phase film = complex_.phase(t);
+        const Point<Real> place = centroid(complex_, t);
+        Event event{.kind = EventKind::widen,
+                    .time = work_.time,
+                    .x = static_cast<double>(place.x()),
+                    .y = static_cast<double>(place.y()),
+                    .lost = film};
+        const Phase taken = close(t);
+        if (taken == film) {
+            return;
+        }
+        event.taken = {taken, taken};
+        event.area = closed_;
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            event.area += close_from(complex_.twin(corner_of(t.id, i)), film);
+        }
+        work_.events.push_back(event);
+    }
+
+    // Closes a triangle that has only one open side left: it goes to the phase beyond its longest
+    // sheet. Returns that phase, or its own if it stays; `closed_` is its area.
+    Phase close(Triangle t) {
+        const Phase film = complex_.phase(t);
+        std::array<Corner, 3> sheets{};
+        if (!is_thin(work_, t) || sheets_of(complex_, t, sheets) < 2) {
+            return film;
+        }
+        Phase to = film;
+        Real longest = -1;
+        for (const Corner c : sheets) {
+            const bool may = !is_border(c) && contact_at(work_, c) > 0;
+            const Real length = may ? direction(complex_, c).squaredNorm() : Real(-1);
+            if (length > longest) {
+                longest = length;
+                to = complex_.phase_at(complex_.twin(c));
+            }
+        }
+        closed_ = static_cast<double>(doubled_area(complex_, t)) / 2;
+        if (to != film) {
+            close(t, to);
+        }
+        return to;
+    }
+
+    // From a triangle of the film on, as far as the seam goes. Returns the area that was closed.
+    double close_from(Corner c, Phase film) {
+        double area = 0;
+        std::vector<Corner> ahead{c};
+        while (!ahead.empty()) {
+            const Corner here = ahead.back();
+            ahead.pop_back();
+            const Triangle t{triangle_of(here)};
+            if (is_border(here) || complex_.phase(t) != film || close(t) == film) {
+                continue;
+            }
+            area += closed_;
+            ahead.push_back(complex_.twin(next(here)));
+            ahead.push_back(complex_.twin(prev(here)));
+        }
+        return area;
+    }
+
+    TopologyWork<Real>& work_;
+    Complex<Real>& complex_;
+    Real most_squared_; ///< of the contact distances
+    std::vector<Triangle> near_;
+    double closed_ = 0;
+    std::vector<Triangle> piece_;
+    std::vector<Triangle> pocket_;
+};
+
+} // namespace
+
+template <class Real>
+void open_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects,
+                std::span<const Suspect<Real>> notable) {
+    Films<Real>(work).run(suspects, notable);
+}
+
+template void open_films(TopologyWork<double>&, std::span<const Suspect<double>>,
+                         std::span<const Suspect<double>>);
+template void open_films(TopologyWork<float>&, std::span<const Suspect<float>>,
+                         std::span<const Suspect<float>>);
+
+} // namespace dsc

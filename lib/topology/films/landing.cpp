@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "topology/films/landing.h"
+
+#include "dsc/complex/submesh.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/operations/edge_split.h"
+#include "topology/films/bridge.h"
+#include "topology/junctions/merging.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+/// A vertex lands on the wall from below this height, in edge lengths.
+constexpr double landing_height = 0.15;
+/// It lands on a vertex of the wall that is nearer than this share of the edge there.
+constexpr double landing_share = 0.25;
+
+template <class Real>
+class Landing {
+public:
+    Landing(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects)
+        : work_(work), complex_(work.complex), suspects_(suspects) {}
+
+    void run() {
+        std::vector<std::tuple<Real, Real, std::uint32_t>> found;
+        const auto take = [&](std::uint32_t v) {
+            if (is_held_up(work_, v)) {
+                found.emplace_back(at(v).x(), at(v).y(), v);
+            }
+        };
+        for (const auto& suspect : suspects_) {
+            const Vertex v{suspect.vertex};
+            take(v.id);
+            if (complex_.is_alive(v) && is_on_wall(v.id)) { // perhaps the end of a curve
+                for_each_corner(complex_, v, [&](Corner c) {
+                    if (is_outline(complex_, prev(c))) {
+                        take(complex_.vertex(next(c)));
+                    }
+                });
+            }
+        }
+        std::ranges::sort(found);
+        for (const auto& one : found) {
+            std::uint32_t v = std::get<2>(one);
+            while (v != no_id && is_held_up(work_, v)) {
+                v = land(v);
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
+
+    [[nodiscard]] bool is_on_wall(std::uint32_t v) const {
+        return find_corner(complex_, Vertex{v}, [&](Corner c) {
+                   return is_border(complex_.twin(next(c))) || is_border(complex_.twin(prev(c)));
+               }) != no_id;
+    }
+
+    // Fills a slit whose mouth holds the vertex up: a triangle of which the two long sides are of
+    // the interface, and the mouth, which is at the vertex, is narrower than a film may be.
+    void fill_slits(std::uint32_t v) {
+        for (Corner side = no_id; (side = slit_at(v)) != no_id;) {
+            const Triangle t{triangle_of(side)};
+            const Point<double> place = centroid(complex_, t).template cast<double>();
+            const Phase taker = phase_beyond(complex_, side);
+            Event event{.kind = EventKind::widen,
+                        .time = work_.time,
+                        .x = place.x(),
+                        .y = place.y(),
+                        .lost = complex_.phase(t),
+                        .taken = {taker, taker},
+                        .area = static_cast<double>(doubled_area(complex_, t)) / 2};
+            if (!may_open(work_, {.film = event.lost,
+                                  .sides = event.taken,
+                                  .x = event.x,
+                                  .y = event.y,
+                                  .thickness = static_cast<double>(thickness(complex_, t))})) {
+                return;
+            }
+            give(work_, t, taker);
+            work_.events.push_back(event);
+        }
+    }
+
+    // The long side that ends at the vertex; no_id if there is no such slit.
+    [[nodiscard]] Corner slit_at(std::uint32_t v) const {
+        Corner found = no_id;
+        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
+            for (const auto& [side, mouth] : {std::pair(next(c), prev(c)), {prev(c), next(c)}}) {
+                const Real contact = contact_at(work_, side);
+                const Real width = direction(complex_, mouth).squaredNorm();
+                if (is_sheet(complex_, c) && is_sheet(complex_, side) &&
+                    !is_outline(complex_, mouth) &&
+                    phase_beyond(complex_, c) == phase_beyond(complex_, side) &&
+                    width < contact * contact &&
+                    4 * width < direction(complex_, side).squaredNorm()) {
+                    found = side;
+                }
+            }
+        });
+        return found;
+    }
+
+    // Returns the next vertex of the curve, if this one has landed.
+    std::uint32_t land(std::uint32_t v) {
+        fill_slits(v);
+        std::vector<std::tuple<Real, Real, Real, std::uint32_t>> neighbours;
+        Corner curve = no_id;
+        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
+            if (is_outline(complex_, prev(c))) {
+                curve = prev(c);
+                const std::uint32_t w = complex_.vertex(next(c));
+                neighbours.emplace_back((at(w) - at(v)).squaredNorm(), at(w).x(), at(w).y(), w);
+            }
+        });
+        if (neighbours.size() != 2 || is_on_wall(v) || !(contact_at(work_, curve) > 0)) {
+            return no_id;
+        }
+        std::ranges::sort(neighbours); // the nearer one first
+        for (const std::size_t i : {0U, 1U}) {
+            const std::uint32_t end = std::get<3>(neighbours[i]);
+            if ((is_on_wall(end) || is_junction(end)) && land_beside(v, end)) {
+                return std::get<3>(neighbours[1 - i]);
+            }
+        }
+        return no_id;
+    }
+
+    // Of the edges of the wall at the end of a curve, the one above which the vertex is.
+    struct Below {
+        Corner edge = no_id; ///< the corner at the vertex
+        std::uint32_t other = no_id;
+        Real share = 0; ///< of the way along it
+    };
+    [[nodiscard]] Below find_below(std::uint32_t v, std::uint32_t end) const {
+        Below found;
+        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
+            const bool is_first = complex_.vertex(next(c)) == end;
+            if (!is_border(complex_.twin(c)) || !(is_first || complex_.vertex(prev(c)) == end)) {
+                return;
+            }
+            const std::uint32_t other = complex_.vertex(is_first ? prev(c) : next(c));
+            const Point<Real> way = at(other) - at(end);
+            const Point<Real> from = at(v) - at(end);
+            const Real share = from.dot(way) / way.squaredNorm();
+            if (found.edge == no_id || share > found.share) {
+                found = {c, other, share};
+            }
+        });
+        return found;
+    }
+
+    [[nodiscard]] bool is_junction(std::uint32_t v) const {
+        int curves = 0;
+        for_each_corner(complex_, Vertex{v},
+                        [&](Corner c) { curves += is_sheet(complex_, prev(c)) ? 1 : 0; });
+        return curves > 2;
+    }
+
+    // Above the wall, or the other curves, that leave the end of a curve towards the vertex.
+    [[nodiscard]] Real height_of(std::uint32_t v, std::uint32_t end) const {
+        Real lowest = std::numeric_limits<Real>::infinity();
+        const Point<Real> from = at(v) - at(end);
+        for_each_corner(complex_, Vertex{end}, [&](Corner c) {
+            for (const Corner side : {next(c), prev(c)}) {
+                const std::uint32_t other = complex_.vertex(side == next(c) ? prev(c) : next(c));
+                const Point<Real> way = at(other) - at(end);
+                if (other != v && (is_border(complex_.twin(side)) || is_sheet(complex_, side)) &&
+                    from.dot(way) > 0) {
+                    lowest = std::min(lowest, std::abs(cross<Real>(way, from)) / way.norm());
+                }
+            }
+        });
+        return lowest;
+    }
+
+    bool land_beside(std::uint32_t v, std::uint32_t end) {
+        const Below below = find_below(v, end);
+        const Real height = height_of(v, end);
+        if (!(height < static_cast<Real>(landing_height) * work_.edge_length)) {
+            return false;
+        }
+        Event event{.kind = EventKind::widen,
+                    .time = work_.time,
+                    .x = static_cast<double>(at(v).x()),
+                    .y = static_cast<double>(at(v).y())};
+        std::uint32_t target = end;
+        if (below.edge != no_id && below.share > static_cast<Real>(landing_share)) {
+            // Across the edge from the vertex to the end of the curve.
+            const Corner side =
+                complex_.vertex(next(below.edge)) == end ? prev(below.edge) : next(below.edge);
+            const Phase taker = complex_.phase_at(complex_.twin(side));
+            event.lost = complex_.phase_at(below.edge);
+            event.taken = {taker, taker};
+            if (!may_open(work_, {.film = event.lost,
+                                  .sides = {taker, border_phase},
+                                  .x = event.x,
+                                  .y = event.y,
+                                  .thickness = static_cast<double>(height)})) {
+                return false;
+            }
+            target = foot_of(below, end);
+            event.area = give_wedge(v, end, target, taker);
+        }
+        const std::size_t transfers = work_.transfers.size();
+        const bool has_landed = merge_ends(work_, Vertex{v}, Vertex{target}, false).is_valid();
+        // What the curve sweeps has not changed hands: the flow was to take the vertex there.
+        work_.transfers.erase(work_.transfers.begin() + static_cast<std::ptrdiff_t>(transfers),
+                              work_.transfers.end());
+        work_.swept = 0;
+        if (target != end) {
+            work_.events.push_back(event);
+        }
+        return has_landed;
+    }
+
+    // A vertex of the wall below the one that lands, or a new one there; only if it lies exactly
+    // on the wall, as beside it the domain would have another corner.
+    std::uint32_t foot_of(const Below& below, std::uint32_t end) {
+        if (below.share < 1 - static_cast<Real>(landing_share)) {
+            const Point<Real> foot = at(end) + below.share * (at(below.other) - at(end));
+            if (orientation<Real>(at(end), foot, at(below.other)) == 0) {
+                const SplitResult split = edge_split(complex_, submesh_, below.edge, foot);
+                if (split.verdict == Verdict::legal) {
+                    return split.vertex.id;
+                }
+            }
+        }
+        return below.other;
+    }
+
+    // The triangle between the curve and the wall, as far as `target`.
+    double give_wedge(std::uint32_t v, std::uint32_t end, std::uint32_t target, Phase taker) {
+        const Corner wedge = find_corner(complex_, Vertex{v}, [&](Corner c) {
+            const std::uint32_t from = complex_.vertex(next(c));
+            const std::uint32_t to = complex_.vertex(prev(c));
+            return (from == end && to == target) || (to == end && from == target);
+        });
+        const Triangle t{triangle_of(wedge)};
+        give(work_, t, taker);
+        return static_cast<double>(doubled_area(complex_, t)) / 2;
+    }
+
+    TopologyWork<Real>& work_;
+    Complex<Real>& complex_;
+    Submesh submesh_ = whole_submesh(complex_);
+    std::span<const Suspect<Real>> suspects_;
+};
+
+} // namespace
+
+template <class Real>
+void land_vertices(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
+    Landing<Real>(work, suspects).run();
+}
+
+template void land_vertices(TopologyWork<double>&, std::span<const Suspect<double>>);
+template void land_vertices(TopologyWork<float>&, std::span<const Suspect<float>>);
+
+} // namespace dsc

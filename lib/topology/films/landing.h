@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The wedge at the end of a curve, between the curve and the wall that it ends on, or another curve
+// of the junction, is thin near that end. It is no film, however small its angle. But where the
+// flow presses the curve against the other side, vertex after vertex would be held up: each lands
+// there, and the end of the curve moves on.
+#pragma once
+
+#include "topology/region.h"
+#include "topology/suspicion.h"
+
+#include <span>
+
+namespace dsc {
+
+/// Lands the vertices that are held up next to the end of their curve, among the suspects, in an
+/// order that depends only on where they lie. A slit whose mouth holds a vertex up is filled.
+/// O(suspects).
+template <class Real>
+void land_vertices(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects);
+
+} // namespace dsc

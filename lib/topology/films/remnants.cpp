@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "topology/films/remnants.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+/// Small pieces have no more triangles than this per squared edge length of the least area, unless
+/// their edges are very short.
+constexpr std::size_t most_per_area = most_of_piece;
+
+template <class Real>
+class Remnants {
+public:
+    explicit Remnants(TopologyWork<Real>& work)
+        : work_(work), complex_(work.complex), least_area_(least_area(work)),
+          most_triangles_(most_of(least_area_ / (work.edge_length * work.edge_length))) {}
+
+    void run(std::span<const Suspect<Real>> suspects) {
+        for (const Corner c : outlines_at(suspects)) {
+            if (is_outline(complex_, c)) { // it may have vanished since
+                visit(c);
+            }
+        }
+    }
+
+private:
+    // `area`: the least one, in squared edge lengths.
+    static std::size_t most_of(Real area) {
+        constexpr Real largest = 1e6;
+        return static_cast<std::size_t>(static_cast<Real>(most_per_area) *
+                                        std::clamp(area, Real(1), largest));
+    }
+
+    // The half-edges of outlines that leave the vertices, in the order of their places.
+    std::vector<Corner> outlines_at(std::span<const Suspect<Real>> suspects) const {
+        std::vector<std::tuple<Real, Real, Corner>> found;
+        for (const auto& suspect : suspects) {
+            const std::uint32_t v = suspect.vertex;
+            if (!suspect.is_sharp || !complex_.is_alive(Vertex{v})) {
+                continue;
+            }
+            (void)find_corner(complex_, Vertex{v}, [&](Corner at) {
+                const Corner c = prev(at); // the half-edge that starts at v
+                if (is_sheet(complex_, c) && may_be_small(at)) {
+                    const Point<Real> place = centroid(complex_, Triangle{triangle_of(c)});
+                    found.emplace_back(place.x(), place.y(), c);
+                }
+                return false; // all of them, in any order
+            });
+        }
+        std::ranges::sort(found);
+        std::vector<Corner> list;
+        for (const auto& one : found) {
+            list.push_back(std::get<2>(one));
+        }
+        return list;
+    }
+
+    // Whether the triangles of the phase around this one have less than the least area together. A
+    // handful rules out nearly every piece, long before its outline has been walked.
+    bool may_be_small(Corner at) const {
+        constexpr std::size_t handful = 16;
+        const Phase phase = complex_.phase_at(at);
+        std::array<std::uint32_t, handful> seen{};
+        std::size_t size = 0;
+        Real doubled = 0;
+        const auto add = [&](std::uint32_t t) {
+            seen[size++] = t;
+            doubled += doubled_area(complex_, Triangle{t});
+        };
+        add(triangle_of(at));
+        for (std::size_t i = 0; i < size; ++i) {
+            for (const Corner across : complex_.triangles[seen[i]].n) {
+                const std::uint32_t t = triangle_of(across);
+                const auto end = seen.begin() + static_cast<std::ptrdiff_t>(size);
+                if (size < handful && complex_.triangles[t].phase == phase &&
+                    std::find(seen.begin(), end, t) == end) {
+                    add(t);
+                }
+            }
+            if (doubled / 2 >= least_area_) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // A piece of a phase that has area to spare may be a large part of the complex: it is followed
+    // no farther than the least area, and once for all vertices that lie on it.
+    bool gather_small_piece(Triangle start) {
+        const std::size_t number = ++pieces_;
+        const Phase phase = complex_.phase(start);
+        if (!piece_of_.try_emplace(start.id, number).second) {
+            return false;
+        }
+        piece_.assign(1, start);
+        edges_ = 0;
+        Real doubled = 0;
+        for (std::size_t i = 0; i < piece_.size(); ++i) {
+            doubled += doubled_area(complex_, piece_[i]);
+            if (doubled / 2 >= least_area_ || piece_.size() > most_triangles_) {
+                return false;
+            }
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const Corner across = complex_.twin(corner_of(piece_[i].id, k));
+                const Triangle t{triangle_of(across)};
+                if (complex_.phase_at(across) != phase) {
+                    ++edges_;
+                } else if (const auto [at, is_new] = piece_of_.try_emplace(t.id, number); is_new) {
+                    piece_.push_back(t);
+                } else if (at->second != number) {
+                    return false; // it has been followed from elsewhere
+                }
+            }
+        }
+        return true;
+    }
+
+    void visit(Corner start) {
+        if (!gather_small_piece(Triangle{triangle_of(start)})) {
+            return;
+        }
+        outline_.clear();
+        Corner c = start;
+        do {
+            outline_.push_back(c);
+            c = along_outline(complex_, c);
+        } while (c != start && outline_.size() < edges_);
+        // More edges than one outline has: another phase lies within.
+        if (outline_.size() != edges_) {
+            return;
+        }
+        const Phase phase = complex_.phase_at(start);
+        const Phase to = heir();
+        if (to == phase) {
+            return;
+        }
+        Event event{.kind = phase == exterior_phase ? EventKind::fill : EventKind::remove,
+                    .time = work_.time,
+                    .lost = phase,
+                    .taken = {to, to}};
+        for (const Triangle t : piece_) {
+            const auto area = static_cast<double>(doubled_area(complex_, t)) / 2;
+            const Point<Real> place = centroid(complex_, t);
+            event.area += area;
+            event.x += area * static_cast<double>(place.x());
+            event.y += area * static_cast<double>(place.y());
+            give(work_, t, to);
+        }
+        event.x /= event.area;
+        event.y /= event.area;
+        work_.events.push_back(event);
+        piece_of_.clear(); // the piece is part of another one now
+    }
+
+    // The phase with the longest share of the outline; the smaller one of two equal ones. The
+    // piece's own phase if there is none that it may vanish into.
+    Phase heir() const {
+        std::vector<std::pair<Phase, Real>> lengths;
+        const Phase phase = complex_.phase_at(outline_.front());
+        for (const Corner c : outline_) {
+            const Corner across = complex_.twin(c);
+            const Phase other = complex_.phase_at(across);
+            if (is_border(across) ||
+                rule_of(work_.options, work_.edge_length, phase, other).rule != Topology::change) {
+                continue;
+            }
+            const auto at = std::ranges::find(lengths, other, &std::pair<Phase, Real>::first);
+            auto& entry = at != lengths.end() ? *at : lengths.emplace_back(other, Real(0));
+            entry.second += direction(complex_, c).norm();
+        }
+        Phase longest = phase;
+        Real length = -1;
+        std::ranges::sort(lengths);
+        for (const auto& [other, its] : lengths) {
+            if (its > length) {
+                longest = other;
+                length = its;
+            }
+        }
+        return longest;
+    }
+
+    TopologyWork<Real>& work_;
+    Complex<Real>& complex_;
+    Real least_area_;
+    std::size_t most_triangles_;
+    std::vector<Corner> outline_;
+    std::vector<Triangle> piece_;                             ///< the triangles of the last one
+    std::size_t edges_ = 0;                                   ///< of all its outlines
+    std::size_t pieces_ = 0;                                  ///< that have been followed
+    std::unordered_map<std::uint32_t, std::size_t> piece_of_; ///< by triangle
+};
+
+} // namespace
+
+template <class Real>
+void remove_remnants(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
+    Remnants<Real>(work).run(suspects);
+}
+
+template void remove_remnants(TopologyWork<double>&, std::span<const Suspect<double>>);
+template void remove_remnants(TopologyWork<float>&, std::span<const Suspect<float>>);
+
+} // namespace dsc

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "topology/films/wall_films.h"
+
+#include "topology/films/bridge.h"
+#include "topology/films/film_ray.h"
+#include "topology/films/film_region.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+/// Up to this many contact distances, and an edge, along a curve a film is the wedge at its end.
+constexpr double length_of_wedge = 1.5;
+/// Up to this many, it is a part of the film that has opened there.
+constexpr double same_film = 12;
+/// An interface edge near the wall, with the film on its left.
+template <class Real>
+struct WallChord {
+    Corner sheet;
+    FilmRay<Real> ray;
+    bool is_first = true; ///< none of the chords leads to it along the outline
+};
+
+template <class Real>
+class WallFilms {
+public:
+    WallFilms(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects)
+        : work_(work), complex_(work.complex), suspects_(suspects) {}
+
+    void run() {
+        for (std::size_t i = 0; i < suspects_.size(); ++i) {
+            complex_.vertices[suspects_[i].vertex].slot = static_cast<std::uint32_t>(i);
+        }
+        find_chords();
+        for (const bool starts : {true, false}) { // those left over go round
+            for (std::size_t i = 0; i < chords_.size(); ++i) {
+                if (chords_[i].is_first == starts && index_.contains(chords_[i].sheet)) {
+                    visit_run(i);
+                }
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
+
+    // --- films ----------------------------------------------------------------------------------
+    // In the order of their places. Nearly always there are none, and nothing is allocated.
+    void find_chords() {
+        for (const auto& suspect : suspects_) {
+            if (!complex_.is_alive(Vertex{suspect.vertex})) {
+                continue;
+            }
+            for_each_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
+                const Corner leaves = prev(c); // the half-edge that starts at the vertex
+                const Corner across = complex_.twin(leaves);
+                if (is_border(across) || !is_sheet(complex_, leaves)) {
+                    return;
+                }
+                add_chord(leaves);
+                if (!is_suspect(complex_.vertex(next(c)))) { // else it adds its own
+                    add_chord(across);
+                }
+            });
+        }
+        std::ranges::sort(chords_, {}, [this](const WallChord<Real>& chord) {
+            const Point<Real> place = centroid(complex_, Triangle{triangle_of(chord.sheet)});
+            return std::tuple(place.x(), place.y(), chord.sheet);
+        });
+        for (std::size_t i = 0; i < chords_.size(); ++i) {
+            index_.emplace(chords_[i].sheet, i);
+        }
+        for (const auto& chord : chords_) {
+            const auto following = index_.find(along_outline(complex_, chord.sheet));
+            if (following != index_.end()) {
+                chords_[following->second].is_first = false;
+            }
+        }
+    }
+
+    void add_chord(Corner sheet) {
+        if (const FilmRay<Real> ray = ray_of(sheet); ray.wall != no_id) {
+            chords_.push_back({sheet, ray});
+        }
+    }
+
+    [[nodiscard]] bool is_suspect(std::uint32_t v) const {
+        const std::uint32_t slot = complex_.vertices[v].slot;
+        return slot < suspects_.size() && suspects_[slot].vertex == v;
+    }
+
+    // To the wall, if that is within the contact distance.
+    [[nodiscard]] FilmRay<Real> ray_of(Corner sheet) const {
+        const Real contact = contact_of(sheet);
+        if (!(contact > 0)) {
+            return {};
+        }
+        const FilmRay<Real> ray = cross_film(complex_, sheet, contact, [](Triangle, Real, Real) {});
+        return ray.wall != no_id && faces(complex_, sheet, ray.wall) ? ray : FilmRay<Real>{};
+    }
+
+    // The contact distance at a sheet, however wide; 0 where the topology is kept.
+    [[nodiscard]] Real contact_of(Corner sheet) const {
+        const auto rule = rule_of(work_.options, work_.edge_length, complex_.phase_at(sheet),
+                                  phase_beyond(complex_, sheet));
+        return rule.rule == Topology::change ? rule.contact : Real(0);
+    }
+
+    // Successive chords. If the curve ends on the wall nearby, they are the wedge there.
+    void visit_run(std::size_t first) {
+        std::vector<WallChord<Real>> run;
+        for (auto at = index_.find(chords_[first].sheet); at != index_.end();) {
+            const WallChord<Real>& chord = chords_[at->second];
+            index_.erase(at);
+            if (!is_sheet(complex_, chord.sheet)) {
+                break; // another film has opened here
+            }
+            run.push_back(chord);
+            at = index_.find(along_outline(complex_, chord.sheet));
+        }
+        if (run.empty()) {
+            return;
+        }
+        const Real contact = contact_of(run.front().sheet);
+        const Real nearest = contact > 0
+                                 ? std::min(way_to_end(run.back().sheet, contact),
+                                            way_to_end(complex_.twin(run.front().sheet), contact))
+                                 : Real(0);
+        const Real near = static_cast<Real>(length_of_wedge) * contact + work_.edge_length;
+        // Held up for good, or at once where no vertex lands.
+        const auto is_pressed = [&](const WallChord<Real>& chord) {
+            const Corner c = chord.sheet;
+            return is_stuck(c) || (is_held_up(work_, complex_.vertex(next(c))) &&
+                                   is_held_up(work_, complex_.vertex(prev(c))) &&
+                                   !is_to_land(c, near) && !is_to_land(complex_.twin(c), near));
+        };
+        if (!(contact > 0) || (nearest < near && std::ranges::none_of(run, is_pressed))) {
+            return;
+        }
+        const EventKind kind = std::isfinite(nearest) ? EventKind::widen : EventKind::meet;
+        // The outline of the film goes on across junctions: each phase beyond it is asked for, and
+        // told of, by itself.
+        for (auto from = run.begin(); from != run.end();) {
+            const auto to = std::find_if(from, run.end(), [&](const auto& chord) {
+                return phase_beyond(complex_, chord.sheet) != phase_beyond(complex_, from->sheet);
+            });
+            open_part({from, to}, kind);
+            from = to;
+        }
+    }
+
+    // Successive chords with one phase beyond them.
+    void open_part(std::vector<WallChord<Real>> part, EventKind kind) {
+        // What opened before it may have taken some of the edges, or the film.
+        std::erase_if(part, [&](WallChord<Real>& chord) {
+            if (!is_sheet(complex_, chord.sheet) || is_border(complex_.twin(chord.sheet))) {
+                return true;
+            }
+            chord.ray = ray_of(chord.sheet);
+            return chord.ray.wall == no_id ||
+                   (work_.options.opening == Opening::squeezed && !is_squeezed_to_wall(chord));
+        });
+        if (!part.empty()) {
+            open(part, kind);
+        }
+    }
+
+    // Held up for good, at both ends.
+    [[nodiscard]] bool is_stuck(Corner sheet) const {
+        const auto is_end_stuck = [&](Corner c) {
+            return (complex_.vertices[complex_.vertex(c)].flags & vertex_contact) == vertex_contact;
+        };
+        return is_end_stuck(next(sheet)) && is_end_stuck(prev(sheet));
+    }
+
+    // From the end of the half-edge along the curve to where that ends on the wall, if that is near
+    // enough to matter; 0 where it ends itself, or is of the interface no longer.
+    [[nodiscard]] Real way_to_end(Corner sheet, Real contact) const {
+        if (!is_sheet(complex_, sheet)) {
+            return 0;
+        }
+        Real length = 0;
+        Corner c = along_outline(complex_, sheet);
+        while (!is_border(complex_.twin(c))) {
+            length += direction(complex_, c).norm();
+            if (length > static_cast<Real>(same_film) * contact) {
+                return std::numeric_limits<Real>::infinity();
+            }
+            c = along_outline(complex_, c);
+        }
+        return length;
+    }
+
+    // Whether the half-edge leads to an end of the curve on the wall nearby, past vertices that the
+    // wall holds up: they land one after the other, from that end.
+    [[nodiscard]] bool is_to_land(Corner sheet, Real near) const {
+        Real length = 0;
+        Corner c = sheet;
+        do {
+            c = along_outline(complex_, c);
+            if (is_border(complex_.twin(c))) {
+                return true;
+            }
+            length += direction(complex_, c).norm();
+        } while (length < near && is_held_up(work_, complex_.vertex(next(c))));
+        return false;
+    }
+
+    // As between two sheets, of which the second one is the image of the first on the wall.
+    [[nodiscard]] bool is_squeezed_to_wall(const WallChord<Real>& chord) const {
+        const Point<Real> foot = at(complex_.vertex(next(chord.ray.wall)));
+        const Point<Real> along = direction(complex_, chord.ray.wall).normalized();
+        std::array<Point<Real>, 4> now;
+        std::array<Point<Real>, 4> then;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const std::uint32_t v = complex_.vertex(i == 0 ? next(chord.sheet) : prev(chord.sheet));
+            const auto& record = complex_.vertices[v];
+            if ((record.flags & vertex_contact) != 0) {
+                return true; // the wall holds it up, if only for the first time
+            }
+            if (record.slot >= suspects_.size() || suspects_[record.slot].vertex != v) {
+                return false;
+            }
+            const auto of_wall = [&](const Point<Real>& p) {
+                const Point<Real> from = p - foot;
+                return Point<Real>(-along.dot(from), -cross<Real>(along, from));
+            };
+            now[i] = of_wall({record.x, record.y});
+            then[i] = of_wall({suspects_[record.slot].x, suspects_[record.slot].y});
+            now[3 - i] = {now[i].x(), 0};
+            then[3 - i] = {then[i].x(), 0};
+        }
+        return is_squeezed(then, now);
+    }
+
+    void open(const std::vector<WallChord<Real>>& run, EventKind kind) {
+        const auto& thinnest = *std::ranges::min_element(
+            run, {}, [](const WallChord<Real>& chord) { return chord.ray.thickness; });
+        const Phase film = complex_.phase_at(thinnest.sheet);
+        const Phase taker = phase_beyond(complex_, thinnest.sheet);
+        const auto x = static_cast<double>(thinnest.ray.middle.x());
+        const auto y = static_cast<double>(thinnest.ray.middle.y());
+        if (!may_open(work_, {.film = film,
+                              .sides = {taker, border_phase},
+                              .x = x,
+                              .y = y,
+                              .thickness = static_cast<double>(thinnest.ray.thickness)})) {
+            return;
+        }
+        FilmRegion<Real> region(work_, film, contact_of(thinnest.sheet));
+        for (const WallChord<Real>& chord : run) {
+            region.add_ray(chord.sheet);
+        }
+        region.fill();
+        region.smooth();
+        work_.events.push_back({.kind = kind,
+                                .time = work_.time,
+                                .x = x,
+                                .y = y,
+                                .lost = film,
+                                .taken = {taker, taker},
+                                .area = region.give_all()});
+    }
+
+    TopologyWork<Real>& work_;
+    Complex<Real>& complex_;
+    std::span<const Suspect<Real>> suspects_;
+    std::vector<WallChord<Real>> chords_;
+    std::unordered_map<Corner, std::size_t> index_; ///< of the chords that are still to be visited
+};
+
+} // namespace
+
+template <class Real>
+void open_wall_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
+    WallFilms<Real>(work, suspects).run();
+}
+
+template void open_wall_films(TopologyWork<double>&, std::span<const Suspect<double>>);
+template void open_wall_films(TopologyWork<float>&, std::span<const Suspect<float>>);
+
+} // namespace dsc

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "topology/films/wide_films.h"
+
+#include "topology/films/bridge.h"
+#include "topology/films/chords.h"
+#include "topology/films/film_region.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dsc {
+
+namespace {
+
+/// A thin place becomes thinner than this share towards the point of a tip.
+constexpr double tip_share = 0.7;
+/// A piece whose mean thickness is less than this many contact distances is the rest of a film that
+/// has opened beside it.
+constexpr double rest_of_wide_film = 1.25;
+
+template <class Real>
+class WideFilms {
+public:
+    WideFilms(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects)
+        : work_(work), complex_(work.complex), suspects_(suspects) {}
+
+    void run() {
+        for (std::size_t i = 0; i < suspects_.size(); ++i) {
+            complex_.vertices[suspects_[i].vertex].slot = static_cast<std::uint32_t>(i);
+        }
+        for (const std::vector<Corner>& place : find_thin_places(work_, suspects_)) {
+            visit(place);
+        }
+    }
+
+private:
+    // Those that opened before it may have closed a part of the place.
+    void visit(const std::vector<Corner>& place) {
+        chords_.clear();
+        seams_.clear();
+        const Chord<Real>* film = nullptr;
+        bool is_beside_end = false;
+        for (const Corner sheet : place) {
+            if (is_sheet(complex_, sheet)) {
+                const Chord<Real> chord = find_chord(work_, sheet);
+                if (chord.ray.opposite != no_id) {
+                    chords_.push_back(chord);
+                }
+            }
+        }
+        Real tip = std::numeric_limits<Real>::max();
+        for (const Chord<Real>& chord : chords_) {
+            const Connection connection = connection_of(work_, chord);
+            if (!connection.is_near) {
+                if (opens(chord) && (film == nullptr || is_thinner(chord, *film))) {
+                    film = &chord;
+                    is_beside_end = connection.is_beside_end;
+                }
+            } else if (!connection.is_seam) {
+                tip = std::min(tip, chord.ray.thickness);
+            } else if (goes_on(chord, connection)) {
+                seams_.push_back(chord);
+            }
+        }
+        const auto is_tip = [&] {
+            return is_beside_end && tip < static_cast<Real>(tip_share) * film->ray.thickness;
+        };
+        if (film != nullptr && !is_tip()) {
+            open(*film);
+        } else if (!seams_.empty()) {
+            widen();
+        }
+    }
+
+    static bool is_thinner(const Chord<Real>& one, const Chord<Real>& other) {
+        return one.ray.thickness < other.ray.thickness;
+    }
+
+    bool opens(const Chord<Real>& chord) const {
+        const std::array<Corner, 2> sheets{chord.sheet, chord.ray.opposite};
+        return work_.options.opening == Opening::squeezed
+                   ? !are_ends_of_seam(work_, sheets[0], sheets[1]) &&
+                         is_squeezed(complex_, suspects_, sheets)
+                   : !has_end_on_seam(sheets[0]) && !has_end_on_seam(sheets[1]);
+    }
+
+    // A neck that a film has left is as thin as the film was: unless the flow squeezes it, it would
+    // close again, and so on.
+    bool has_end_on_seam(Corner sheet) const {
+        return is_on_seam(work_, complex_.vertex(next(sheet))) ||
+               is_on_seam(work_, complex_.vertex(prev(sheet)));
+    }
+
+    // A small piece with a seam about it is not part of a film, unless the flow squeezes it.
+    bool goes_on(const Chord<Real>& chord, const Connection& connection) const {
+        return work_.options.opening == Opening::squeezed
+                   ? is_squeezed(complex_, suspects_, {chord.sheet, chord.ray.opposite})
+                   : connection.is_far;
+    }
+
+    void open(const Chord<Real>& film) {
+        const Phase phase = complex_.phase_at(film.sheet);
+        const Phase one = complex_.phase_at(complex_.twin(film.sheet));
+        const Phase other = complex_.phase_at(complex_.twin(film.ray.opposite));
+        const auto x = static_cast<double>(film.ray.middle.x());
+        const auto y = static_cast<double>(film.ray.middle.y());
+        const auto& may_change = work_.options.may_change;
+        if (may_change && !may_change({.film = phase,
+                                       .sides = {one, other},
+                                       .x = x,
+                                       .y = y,
+                                       .thickness = static_cast<double>(film.ray.thickness)})) {
+            return;
+        }
+        FilmRegion<Real> region = region_of(phase, chords_);
+        Event event{.kind = kind_of(film, region),
+                    .time = work_.time,
+                    .x = x,
+                    .y = y,
+                    .lost = phase,
+                    .taken = {one, other}};
+        event.area = region.give_all();
+        work_.events.push_back(event);
+    }
+
+    void widen() {
+        const auto first = std::ranges::min_element(seams_, is_thinner);
+        const Phase phase = complex_.phase_at(first->sheet);
+        Event event{.kind = EventKind::widen,
+                    .time = work_.time,
+                    .x = static_cast<double>(first->ray.middle.x()),
+                    .y = static_cast<double>(first->ray.middle.y()),
+                    .lost = phase,
+                    .taken = {complex_.phase_at(complex_.twin(first->sheet)),
+                              complex_.phase_at(complex_.twin(first->ray.opposite))}};
+        event.area = region_of(phase, seams_).give_all();
+        work_.events.push_back(event);
+    }
+
+    FilmRegion<Real> region_of(Phase film, const std::vector<Chord<Real>>& chords) {
+        Real contact = 0;
+        for (const Chord<Real>& chord : chords) {
+            contact = std::max(contact, wide_contact_at(work_, chord.sheet));
+        }
+        FilmRegion<Real> region(work_, film, contact);
+        for (const Chord<Real>& chord : chords) {
+            region.add_ray(chord.sheet);
+        }
+        region.fill();
+        region.smooth();
+        return region;
+    }
+
+    // Both sheets on one outline of the film: it falls into two pieces. On two: they become one. If
+    // the region is all of one of the pieces, or that is the rest of a film that has opened before,
+    // nothing falls apart.
+    EventKind kind_of(const Chord<Real>& film, const FilmRegion<Real>& region) const {
+        Side ahead;
+        Side behind;
+        Side* side = &ahead;
+        const Point<Real> origin = film.ray.middle;
+        for (Corner c = along_outline(complex_, film.sheet); c != film.sheet;
+             c = along_outline(complex_, c)) {
+            if (c == film.ray.opposite) {
+                side = &behind;
+                continue;
+            }
+            const std::uint32_t v = complex_.vertex(next(c));
+            const Point<Real> from = complex_.position(Vertex{v}) - origin;
+            const Point<Real> way = direction(complex_, c);
+            side->doubled += cross<Real>(from, way);
+            side->perimeter += way.norm();
+            side->on_seam = side->on_seam || is_on_seam(work_, v);
+            side->is_left = side->is_left || !region.contains(Triangle{triangle_of(c)});
+        }
+        const bool is_same = side == &behind;
+        if (is_same) {
+            for (const Side& piece : {ahead, behind}) {
+                if (!piece.is_left && !piece.on_seam) {
+                    return complex_.phase_at(film.sheet) == exterior_phase ? EventKind::fill
+                                                                           : EventKind::remove;
+                }
+                if (!piece.is_left || is_rest_of_film(piece, film.sheet)) {
+                    return EventKind::widen;
+                }
+            }
+        }
+        const Phase one = complex_.phase_at(complex_.twin(film.sheet));
+        if (one != complex_.phase_at(complex_.twin(film.ray.opposite))) {
+            return EventKind::meet;
+        }
+        return is_same ? EventKind::split : EventKind::merge;
+    }
+
+    // The outline of the film between the two ends of the chord.
+    struct Side {
+        Real doubled = 0; ///< area; negative if the film is outside
+        Real perimeter = 0;
+        bool on_seam = false;
+        bool is_left = false; ///< the region does not hold all of it
+    };
+
+    // The mean thickness of a long piece is its area over half its outline.
+    bool is_rest_of_film(const Side& piece, Corner sheet) const {
+        return piece.on_seam && piece.doubled > 0 &&
+               piece.doubled < static_cast<Real>(rest_of_wide_film) *
+                                   wide_contact_at(work_, sheet) * piece.perimeter;
+    }
+
+    TopologyWork<Real>& work_;
+    Complex<Real>& complex_;
+    std::span<const Suspect<Real>> suspects_;
+    std::vector<Chord<Real>> chords_; ///< of the place that is visited
+    std::vector<Chord<Real>> seams_;  ///< of these: beside a seam
+};
+
+} // namespace
+
+template <class Real>
+void open_wide_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
+    WideFilms<Real>(work, suspects).run();
+}
+
+template void open_wide_films(TopologyWork<double>&, std::span<const Suspect<double>>);
+template void open_wide_films(TopologyWork<float>&, std::span<const Suspect<float>>);
+
+} // namespace dsc

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "topology/junctions/coming_apart.h"
+
+#include "topology/junctions/opening.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+/// A curve lies along a wall if the angle between them is below this, in radians: 20 degrees.
+constexpr double along_wall = 0.349;
+
+template <class Real>
+class ComingApart {
+public:
+    ComingApart(TopologyWork<Real>& work, Vertex v)
+        : work_(work), complex_(work.complex), v_(v),
+          length_(static_cast<Real>(opened_length) * work.edge_length) {}
+
+    void run() {
+        find_sectors(complex_, v_, sectors_);
+        // Each time one sector less.
+        for (std::size_t left = sectors_.size();
+             left > 0 && sectors_.size() > sectors_.stable() && leave_one(); --left) {
+            find_sectors(complex_, v_, sectors_);
+        }
+    }
+
+    // The end of a curve moves from the corner along the wall beside sector k.
+    void pass_corner(Phase lost) {
+        if (is_single_in_corner()) {
+            const std::size_t k = sectors_[0].phase == lost ? 0 : 1;
+            if (sectors_[k].phase == lost && gain_of(k) < -energy_tie) {
+                (void)leave(k);
+            }
+        }
+    }
+    void leave_along_wall() {
+        if (is_single_in_corner()) {
+            const std::size_t k = sectors_[0].angle <= sectors_[1].angle ? 0 : 1;
+            if (sectors_[k].angle < along_wall && gain_of(k) < -energy_tie) {
+                (void)leave(k);
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] bool is_single_in_corner() const {
+        return sectors_.is_at_corner && sectors_.size() == 2;
+    }
+
+    // The sector from which the energy gains the most; if there is no room in it, the next one.
+    bool leave_one() {
+        const std::size_t n = sectors_.size();
+        gains_.resize(n);
+        for (std::size_t k = 0; k < n; ++k) {
+            gains_[k] = gain_of(k);
+        }
+        for (std::size_t trial = 0; trial < n; ++trial) {
+            const std::size_t k = best();
+            if (!(total(k) < never)) {
+                return false;
+            }
+            const std::uint32_t size = complex_.triangle_count();
+            if (leave(k)) {
+                return true;
+            }
+            if (complex_.triangle_count() != size) {
+                find_again();
+            }
+            gains_[k] = never;
+        }
+        return false;
+    }
+
+    // The same sectors in the same order; some of their triangles are others now.
+    void find_again() {
+        const Point<Real> ray = sectors_[0].ray;
+        find_sectors(complex_, v_, sectors_);
+        const auto start = std::ranges::find(sectors_.list, ray, &Sector<Real>::ray);
+        std::rotate(sectors_.list.begin(), start, sectors_.list.end());
+    }
+
+    [[nodiscard]] double gain_of(std::size_t k) const {
+        const Phase phase = sectors_[k].phase;
+        if (sectors_.is_beside_wall(k)) {
+            const Phase other = (k == 0 ? sectors_.after(k) : sectors_.before(k)).phase;
+            return may_change(work_, phase, other)
+                       ? energy_along_wall(work_, phase, other, sectors_[k].angle)
+                       : never;
+        }
+        const Phase before = sectors_.before(k).phase;
+        const Phase after = sectors_.after(k).phase;
+        return may_change(work_, before, phase) && may_change(work_, phase, after)
+                   ? energy_inwards(work_, before, phase, after, sectors_[k].angle)
+                   : never;
+    }
+
+    // Opposite ones of four go together. So do the two beside the wall if there are three: they and
+    // their mirror images are four.
+    [[nodiscard]] std::size_t partner(std::size_t k) const {
+        const std::size_t n = sectors_.size();
+        if (sectors_.is_on_wall) {
+            return n == 3 ? n - 1 - k : k;
+        }
+        return n == 4 ? (k + 2) % 4 : k;
+    }
+    [[nodiscard]] double total(std::size_t k) const {
+        const std::size_t other = partner(k);
+        return other == k || !std::isfinite(gains_[other]) ? gains_[k] : gains_[k] + gains_[other];
+    }
+    [[nodiscard]] std::size_t best() const {
+        std::size_t found = 0;
+        for (std::size_t k = 1; k < sectors_.size(); ++k) {
+            const bool is_pair = k != found && k == partner(found);
+            if (is_pair ? is_better(k, gains_[k], found, gains_[found])
+                        : is_better(k, total(k), found, total(found))) {
+                found = k;
+            }
+        }
+        return found;
+    }
+    [[nodiscard]] bool is_better(std::size_t k, double gain, std::size_t other,
+                                 double its_gain) const {
+        if (!std::isfinite(gain) || !std::isfinite(its_gain)) {
+            return gain < its_gain;
+        }
+        if (std::abs(gain - its_gain) > energy_tie) {
+            return gain < its_gain;
+        }
+        const auto key = [&](const Sector<Real>& sector) {
+            return std::tuple(sector.phase, sector.ray.x(), sector.ray.y());
+        };
+        return key(sectors_[k]) < key(sectors_[other]);
+    }
+
+    bool leave(std::size_t k) {
+        const Point<Real> place = complex_.position(v_);
+        Event event{.kind = EventKind::exchange,
+                    .time = work_.time,
+                    .x = static_cast<double>(place.x()),
+                    .y = static_cast<double>(place.y()),
+                    .lost = sectors_[k].phase};
+        const Sector<Real> sector = sectors_[k];
+        if (sectors_.is_beside_wall(k)) {
+            const Phase taker = (k == 0 ? sectors_.after(k) : sectors_.before(k)).phase;
+            const Corner only = open_on_wall(complex_, v_, sector, k == 0, length_);
+            if (only == no_id) {
+                return false;
+            }
+            event.taken = {taker, taker};
+            event.area = hand_over(only, taker);
+        } else {
+            event.taken = {sectors_.before(k).phase, sectors_.after(k).phase};
+            const Corner first = open_inside(complex_, v_, sector, length_);
+            if (first == no_id) {
+                return false;
+            }
+            const Corner second = corner_ccw(complex_, first);
+            event.area = hand_over(first, event.taken[0]) + hand_over(second, event.taken[1]);
+        }
+        event.area += std::exchange(work_.swept, 0);
+        work_.events.push_back(event);
+        return true;
+    }
+
+    double hand_over(Corner c, Phase taker) {
+        const Triangle t{triangle_of(c)};
+        give(work_, t, taker);
+        return static_cast<double>(doubled_area(complex_, t)) / 2;
+    }
+
+    TopologyWork<Real>& work_;
+    Complex<Real>& complex_;
+    Vertex v_;
+    Real length_;
+    Sectors<Real> sectors_;
+    std::vector<double> gains_; ///< per length that the junction moves
+};
+
+} // namespace
+
+template <class Real>
+void take_apart(TopologyWork<Real>& work, Vertex v) {
+    ComingApart<Real> vertex(work, v);
+    vertex.run();
+    vertex.leave_along_wall();
+}
+
+template <class Real>
+void pass_corner(TopologyWork<Real>& work, Vertex corner, Phase lost) {
+    ComingApart<Real> vertex(work, corner);
+    vertex.run();
+    vertex.pass_corner(lost);
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template void take_apart(TopologyWork<Real>&, Vertex);                                         \
+    template void pass_corner(TopologyWork<Real>&, Vertex, Phase);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

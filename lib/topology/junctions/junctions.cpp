@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "topology/junctions/junctions.h"
+
+#include "dsc/complex/submesh.h"
+#include "dsc/operations/edge_collapse.h"
+#include "topology/junctions/coming_apart.h"
+#include "topology/junctions/merging.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+/// Two junctions closer than this times the edge length may exchange their neighbours.
+constexpr double exchange_length = 0.15;
+/// A bound for what never comes to rest; two or three are enough.
+constexpr int most_rounds = 8;
+
+// By their places, which are the same for every way to divide the mesh; each once.
+template <class Real>
+std::vector<Vertex> in_order(const Complex<Real>& complex, std::span<const Vertex> vertices) {
+    std::vector<std::tuple<Real, Real, std::uint32_t>> found;
+    for (const Vertex v : vertices) {
+        found.emplace_back(complex.position(v).x(), complex.position(v).y(), v.id);
+    }
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    std::vector<Vertex> list;
+    for (const auto& one : found) {
+        list.push_back(Vertex{std::get<2>(one)});
+    }
+    return list;
+}
+
+template <class Real>
+class Junctions {
+public:
+    explicit Junctions(TopologyWork<Real>& work)
+        : work_(work), complex_(work.complex), submesh_(whole_submesh(work.complex)),
+          shortest_(static_cast<Real>(exchange_length) * work.edge_length) {}
+
+    void run(std::span<const Suspect<Real>> suspects) {
+        std::vector<Vertex> list;
+        // A sharp turn between two edges becomes a junction only where something has changed.
+        const bool is_changed = !work_.touched.empty();
+        for (const auto& suspect : suspects) {
+            if ((is_changed ? suspect.is_sharp : suspect.is_junction) &&
+                complex_.is_alive(Vertex{suspect.vertex}) &&
+                may_come_apart(complex_, Vertex{suspect.vertex}, shortest_)) {
+                list.push_back(Vertex{suspect.vertex});
+            }
+        }
+        for (const Vertex v : in_order(complex_, list)) {
+            if (complex_.is_alive(v)) {
+                visit(v);
+            }
+        }
+    }
+
+private:
+    void visit(Vertex v) {
+        find_sectors(complex_, v, here_);
+        if (here_.size() > here_.stable() || (here_.is_at_corner && here_.size() == 2)) {
+            take_apart(work_, v);
+        } else if (here_.is_on_wall && here_.size() == 2) {
+            exchange_on_wall(v);
+        } else if (!here_.is_on_wall && here_.size() == 3) {
+            exchange(v);
+        }
+    }
+
+    bool is_short(Vertex v, Vertex w) const {
+        return (complex_.position(w) - complex_.position(v)).norm() < shortest_;
+    }
+
+    bool merge(Vertex v, Vertex w, bool either) {
+        const Vertex left = merge_ends_of_here(v, w, either);
+        if (!left.is_valid()) {
+            return false;
+        }
+        take_apart(work_, left);
+        return true;
+    }
+
+    // If the two do not become one, vertices may have been removed to make room for nothing: then
+    // the sectors at v are found again, in the same order.
+    Vertex merge_ends_of_here(Vertex v, Vertex w, bool either) {
+        const std::uint32_t size = complex_.triangle_count();
+        const Vertex left = merge_ends(work_, v, w, either);
+        if (!left.is_valid() && complex_.triangle_count() != size) {
+            const Point<Real> ray = here_[0].ray;
+            find_sectors(complex_, v, here_);
+            if (!here_.is_on_wall) {
+                const auto start = std::ranges::find(here_.list, ray, &Sector<Real>::ray);
+                std::rotate(here_.list.begin(), start, here_.list.end());
+            }
+        }
+        return left;
+    }
+
+    [[nodiscard]] bool may(Phase one, Phase other) const { return may_change(work_, one, other); }
+
+    // --- inside the domain --------------------------------------------------------------------
+    void exchange(Vertex v) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Corner at = here_[i].first; // its ray leads to the next corner
+            const Vertex w{complex_.vertex(next(at))};
+            if (!is_short(v, w)) {
+                continue;
+            }
+            find_sectors(complex_, w, there_);
+            const bool wants = there_.is_on_wall ? there_.size() == 2 && wants_to_wall(i)
+                                                 : there_.size() == 3 && wants_exchange(i);
+            if (wants && merge(v, w, !there_.is_on_wall)) {
+                return;
+            }
+        }
+    }
+
+    // Sector i lies to the left of the edge from v to w, sector i - 1 to its right, the third one
+    // beyond v; at w the two swap sides. Beyond w lies the one that is neither.
+    bool wants_exchange(std::size_t i) const {
+        const Sector<Real>& left = here_[i];
+        const Sector<Real>& right = here_.before(i);
+        const Sector<Real>& near = here_.after(i);
+        const auto at = std::ranges::find(there_.list, right.phase, &Sector<Real>::phase);
+        if (at == there_.list.end()) {
+            return false;
+        }
+        const auto k = static_cast<std::size_t>(at - there_.list.begin());
+        const Sector<Real>& far = there_.after(k);
+        if (there_.before(k).phase != left.phase || !may(left.phase, near.phase) ||
+            !may(right.phase, near.phase) || !may(left.phase, far.phase) ||
+            !may(right.phase, far.phase)) {
+            return false;
+        }
+        // Rays at v: the one between left and near, and the one between near and right; at w the
+        // one between right and far, and the one between far and left.
+        const double left_angle = angle_between(there_.before(k).ray, near.ray);
+        const double right_angle = angle_between(right.ray, far.ray);
+        const double as_it_is =
+            gain(left, near, right, near.angle) + gain(right, far, left, far.angle);
+        const double exchanged =
+            gain(far, left, near, left_angle) + gain(near, right, far, right_angle);
+        return exchanged < as_it_is - energy_tie;
+    }
+
+    [[nodiscard]] double gain(const Sector<Real>& before, const Sector<Real>& sector,
+                              const Sector<Real>& after, double angle) const {
+        return energy_inwards(work_, before.phase, sector.phase, after.phase, angle);
+    }
+
+    // --- at the wall --------------------------------------------------------------------------
+    // The edge of ray i leads to the wall, where the sectors on its two sides are; the third one is
+    // to reach the wall between them.
+    bool wants_to_wall(std::size_t i) const {
+        const Sector<Real>& first = here_[i];
+        const Sector<Real>& last = here_.before(i);
+        const Sector<Real>& beyond = here_.after(i);
+        if (there_[0].phase != first.phase || there_[1].phase != last.phase ||
+            !may(first.phase, beyond.phase) || !may(last.phase, beyond.phase)) {
+            return false;
+        }
+        const double as_it_is = gain(first, beyond, last, beyond.angle);
+        const double exchanged = along(first, beyond, angle_between(there_[0].ray, beyond.ray)) +
+                                 along(last, beyond, angle_between(last.ray, there_.end));
+        return exchanged < as_it_is - energy_tie;
+    }
+
+    [[nodiscard]] double along(const Sector<Real>& sector, const Sector<Real>& neighbour,
+                               double angle) const {
+        return energy_along_wall(work_, sector.phase, neighbour.phase, angle);
+    }
+
+    // To both sides of the wall: another end of a curve, or a corner. A vertex of neither kind is
+    // in the way and vanishes.
+    void exchange_on_wall(Vertex v) {
+        for (const bool is_first : {true, false}) {
+            const Corner at = is_first ? here_[0].first : last_corner(here_[1]);
+            const Vertex w{complex_.vertex(is_first ? next(at) : prev(at))};
+            const Corner edge = is_first ? prev(at) : next(at);
+            if (!is_short(v, w)) {
+                continue;
+            }
+            find_sectors(complex_, w, there_);
+            if (there_.size() == 1 && !there_.is_at_corner) {
+                const auto end = is_first ? rewire::Vanishing::prev : rewire::Vanishing::next;
+                (void)edge_collapse(complex_, submesh_, edge, end);
+                find_sectors(complex_, v, here_);
+                continue;
+            }
+            if (there_.is_at_corner) {
+                const Phase between = here_[is_first ? 0 : 1].phase;
+                if (const Vertex corner = merge_ends_of_here(v, w, false); corner.is_valid()) {
+                    pass_corner(work_, corner, between);
+                    return;
+                }
+            } else if (there_.size() == 2 &&
+                       (is_first ? wants_off_wall(there_, here_) : wants_off_wall(here_, there_)) &&
+                       merge(v, w, true)) {
+                return;
+            }
+        }
+    }
+
+    Corner last_corner(const Sector<Real>& sector) const {
+        Corner c = sector.first;
+        for (std::size_t i = 1; i < sector.count; ++i) {
+            c = corner_ccw(complex_, c);
+        }
+        return c;
+    }
+
+    // `one` comes first on the wall, counter-clockwise: between its second sector and the first one
+    // of `other` is the one that is to leave the wall.
+    bool wants_off_wall(const Sectors<Real>& one, const Sectors<Real>& other) const {
+        const Sector<Real>& before = one[0];
+        const Sector<Real>& between = other[0];
+        const Sector<Real>& after = other[1];
+        if (one[1].phase != between.phase || !may(before.phase, between.phase) ||
+            !may(between.phase, after.phase)) {
+            return false;
+        }
+        const double as_it_is =
+            along(before, between, before.angle) + along(after, between, after.angle);
+        const double exchanged = gain(before, between, after, angle_between(one[1].ray, after.ray));
+        return exchanged < as_it_is - energy_tie;
+    }
+
+    TopologyWork<Real>& work_;
+    Complex<Real>& complex_;
+    Submesh submesh_;
+    Real shortest_;
+    Sectors<Real> here_;
+    Sectors<Real> there_;
+};
+
+} // namespace
+
+template <class Real>
+void change_junctions(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
+    Junctions<Real>(work).run(suspects);
+}
+
+// What comes apart touches other vertices, which may have to come apart as well.
+template <class Real>
+void take_touched_apart(TopologyWork<Real>& work) {
+    for (int round = 0; round < most_rounds && !work.touched.empty(); ++round) {
+        std::vector<Vertex> touched;
+        for (const Vertex v : std::exchange(work.touched, {})) {
+            if (work.complex.is_alive(v)) {
+                touched.push_back(v);
+            }
+        }
+        for (const Vertex v : in_order<Real>(work.complex, touched)) {
+            take_apart(work, v);
+        }
+    }
+}
+
+template void change_junctions(TopologyWork<double>&, std::span<const Suspect<double>>);
+template void change_junctions(TopologyWork<float>&, std::span<const Suspect<float>>);
+template void take_touched_apart(TopologyWork<double>&);
+template void take_touched_apart(TopologyWork<float>&);
+
+} // namespace dsc

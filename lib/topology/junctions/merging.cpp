@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "topology/junctions/merging.h"
+
+#include "dsc/complex/gather.h"
+#include "dsc/complex/submesh.h"
+#include "dsc/operations/edge_collapse.h"
+#include "dsc/quality/ring_quality.h"
+
+#include <cmath>
+
+namespace dsc {
+
+namespace {
+
+/// Below this quality, squared, a triangle has no height to speak of.
+constexpr double poor_squared = 0.0025;
+/// Vertices that are removed to make room.
+constexpr int most_removed = 6;
+
+template <class Real>
+class Merging {
+public:
+    Merging(TopologyWork<Real>& work, Vertex v, Vertex w)
+        : work_(work), complex_(work.complex), submesh_(whole_submesh(work.complex)), v_(v), w_(w) {
+    }
+
+    Vertex run(bool either) {
+        for (int removed = 0; removed <= most_removed; ++removed) {
+            const Real into_w = quality_after(v_, w_);
+            const Real into_v = either ? quality_after(w_, v_) : Real(-1);
+            const bool is_last = removed == most_removed;
+            const Real best = std::max(into_w, into_v);
+            if (best >= static_cast<Real>(poor_squared) || is_last || !make_room(either, best)) {
+                if (!(best > 0)) {
+                    return {};
+                }
+                const Vertex gone = into_w >= into_v ? v_ : w_;
+                note_sweep(gone, gone == v_ ? w_ : v_);
+                const Corner edge = edge_between();
+                rewire::collapse(complex_, *submesh_.log, edge, end_of(edge, gone), *submesh_.pool);
+                return gone == v_ ? w_ : v_;
+            }
+        }
+        return {};
+    }
+
+private:
+    // Opposite to the edge, with either of its half-edges.
+    Corner edge_between() const {
+        const Corner c = find_corner(complex_, v_, [&](Corner at) {
+            return complex_.vertex(next(at)) == w_.id || complex_.vertex(prev(at)) == w_.id;
+        });
+        return complex_.vertex(next(c)) == w_.id ? prev(c) : next(c);
+    }
+    rewire::Vanishing end_of(Corner edge, Vertex v) const {
+        return complex_.vertex(next(edge)) == v.id ? rewire::Vanishing::next
+                                                   : rewire::Vanishing::prev;
+    }
+
+    // The worst squared quality of the triangles that `gone` leaves to `kept`; 0 or less if it may
+    // not.
+    Real quality_after(Vertex gone, Vertex kept) const {
+        const Corner edge = edge_between();
+        if (edge_collapse_guard(complex_, submesh_.region, edge, end_of(edge, gone),
+                                JunctionRule::may_merge) != Verdict::legal) {
+            return 0;
+        }
+        Real worst = 1;
+        for_each_corner(complex_, gone,
+                        [&](Corner c) { worst = std::min(worst, quality_with(c, kept)); });
+        return worst;
+    }
+
+    // Squared, of the triangle of a corner with another vertex there; 1 if that is one of the
+    // others.
+    Real quality_with(Corner c, Vertex other) const {
+        const std::uint32_t a = complex_.vertex(next(c));
+        const std::uint32_t b = complex_.vertex(prev(c));
+        if (a == other.id || b == other.id) {
+            return 1;
+        }
+        const auto at = [&](std::uint32_t id) { return complex_.position(Vertex{id}); };
+        const Real its = quality<Real>(at(other.id), at(a), at(b));
+        return its > 0 ? its * its : its;
+    }
+
+    // Removes a vertex inside a phase from the link: an end of the edge opposite to the worst
+    // triangle, or a neighbour of both ends. Where the edge cannot be collapsed yet, even if that
+    // leaves poor triangles.
+    bool make_room(bool either, Real quality_so_far) {
+        const Real least = quality_so_far > 0 ? static_cast<Real>(poor_squared) : Real(0);
+        for (const bool is_first : {true, false}) {
+            if (!is_first && !either) {
+                continue;
+            }
+            const Vertex gone = is_first ? v_ : w_;
+            const Vertex kept = is_first ? w_ : v_;
+            Real worst = static_cast<Real>(poor_squared);
+            Corner at_worst = no_id;
+            for_each_corner(complex_, gone, [&](Corner c) {
+                if (const Real its = quality_with(c, kept); its < worst) {
+                    worst = its;
+                    at_worst = c;
+                }
+            });
+            if (at_worst != no_id) {
+                const std::array ends{complex_.vertex(next(at_worst)),
+                                      complex_.vertex(prev(at_worst))};
+                if (remove(ends[0], least) || remove(ends[1], least)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    bool remove(std::uint32_t vertex, Real least) {
+        if (!gather(complex_, Region{}, vertex, ring_) || !ring_.one_phase || !ring_.closed) {
+            return false;
+        }
+        Real best = least;
+        std::uint32_t heir = no_id;
+        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+            const Real after = ring_.size > 3 ? worst_quality_squared_after_collapse(ring_, i) : 1;
+            if (after > best && star_collapse_guard(complex_, ring_, i) == Verdict::legal) {
+                best = after;
+                heir = i;
+            }
+        }
+        if (heir == no_id) {
+            return false;
+        }
+        rewire::collapse(complex_, *submesh_.log, prev(ring_.corner[heir]), rewire::Vanishing::next,
+                         *submesh_.pool);
+        return true;
+    }
+
+    // The curves that end at the junction sweep area as it moves: each the triangle between its
+    // first edge before and after.
+    void note_sweep(Vertex gone, Vertex kept) {
+        const Point<Real> from = complex_.position(gone);
+        const Point<Real> way = complex_.position(kept) - from;
+        for_each_corner(complex_, gone, [&](Corner c) {
+            const Corner edge = prev(c); // leaves the vertex, with the triangle on its left
+            const Vertex end{complex_.vertex(next(c))};
+            if (end == kept || !is_sheet(complex_, edge)) {
+                return;
+            }
+            const Point<Real> along = complex_.position(end) - from;
+            const auto area = static_cast<double>(cross<Real>(along, way)) / 2;
+            work_.swept += std::abs(area);
+            if (work_.options.gives_back_area && area != 0) {
+                const Phase left = complex_.phase_at(c);
+                const Phase right = complex_.phase_at(complex_.twin(edge));
+                const Point<Real> place = from + (way + along) / Real(3);
+                work_.transfers.push_back({area > 0 ? left : right, area > 0 ? right : left,
+                                           std::abs(area), place.template cast<double>(),
+                                           Triangle{triangle_of(c)}});
+            }
+        });
+    }
+
+    TopologyWork<Real>& work_;
+    Complex<Real>& complex_;
+    Submesh submesh_;
+    Vertex v_;
+    Vertex w_;
+    Ring<Real> ring_;
+};
+
+} // namespace
+
+template <class Real>
+Vertex merge_ends(TopologyWork<Real>& work, Vertex v, Vertex w, bool either) {
+    return Merging<Real>(work, v, w).run(either);
+}
+
+template Vertex merge_ends(TopologyWork<double>&, Vertex, Vertex, bool);
+template Vertex merge_ends(TopologyWork<float>&, Vertex, Vertex, bool);
+
+} // namespace dsc

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "topology/junctions/opening.h"
+
+#include "dsc/geometry/turn.h"
+#include "dsc/operations/edge_flip.h"
+#include "dsc/operations/edge_split.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace dsc {
+
+namespace {
+
+template <class Real>
+class SectorOpening {
+public:
+    SectorOpening(Complex<Real>& complex, Vertex v, const Sector<Real>& sector)
+        : complex_(complex), submesh_(whole_submesh(complex)), v_(v), phase_(sector.phase),
+          place_(complex.position(v)) {
+        Corner c = sector.first;
+        link_.push_back(complex.vertex(next(c)));
+        for (std::size_t i = 0; i < sector.count; ++i) {
+            link_.push_back(complex.vertex(prev(c)));
+            c = corner_ccw(complex, c);
+        }
+    }
+
+    Corner inside(const Sector<Real>& sector, Real length) {
+        if (link_.size() == 2 && !split_far_edge(sector.first)) {
+            return no_id;
+        }
+        const std::size_t i = middle_spoke(sector);
+        if (i == 0) {
+            return no_id;
+        }
+        const Point<Real> way = way_to(i).normalized();
+        const Point<Real> point = place_ + way * std::min(length, room(way) / 2);
+        if (edge_split(complex_, submesh_, prev(corner_to(link_[i])), point).verdict !=
+            Verdict::legal) {
+            return no_id;
+        }
+        for (std::size_t j = i - 1; j > 0; --j) {
+            if (!flip_spoke(j)) {
+                return no_id;
+            }
+        }
+        for (std::size_t j = i + 1; j + 1 < link_.size(); ++j) {
+            if (!flip_spoke(j)) {
+                return no_id;
+            }
+        }
+        return corner_to(link_.front());
+    }
+
+    Corner on_wall(bool is_first, Real length) {
+        const std::size_t last = link_.size() - 1;
+        const Point<Real> way = way_to(is_first ? 0 : last);
+        const Real most = way.norm();
+        const Real share = std::min(length, room(Point<Real>(way / most)) / 2) / most;
+        const Corner edge = is_first ? prev(corner_to(link_[0])) : next(corner_to(link_[last - 1]));
+        const Point<Real> far = complex_.position(Vertex{link_[is_first ? 0 : last]});
+        std::uint32_t made = no_id;
+        for (const Real factor : {share, std::min(share, Real(0.5)), std::min(share, Real(0.25))}) {
+            const Point<Real> point = place_ + factor * way;
+            if (orientation<Real>(place_, point, far) == 0) {
+                const SplitResult result = edge_split(complex_, submesh_, edge, point);
+                if (result.verdict == Verdict::legal) {
+                    made = result.vertex.id;
+                    break;
+                }
+            }
+        }
+        if (made == no_id) {
+            return no_id;
+        }
+        for (std::size_t step = 1; step < last; ++step) {
+            if (!flip_spoke(is_first ? step : last - step)) {
+                return no_id;
+            }
+        }
+        return corner_to(is_first ? made : link_[0]);
+    }
+
+private:
+    Point<Real> way_to(std::size_t i) const { return complex_.position(Vertex{link_[i]}) - place_; }
+
+    // The corner at v of the triangle that begins with the spoke to `end`.
+    Corner corner_to(std::uint32_t end) const {
+        return find_corner(complex_, v_, [&](Corner c) {
+            return complex_.vertex(next(c)) == end && complex_.phase_at(c) == phase_;
+        });
+    }
+
+    bool split_far_edge(Corner c) {
+        const Point<Real> a = complex_.position(Vertex{link_[0]});
+        const Point<Real> b = complex_.position(Vertex{link_[1]});
+        const Point<Real> middle = (a + b) / Real(2);
+        if (is_border(complex_.twin(c)) && orientation<Real>(a, middle, b) != 0) {
+            return false; // it would be a corner of the domain
+        }
+        const SplitResult result = edge_split(complex_, submesh_, c, middle);
+        if (result.verdict != Verdict::legal) {
+            return false;
+        }
+        link_.insert(link_.begin() + 1, result.vertex.id);
+        return true;
+    }
+
+    // The spoke nearest to the middle of the sector, less than 180 degrees from both its ends; 0 if
+    // there is none.
+    std::size_t middle_spoke(const Sector<Real>& sector) const {
+        const auto half = static_cast<Real>(sector.angle / 2);
+        const Point<Real>& ray = sector.ray;
+        const Point<Real> middle(ray.x() * std::cos(half) - ray.y() * std::sin(half),
+                                 ray.x() * std::sin(half) + ray.y() * std::cos(half));
+        std::size_t best = 0;
+        Real nearest = -2;
+        for (std::size_t i = 1; i + 1 < link_.size(); ++i) {
+            const Point<Real> way = way_to(i);
+            const Real cosine = middle.dot(way) / way.norm();
+            if (cosine > nearest && cross<Real>(way_to(0), way) > 0 &&
+                cross<Real>(way, way_to(link_.size() - 1)) > 0) {
+                nearest = cosine;
+                best = i;
+            }
+        }
+        return best;
+    }
+
+    // How far in this direction, of length 1, all edges of the link are on the left.
+    Real room(const Point<Real>& way) const {
+        Real least = std::numeric_limits<Real>::max();
+        for (std::size_t i = 0; i + 1 < link_.size(); ++i) {
+            const Point<Real> from = way_to(i);
+            const Point<Real> edge = way_to(i + 1) - from;
+            const Real rate = cross<Real>(way, edge);
+            if (rate > 0) {
+                least = std::min(least, cross<Real>(from, edge) / rate);
+            }
+        }
+        return least;
+    }
+
+    // Its other end becomes the new vertex.
+    bool flip_spoke(std::size_t i) {
+        const Corner c = corner_to(link_[i]);
+        return c != no_id && edge_flip(complex_, submesh_, prev(c)) == Verdict::legal;
+    }
+
+    Complex<Real>& complex_;
+    Submesh submesh_;
+    Vertex v_;
+    Phase phase_;
+    Point<Real> place_;
+    std::vector<std::uint32_t> link_; ///< of the sector, counter-clockwise
+};
+
+} // namespace
+
+template <class Real>
+Corner open_inside(Complex<Real>& complex, Vertex v, const Sector<Real>& sector, Real length) {
+    return SectorOpening<Real>(complex, v, sector).inside(sector, length);
+}
+
+template <class Real>
+Corner open_on_wall(Complex<Real>& complex, Vertex v, const Sector<Real>& sector, bool is_first,
+                    Real length) {
+    return SectorOpening<Real>(complex, v, sector).on_wall(is_first, length);
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template Corner open_inside(Complex<Real>&, Vertex, const Sector<Real>&, Real);                \
+    template Corner open_on_wall(Complex<Real>&, Vertex, const Sector<Real>&, bool, Real);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The sectors about a vertex of the interface, and how the energy changes as the vertex moves into
+// one of them. The wall, which is the boundary of the domain, has no energy: it acts as a mirror,
+// and a curve meets it at 90 degrees.
+#pragma once
+
+#include "topology/region.h"
+
+#include <vector>
+
+namespace dsc {
+
+/// The triangles of one phase about a vertex, between two interface edges or an interface edge and
+/// the wall.
+template <class Real>
+struct Sector {
+    Phase phase;
+    Corner first;      ///< at the vertex, in its first triangle
+    std::size_t count; ///< of its triangles, counter-clockwise
+    Point<Real> ray;   ///< unit direction of the edge that it begins with
+    double angle = 0;  ///< radians
+};
+
+/// All sectors about a vertex, counter-clockwise; at the wall from one side of it to the other.
+template <class Real>
+struct Sectors {
+    std::vector<Sector<Real>> list;
+    bool is_on_wall = false;
+    bool is_at_corner = false; ///< the wall turns at the vertex
+    Point<Real> end;           ///< on the wall: unit direction of the edge after the last sector
+
+    [[nodiscard]] std::size_t size() const { return list.size(); }
+    [[nodiscard]] const Sector<Real>& operator[](std::size_t k) const { return list[k]; }
+    [[nodiscard]] const Sector<Real>& before(std::size_t k) const {
+        return list[(k + size() - 1) % size()];
+    }
+    [[nodiscard]] const Sector<Real>& after(std::size_t k) const { return list[(k + 1) % size()]; }
+    [[nodiscard]] bool is_beside_wall(std::size_t k) const {
+        return is_on_wall && (k == 0 || k + 1 == size());
+    }
+    /// More sectors than this come apart: three curves meet inside, and one ends at the wall.
+    [[nodiscard]] std::size_t stable() const { return is_on_wall ? 2 : 3; }
+};
+
+/// Finds the sectors about a living vertex. Empty inside a phase, away from the wall. O(degree).
+template <class Real>
+void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors);
+
+/// Whether the vertex has more sectors than are stable, or a curve that may end in a corner, or an
+/// edge along the interface, or along the wall from the end of a curve, that is shorter than
+/// `shortest`. For most vertices this is false, and cheaper than the sectors. O(degree).
+template <class Real>
+[[nodiscard]] bool may_come_apart(const Complex<Real>& complex, Vertex v, Real shortest);
+
+/// Counter-clockwise from one direction to another: above 0, up to 2 pi.
+template <class Real>
+[[nodiscard]] double angle_between(const Point<Real>& from, const Point<Real>& to);
+
+/// Whether the topology between two phases may change; true if they are the same.
+template <class Real>
+[[nodiscard]] bool may_change(const TopologyWork<Real>& work, Phase one, Phase other);
+
+/// The energy of an interface between two phases, per length; 0 if they are the same. Throws
+/// InputError if the application's is negative or not finite.
+template <class Real>
+[[nodiscard]] double energy_between(const TopologyWork<Real>& work, Phase one, Phase other);
+
+/// How the energy changes with the way of a junction that moves into a sector, along its middle,
+/// away from the neighbours `before` and `after`, which touch from then on.
+template <class Real>
+[[nodiscard]] double energy_inwards(const TopologyWork<Real>& work, Phase before, Phase sector,
+                                    Phase after, double angle);
+
+/// The same for the end of a curve that moves along the wall, into the sector beside it.
+template <class Real>
+[[nodiscard]] double energy_along_wall(const TopologyWork<Real>& work, Phase sector,
+                                       Phase neighbour, double angle);
+
+/// Differences of energy below this are a tie.
+inline constexpr double energy_tie = 1e-9;
+
+} // namespace dsc

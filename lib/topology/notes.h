@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// What the topology has to know of each interface vertex from before anything moved: where the
+// vertex was, and what its star was like. A pass at the end of the upkeep notes it in an attribute,
+// in all submeshes at the same time; the change of topology reads it after the sub-step.
+#pragma once
+
+#include "dsc/complex/complex.h"
+#include "dsc/complex/spokes.h"
+#include "dsc/passes/work.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dsc {
+
+/// What is noted of a star. Bits.
+enum Notable : std::uint32_t {
+    noted_thin = 1U,     ///< `Suspect::is_thin`
+    noted_facing = 2U,   ///< `Suspect::is_facing`
+    noted_sharp = 4U,    ///< `Suspect::is_sharp`
+    noted_junction = 8U, ///< `Suspect::is_junction`
+    /// Two sheets of the interface met at the vertex in this sub-step or an earlier one: see
+    /// films.h.
+    noted_seam = 16U,
+    noted_wall = 32U, ///< the vertex lies on the domain boundary, along which a film may lie
+    noted_for_ever = noted_seam | noted_wall, ///< kept from round to round
+};
+
+/// The note of a vertex.
+template <class Real>
+struct Note {
+    Real x = 0; ///< before the sub-step
+    Real y = 0;
+    std::uint32_t round = 0; ///< of the sub-step; 0: none yet
+    std::uint32_t what = 0;  ///< bits of `Notable`
+};
+
+/// The bytes of a note.
+template <class Real>
+void archive(Archive& archive, Note<Real>& note) {
+    archive(note.x, note.y, note.round, note.what);
+}
+
+/// Whether the complex has an attribute of notes. O(1).
+template <class Real>
+[[nodiscard]] bool has_notes(const Complex<Real>& complex);
+/// The notes of a complex, which are made if there are none yet. A new vertex has none, except that
+/// between two on the domain boundary it counts as one of those. O(1), or O(n) for new ones.
+template <class Real>
+[[nodiscard]] VertexAttribute<Note<Real>>& notes_of(Complex<Real>& complex);
+/// Forgets all notes, as of an earlier simulation, and notes which vertices are on the domain
+/// boundary. O(n).
+template <class Real>
+void begin_notes(Complex<Real>& complex);
+
+/// What makes a star notable.
+template <class Real>
+struct Notability {
+    Real contact = 0;   ///< the largest contact distance; 0: nothing is noted
+    Real curvature = 0; ///< from here on, the outline may be that of a small piece
+};
+
+/// Of every closed curve around an area A, the curvature is somewhere sqrt(pi / A) or more. Half of
+/// that includes what a corner of the domain completes, and unequal edges.
+template <class Real>
+[[nodiscard]] Real curvature_around(Real least_area) {
+    return std::sqrt(std::numbers::pi_v<Real> / least_area) / 2;
+}
+
+/// Notes the interface vertices of a work: a pass without edits. Each entry has one writer, the
+/// work that lists the vertex. O(their degrees).
+template <class Real>
+void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t round);
+
+// --- tests of a star -----------------------------------------------------------------------------
+
+/// True if the smallest height of a triangle of the star is below the contact distance: its area
+/// doubled is the height times the longest edge. In whole lanes; O(degree).
+template <class Real>
+[[nodiscard]] bool has_thin_triangle(const Ring<Real>& ring, Real contact_squared) {
+    const Real x0 = ring.x0;
+    const Real y0 = ring.y0;
+    for (std::uint32_t first = 0; first < ring.size; first += Ring<Real>::lanes) {
+        const Real* x = ring.x.data() + first;
+        const Real* y = ring.y.data() + first;
+        const Real* x_next = ring.x_next.data() + first;
+        const Real* y_next = ring.y_next.data() + first;
+        Real least = std::numeric_limits<Real>::max();
+#pragma omp simd reduction(min : least)
+        for (std::uint32_t i = 0; i < Ring<Real>::lanes; ++i) {
+            const Real ax = x[i] - x0;
+            const Real ay = y[i] - y0;
+            const Real bx = x_next[i] - x0;
+            const Real by = y_next[i] - y0;
+            const Real doubled = ax * by - ay * bx;
+            const Real cx = bx - ax;
+            const Real cy = by - ay;
+            const Real longest =
+                std::max(std::max(ax * ax + ay * ay, bx * bx + by * by), cx * cx + cy * cy);
+            least = std::min(least, doubled * doubled - contact_squared * longest);
+        }
+        if (least < 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether two successive vertices of the link lie on the domain boundary, or were noted in this
+/// round or the last one: only then can a triangle bridge a film once the vertices have moved. The
+/// last round counts because a vertex that has just come into another submesh is noted after all
+/// others. O(degree).
+template <class Real>
+[[nodiscard]] bool may_face_a_sheet(const VertexAttribute<Note<Real>>& notes, std::uint32_t round,
+                                    const Ring<Real>& ring) {
+    const auto is_noted = [&](std::uint32_t i) {
+        const Note<Real>& note = notes[Vertex{ring.link[i]}];
+        return round - note.round <= 1 || (note.what & noted_wall) != 0;
+    };
+    // Of two that are successive one has an odd place, unless they close an odd ring.
+    const std::uint32_t n = ring.link_size();
+    for (std::uint32_t i = 1; i < n; i += 2) {
+        if (is_noted(i) &&
+            (is_noted(i - 1) || (i + 1 < n ? is_noted(i + 1) : ring.closed && is_noted(0)))) {
+            return true;
+        }
+    }
+    return ring.closed && n % 2 == 1 && is_noted(n - 1) && is_noted(0);
+}
+
+/// Whether an edge of the link lies on the domain boundary. O(degree).
+template <class Real>
+[[nodiscard]] bool faces_wall(const Complex<Real>& complex, const Ring<Real>& ring) {
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+        if (is_border(complex.twin(ring.corner[i]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether the interface turns by more than 45 degrees between the two edges at the centre: the
+/// angle from which an outline counts as sharp. Squared, as a root would be a third of the time.
+template <class Real>
+[[nodiscard]] bool turns_sharply(const Ring<Real>& ring, const Spokes& spokes) {
+    constexpr Real squared_cosine = Real(0.49);
+    const Real in_x = ring.x0 - ring.link_x(spokes.first);
+    const Real in_y = ring.y0 - ring.link_y(spokes.first);
+    const Real out_x = ring.link_x(spokes.second) - ring.x0;
+    const Real out_y = ring.link_y(spokes.second) - ring.y0;
+    const Real along = in_x * out_x + in_y * out_y;
+    return !(along > 0 && along * along > squared_cosine * (in_x * in_x + in_y * in_y) *
+                                              (out_x * out_x + out_y * out_y));
+}
+
+/// Whether the circle through the centre and the ends of both edges has that curvature, or more.
+/// Both sides are squared, and without a unit: a product of three squares may underflow.
+template <class Real>
+[[nodiscard]] bool turns_tightly(const Ring<Real>& ring, const Spokes& spokes, Real curvature) {
+    const Real a_x = (ring.x0 - ring.link_x(spokes.first)) * curvature;
+    const Real a_y = (ring.y0 - ring.link_y(spokes.first)) * curvature;
+    const Real b_x = (ring.link_x(spokes.second) - ring.x0) * curvature;
+    const Real b_y = (ring.link_y(spokes.second) - ring.y0) * curvature;
+    const Real c_x = a_x + b_x;
+    const Real c_y = a_y + b_y;
+    const Real sine = a_x * b_y - a_y * b_x;
+    return 4 * sine * sine >=
+           (a_x * a_x + a_y * a_y) * (b_x * b_x + b_y * b_y) * (c_x * c_x + c_y * c_y);
+}
+
+} // namespace dsc

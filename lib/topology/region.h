@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// The region of one phase as it is seen from its edges, for changes of the topology. All of this
+// is serial and rare: it runs between two sub-steps, on a few triangles, in the whole complex.
+#pragma once
+
+#include "dsc/complex/circulate.h"
+#include "dsc/complex/interface_pair.h"
+#include "dsc/complex/rewire.h"
+#include "dsc/geometry/turn.h"
+#include "topology/events.h"
+#include "topology/notes.h"
+#include "topology/options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dsc {
+
+/// Area that one phase has lost to another.
+struct Transfer {
+    Phase from;
+    Phase to;
+    double area;
+    Point<double> place;
+    Triangle near;
+};
+
+/// What a change of topology works on.
+template <class Real>
+struct TopologyWork {
+    Complex<Real>& complex;
+    const TopologyOptions<Real>& options;
+    Real edge_length;
+    double time; ///< of the events
+    std::vector<Event>& events;
+    VertexAttribute<Note<Real>>& notes = notes_of(complex);
+    /// Vertices of the triangles that have changed hands: some may have too many sectors now.
+    std::vector<Vertex> touched = {};
+    std::vector<Transfer> transfers = {}; ///< kept where area is to be given back
+    double swept = 0; ///< by junctions that became one, until the next event tells of it
+    /// The suspects that something was in the way of before the change, ascending.
+    std::vector<std::uint32_t> held_up = {};
+};
+
+/// The half-edge has another phase, or the outside of the domain, on its right. O(1).
+template <class Real>
+[[nodiscard]] bool is_outline(const Complex<Real>& complex, Corner c) {
+    return complex.phase_at(complex.twin(c)) != complex.phase_at(c);
+}
+
+/// The half-edge has another phase on its right.
+template <class Real>
+[[nodiscard]] bool is_sheet(const Complex<Real>& complex, Corner c) {
+    return is_interface_pair(complex.phase_at(c), complex.phase_at(complex.twin(c)));
+}
+
+/// The phase on the right of the half-edge.
+template <class Real>
+[[nodiscard]] Phase phase_beyond(const Complex<Real>& complex, Corner c) {
+    return complex.phase_at(complex.twin(c));
+}
+
+/// The next half-edge along the outline of the phase on the left.
+template <class Real>
+[[nodiscard]] Corner along_outline(const Complex<Real>& complex, Corner c) {
+    const Phase phase = complex.phase_at(c);
+    return next_along(complex, c, [&](Corner other) {
+        return complex.phase_at(other) == phase && is_outline(complex, other);
+    });
+}
+
+/// From the start of the half-edge to its end.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Point<Real> direction(const Complex<Real>& complex,
+                                                               Corner c) {
+    return complex.position(Vertex{complex.vertex(prev(c))}) -
+           complex.position(Vertex{complex.vertex(next(c))});
+}
+
+/// Twice the area.
+template <class Real>
+[[nodiscard]] Real doubled_area(const Complex<Real>& complex, Triangle t) {
+    const auto& v = complex.triangles[t.id].v;
+    const auto& a = complex.vertices[v[0]];
+    const auto& b = complex.vertices[v[1]];
+    const auto& c = complex.vertices[v[2]];
+    return (c.x - b.x) * (a.y - c.y) - (c.y - b.y) * (a.x - c.x);
+}
+
+/// Whether the application has nothing against it.
+template <class Real>
+[[nodiscard]] bool may_open(const TopologyWork<Real>& work, const Contact& contact) {
+    return !work.options.may_change || work.options.may_change(contact);
+}
+
+/// Whether something is in the way of the vertex, or was before the change, if it may move at all.
+template <class Real>
+[[nodiscard]] bool is_held_up(const TopologyWork<Real>& work, std::uint32_t v) {
+    const std::uint32_t flags = work.complex.is_alive(Vertex{v}) ? work.complex.vertices[v].flags
+                                                                 : std::uint32_t{vertex_locked};
+    return (flags & vertex_locked) == 0 &&
+           ((flags & vertex_contact) != 0 || std::ranges::binary_search(work.held_up, v));
+}
+
+/// Whether two sheets of the interface met at the vertex.
+template <class Real>
+[[nodiscard]] bool is_on_seam(const TopologyWork<Real>& work, std::uint32_t v) {
+    return (work.notes[Vertex{v}].what & noted_seam) != 0;
+}
+
+/// The seam goes on from the vertices of this triangle.
+template <class Real>
+void mark_seam(TopologyWork<Real>& work, Triangle t) {
+    for (const Vertex v : work.complex.vertices_of(t)) {
+        work.notes[v].what |= noted_seam;
+    }
+}
+
+/// The smallest height.
+template <class Real>
+[[nodiscard]] Real thickness(const Complex<Real>& complex, Triangle t) {
+    Real longest = 0;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        longest = std::max(longest, direction(complex, corner_of(t.id, i)).squaredNorm());
+    }
+    return doubled_area(complex, t) / std::sqrt(longest);
+}
+
+template <class Real>
+[[nodiscard]] Point<Real> centroid(const Complex<Real>& complex, Triangle t) {
+    const auto v = complex.vertices_of(t);
+    return (complex.position(v[0]) + complex.position(v[1]) + complex.position(v[2])) / Real(3);
+}
+
+/// Below this area a piece of a phase vanishes.
+template <class Real>
+[[nodiscard]] Real least_area(const TopologyWork<Real>& work) {
+    return least_area(work.options, work.edge_length);
+}
+
+/// Small pieces have no more triangles than this, unless their edges are very short.
+inline constexpr std::size_t most_of_piece = 96;
+
+/// All triangles of the piece of a phase that holds `start`, into `piece`. Stops at `most_of_piece`
+/// and one more. O(their number squared).
+template <class Real>
+void gather_piece(const Complex<Real>& complex, Triangle start, std::vector<Triangle>& piece) {
+    const Phase phase = complex.phase(start);
+    piece.assign(1, start);
+    for (std::size_t i = 0; i < piece.size() && piece.size() <= most_of_piece; ++i) {
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const Corner across = complex.twin(corner_of(piece[i].id, k));
+            const Triangle t{triangle_of(across)};
+            if (complex.phase_at(across) == phase && std::ranges::find(piece, t) == piece.end()) {
+                piece.push_back(t);
+            }
+        }
+    }
+}
+
+/// Gives the triangle to another phase; its vertices may move again.
+template <class Real>
+void give(TopologyWork<Real>& work, Triangle t, Phase phase) {
+    Complex<Real>& complex = work.complex;
+    if (work.options.gives_back_area) {
+        work.transfers.push_back({complex.phase(t), phase,
+                                  static_cast<double>(doubled_area(complex, t)) / 2,
+                                  centroid(complex, t).template cast<double>(), t});
+    }
+    rewire::relabel(complex, complex.journal, t, phase);
+    for (const Vertex v : complex.vertices_of(t)) {
+        std::uint32_t& flags = complex.vertices[v.id].flags;
+        flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_corner);
+        work.touched.push_back(v);
+    }
+}
+
+} // namespace dsc

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "topology/stage.h"
+
+#include "topology/change.h"
+#include "topology/contact_check.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+template <class Real>
+TopologyStage<Real>::TopologyStage(TopologyOptions<Real> options) : options_(std::move(options)) {
+    check_topology(options_);
+}
+
+template <class Real>
+void TopologyStage<Real>::set_options(TopologyOptions<Real> options) {
+    check_topology(options);
+    // Only if the contact distances change: a phase may have shrunk since, which is no error.
+    if (complex_ != nullptr && differ_in_contact(options, options_)) {
+        check_contact<Real>(*complex_, options, edge_length_);
+    }
+    options_ = std::move(options);
+    settle();
+}
+
+template <class Real>
+void TopologyStage<Real>::check(const Complex<Real>& complex, const Options<Real>& options) const {
+    if (complex_ == nullptr) {
+        check_contact<Real>(complex, options_, options.edge_length);
+    }
+}
+
+template <class Real>
+void TopologyStage<Real>::begin(Complex<Real>& complex, const Options<Real>& options) {
+    if (complex_ == nullptr || !has_notes(complex)) {
+        begin_notes(complex);
+    }
+    complex_ = &complex;
+    notes_ = &notes_of(complex);
+    edge_length_ = options.edge_length;
+    settle();
+}
+
+// What follows from the options.
+template <class Real>
+void TopologyStage<Real>::settle() {
+    notable_ = {.contact = largest_contact(options_, edge_length_),
+                .curvature = curvature_around(least_area(options_, edge_length_))};
+}
+
+template <class Real>
+std::optional<Pass<Real>> TopologyStage<Real>::pass() {
+    return Pass<Real>{"notes for the topology",
+                      [this](Work<Real>& work) { note_stars(work, notable_, round_); }, true};
+}
+
+template <class Real>
+void TopologyStage<Real>::run(const Between<Real>& between) {
+    const std::uint32_t round = round_++;
+    if (notable_.contact == 0) {
+        return;
+    }
+    const auto what = [&](std::uint32_t v) {
+        const Note<Real>& note = (*notes_)[Vertex{v}];
+        return note.round == round ? note.what & ~std::uint32_t{noted_for_ever} : 0U;
+    };
+    // Films that are wider than triangles show are looked for from everywhere.
+    const bool is_notable = is_wide(notable_.contact, edge_length_) ||
+                            std::ranges::any_of(between.interface, [&](std::uint32_t v) {
+                                return (what(v) & (noted_facing | noted_sharp)) != 0;
+                            });
+    if (!is_notable) {
+        return;
+    }
+    suspects_.clear();
+    for (const std::uint32_t v : between.interface) {
+        if (const std::uint32_t bits = what(v); bits != 0) {
+            const Note<Real>& note = (*notes_)[Vertex{v}];
+            suspects_.push_back({.x = note.x,
+                                 .y = note.y,
+                                 .vertex = v,
+                                 .is_thin = (bits & noted_thin) != 0,
+                                 .is_facing = (bits & noted_facing) != 0,
+                                 .is_sharp = (bits & noted_sharp) != 0,
+                                 .is_junction = (bits & noted_junction) != 0});
+        }
+    }
+    area_ += change_topology<Real>(between.complex, options_, edge_length_, suspects_,
+                                   static_cast<double>(between.time), events_);
+}
+
+template <class Real>
+void TopologyStage<Real>::tell() {
+    const std::size_t from = std::exchange(told_, events_.size());
+    if (from == events_.size()) {
+        return;
+    }
+    for (const EventListener& listener : listeners_) {
+        listener(std::span<const Event>(events_).subspan(from));
+    }
+}
+
+template <class Real>
+void TopologyStage<Real>::archive(Archive& archive) {
+    archive(round_);
+}
+
+template <class Real>
+std::vector<Event> TopologyStage<Real>::take_events() {
+    told_ = 0;
+    return std::exchange(events_, {});
+}
+
+template <class Real>
+AreaAccount TopologyStage<Real>::take_area() {
+    return std::exchange(area_, {});
+}
+
+template class TopologyStage<double>;
+template class TopologyStage<float>;
+
+} // namespace dsc

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Changes of topology as a stage of a simulation.
+#pragma once
+
+#include "dsc/algorithm/stage.h"
+#include "topology/events.h"
+#include "topology/notes.h"
+#include "topology/options.h"
+#include "topology/suspicion.h"
+
+#include <utility>
+#include <vector>
+
+namespace dsc {
+
+/// Phases that meet, merge and part: `simulation.add_stage(std::make_shared<TopologyStage<double>>(
+/// TopologyOptions<double>{.rule = Topology::change}))`. For one simulation at a time; not
+/// thread-safe itself.
+template <class Real>
+class TopologyStage final : public Stage<Real> {
+public:
+    /// Throws InputError if an option is out of range.
+    explicit TopologyStage(TopologyOptions<Real> options);
+
+    /// Those of the next sub-step.
+    [[nodiscard]] const TopologyOptions<Real>& options() const { return options_; }
+    /// Replaces the options between two steps. Throws InputError if one is out of range, or a new
+    /// contact distance wider than a phase (contact_check.h), and then keeps the old ones.
+    void set_options(TopologyOptions<Real> options);
+
+    /// Reports events to the listener from now on, after the sub-step in which they happen.
+    void add_listener(EventListener listener) { listeners_.push_back(std::move(listener)); }
+    /// The events since the last call, in the order in which they happened.
+    [[nodiscard]] std::vector<Event> take_events();
+    /// What became of their area since the last call: see `TopologyOptions::gives_back_area`.
+    [[nodiscard]] AreaAccount take_area();
+
+    // --- called by the simulation
+    void check(const Complex<Real>& complex, const Options<Real>& options) const override;
+    void begin(Complex<Real>& complex, const Options<Real>& options) override;
+    [[nodiscard]] std::optional<Pass<Real>> pass() override;
+    void run(const Between<Real>& between) override;
+    void tell() override;
+    void archive(Archive& archive) override;
+
+private:
+    void settle();
+
+    TopologyOptions<Real> options_;
+    Complex<Real>* complex_ = nullptr; ///< of the simulation; null before there is one
+    VertexAttribute<Note<Real>>* notes_ = nullptr;
+    Real edge_length_ = 0;
+    Notability<Real> notable_;
+    std::uint32_t round_ = 2;             ///< of the next sub-step; a vertex without a note has 0
+    std::vector<Suspect<Real>> suspects_; ///< scratch of run
+    std::vector<Event> events_;
+    std::size_t told_ = 0; ///< of these
+    AreaAccount area_;
+    std::vector<EventListener> listeners_;
+};
+
+} // namespace dsc

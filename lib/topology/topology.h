@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// Phases that meet, merge and part: a stage of a simulation, in reading order.
+#pragma once
+
+#include "topology/options.h"
+
+#include "topology/events.h"
+#include "topology/stage.h"
