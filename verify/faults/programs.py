@@ -23,7 +23,7 @@ OWN = {
     "passes": ["passes", "effort", "sizes"],
     "algorithm": ["algorithm", "effort"],
     "parallel": ["parallel"],
-    "topology": ["topology"],
+    "topology": ["topology", "wall_films"],
     "geometric_flows": ["geometric_flows", "velocities", "algorithm"],
     "thesis": ["thesis", "copies", "operations", "fuzz", "reference"],
     "io": ["io", "checkpoints"],
@@ -39,7 +39,7 @@ OWN = {
 OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "thesis", "algorithm", "initial",
           "geometric_flows",
           "sizes", "io", "measures", "geometry", "recipes", "scene_files", "scene_runs",
-          "topology", "fuzz", "hard", "reference", "scenes", "parallel", "copies", "velocities",
+          "topology", "wall_films", "fuzz", "hard", "reference", "scenes", "parallel", "copies", "velocities",
           "checkpoints", "figures", "hashes", "gate"]
 # Some suites of a test program, by a name of their own.
 SUITES = {
