@@ -30,7 +30,8 @@ public:
 
     /// Reports events to the listener from now on, after the sub-step in which they happen.
     void add_listener(EventListener listener) { listeners_.push_back(std::move(listener)); }
-    /// The events since the last call, in the order in which they happened.
+    /// The events since the last call, in the order in which they happened. They are kept until
+    /// then.
     [[nodiscard]] std::vector<Event> take_events();
     /// What became of their area since the last call: see `TopologyOptions::gives_back_area`.
     [[nodiscard]] AreaAccount take_area();

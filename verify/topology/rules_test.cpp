@@ -115,6 +115,28 @@ TEST(Topology, GoesOnWhereTheComplexIsReplaced) {
     }
 }
 
+// A stage that has served one simulation looks at the complex of the next one afresh.
+TEST(Topology, AStageServesOneSimulationAfterAnother) {
+    auto complex = discs_nearby();
+    const auto stage = std::make_shared<TopologyStage<double>>(
+        TopologyOptions<double>{.rule = Topology::change, .contact = 2 * h});
+    for (const int turn : {0, 1}) {
+        complex = discs_nearby();
+        Simulation<double> simulation(complex, options());
+        EXPECT_THROW(simulation.add_stage(nullptr), InputError);
+        simulation.add_stage(stage);
+        for (int step = 0; step < 8; ++step) {
+            (void)simulation.step(grow(), 0, 0.3 * h);
+        }
+        EXPECT_EQ(count(stage->take_events(), EventKind::merge), 1U) << turn;
+    }
+    auto small = initial_complex<double>(
+        {}, std::vector<Shape>{{test::circle_points({0.5, 0.5}, h / 2, 12), 1}},
+        {.edge_length = h});
+    Simulation<double> simulation(small, options());
+    EXPECT_THROW(simulation.add_stage(stage), InputError) << "wider than the disc";
+}
+
 TEST(TopologyOptions, BadOnesAreRefused) {
     const auto refused = [](auto change) {
         auto complex = discs_nearby();

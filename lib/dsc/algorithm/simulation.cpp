@@ -104,6 +104,12 @@ void Simulation<Real>::add_listener(EditListener listener) {
 
 template <class Real>
 void Simulation<Real>::add_stage(std::shared_ptr<Stage<Real>> stage) {
+    if (stage == nullptr) {
+        throw InputError({.what = "no stage",
+                          .where = "Simulation::add_stage",
+                          .value = "null",
+                          .allowed = "an object of a class that is derived from Stage"});
+    }
     stage->check(complex_, options_);
     stage->begin(complex_, options_);
     if (const auto pass = stage->pass()) {
