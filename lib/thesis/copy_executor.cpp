@@ -4,7 +4,6 @@
 #include "dsc/base/require.h"
 #include "dsc/parallel/timer.h"
 #include "dsc/passes/interface/carried.h"
-#include "dsc/passes/work_archive.h"
 
 #include <algorithm>
 #include <utility>
@@ -33,58 +32,20 @@ void forget(Work<Real>& work) {
 template <class Real>
 CopyExecutor<Real>::CopyExecutor(Complex<Real>& complex, const Options<Real>& options,
                                  Algorithm<Real> algorithm, const CopyOptions& copy)
-    : complex_(complex), options_(options), algorithm_(std::move(algorithm)), copy_(copy),
-      whole_(complex, options_) {
+    : Executor<Real>(complex, options, std::move(algorithm)), copy_(copy) {
     check_division({copy.submeshes, copy.normal_x, copy.normal_y});
     require(copy.threads >= 1 && copy.threads <= 1024, "threads", copy.threads, "1 to 1024");
-    // Stamps of an earlier run must not look like this one's.
-    for (const auto& vertex : complex.vertices) {
-        epoch_ = std::max(epoch_, vertex.stamp);
-    }
-    whole_.epoch = next_stamp(complex, epoch_);
-    whole_.interface = collect_moved(complex, options);
 }
 
 template <class Real>
-void CopyExecutor<Real>::set_options(const Options<Real>& options) {
-    const bool relists = options.carried_phases != options_.carried_phases;
-    options_ = options;
-    if (relists) {
-        whole_.interface = collect_moved(complex_, options_);
-    }
-    whole_.find_past();
-    for (const auto& task : tasks_) {
-        task->work.find_past();
-    }
-}
-
-template <class Real>
-void CopyExecutor<Real>::keep_edits(bool keep) {
-    whole_.log.readers = keep ? 1 : 0;
-}
-
-template <class Real>
-std::vector<Edit> CopyExecutor<Real>::take_edits() {
-    append_edits(whole_.log, edits_);
-    return std::exchange(edits_, {});
-}
-
-template <class Real>
-AimReport<Real> CopyExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
-    under_way_ = true;
-    const AimReport<Real> report = aim_whole(whole_, algorithm_.upkeep, sight_, flow, time, dt);
-    under_way_ = false;
-    return report;
-}
-
-template <class Real>
-Reach<Real> CopyExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
-    return aim_whole_again(whole_, sight_, flow, time, dt);
+void CopyExecutor<Real>::begin_step() {
+    Executor<Real>::begin_step();
+    ++costs_.steps;
 }
 
 template <class Real>
 MoveReport CopyExecutor<Real>::move() {
-    under_way_ = true;
+    progress_ = Progress::under_way;
     MoveReport report;
     whole_.movers.clear();
     report.held = collect_movers(whole_);
@@ -99,16 +60,8 @@ MoveReport CopyExecutor<Real>::move() {
     report.unreached = give_up_movers(whole_) + report.held;
     whole_.deferred.clear();
     costs_.whole_s += timer.lap();
-    under_way_ = false;
+    this->end_movement();
     return report;
-}
-
-template <class Real>
-std::uint64_t CopyExecutor<Real>::move_missed(std::span<const std::uint32_t> gone) {
-    under_way_ = true;
-    const std::uint64_t arrived = move_missed_of(whole_, algorithm_.motion, gone, epoch_);
-    under_way_ = false;
-    return arrived;
 }
 
 // What is left to do is in `whole_` again, under the new ids.
@@ -122,9 +75,8 @@ bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
     run_tasks();
     costs_.run_s += timer.lap();
     merge_submeshes(submeshes_, complex_);
-    append_edits(whole_.log, edits_);
     if (whole_.log.readers > 0) {
-        edits_.push_back({.kind = EditKind::rebuild});
+        whole_.log.records.push_back({.kind = EditKind::rebuild});
     }
     const bool is_put_off = take_back();
     costs_.merge_s += timer.lap();
@@ -204,6 +156,7 @@ void CopyExecutor<Real>::run_tasks() {
     }
     std::exception_ptr first;
     for (const auto& task : tasks_) {
+        whole_.log.counts += std::exchange(task->work.log.counts, {});
         std::exception_ptr failure = std::exchange(task->failure, nullptr);
         if (!first) {
             first = failure;
@@ -219,7 +172,7 @@ bool CopyExecutor<Real>::take_back() {
     // In the merged complex all stamps are 0.
     whole_.movers.clear();
     whole_.active.clear();
-    whole_.epoch = next_stamp(complex_, epoch_);
+    whole_.epoch = this->new_stamp();
     for (const Mover<Real>& mover : waiting_movers_) {
         whole_.movers.push_back({submeshes_.merged_vertex(mover.vertex), mover.x, mover.y});
     }
@@ -285,41 +238,27 @@ template <class Real>
 void CopyExecutor<Real>::recover() {
     const std::vector<std::uint32_t> active = std::move(whole_.active);
     forget(whole_);
-    whole_.epoch = next_stamp(complex_, epoch_);
+    whole_.epoch = this->new_stamp();
     for (const std::uint32_t v : active) {
         if (complex_.is_alive(Vertex{v})) {
             whole_.activate(v);
         }
     }
-    whole_.interface = collect_moved(complex_, options_);
-    under_way_ = false;
+    this->list_interface();
 }
 
 template <class Real>
 void CopyExecutor<Real>::end_step() {
-    if (under_way_) {
+    if (progress_ == Progress::under_way) {
         recover();
     }
-    whole_.movers.clear();
-}
-
-template <class Real>
-void CopyExecutor<Real>::append_interface(std::vector<std::uint32_t>& list) const {
-    list.insert(list.end(), whole_.interface.begin(), whole_.interface.end());
-}
-
-template <class Real>
-OperationCounts CopyExecutor<Real>::take_counts() {
-    OperationCounts total = std::exchange(whole_.log.counts, {});
-    for (const auto& task : tasks_) {
-        total += std::exchange(task->work.log.counts, {});
-    }
-    return total;
+    Executor<Real>::end_step();
 }
 
 template <class Real>
 void CopyExecutor<Real>::archive(Archive& archive) {
-    archive(whole_, epoch_, costs_.steps, costs_.rounds);
+    Executor<Real>::archive(archive);
+    archive(costs_.steps, costs_.rounds);
 }
 
 namespace {

@@ -48,29 +48,11 @@ public:
     CopyExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
                  const CopyOptions& copy);
 
-    void set_options(const Options<Real>& options) override;
-    void absorb(std::span<const Edit> edits) override { absorb_edits(whole_, edits); }
-    void resize(std::span<const std::uint32_t> list) override {
-        whole_.resized.insert(whole_.resized.end(), list.begin(), list.end());
-    }
-    void keep_edits(bool keep) override;
-    /// Edits within submeshes name the ids of copies and are not reported: each merge is one
-    /// `rebuild`.
-    [[nodiscard]] std::vector<Edit> take_edits() override;
-    void add_upkeep(const Pass<Real>& pass) override { algorithm_.upkeep.push_back(pass); }
-    void begin_step() override {
-        ++costs_.steps;
-        whole_.changed_interface.clear(); // there is no other list that would read it
-    }
-    AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
-    Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;
-    /// O(mesh) for each colour, however little moves.
+    void begin_step() override;
+    /// O(mesh) for each colour, however little moves. Edits within submeshes name the ids of copies
+    /// and are not reported: each merge is one `rebuild`.
     MoveReport move() override;
-    [[nodiscard]] std::uint64_t move_missed(std::span<const std::uint32_t> gone) override;
     void end_step() override;
-    [[nodiscard]] std::size_t interface_size() const override { return whole_.interface.size(); }
-    void append_interface(std::vector<std::uint32_t>& list) const override;
-    [[nodiscard]] OperationCounts take_counts() override;
     /// Submeshes are made anew in each step, so that there is nothing of them to keep.
     void archive(Archive& archive) override;
 
@@ -97,21 +79,21 @@ private:
     void take_interface_back(bool is_as_given);
     void recover();
 
-    Complex<Real>& complex_;
-    Options<Real> options_;
-    Algorithm<Real> algorithm_;
+    using Executor<Real>::complex_;
+    using Executor<Real>::options_;
+    using Executor<Real>::algorithm_;
+    using Executor<Real>::whole_; // upkeep and aim; between the rounds, the work that remains
+    using Executor<Real>::epoch_;
+    using typename Executor<Real>::Progress;
+    using Executor<Real>::progress_;
+
     CopyOptions copy_;
     CopiedSubmeshes<Real> submeshes_;
     std::vector<std::unique_ptr<Task>> tasks_;
-    Work<Real> whole_; ///< upkeep and aim; between the rounds, the work that remains
-    InterfaceSight<Real> sight_;
     // What lies on submesh boundaries waits for the next round; by vertex of the mesh.
     std::vector<Mover<Real>> waiting_movers_;
     std::vector<std::uint32_t> waiting_active_;
-    std::uint32_t epoch_ = 0;
-    bool under_way_ = false; ///< still true at the end of a step: something threw
     CopyCosts costs_;
-    std::vector<Edit> edits_;
 };
 
 namespace detail {

@@ -349,7 +349,7 @@ TEST_P(Edits, OfAPassOfTheApplicationNeedNoBookkeeping) {
     if (way.division) {
         executor = make_executor(complex, options, Parallel{.division = *way.division}, algorithm);
     } else {
-        executor = std::make_unique<SequentialExecutor<double>>(complex, options, algorithm);
+        executor = std::make_unique<Executor<double>>(complex, options, algorithm);
     }
     Simulation<double> simulation(complex, options, std::move(executor));
     for (int step = 0; step < 4; ++step) {

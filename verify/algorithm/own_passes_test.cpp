@@ -51,8 +51,8 @@ TYPED_TEST(OwnPasses, RunsTheApplicationsPassesInsteadOfTheDefault) {
         .upkeep = {noting("upkeep", [](Work<Real>&) {})},
         .motion = {noting("move", &move_vertices<Real>),
                    noting("forget", [](Work<Real>& work) { work.active.clear(); })}};
-    Simulation<Real> simulation(
-        complex, options, std::make_unique<SequentialExecutor<Real>>(complex, options, algorithm));
+    Simulation<Real> simulation(complex, options,
+                                std::make_unique<Executor<Real>>(complex, options, algorithm));
     const StepReport report = simulation.step(constant<Real>(0.02, 0), 0, 1);
     EXPECT_EQ(calls, (std::vector<std::string>{"upkeep", "move", "forget"}));
     EXPECT_EQ(report.operations.moves, simulation.interface().size());
@@ -88,8 +88,8 @@ TYPED_TEST(OwnPasses, AVertexThatVanishesOnItsWayDoesNotCountAsUnreached) {
     // No mesh update, which would make a vertex of the same id.
     auto algorithm = default_algorithm<Real>();
     algorithm.motion = {{"collapse one", collapse_one}, {"move", &move_vertices<Real>}};
-    Simulation<Real> simulation(
-        complex, options, std::make_unique<SequentialExecutor<Real>>(complex, options, algorithm));
+    Simulation<Real> simulation(complex, options,
+                                std::make_unique<Executor<Real>>(complex, options, algorithm));
     const StepReport report = simulation.step(constant<Real>(0.02, 0), 0, 1);
     EXPECT_EQ(vanished, 1);
     EXPECT_EQ(report.unreached, 0U);

@@ -109,8 +109,7 @@ private:
         }
         std::unique_ptr<Executor<Real>> executor;
         if (row_.way == Way::sequential) {
-            executor =
-                std::make_unique<SequentialExecutor<Real>>(complex, options, std::move(algorithm));
+            executor = std::make_unique<Executor<Real>>(complex, options, std::move(algorithm));
         } else {
             executor = make_executor<Real>(complex, options, parallel_of(row_, threads_),
                                            std::move(algorithm));

@@ -30,7 +30,7 @@ hard::HardResult watched_with(void (*fault)(Work<double>&)) {
     hard::HardResult result;
     hard::Watch<double> watch(
         scene.complex, scene.options, {.domain = hard::unit_square}, result,
-        std::make_unique<SequentialExecutor<double>>(scene.complex, scene.options, algorithm));
+        std::make_unique<Executor<double>>(scene.complex, scene.options, algorithm));
     watch.run(scenes::Translation{{1, 0}}, 0, 0.3 * h, 3);
     hard::expect_sound(result, hard::Targets::reachable);
     return result;

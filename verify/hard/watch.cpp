@@ -17,17 +17,6 @@ namespace dsc::hard {
 namespace {
 
 template <class Real>
-std::unique_ptr<Executor<Real>>
-watching(Complex<Real>& complex, const Options<Real>& options, const Rectangle& domain,
-         std::unique_ptr<Executor<Real>> inner, Sighting& sighting) {
-    if (!inner) {
-        inner =
-            std::make_unique<SequentialExecutor<Real>>(complex, options, default_algorithm<Real>());
-    }
-    return std::make_unique<WatchingExecutor<Real>>(complex, domain, std::move(inner), sighting);
-}
-
-template <class Real>
 std::string words(const Complex<Real>& complex, const StepReport& report, double dt) {
     std::ostringstream text;
     text << "more sub-steps asked for than allowed, in a step of " << dt << ", by a speed of "
@@ -42,57 +31,41 @@ std::string words(const Complex<Real>& complex, const StepReport& report, double
 } // namespace
 
 template <class Real>
-WatchingExecutor<Real>::WatchingExecutor(const Complex<Real>& complex, const Rectangle& domain,
-                                         std::unique_ptr<Executor<Real>> inner, Sighting& sighting)
-    : complex_(complex), domain_(domain), inner_(std::move(inner)), sighting_(sighting) {}
-
-template <class Real>
-AimReport<Real> WatchingExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
-    velocity_ = flow.velocity();
-    time_ = time;
-    dt_ = dt;
-    const AimReport<Real> report = inner_->aim(flow, time, dt);
-    held_ = report.held;
-    return report;
+void WatchingStage<Real>::begin(Complex<Real>& complex, const Options<Real>& /*options*/) {
+    static const std::string name = "watch.before";
+    before_ = complex.attributes.contains(name)
+                  ? &complex.attributes.template get<Vertex, Point<Real>>(name)
+                  : &complex.attributes.template add<Vertex>(name, Point<Real>(0, 0));
 }
 
 template <class Real>
-auto WatchingExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) -> Again {
-    dt_ = dt;
-    return inner_->aim_again(flow, time, dt);
+std::optional<Pass<Real>> WatchingStage<Real>::pass() {
+    return Pass<Real>{.name = "watch",
+                      .run =
+                          [this](Work<Real>& work) {
+                              for (const std::uint32_t v : work.interface) {
+                                  (*before_)[Vertex{v}] = work.complex.position(Vertex{v});
+                              }
+                          },
+                      .attends = true};
 }
 
-// The classical scheme, in doubles and one vertex at a time.
+// The classical scheme, in doubles and one vertex at a time; vertices stay on the domain boundary.
 template <class Real>
-void WatchingExecutor<Real>::find_targets() {
-    list_.clear();
-    before_.clear();
-    targets_.clear();
-    inner_->append_interface(list_);
-    const auto dt = static_cast<double>(dt_);
-    const auto velocity_at = [&](const Point<double>& p, double time) {
+Point<double> WatchingStage<Real>::target_of(const Point<double>& from, double time,
+                                             double dt) const {
+    const auto velocity_at = [&](const Point<double>& p, double when) {
         const Point<Real> at = p.cast<Real>();
         Point<Real> v;
-        (*velocity_)(std::span<const Point<Real>>(&at, 1), static_cast<Real>(time),
+        (*velocity_)(std::span<const Point<Real>>(&at, 1), static_cast<Real>(when),
                      std::span<Point<Real>>(&v, 1));
         return Point<double>(v.template cast<double>());
     };
-    for (const std::uint32_t v : list_) {
-        before_.push_back(complex_.position(Vertex{v}));
-        const Point<double> p = before_.back().template cast<double>();
-        const auto t = static_cast<double>(time_);
-        const Point<double> k1 = velocity_at(p, t);
-        const Point<double> k2 = velocity_at(p + dt / 2 * k1, t + dt / 2);
-        const Point<double> k3 = velocity_at(p + dt / 2 * k2, t + dt / 2);
-        const Point<double> k4 = velocity_at(p + dt * k3, t + dt);
-        targets_.push_back(on_boundary(p, p + dt * ((k1 + k4) / 6 + (k2 + k3) / 3)));
-    }
-}
-
-template <class Real>
-Point<double> WatchingExecutor<Real>::on_boundary(const Point<double>& from,
-                                                  const Point<double>& to) const {
-    Point<double> target = to;
+    const Point<double> k1 = velocity_at(from, time);
+    const Point<double> k2 = velocity_at(from + dt / 2 * k1, time + dt / 2);
+    const Point<double> k3 = velocity_at(from + dt / 2 * k2, time + dt / 2);
+    const Point<double> k4 = velocity_at(from + dt * k3, time + dt);
+    Point<double> target = from + dt * ((k1 + k4) / 6 + (k2 + k3) / 3);
     for (int axis = 0; axis < 2; ++axis) {
         if (from[axis] == domain_.low[axis] || from[axis] == domain_.high[axis]) {
             target[axis] = from[axis];
@@ -102,34 +75,34 @@ Point<double> WatchingExecutor<Real>::on_boundary(const Point<double>& from,
 }
 
 template <class Real>
-MoveReport WatchingExecutor<Real>::move() {
-    find_targets();
-    const MoveReport report = inner_->move();
-    std::uint64_t missed = 0;
+void WatchingStage<Real>::run(const Between<Real>& between) {
     constexpr auto epsilon = static_cast<double>(std::numeric_limits<Real>::epsilon());
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-        const Point<double> now = complex_.position(Vertex{list_[i]}).template cast<double>();
-        const Point<double> from = before_[i].template cast<double>();
+    const auto dt = static_cast<double>(between.dt);
+    const auto time = static_cast<double>(between.time) - dt;
+    std::uint64_t missed = 0;
+    for (const std::uint32_t v : between.interface) {
+        const Point<double> from = (*before_)[Vertex{v}].template cast<double>();
+        const Point<double> target = target_of(from, time, dt);
+        const Point<double> now = between.complex.position(Vertex{v}).template cast<double>();
         // Rounding of the coordinates, and of the way in the scalar of the complex.
-        const double tolerance =
-            8 * epsilon * (now.cwiseAbs().maxCoeff() + (targets_[i] - from).norm());
+        const double tolerance = 8 * epsilon * (now.cwiseAbs().maxCoeff() + (target - from).norm());
         const bool is_there =
-            targets_[i].allFinite() && (now - targets_[i]).cwiseAbs().maxCoeff() <= tolerance;
+            target.allFinite() && (now - target).cwiseAbs().maxCoeff() <= tolerance;
         missed += is_there ? 0U : 1U;
     }
-    const std::uint64_t counted = held_ + report.unreached;
+    const std::uint64_t counted = between.unreached;
     sighting_.missed += missed;
     sighting_.uncounted += missed > counted ? missed - counted : 0;
     sighting_.overcounted += counted > missed ? counted - missed : 0;
-    return report;
 }
 
 template <class Real>
 Watch<Real>::Watch(Complex<Real>& complex, const Options<Real>& options, const WatchOptions& watch,
-                   HardResult& result, std::unique_ptr<Executor<Real>> inner)
+                   HardResult& result, std::unique_ptr<Executor<Real>> executor)
     : complex_(complex), options_(options), watch_(watch), result_(result),
-      simulation_(complex, options,
-                  watching(complex, options, watch.domain, std::move(inner), sighting_)) {
+      stage_(std::make_shared<WatchingStage<Real>>(watch.domain, sighting_)),
+      simulation_(complex, options, std::move(executor)) {
+    simulation_.add_stage(stage_);
     expect(result_, options.integrator == Integrator::rk4, "the watch only knows RK4");
     look();
 }
@@ -137,6 +110,7 @@ Watch<Real>::Watch(Complex<Real>& complex, const Options<Real>& options, const W
 template <class Real>
 bool Watch<Real>::step(const Velocity<Real>& velocity, double time, double dt) {
     const Sighting before = sighting_;
+    stage_->follow(velocity);
     last_ = simulation_.step(velocity, static_cast<Real>(time), static_cast<Real>(dt));
     ++result_.steps;
     result_.sub_steps += last_.sub_steps;
@@ -211,8 +185,8 @@ void expect_sound(HardResult& result, Targets targets) {
     }
 }
 
-template class WatchingExecutor<double>;
-template class WatchingExecutor<float>;
+template class WatchingStage<double>;
+template class WatchingStage<float>;
 template class Watch<double>;
 template class Watch<float>;
 

@@ -10,7 +10,7 @@
 #include "dsc/initial/initial_complex.h"
 
 #include <memory>
-#include <utility>
+#include <optional>
 
 namespace dsc::hard {
 
@@ -21,52 +21,32 @@ struct Sighting {
     std::uint64_t overcounted = 0; ///< the library's count beyond the missed
 };
 
-/// An executor that hands everything on to another one, and sees for itself where the vertices are
-/// before and after each movement. RK4 and functions of positions and time only.
+/// Sees for itself where the vertices are before and after each movement. RK4 and functions of
+/// positions and time only.
 template <class Real>
-class WatchingExecutor final : public Executor<Real> {
+class WatchingStage final : public Stage<Real> {
 public:
-    /// Whatever an executor says of targets that are found anew: it is handed on.
-    using Again = decltype(std::declval<Executor<Real>&>().aim_again(
-        std::declval<const Flow<Real>&>(), Real(0), Real(0)));
-
     /// `domain`: vertices on its sides are expected to slide, corners to stay. `sighting` takes the
     /// sums.
-    WatchingExecutor(const Complex<Real>& complex, const Rectangle& domain,
-                     std::unique_ptr<Executor<Real>> inner, Sighting& sighting);
+    WatchingStage(const Rectangle& domain, Sighting& sighting)
+        : domain_(domain), sighting_(sighting) {}
 
-    void set_options(const Options<Real>& options) override { inner_->set_options(options); }
-    void absorb(std::span<const Edit> edits) override { inner_->absorb(edits); }
-    void keep_edits(bool keep) override { inner_->keep_edits(keep); }
-    [[nodiscard]] std::vector<Edit> take_edits() override { return inner_->take_edits(); }
-    void add_upkeep(const Pass<Real>& pass) override { inner_->add_upkeep(pass); }
-    void begin_step() override { inner_->begin_step(); }
-    AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
-    Again aim_again(const Flow<Real>& flow, Real time, Real dt) override;
-    MoveReport move() override;
-    void end_step() override { inner_->end_step(); }
-    [[nodiscard]] std::size_t interface_size() const override { return inner_->interface_size(); }
-    void append_interface(std::vector<std::uint32_t>& list) const override {
-        inner_->append_interface(list);
-    }
-    [[nodiscard]] OperationCounts take_counts() override { return inner_->take_counts(); }
+    /// The velocity of the steps that follow; must outlive them.
+    void follow(const Velocity<Real>& velocity) { velocity_ = &velocity; }
+
+    void begin(Complex<Real>& complex, const Options<Real>& options) override;
+    /// Notes where the vertices are when upkeep is over.
+    [[nodiscard]] std::optional<Pass<Real>> pass() override;
+    /// Compares where they are now with where they should be.
+    void run(const Between<Real>& between) override;
 
 private:
-    void find_targets();
-    [[nodiscard]] Point<double> on_boundary(const Point<double>& from,
-                                            const Point<double>& to) const;
+    [[nodiscard]] Point<double> target_of(const Point<double>& from, double time, double dt) const;
 
-    const Complex<Real>& complex_;
     Rectangle domain_;
-    std::unique_ptr<Executor<Real>> inner_;
     Sighting& sighting_;
     const Velocity<Real>* velocity_ = nullptr;
-    Real time_ = 0;
-    Real dt_ = 0;
-    std::uint64_t held_ = 0; ///< by the library's count, while it aimed
-    std::vector<std::uint32_t> list_;
-    std::vector<Point<Real>> before_;
-    std::vector<Point<double>> targets_;
+    VertexAttribute<Point<Real>>* before_ = nullptr;
 };
 
 struct WatchOptions {
@@ -78,9 +58,9 @@ struct WatchOptions {
 template <class Real>
 class Watch {
 public:
-    /// `inner`: the executor to watch; none: the sequential one.
+    /// `executor`: what runs the steps; none: the sequential one.
     Watch(Complex<Real>& complex, const Options<Real>& options, const WatchOptions& watch,
-          HardResult& result, std::unique_ptr<Executor<Real>> inner = nullptr);
+          HardResult& result, std::unique_ptr<Executor<Real>> executor = nullptr);
 
     /// One step; false once the step gave up or something is broken beyond going on.
     bool step(const Velocity<Real>& velocity, double time, double dt);
@@ -97,6 +77,7 @@ private:
     WatchOptions watch_;
     HardResult& result_;
     Sighting sighting_;
+    std::shared_ptr<WatchingStage<Real>> stage_;
     Simulation<Real> simulation_;
     StepReport last_;
     bool sound_ = true;

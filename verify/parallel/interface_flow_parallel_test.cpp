@@ -86,8 +86,7 @@ Outcome run(const MakeExecutor& make, const AnyFlow& flow, const Options<double>
 }
 
 const MakeExecutor sequential = [](auto& complex, const auto& options, std::uint32_t) {
-    return std::make_unique<SequentialExecutor<double>>(complex, options,
-                                                        default_algorithm<double>());
+    return std::make_unique<Executor<double>>(complex, options, default_algorithm<double>());
 };
 
 TEST(InterfaceFlowParallel, TheSameBitsForAnyNumberOfThreads) {

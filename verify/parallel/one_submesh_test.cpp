@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -51,15 +50,10 @@ std::vector<OneSubmesh<Real>> ways_to_have_one_submesh() {
 
 template <class Real>
 void expect_the_sequential_method() {
-    std::size_t tame = 0;
     for (const std::uint64_t seed : tame_seeds) {
         Scene scene{.seed = seed};
         scene.data = true;
         const Outcome sequential = simulate<Real>(scene, {});
-        if (std::ranges::count(sequential.unreached, 0U) != scene.steps) {
-            continue; // the sequential method does not retry vertices that are blocked
-        }
-        ++tame;
         for (const auto& way : ways_to_have_one_submesh<Real>()) {
             const Outcome one =
                 simulate<Real>(scene, [&](Complex<Real>& complex, const Options<Real>& options,
@@ -81,7 +75,6 @@ void expect_the_sequential_method() {
             EXPECT_EQ(one.passes, sequential.passes);
         }
     }
-    EXPECT_GE(tame, 3U) << "choose tamer scenes";
 }
 
 TEST(OneSubmesh, IsTheSequentialMethodBitForBit) {

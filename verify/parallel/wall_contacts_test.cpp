@@ -79,7 +79,7 @@ struct Course {
         if (parallel != nullptr) {
             return make_executor(complex, options, *parallel, std::move(algorithm));
         }
-        return std::make_unique<SequentialExecutor<Real>>(complex, options, std::move(algorithm));
+        return std::make_unique<Executor<Real>>(complex, options, std::move(algorithm));
     }
 
     template <class AnyFlow>

@@ -162,30 +162,6 @@ TEST(CarriedPhases, CanBeChosenBetweenTwoSteps) {
     EXPECT_NE(triangles_inside(complex), renumbered);
 }
 
-// What has changed on the interface is noted for lists of other submeshes: where there are none,
-// the note lasts no longer than a step.
-TEST(CarriedPhases, KeepNoNoteThatNobodyReads) {
-    for (const bool copies : {false, true}) {
-        Complex<double> complex = disc_to_carry();
-        const Options<double> options = carrying();
-        Simulation<double> simulation(
-            complex, options,
-            copies ? make_executor(complex, options, Parallel{.division = copy_division})
-                   : nullptr);
-        const auto size = [&] {
-            Archive archive;
-            simulation.archive(archive);
-            return archive.bytes().size();
-        };
-        for (int step = 0; step < 10; ++step) {
-            simulation.step(test::swirl, 0.01 * step, 0.01);
-        }
-        const std::size_t after_steps = size();
-        simulation.step(test::swirl, 0.1, 0);
-        EXPECT_LT(size(), after_steps);
-    }
-}
-
 TEST(CarriedPhases, RefuseAFlowThatIsNotKnownInside) {
     Complex<double> complex = disc_to_carry();
     Simulation<double> simulation(complex, carrying());

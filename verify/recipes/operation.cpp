@@ -38,7 +38,7 @@ TEST(Recipe, AnOperationIsOnePassMore) {
                            }}));
     Simulation<double> simulation(
         complex, options,
-        std::make_unique<SequentialExecutor<double>>(complex, options, std::move(algorithm)));
+        std::make_unique<Executor<double>>(complex, options, std::move(algorithm)));
     simulation.step([](auto p, double, auto v) { std::ranges::copy(p, v.begin()); }, 0, 0.3);
     EXPECT_GT(flips, 0);
     EXPECT_TRUE(validate(complex).problem.empty());

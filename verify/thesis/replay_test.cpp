@@ -26,7 +26,7 @@ TEST(ThesisLogs, OfRetriangulationAndSubdivisionAreReplayed) {
     std::vector<Edit> edits;
     Simulation<double> simulation(
         complex, options,
-        std::make_unique<SequentialExecutor<double>>(
+        std::make_unique<Executor<double>>(
             complex, options,
             thesis_algorithm<double>(options, {.small_area = 0.6, .smooth_interface = true})));
     simulation.add_listener(

@@ -75,7 +75,7 @@ TEST(Suspects, AreAllThatAreThinSequentially) {
     auto complex = thin_film();
     auto thin = options();
     thin.interface.coarsening = Coarsening::never;
-    SequentialExecutor<double> executor(complex, thin, default_algorithm<double>());
+    Executor<double> executor(complex, thin, default_algorithm<double>());
     expect_all_noted(complex, executor);
 }
 

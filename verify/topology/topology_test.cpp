@@ -157,8 +157,7 @@ TEST_P(EveryWay, WhatIsSetFreeStillArrives) {
 
 TEST(Topology, WhatIsSetFreeStillArrives) {
     auto complex = discs_that_nearly_meet();
-    SequentialExecutor<double> executor(complex, options_of_one_stage(),
-                                        default_algorithm<double>());
+    Executor<double> executor(complex, options_of_one_stage(), default_algorithm<double>());
     expect_arrival_once_free(complex, executor);
 }
 

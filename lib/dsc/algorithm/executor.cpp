@@ -62,9 +62,9 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
     return done;
 }
 
+// One that has vanished on its way has nowhere to arrive.
 template <class Real>
 std::uint64_t give_up_movers(Work<Real>& work) {
-    // One that has vanished on its way has nowhere to arrive.
     std::erase_if(work.movers, [&](const Mover<Real>& mover) {
         return !work.complex.is_alive(Vertex{mover.vertex});
     });
@@ -73,173 +73,262 @@ std::uint64_t give_up_movers(Work<Real>& work) {
         flags &= ~static_cast<std::uint32_t>(vertex_on_way);
         flags += (flags & vertex_contact) == vertex_contact ? 0U : std::uint32_t{vertex_missed};
     }
-    const std::uint64_t given_up = work.movers.size();
-    work.missed.swap(work.movers);
-    work.movers.clear();
-    return given_up;
+    return work.movers.size();
 }
 
 template <class Real>
-std::uint64_t move_missed_of(Work<Real>& work, const std::vector<Pass<Real>>& passes,
-                             std::span<const std::uint32_t> gone, std::uint32_t& next_epoch) {
-    const std::size_t missed = work.missed.size();
-    std::erase_if(work.missed, [&](const Mover<Real>& mover) {
-        return std::ranges::binary_search(gone, mover.vertex) ||
-               !is_moved(work.complex, work.options, Vertex{mover.vertex});
-    });
-    if (work.missed.empty()) {
-        return missed;
-    }
-    work.movers.swap(work.missed);
-    (void)run_motion(work, passes, next_epoch);
-    work.deferred.clear(); // alone on the complex, nothing is postponed
-    // That they missed has been noted.
-    for (const auto& mover : work.movers) {
-        work.complex.vertices[mover.vertex].flags &= ~static_cast<std::uint32_t>(vertex_on_way);
-    }
-    const std::size_t left = work.movers.size();
-    work.movers.clear();
-    work.missed.clear();
-    return missed - left;
-}
-
-template <class Real>
-AimReport<Real> aim_whole(Work<Real>& work, const std::vector<Pass<Real>>& upkeep,
-                          InterfaceSight<Real>& sight, const Flow<Real>& flow, Real time, Real dt) {
-    work.time = time;
-    work.dt = dt;
-    for (const auto& pass : upkeep) {
-        run_pass(work, pass);
-    }
-    // Alone on the complex, nothing is postponed.
-    work.deferred.clear();
-    if (const Velocity<Real>* velocity = flow.velocity()) {
-        AimReport<Real> report = find_velocities(work, *velocity, time);
-        report.reach = find_targets(work, *velocity, time, dt);
-        return report;
-    }
-    sight.look(work);
-    return sight.aim(flow, time, dt);
-}
-
-template <class Real>
-Reach<Real> aim_whole_again(Work<Real>& work, InterfaceSight<Real>& sight, const Flow<Real>& flow,
-                            Real time, Real dt) {
-    return flow.velocity() != nullptr ? find_targets(work, *flow.velocity(), time, dt)
-                                      : sight.aim_again(flow, time, dt);
-}
-
-template <class Real>
-void absorb_edits(Work<Real>& work, std::span<const Edit> edits) {
-    Complex<Real>& complex = work.complex;
-    const std::span<const Edit> after = edits_after_renumbering(edits);
-    if (after.size() != edits.size()) {
-        work.active.clear();
-        work.resized.clear(); // all is measured anew
-        work.interface = collect_moved(complex, work.options);
-        clear_stamps(complex);
-        work.find_past();
-    }
-    const std::vector<std::uint32_t> changed = interface_changes(after);
-    take_off(work.interface, changed);
-    const std::vector<std::uint32_t> on = moved_among(complex, work.options, changed);
-    work.interface.insert(work.interface.end(), on.begin(), on.end());
-    wake(work, after);
-}
-
-void append_edits(EditLog& log, std::vector<Edit>& edits) {
-    edits.insert(edits.end(), log.records.begin(), log.records.end());
-    log.records.clear();
-}
-
-template <class Real>
-SequentialExecutor<Real>::SequentialExecutor(Complex<Real>& complex, const Options<Real>& options,
-                                             Algorithm<Real> algorithm)
-    : options_(options), algorithm_(std::move(algorithm)), work_(complex, options_) {
+Executor<Real>::Executor(Complex<Real>& complex, const Options<Real>& options,
+                         Algorithm<Real> algorithm)
+    : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
+      whole_(complex, options_), works_{&whole_} {
     // Stamps of an earlier run must not be mistaken for those of this one.
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
     }
-    work_.epoch = next_stamp(complex, epoch_);
-    work_.interface = collect_moved(complex, options);
+    whole_.epoch = new_stamp();
+    whole_.interface = collect_moved(complex, options_);
     // The first splits should not copy the whole mesh to make room for a few ids.
-    const std::size_t room = 64 + 2 * work_.interface.size();
+    const std::size_t room = 64 + 2 * whole_.interface.size();
     complex.reserve(complex.vertex_bound() + room, complex.triangle_bound() + 2 * room);
 }
 
+// --- between two steps -------------------------------------------------------------------------
+
 template <class Real>
-void SequentialExecutor<Real>::set_options(const Options<Real>& options) {
+void Executor<Real>::set_options(const Options<Real>& options) {
     const bool relists = options.carried_phases != options_.carried_phases;
     options_ = options;
-    work_.find_past();
+    for (Work<Real>* work : works_) {
+        work->find_past();
+    }
     if (relists) {
-        work_.interface = collect_moved(work_.complex, options_);
+        list_interface();
     }
 }
 
 template <class Real>
-std::vector<Edit> SequentialExecutor<Real>::take_edits() {
-    std::vector<Edit> edits;
-    append_edits(work_.log, edits);
-    return edits;
+void Executor<Real>::list_interface() {
+    for (Work<Real>* work : works_) {
+        work->interface.clear();
+    }
+    for (const std::uint32_t v : collect_moved(complex_, options_)) {
+        home_of(v).interface.push_back(v);
+    }
 }
 
 template <class Real>
-void SequentialExecutor<Real>::begin_step() {
-    if (work_.options.shuffle_seed != 0) {
-        shuffle_interface(work_.interface, work_.options.shuffle_seed + steps_);
+void Executor<Real>::keep_edits(bool keep) {
+    for (Work<Real>* work : works_) {
+        work->log.readers = keep ? 1 : 0;
+    }
+}
+
+template <class Real>
+void Executor<Real>::resize(std::span<const std::uint32_t> list) {
+    whole_.resized.insert(whole_.resized.end(), list.begin(), list.end());
+}
+
+template <class Real>
+void Executor<Real>::absorb(std::span<const Edit> edits) {
+    const std::span<const Edit> after = edits_after_renumbering(edits);
+    if (after.size() != edits.size()) {
+        for (Work<Real>* work : works_) {
+            work->active.clear();
+            work->resized.clear(); // all is measured anew
+            work->deferred.clear();
+            work->find_past();
+        }
+        forget_ids();
+        clear_stamps(complex_);
+        list_interface();
+    }
+    change_interface(interface_changes(after));
+    wake(whole_, after);
+}
+
+// --- a step ------------------------------------------------------------------------------------
+
+template <class Real>
+std::uint32_t Executor<Real>::new_stamp() {
+    return next_stamp(complex_, epoch_);
+}
+
+template <class Real>
+void Executor<Real>::begin_step() {
+    if (options_.shuffle_seed != 0) {
+        shuffle_interface(whole_.interface, options_.shuffle_seed + steps_);
     }
     ++steps_;
-    work_.changed_interface.clear(); // there is no other list that would read it
 }
 
 template <class Real>
-AimReport<Real> SequentialExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
-    return aim_whole(work_, algorithm_.upkeep, sight_, flow, time, dt);
+void Executor<Real>::keep_up_whole() {
+    for (const auto& pass : algorithm_.upkeep) {
+        run_pass(whole_, pass);
+    }
+    whole_.deferred.clear();
 }
 
 template <class Real>
-Reach<Real> SequentialExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
-    return aim_whole_again(work_, sight_, flow, time, dt);
-}
-
-template <class Real>
-MoveReport SequentialExecutor<Real>::move() {
-    MoveReport report;
-    work_.movers.clear();
-    report.held = collect_movers(work_);
-    report.passes = run_motion(work_, algorithm_.motion, epoch_);
-    report.unreached = give_up_movers(work_) + report.held;
-    work_.deferred.clear();
+AimReport<Real> Executor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
+    progress_ = Progress::under_way;
+    whole_.time = time;
+    whole_.dt = dt;
+    keep_up_whole();
+    AimReport<Real> report;
+    if (const Velocity<Real>* velocity = flow.velocity()) {
+        report = find_velocities(whole_, *velocity, time);
+        report.reach = find_targets(whole_, *velocity, time, dt);
+    } else {
+        sight_.look(whole_);
+        report = sight_.aim(flow, time, dt);
+    }
+    progress_ = Progress::aimed;
     return report;
 }
 
 template <class Real>
-void SequentialExecutor<Real>::end_step() {
-    work_.movers.clear();
+Reach<Real> Executor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
+    return flow.velocity() != nullptr ? find_targets(whole_, *flow.velocity(), time, dt)
+                                      : sight_.aim_again(flow, time, dt);
 }
 
 template <class Real>
-void SequentialExecutor<Real>::append_interface(std::vector<std::uint32_t>& list) const {
-    list.insert(list.end(), work_.interface.begin(), work_.interface.end());
+MoveReport Executor<Real>::move() {
+    progress_ = Progress::under_way;
+    whole_.movers.clear();
+    const std::uint64_t held = collect_movers(whole_);
+    MoveReport report = move_whole();
+    report.held += held;
+    report.unreached += held;
+    end_movement();
+    return report;
 }
 
 template <class Real>
-OperationCounts SequentialExecutor<Real>::take_counts() {
-    return std::exchange(work_.log.counts, {});
+MoveReport Executor<Real>::move_whole() {
+    MoveReport report;
+    report.passes = run_motion(whole_, algorithm_.motion, epoch_);
+    report.unreached = give_up_movers(whole_);
+    whole_.deferred.clear();
+    return report;
 }
 
 template <class Real>
-void SequentialExecutor<Real>::archive(Archive& archive) {
-    archive(work_, epoch_, steps_);
+void Executor<Real>::end_movement() {
+    collect_edits();
+    collect_changes();
+    progress_ = Progress::none;
+}
+
+// The edits of the stages have been absorbed: their stars are active.
+template <class Real>
+std::uint64_t Executor<Real>::move_missed(std::span<const std::uint32_t> gone) {
+    progress_ = Progress::under_way;
+    const std::size_t missed = whole_.movers.size();
+    std::erase_if(whole_.movers, [&](const Mover<Real>& mover) {
+        return std::ranges::binary_search(gone, mover.vertex) ||
+               !is_moved(complex_, options_, Vertex{mover.vertex});
+    });
+    if (!whole_.movers.empty()) {
+        (void)run_motion(whole_, algorithm_.motion, epoch_);
+        whole_.deferred.clear();
+        // That they missed has been noted.
+        for (const auto& mover : whole_.movers) {
+            complex_.vertices[mover.vertex].flags &= ~static_cast<std::uint32_t>(vertex_on_way);
+        }
+    }
+    const std::size_t left = whole_.movers.size();
+    whole_.movers.clear();
+    end_movement();
+    return missed - left;
 }
 
 template <class Real>
-void Executor<Real>::archive(Archive& /*archive*/) {
-    throw InputError({.what = "this executor keeps no checkpoints",
-                      .where = "Executor::archive",
-                      .value = "an executor of the application",
-                      .allowed = "one that overrides it, or one of the library"});
+void Executor<Real>::end_step() {
+    whole_.movers.clear();
+    progress_ = Progress::none;
+}
+
+// --- lists and logs ----------------------------------------------------------------------------
+
+template <class Real>
+std::size_t Executor<Real>::interface_size() const {
+    std::size_t size = 0;
+    for (const Work<Real>* work : works_) {
+        size += work->interface.size();
+    }
+    return size;
+}
+
+template <class Real>
+void Executor<Real>::append_interface(std::vector<std::uint32_t>& list) const {
+    for (const Work<Real>* work : works_) {
+        list.insert(list.end(), work->interface.begin(), work->interface.end());
+    }
+}
+
+template <class Real>
+void Executor<Real>::change_interface(std::span<const std::uint32_t> changed) {
+    if (changed.empty()) {
+        return;
+    }
+    for (Work<Real>* work : works_) {
+        take_off(work->interface, changed);
+    }
+    for (const std::uint32_t v : changed) {
+        if (is_moved(complex_, options_, Vertex{v})) {
+            home_of(v).interface.push_back(v);
+        }
+    }
+}
+
+template <class Real>
+void Executor<Real>::collect_changes() {
+    std::vector<std::uint32_t>& changed = whole_.changed;
+    changed.clear();
+    for (Work<Real>* work : works_) {
+        changed.insert(changed.end(), work->changed_interface.begin(),
+                       work->changed_interface.end());
+        work->changed_interface.clear();
+    }
+    if (changed.empty() || works_.size() == 1) { // which has made the changes in its own list
+        return;
+    }
+    std::ranges::sort(changed);
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    change_interface(changed);
+}
+
+template <class Real>
+void Executor<Real>::collect_edits() {
+    if (whole_.log.readers == 0) {
+        return;
+    }
+    for (Work<Real>* work : works_) {
+        edits_.insert(edits_.end(), work->log.records.begin(), work->log.records.end());
+        work->log.records.clear();
+    }
+}
+
+template <class Real>
+std::vector<Edit> Executor<Real>::take_edits() {
+    collect_edits();
+    return std::exchange(edits_, {});
+}
+
+template <class Real>
+OperationCounts Executor<Real>::take_counts() {
+    OperationCounts total;
+    for (Work<Real>* work : works_) {
+        total += std::exchange(work->log.counts, {});
+    }
+    return total;
+}
+
+template <class Real>
+void Executor<Real>::archive(Archive& archive) {
+    archive(whole_, epoch_, steps_);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
@@ -248,15 +337,7 @@ void Executor<Real>::archive(Archive& /*archive*/) {
     template std::uint32_t next_stamp(Complex<Real>&, std::uint32_t&);                             \
     template void clear_stamps(Complex<Real>&);                                                    \
     template std::uint64_t give_up_movers(Work<Real>&);                                            \
-    template std::uint64_t move_missed_of(Work<Real>&, const std::vector<Pass<Real>>&,             \
-                                          std::span<const std::uint32_t>, std::uint32_t&);         \
-    template AimReport<Real> aim_whole(Work<Real>&, const std::vector<Pass<Real>>&,                \
-                                       InterfaceSight<Real>&, const Flow<Real>&, Real, Real);      \
-    template Reach<Real> aim_whole_again(Work<Real>&, InterfaceSight<Real>&, const Flow<Real>&,    \
-                                         Real, Real);                                              \
-    template void absorb_edits(Work<Real>&, std::span<const Edit>);                                \
-    template void Executor<Real>::archive(Archive&);                                               \
-    template class SequentialExecutor<Real>;
+    template class Executor<Real>;
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

@@ -26,8 +26,8 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
     if (executor_) {
         executor_->set_options(completed());
     } else {
-        executor_ = std::make_unique<SequentialExecutor<Real>>(complex, completed(),
-                                                               default_algorithm<Real>());
+        executor_ =
+            std::make_unique<Executor<Real>>(complex, completed(), default_algorithm<Real>());
     }
     mark_corners(complex, interface(), options.interface.corner_degrees);
     measure(0);
@@ -173,7 +173,8 @@ void Simulation<Real>::absorb(By by, Real time) {
 // After each sub-step, serially. Where stages have edited the complex, vertices that did not arrive
 // try again. Returns how many of these have arrived now, or are no longer to be moved.
 template <class Real>
-std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, bool has_missed) {
+std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, std::uint64_t unreached,
+                                           bool has_missed) {
     bool has_edited = false;
     gone_.clear();
     tell_what_was_done(); // what the sub-step did comes first
@@ -184,7 +185,8 @@ std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, bool has_missed) 
                     .interface = to_stages_,
                     .edge_length = options_.edge_length,
                     .time = time,
-                    .dt = dt});
+                    .dt = dt,
+                    .unreached = unreached});
         const std::span<const Edit> edits(complex_.journal.records);
         if (absorbed_ < edits.size()) {
             has_edited = true;
@@ -347,7 +349,8 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
     time += dt;
     remaining = dt < remaining ? remaining - dt : Real(0);
     if (!stages_.empty()) {
-        report.unreached -= run_stages(time, dt, moved.unreached > moved.held);
+        report.unreached -=
+            run_stages(time, dt, aim.held + moved.unreached, moved.unreached > moved.held);
     }
     return true;
 }

@@ -154,7 +154,7 @@ private:
 
     enum class By : std::uint8_t { application, stage };
     void absorb(By by, Real time);
-    std::uint64_t run_stages(Real time, Real dt, bool has_missed);
+    std::uint64_t run_stages(Real time, Real dt, std::uint64_t unreached, bool has_missed);
     [[nodiscard]] std::vector<std::uint32_t> moved() const;
     void forget_vertex(Vertex v);
     [[nodiscard]] Options<Real> completed() const;

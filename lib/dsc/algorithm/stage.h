@@ -7,6 +7,7 @@
 
 #include "dsc/passes/algorithm.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -20,6 +21,7 @@ struct Between {
     Real edge_length;                         ///< of the options
     Real time;                                ///< at the end of the sub-step
     Real dt;                                  ///< the duration of the sub-step
+    std::uint64_t unreached;                  ///< vertices that did not arrive in it
 };
 
 /// A stage of a simulation. Called by the thread that calls `Simulation::step`; what it throws

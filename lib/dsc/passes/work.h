@@ -69,9 +69,6 @@ struct Work {
     /// Changes of the interface by passes of an application: see `run_pass`.
     std::vector<std::uint32_t> changed_interface;
 
-    /// The movers that did not arrive in the last sub-step.
-    std::vector<Mover<Real>> missed;
-
     std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
     std::size_t arrived = 0;    ///< movers of these that reached their targets
 

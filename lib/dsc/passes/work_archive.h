@@ -12,10 +12,8 @@ namespace dsc {
 /// FileError for an id that it does not have.
 template <class Real>
 void archive(Archive& archive, Work<Real>& work) {
-    archive(work.interface, work.active, work.resized, work.changed_interface, work.epoch,
-            work.time, work.dt);
-    for (const auto* list :
-         {&work.interface, &work.active, &work.resized, &work.changed_interface}) {
+    archive(work.interface, work.active, work.resized, work.epoch, work.time, work.dt);
+    for (const auto* list : {&work.interface, &work.active, &work.resized}) {
         expect_vertices<Real>(archive, work.complex, *list);
     }
     for (const std::uint32_t v : work.interface) {

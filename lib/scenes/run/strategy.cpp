@@ -95,7 +95,7 @@ std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Opti
         if (algorithm == nullptr || strategy == Strategy::reference) {
             return nullptr;
         }
-        return std::make_unique<SequentialExecutor<Real>>(complex, options, *algorithm);
+        return std::make_unique<Executor<Real>>(complex, options, *algorithm);
     }
     Parallel parallel = submeshing;
     parallel.division = *division;

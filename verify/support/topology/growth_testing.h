@@ -87,8 +87,8 @@ public:
               complex, options_,
               parallel != nullptr
                   ? make_executor(complex, options_, *parallel, growth_algorithm(complex, growing))
-                  : std::make_unique<SequentialExecutor<Real>>(complex, options_,
-                                                               growth_algorithm(complex, growing))),
+                  : std::make_unique<Executor<Real>>(complex, options_,
+                                                     growth_algorithm(complex, growing))),
           flow_(growth(growing)) {}
 
     /// In equal steps of at most `step` edge lengths at a speed of 1. Returns the number of

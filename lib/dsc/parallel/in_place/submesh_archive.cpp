@@ -9,7 +9,8 @@ namespace dsc {
 
 template <class Real>
 void SubmeshExecutor<Real>::archive(Archive& archive) {
-    archive(partition_, status_, epoch_, whole_);
+    Executor<Real>::archive(archive);
+    archive(partition_, status_);
     partitioner_->archive(archive);
     if (archive.is_reading()) {
         parts_.clear(); // the complex that the ids of their pools belonged to is gone

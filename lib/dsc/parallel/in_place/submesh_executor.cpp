@@ -20,6 +20,17 @@ void check(const SubmeshOptions& options) {
             "1 or more");
 }
 
+std::size_t size_of(const Partition& partition) {
+    std::size_t size = 0;
+    for (const Colour& colour : partition.colours) {
+        size += colour.regions.size();
+    }
+    return size;
+}
+
+// Each colour covers the plane: the whole is in one submesh.
+bool is_one(const Partition& partition) { return size_of(partition) == partition.colours.size(); }
+
 } // namespace
 
 template <class Real>
@@ -27,9 +38,8 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
                                        Algorithm<Real> algorithm,
                                        std::unique_ptr<Partitioner<Real>> partitioner,
                                        const SubmeshOptions& submeshes)
-    : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
-      partitioner_(std::move(partitioner)), submeshes_(submeshes), pool_(submeshes.awake),
-      choice_(submeshes.threads), whole_(complex, options_) {
+    : Executor<Real>(complex, options, std::move(algorithm)), partitioner_(std::move(partitioner)),
+      submeshes_(submeshes), pool_(submeshes.awake), choice_(submeshes.threads) {
     check_options(options); // a partitioner uses the edge length
     check(submeshes);
     if (!partitioner_) {
@@ -38,11 +48,6 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
                           .value = "null",
                           .allowed = "an object"});
     }
-    for (const auto& vertex : complex.vertices) {
-        epoch_ = std::max(epoch_, vertex.stamp);
-    }
-    // Until the first division all of the interface is in this list.
-    whole_.interface = collect_moved(complex, options);
     // Everything that takes longer in a large mesh is done here rather than in a step: dividing it
     // for the first time, making room, lending ids, and starting threads.
     divide();
@@ -83,10 +88,11 @@ template <class Real>
 void SubmeshExecutor<Real>::begin_step() {
     Timer timer(submeshes_.profile);
     (void)step_timer_.lap();
+    Executor<Real>::begin_step();
     choose_threads();
     pool_.wake(threads_);
     profile_.sub_steps.clear();
-    status_.interface_vertices = interface_size();
+    status_.interface_vertices = this->interface_size();
     if (status_.step > 0) { // for the first step it was divided at construction
         divide();
     }
@@ -98,10 +104,10 @@ void SubmeshExecutor<Real>::begin_step() {
 // As many as have enough to do.
 template <class Real>
 void SubmeshExecutor<Real>::choose_threads() {
-    const std::size_t size = interface_size();
+    const std::size_t size = this->interface_size();
     const std::size_t pay_off = size / submeshes_.vertices_per_thread;
-    useful_threads_ =
-        static_cast<std::uint32_t>(std::clamp<std::size_t>(pay_off, 1, first_colour_));
+    useful_threads_ = static_cast<std::uint32_t>(
+        std::clamp<std::size_t>(pay_off, 1, std::max<std::size_t>(first_colour_, 1)));
     threads_ = std::min(useful_threads_,
                         submeshes_.adapts_threads ? choice_.threads() : submeshes_.threads);
     // Ahead of their use, for a new thread takes milliseconds to get a core of its own; but none
@@ -112,12 +118,12 @@ void SubmeshExecutor<Real>::choose_threads() {
 
 template <class Real>
 void SubmeshExecutor<Real>::divide() {
-    const Recut recut = parts_.empty() ? Recut::all : partitioner_->is_due(status_);
+    const Recut recut = partition_.colours.empty() ? Recut::all : partitioner_->is_due(status_);
     if (recut == Recut::none) {
         return;
     }
     std::vector<std::uint32_t> list;
-    append_interface(list);
+    this->append_interface(list);
     if (recut == Recut::all && options_.shuffle_seed == 0 && !parts_.empty()) {
         // New vertices of the boundaries stand at the ends of lists.
         order_interface(complex_, list, next_epochs());
@@ -155,35 +161,39 @@ std::vector<float> SubmeshExecutor<Real>::work_of(const std::vector<std::uint32_
 template <class Real>
 void SubmeshExecutor<Real>::make_parts(Recut recut) {
     const std::size_t kept = recut == Recut::all ? 0 : first_colour_;
-    std::size_t wanted = 0;
-    for (const Colour& colour : partition_.colours) {
-        wanted += colour.regions.size();
-    }
+    const std::size_t wanted = is_one(partition_) ? 0 : size_of(partition_);
     while (parts_.size() > wanted) {
         give_back(parts_.back()->pool, 0, 0);
         const std::vector<std::uint32_t>& resized = parts_.back()->work.resized;
         whole_.resized.insert(whole_.resized.end(), resized.begin(), resized.end());
+        parts_.back()->work.resized.clear();
+        spare_parts_.push_back(std::move(parts_.back()));
         parts_.pop_back();
     }
     while (parts_.size() < wanted) {
-        parts_.push_back(std::make_unique<Part>(complex_, options_));
+        if (spare_parts_.empty()) {
+            spare_parts_.push_back(std::make_unique<Part>(complex_, options_));
+        }
+        parts_.push_back(std::move(spare_parts_.back()));
+        spare_parts_.pop_back();
         keep_times(*parts_.back());
-        parts_.back()->work.log.readers = keeps_edits_ ? 1 : 0;
+        parts_.back()->work.log.readers = whole_.log.readers;
     }
-    first_colour_ = partition_.colours.front().regions.size();
-    std::size_t number = 0;
+    first_colour_ = parts_.empty() ? 0 : partition_.colours.front().regions.size();
+    works_.clear();
     for (const Colour& colour : partition_.colours) {
-        for (const Region& region : colour.regions) {
-            Part& part = *parts_[number];
-            part.work.submesh.region = region.simplest();
-            part.work.submesh.pool = region.is_whole() ? &complex_.ids : &part.pool;
-            if (number >= kept) {
+        for (std::size_t i = 0; i < colour.regions.size() && works_.size() < wanted; ++i) {
+            Part& part = *parts_[works_.size()];
+            part.work.submesh.region = colour.regions[i].simplest();
+            part.work.submesh.pool = colour.regions[i].is_whole() ? &complex_.ids : &part.pool;
+            if (works_.size() >= kept) {
                 part.work.interface.clear();
                 part.examined = 0;
             }
-            ++number;
+            works_.push_back(&part.work);
         }
     }
+    works_.push_back(&whole_);
 }
 
 template <class Real>
@@ -202,6 +212,10 @@ void SubmeshExecutor<Real>::keep_times(Part& part) {
 template <class Real>
 void SubmeshExecutor<Real>::hand_out(std::vector<std::uint32_t> list) {
     whole_.interface.clear();
+    if (parts_.empty()) {
+        whole_.interface = std::move(list);
+        return;
+    }
     const Colour& colour = partition_.colours.front();
     std::size_t at = 0;
     for (const std::uint32_t v : list) {
@@ -223,6 +237,9 @@ template <class Real>
 void SubmeshExecutor<Real>::connect() {
     aiming_.tasks.clear();
     moving_.tasks.clear();
+    if (parts_.empty()) {
+        return;
+    }
     aiming_.tasks.add_colour(first_colour_);
     std::size_t before = 0; // first part of the colour before
     std::size_t first = 0;
@@ -253,92 +270,19 @@ Point<double> SubmeshExecutor<Real>::place_of(std::uint32_t vertex) const {
 }
 
 template <class Real>
-typename SubmeshExecutor<Real>::Part& SubmeshExecutor<Real>::owner_of(std::uint32_t vertex) {
-    const Point<double> place = place_of(vertex);
-    const std::size_t at = partition_.colours.front().locate(vertex, place.x(), place.y());
-    return *parts_[at < first_colour_ ? at : 0];
-}
-
-// A sub-step that did not come to its end: the stars that it was to look at are looked at in the
-// next one, and vertices that were on their way stay where they are.
-template <class Real>
-void SubmeshExecutor<Real>::put_back() {
-    const auto empty = [this](Work<Real>& work) {
-        std::vector<std::uint32_t>& later = whole_.resized; // for whichever submesh owns them then
-        later.insert(later.end(), work.active.begin(), work.active.end());
-        for (const Deferred<Real>& one : work.deferred.entries) {
-            if (one.kind == DeferredKind::star) {
-                later.push_back(one.vertex);
-            }
-        }
-        work.active.clear();
-        work.deferred.clear();
-        work.movers.clear();
-    };
-    for (const auto& part : parts_) {
-        empty(part->work);
-        part->arrivals.clear();
-    }
-    empty(whole_);
-    if (stage_ == Stage::aimed) { // upkeep is over, and every vertex of the interface is in a list
-        for (const std::uint32_t v : whole_.interface) {
-            owner_of(v).work.interface.push_back(v);
-        }
-        whole_.interface.clear();
-        collect_changes();
-    } else {
-        for (const auto& part : parts_) {
-            part->work.interface.clear();
-            part->work.changed_interface.clear();
-        }
-        whole_.changed_interface.clear();
-        hand_out(collect_moved(complex_, options_)); // O(mesh)
-    }
-    stage_ = Stage::none;
-}
-
-template <class Real>
 void SubmeshExecutor<Real>::end_step() {
-    if (stage_ != Stage::none) {
+    if (!parts_.empty() && progress_ != Progress::none) {
         put_back();
     }
+    Executor<Real>::end_step();
     std::uint64_t examined = whole_.log.counts.examined;
     for (auto& part : parts_) {
+        part->examined += part->work.log.counts.examined;
         examined += part->work.log.counts.examined;
         give_back_surplus(*part);
     }
     count_lent();
     choice_.took(step_timer_.lap(), static_cast<double>(examined), useful_threads_);
-}
-
-// --- questions ---------------------------------------------------------------------------------
-
-template <class Real>
-std::size_t SubmeshExecutor<Real>::interface_size() const {
-    std::size_t size = whole_.interface.size();
-    for (std::size_t i = 0; i < first_colour_; ++i) {
-        size += parts_[i]->work.interface.size();
-    }
-    return size;
-}
-
-template <class Real>
-void SubmeshExecutor<Real>::append_interface(std::vector<std::uint32_t>& list) const {
-    list.insert(list.end(), whole_.interface.begin(), whole_.interface.end());
-    for (std::size_t i = 0; i < first_colour_; ++i) {
-        const auto& part = parts_[i]->work.interface;
-        list.insert(list.end(), part.begin(), part.end());
-    }
-}
-
-template <class Real>
-OperationCounts SubmeshExecutor<Real>::take_counts() {
-    OperationCounts total = std::exchange(whole_.log.counts, {});
-    for (auto& part : parts_) {
-        part->examined += part->work.log.counts.examined;
-        total += std::exchange(part->work.log.counts, {});
-    }
-    return total;
 }
 
 template class SubmeshExecutor<double>;

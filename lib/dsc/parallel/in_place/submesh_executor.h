@@ -30,7 +30,8 @@ struct SubmeshOptions {
     bool profile = false; ///< measure times: reads a clock twice for each pass and task
 };
 
-/// Runs a step in submeshes that lie in the complex itself.
+/// Runs a step in submeshes that lie in the complex itself. A partition of one submesh is the
+/// whole: it runs as in the base class, on one thread.
 template <class Real>
 class SubmeshExecutor final : public Executor<Real> {
 public:
@@ -47,21 +48,11 @@ public:
     SubmeshExecutor(SubmeshExecutor&&) = delete;
     SubmeshExecutor& operator=(SubmeshExecutor&&) = delete;
 
-    void set_options(const Options<Real>& options) override;
-    void absorb(std::span<const Edit> edits) override;
-    void resize(std::span<const std::uint32_t> list) override;
-    void keep_edits(bool keep) override;
-    [[nodiscard]] std::vector<Edit> take_edits() override;
-    void add_upkeep(const Pass<Real>& pass) override { algorithm_.upkeep.push_back(pass); }
     void begin_step() override;
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;
     MoveReport move() override;
-    [[nodiscard]] std::uint64_t move_missed(std::span<const std::uint32_t> gone) override;
     void end_step() override;
-    [[nodiscard]] std::size_t interface_size() const override;
-    void append_interface(std::vector<std::uint32_t>& list) const override;
-    [[nodiscard]] OperationCounts take_counts() override;
     void archive(Archive& archive) override;
 
     /// The partition in force, for drawing.
@@ -73,16 +64,13 @@ public:
     /// Threads that the last step used.
     [[nodiscard]] std::uint32_t threads_used() const { return threads_; }
 
+protected:
+    [[nodiscard]] Work<Real>& home_of(std::uint32_t vertex) override;
+    void forget_ids() override;
+
 private:
     struct Part;
     struct Joined;
-
-    /// How far the sub-step has come.
-    enum class Stage : std::uint8_t {
-        none,      ///< it has ended, or has not begun
-        under_way, ///< what is in which list can only be told by a look at the mesh
-        aimed,     ///< upkeep and aiming are over, nothing moves yet
-    };
 
     // Set-up.
     void divide();
@@ -102,7 +90,7 @@ private:
     void begin_part(Part& part);
     void aim_part(Part& part, std::size_t pass, const Flow<Real>& flow, Real time, Real dt);
     void move_part(std::size_t task);
-    void take_from_predecessors(Part& part, std::size_t task);
+    void take_routed(Work<Real>& work, const DeferredQueue<Real>& queue, std::size_t task);
     void take(Work<Real>& work, const Deferred<Real>& one);
     void route(Part& part);
     // Between and after them.
@@ -110,49 +98,47 @@ private:
     void take_displaced();
     void unlist(std::span<const std::uint32_t> vertices);
     void hand_out_resized();
+    void send_home();
     void clean_up(MoveReport& report);
     void put_back();
-    void collect_edits();
-    void collect_changes();
-    void change_interface(std::span<const std::uint32_t> changed);
-    void forget_ids();
-    void find_past();
     void expect_pools(const Archive& archive) const; // submesh_archive.cpp
     // Flows that see the interface: submesh_sight.cpp.
     AimReport<Real> aim_by_sight(const Flow<Real>& flow, Real time, Real dt);
     Reach<Real> aim_again_by_sight(const Flow<Real>& flow, Real time, Real dt);
     void join_interface();
     void hand_out_aims();
-    [[nodiscard]] Part& owner_of(std::uint32_t vertex);
+    [[nodiscard]] std::size_t owner_of(std::uint32_t vertex, std::size_t hint = 0) const;
     [[nodiscard]] Point<double> place_of(std::uint32_t vertex) const;
     [[nodiscard]] std::vector<float> work_of(const std::vector<std::uint32_t>& list) const;
 
-    Complex<Real>& complex_;
-    Options<Real> options_;
-    Algorithm<Real> algorithm_;
+    using Executor<Real>::complex_;
+    using Executor<Real>::options_;
+    using Executor<Real>::algorithm_;
+    using Executor<Real>::whole_;
+    using Executor<Real>::works_;
+    using Executor<Real>::epoch_;
+    using typename Executor<Real>::Progress;
+    using Executor<Real>::progress_;
+
     std::unique_ptr<Partitioner<Real>> partitioner_;
     SubmeshOptions submeshes_;
     Partition partition_;
     PartitionStatus status_;
 
-    std::vector<std::unique_ptr<Part>> parts_; // of all colours, colour by colour
-    std::size_t first_colour_ = 0;             // parts of the first colour
+    std::vector<std::unique_ptr<Part>> parts_;       // colour by colour; none: the whole is one
+    std::vector<std::unique_ptr<Part>> spare_parts_; // of earlier divisions: their lists have room
+    std::size_t first_colour_ = 0;                   // parts of the first colour
     Schedule aiming_;
     Schedule moving_;
     ThreadPool pool_;
     ThreadChoice choice_;
     Timer step_timer_;
-    Work<Real> whole_;                  // for what all colours left
     std::unique_ptr<Joined> joined_;    // made when a flow sees the interface
     std::vector<std::uint32_t> listed_; // scratch of hand_over
     std::vector<Point<double>> listed_places_;
     std::uint32_t threads_ = 1;
     std::uint32_t useful_threads_ = 1; // that have enough to do in this step
-    std::uint32_t epoch_ = 0;
-    Stage stage_ = Stage::none; // at the end of a step `none`, unless it gave up or something threw
     StepProfile profile_;
-    bool keeps_edits_ = false;
-    std::vector<Edit> edits_; // in the order of the sections, and there of the submeshes
 };
 
 } // namespace dsc

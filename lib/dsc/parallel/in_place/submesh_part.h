@@ -24,9 +24,6 @@ struct SubmeshExecutor<Real>::Part {
     const Colour* next = nullptr; // the next colour; null if there is none
     std::size_t next_first = 0;   // number of its first part
 
-    // Interface vertices that have entered the region: on their way, and to be listed when the
-    // sub-step is over.
-    DeferredQueue<Real> arrivals;
     std::uint64_t examined = 0; // stars, since the last division
     AimReport<Real> aimed;
     MoveReport moved;
@@ -50,7 +47,6 @@ struct SubmeshExecutor<Real>::Part {
         reserve(work.aim.positions, work.aim.targets, work.aim.held, work.aim.scratch.first,
                 work.aim.scratch.stage, work.aim.scratch.slope, work.aim.scratch.sum);
         reserve(pool.vertices, pool.triangles);
-        reserve(arrivals.entries);
     }
 
     void forget_aims() {

@@ -36,9 +36,6 @@ void SubmeshExecutor<Real>::begin_part(Part& part) {
     part.aim_s = 0;
     part.upkeep_s = 0;
     const Region& region = part.work.submesh.region;
-    if (region.is_whole()) {
-        return;
-    }
     std::erase_if(part.work.interface, [&](std::uint32_t v) {
         const Point<double> place = place_of(v);
         if (region.owns(v, place.x(), place.y())) {
@@ -86,17 +83,13 @@ void SubmeshExecutor<Real>::take(Work<Real>& work, const Deferred<Real>& one) {
     }
 }
 
-// What was put off by the submeshes that this one waited for, as far as it lies in this one.
+// What was put off for this submesh, by one that it waited for or in between the sections.
 template <class Real>
-void SubmeshExecutor<Real>::take_from_predecessors(Part& part, std::size_t task) {
-    Work<Real>& work = part.work;
-    const auto number = static_cast<std::uint32_t>(task);
-    for (const std::uint32_t earlier : moving_.tasks.predecessors(task)) {
-        const Part& from = *parts_[earlier];
-        for (const Deferred<Real>& one : from.work.deferred.entries) {
-            if (one.route == number) {
-                take(work, one);
-            }
+void SubmeshExecutor<Real>::take_routed(Work<Real>& work, const DeferredQueue<Real>& queue,
+                                        std::size_t task) {
+    for (const Deferred<Real>& one : queue.entries) {
+        if (one.route == task) {
+            take(work, one);
         }
     }
 }
@@ -109,15 +102,15 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     const bool is_first = task < first_colour_;
     part.moved = {};
     std::ranges::fill(part.passes_s, 0.0);
+    work.movers.clear();
     if (is_first) {
-        work.movers.clear();
         part.moved.held = collect_movers(work);
-        for (const Deferred<Real>& one : part.arrivals.entries) {
-            take(work, one);
-        }
+        take_routed(work, whole_.deferred, task);
     } else {
         work.deferred.clear();
-        take_from_predecessors(part, task);
+        for (const std::uint32_t earlier : moving_.tasks.predecessors(task)) {
+            take_routed(work, parts_[earlier]->work.deferred, task);
+        }
     }
     std::uint32_t epoch = work.epoch;
     if (is_first || !work.movers.empty() || !work.active.empty()) {
@@ -143,9 +136,13 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
 
 template <class Real>
 AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
+    if (parts_.empty()) {
+        return Executor<Real>::aim(flow, time, dt);
+    }
     Timer timer(submeshes_.profile);
-    stage_ = Stage::under_way;
+    progress_ = Progress::under_way;
     whole_.time = time;
+    whole_.dt = dt;
     std::size_t number = 0;
     for (const Colour& colour : partition_.colours) {
         const std::uint32_t epoch = next_epochs();
@@ -164,13 +161,13 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
         aiming_.run(pool_, threads_, submeshes_.assignment, task);
     }
     const double wall = timer.lap();
-    collect_edits();
+    this->collect_edits();
     AimReport<Real> report;
     for (std::size_t i = 0; i < first_colour_; ++i) {
         report += parts_[i]->aimed;
     }
     report += hand_over(flow, time, dt);
-    collect_edits();
+    this->collect_edits();
     if (flow.velocity() == nullptr) {
         report = aim_by_sight(flow, time, dt);
     }
@@ -185,7 +182,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
             profile.velocities += parts_[i]->velocities_s;
         }
     }
-    stage_ = Stage::aimed;
+    progress_ = Progress::aimed;
     return report;
 }
 
@@ -215,12 +212,8 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     for (const std::uint32_t v : listed_) {
         listed_places_.push_back(place_of(v));
     }
-    whole_.epoch = next_epochs();
-    whole_.dt = dt;
-    for (const auto& pass : algorithm_.upkeep) {
-        run_pass(whole_, pass);
-    }
-    whole_.deferred.clear();
+    whole_.epoch = this->new_stamp();
+    this->keep_up_whole();
     // Listed vertices that are still there stay listed; the others are new in some submesh. A
     // vertex that is elsewhere under the same id is a new one, which got the id of a deleted one.
     std::vector<std::uint32_t>& there = whole_.interface_next; // scratch of upkeep
@@ -304,6 +297,9 @@ void SubmeshExecutor<Real>::unlist(std::span<const std::uint32_t> vertices) {
 
 template <class Real>
 Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
+    if (parts_.empty()) {
+        return Executor<Real>::aim_again(flow, time, dt);
+    }
     if (flow.velocity() == nullptr) {
         return aim_again_by_sight(flow, time, dt);
     }
@@ -321,34 +317,26 @@ Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, 
 
 template <class Real>
 MoveReport SubmeshExecutor<Real>::move() {
-    Timer timer(submeshes_.profile);
-    stage_ = Stage::under_way;
-    MoveReport report;
-    if (!whole_.interface.empty()) {
-        whole_.movers.clear();
-        report.held += collect_movers(whole_);
-        for (const auto& mover : whole_.movers) {
-            owner_of(mover.vertex).arrivals.mover(mover);
-        }
-        whole_.movers.clear();
-        for (const std::uint32_t v : whole_.interface) {
-            owner_of(v).arrivals.listing(v);
-        }
-        whole_.interface.clear();
+    if (parts_.empty()) {
+        return Executor<Real>::move();
     }
+    Timer timer(submeshes_.profile);
+    progress_ = Progress::under_way;
+    MoveReport report;
+    whole_.movers.clear();
+    report.held = collect_movers(whole_);
+    send_home();
     hand_out_resized(); // also where all edges are of one length: perhaps since a moment ago
     const double hand_over = timer.lap();
     moving_.run(pool_, threads_, submeshes_.assignment, [&](std::size_t task) { move_part(task); });
     const double wall = timer.lap();
-    collect_edits();
+    this->collect_edits();
     for (const auto& part : parts_) {
         report += part->moved;
     }
     clean_up(report);
-    collect_edits();
-    collect_changes();
     report.unreached += report.held;
-    stage_ = Stage::none;
+    this->end_movement();
     if (submeshes_.profile) {
         SubStepProfile& profile = profile_.sub_steps.back();
         profile.hand_over += hand_over;
@@ -366,32 +354,35 @@ MoveReport SubmeshExecutor<Real>::move() {
     return report;
 }
 
+// What all colours left, and nobody else may have to do.
 template <class Real>
 void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
-    whole_.epoch = next_epochs();
+    for (const Deferred<Real>& one : whole_.deferred.entries) {
+        if (one.kind == DeferredKind::listing) {
+            parts_[one.route]->work.interface.push_back(one.vertex);
+        }
+    }
+    whole_.deferred.clear();
+    whole_.epoch = this->new_stamp();
     const std::size_t last_colour = parts_.size() - partition_.colours.back().regions.size();
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const Part& part = *parts_[i];
         const bool is_last = i >= last_colour;
-        for (const Deferred<Real>& one : part.work.deferred.entries) {
+        for (const Deferred<Real>& one : parts_[i]->work.deferred.entries) {
             if (is_last || one.route == Deferred<Real>::nowhere) {
                 take(whole_, one);
             }
         }
     }
-    std::uint32_t epoch = whole_.epoch;
     if (!whole_.movers.empty() || !whole_.active.empty()) {
-        report.passes = std::max(report.passes, run_motion(whole_, algorithm_.motion, epoch));
+        const MoveReport rest = this->move_whole();
+        report.passes = std::max(report.passes, rest.passes);
+        report.unreached += rest.unreached;
     }
-    report.unreached += give_up_movers(whole_);
-    whole_.deferred.clear();
-    for (std::size_t i = 0; i < first_colour_; ++i) {
-        for (const Deferred<Real>& one : parts_[i]->arrivals.entries) {
-            if (one.kind == DeferredKind::listing) {
-                parts_[i]->work.interface.push_back(one.vertex);
-            }
-        }
-        parts_[i]->arrivals.clear();
+    // A stage may set free those that did not arrive.
+    for (const auto& part : parts_) {
+        std::vector<Mover<Real>>& missed = part->work.movers;
+        whole_.movers.insert(whole_.movers.end(), missed.begin(), missed.end());
+        missed.clear();
     }
 }
 

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Who has what: each vertex of the interface, and each star that has to be visited, is in the list
+// of the submesh that owns it.
+#include "dsc/parallel/in_place/submesh_part.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+// The submesh of the first colour; the first one, if an application's partition has a gap.
+template <class Real>
+std::size_t SubmeshExecutor<Real>::owner_of(std::uint32_t vertex, std::size_t hint) const {
+    const Point<double> place = place_of(vertex);
+    const std::size_t at = partition_.colours.front().locate(vertex, place.x(), place.y(), hint);
+    return at < first_colour_ ? at : 0;
+}
+
+template <class Real>
+Work<Real>& SubmeshExecutor<Real>::home_of(std::uint32_t vertex) {
+    return parts_.empty() ? whole_ : parts_[owner_of(vertex)]->work;
+}
+
+template <class Real>
+void SubmeshExecutor<Real>::forget_ids() {
+    for (const auto& part : parts_) {
+        part->pool.vertices.clear();
+        part->pool.triangles.clear();
+    }
+}
+
+// Vertices to be looked at because targets changed there: to the submeshes that own them by now. An
+// id may be in use elsewhere since it was noted, and its stamp is not to be written from there
+// then. O(their number): they are in the order of stars, so that the submesh of one is nearly
+// always that of the next.
+template <class Real>
+void SubmeshExecutor<Real>::hand_out_resized() {
+    std::vector<std::uint32_t>& list = whole_.resized; // no submesh, so that it may collect
+    for (const auto& part : parts_) {
+        list.insert(list.end(), part->work.resized.begin(), part->work.resized.end());
+        part->work.resized.clear();
+    }
+    std::size_t at = 0;
+    for (const std::uint32_t v : list) {
+        if (complex_.is_alive(Vertex{v})) {
+            at = owner_of(v, at);
+            parts_[at]->work.resized.push_back(v);
+        }
+    }
+    list.clear();
+}
+
+// Interface vertices in no list, and those that came into another submesh: aimed by now, they move
+// in the submesh that owns them, and are listed there when the sub-step is over.
+template <class Real>
+void SubmeshExecutor<Real>::send_home() {
+    const auto to_owner = [this](Deferred<Real> one) {
+        one.route = static_cast<std::uint32_t>(owner_of(one.vertex));
+        whole_.deferred.entries.push_back(one);
+    };
+    for (const Mover<Real>& mover : whole_.movers) {
+        to_owner({.vertex = mover.vertex, .x = mover.x, .y = mover.y, .kind = DeferredKind::mover});
+    }
+    for (const std::uint32_t v : whole_.interface) {
+        to_owner({.vertex = v, .kind = DeferredKind::listing});
+    }
+    whole_.movers.clear();
+    whole_.interface.clear();
+}
+
+// A sub-step that did not come to its end: the stars that it was to look at are looked at in the
+// next one, and vertices that were on their way stay where they are.
+template <class Real>
+void SubmeshExecutor<Real>::put_back() {
+    std::vector<std::uint32_t>& later = whole_.resized; // for whichever submesh owns them then
+    for (Work<Real>* work : works_) {
+        later.insert(later.end(), work->active.begin(), work->active.end());
+        for (const Deferred<Real>& one : work->deferred.entries) {
+            if (one.kind == DeferredKind::star) {
+                later.push_back(one.vertex);
+            }
+        }
+        work->active.clear();
+        work->deferred.clear();
+        work->movers.clear();
+    }
+    if (progress_ == Progress::aimed) { // every vertex of the interface is in a list
+        for (const std::uint32_t v : whole_.interface) {
+            home_of(v).interface.push_back(v);
+        }
+        whole_.interface.clear();
+        this->collect_changes();
+    } else {
+        for (Work<Real>* work : works_) {
+            work->changed_interface.clear();
+        }
+        this->list_interface();
+    }
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template std::size_t SubmeshExecutor<Real>::owner_of(std::uint32_t, std::size_t) const;        \
+    template Work<Real>& SubmeshExecutor<Real>::home_of(std::uint32_t);                            \
+    template void SubmeshExecutor<Real>::forget_ids();                                             \
+    template void SubmeshExecutor<Real>::hand_out_resized();                                       \
+    template void SubmeshExecutor<Real>::send_home();                                              \
+    template void SubmeshExecutor<Real>::put_back();
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc
