@@ -2,7 +2,6 @@
 #include "shapes/outline.h"
 
 #include "dsc/base/error.h"
-#include "dsc/geometry/predicates.h"
 #include "measures/compensated_sum.h"
 
 #include <algorithm>
@@ -27,32 +26,6 @@ void add_perimeter(const Outline& outline, CompensatedSum& length) {
         const Point<double> edge = outline[i + 1 == outline.size() ? 0 : i + 1] - outline[i];
         length.add(std::hypot(edge.x(), edge.y()));
     }
-}
-
-/// An edge in the search for intersections: its ends, its box and its place in its outline.
-struct Side {
-    Point<double> a;
-    Point<double> b;
-    double left, right, low, high;
-    std::size_t outline, index;
-};
-
-/// For neighbours, `s` ending where `t` begins: true if `t` runs back along `s`.
-bool folds_back(const Side& s, const Side& t) {
-    return orientation(s.a, s.b, t.b) == 0 &&
-           (box_contains<double>(s.a, s.b, t.b) || box_contains<double>(t.a, t.b, s.a));
-}
-
-bool conflict(const Side& s, const Side& t, std::size_t size) {
-    if (s.outline == t.outline) {
-        if ((s.index + 1) % size == t.index) {
-            return folds_back(s, t);
-        }
-        if ((t.index + 1) % size == s.index) {
-            return folds_back(t, s);
-        }
-    }
-    return segments_meet<double>(s.a, s.b, t.a, t.b);
 }
 
 } // namespace
@@ -87,53 +60,10 @@ double perimeter(std::span<const Outline> outlines) {
     return length.value();
 }
 
-double longest_edge(const Outline& outline) {
-    double longest = 0.0;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point<double> edge = outline[i + 1 == outline.size() ? 0 : i + 1] - outline[i];
-        longest = std::max(longest, std::hypot(edge.x(), edge.y()));
-    }
-    return longest;
-}
-
 Outline reversed(Outline outline) {
     std::reverse(outline.begin(), outline.end());
     return outline;
 }
-
-bool is_simple(std::span<const Outline> outlines) {
-    std::vector<Side> sides;
-    for (std::size_t o = 0; o < outlines.size(); ++o) {
-        const Outline& outline = outlines[o];
-        check_outline(outline, "is_simple");
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            const Point<double>& a = outline[i];
-            const Point<double>& b = outline[i + 1 == outline.size() ? 0 : i + 1];
-            if (a == b) {
-                return false;
-            }
-            sides.push_back({a, b, std::min(a.x(), b.x()), std::max(a.x(), b.x()),
-                             std::min(a.y(), b.y()), std::max(a.y(), b.y()), o, i});
-        }
-    }
-    std::sort(sides.begin(), sides.end(),
-              [](const Side& s, const Side& t) { return s.left < t.left; });
-    std::vector<std::size_t> active;
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const Side& side = sides[i];
-        std::erase_if(active, [&](std::size_t other) { return sides[other].right < side.left; });
-        for (const std::size_t other : active) {
-            if (sides[other].low <= side.high && side.low <= sides[other].high &&
-                conflict(sides[other], side, outlines[side.outline].size())) {
-                return false;
-            }
-        }
-        active.push_back(i);
-    }
-    return true;
-}
-
-bool is_simple(const Outline& outline) { return is_simple(std::span(&outline, 1)); }
 
 void check_outline(const Outline& outline, const std::string& where) {
     if (outline.size() < 3) {

@@ -26,14 +26,8 @@ using Outline = std::vector<Point<double>>;
 
 [[nodiscard]] double perimeter(const Outline& outline);
 [[nodiscard]] double perimeter(std::span<const Outline> outlines);
-[[nodiscard]] double longest_edge(const Outline& outline);
 
 [[nodiscard]] Outline reversed(Outline outline);
-
-/// True if no two edges of all the outlines meet, except that neighbours share their common vertex.
-/// Decided by exact predicates.
-[[nodiscard]] bool is_simple(std::span<const Outline> outlines);
-[[nodiscard]] bool is_simple(const Outline& outline);
 
 /// Throws InputError unless the outline has at least three points and all of them are finite.
 void check_outline(const Outline& outline, const std::string& where);

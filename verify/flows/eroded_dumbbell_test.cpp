@@ -4,6 +4,7 @@
 #include "flows/eroded_dumbbell.h"
 
 #include "dsc/base/error.h"
+#include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -145,14 +146,14 @@ TEST(ErodedDumbbell, HasOutlinesOfThatArea) {
             const ExactShape shape = eroded_dumbbell(d, depth);
             EXPECT_NEAR(signed_area(shape.outlines), shape.area, shape.own_error + 1e-15) << depth;
             EXPECT_LT(shape.own_error, 1e-7);
-            EXPECT_TRUE(is_simple(shape.outlines));
+            EXPECT_TRUE(test::is_simple(shape.outlines));
             EXPECT_EQ(shape.outlines.size(), depth < d.neck / 2 ? 1U : 2U) << depth;
         }
         for (const double distance : {0.0, 0.01, d.rounding, 0.07, 0.2}) {
             const ExactShape shape = grown_dumbbell(d, distance);
             EXPECT_NEAR(signed_area(shape.outlines), shape.area, shape.own_error + 1e-15)
                 << distance;
-            EXPECT_TRUE(is_simple(shape.outlines));
+            EXPECT_TRUE(test::is_simple(shape.outlines));
             EXPECT_EQ(shape.outlines.size(), 1U);
         }
         EXPECT_TRUE(eroded_dumbbell(d, 0.15).outlines.empty());
@@ -172,8 +173,8 @@ TEST(ErodedDumbbell, RefusesWhatIsNoShape) {
 TEST(Dumbbell, MayHaveAWaist) {
     EXPECT_EQ(waisted.distance / 2, rounding_offset(waisted).x());
     const Outline outline = dumbbell(waisted, 1e-4);
-    EXPECT_TRUE(is_simple(outline));
-    EXPECT_LE(longest_edge(outline), 1e-4 * (1 + 1e-9));
+    EXPECT_TRUE(test::is_simple(outline));
+    EXPECT_LE(test::longest_edge(outline), 1e-4 * (1 + 1e-9));
     EXPECT_NEAR(signed_area(outline), dumbbell_area(waisted), 1e-8);
     EXPECT_NEAR(distance_from(outline, waisted.centre), 0.03, 1e-8);
 }

@@ -6,6 +6,7 @@
 #include "flows/sine_cosine.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"
+#include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -173,7 +174,7 @@ TEST(Exact, SingleVortexHasTheKnownPerimeterAndKeepsItsArea) {
         const ExactShape fine =
             advected_shape(curve, flow, 0.5 * period, 256, {.spacing = 2e-3, .deviation = 1e-6});
         EXPECT_NEAR(perimeter(fine.outlines), length, 3e-6);
-        EXPECT_TRUE(is_simple(fine.outlines));
+        EXPECT_TRUE(test::is_simple(fine.outlines));
         for (const ExactShape& shape : {rough, fine}) {
             EXPECT_LT(shape.own_error, 2e-4 * shape.area);
             EXPECT_NEAR(signed_area(shape.outlines), shape.area, 0.1 * shape.own_error);
@@ -264,7 +265,7 @@ TEST(Exact, ACurveThatComesBackIsKnownBest) {
 TEST(Exact, SwirledSlottedDisc) {
     const ExactShape shape = advected_shape(slotted_disc_curve({}), steady(Swirl{}), 4.0);
     EXPECT_LT(shape.own_error, 1e-7);
-    EXPECT_TRUE(is_simple(shape.outlines));
+    EXPECT_TRUE(test::is_simple(shape.outlines));
     EXPECT_NEAR(signed_area(shape.outlines), shape.area, 1e-9);
     EXPECT_LT(2.0 * shape.area / perimeter(shape.outlines), 0.01) << "thinner than an edge";
     for (const Point<double>& corner : slot_corners({})) {

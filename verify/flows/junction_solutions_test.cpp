@@ -4,6 +4,7 @@
 
 #include "dsc/base/error.h"
 #include "measures/symmetric_difference.h"
+#include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,7 @@ TEST(Lens, IsTheShortestOneOfItsArea) {
     EXPECT_DOUBLE_EQ(shape.area, area);
     EXPECT_NEAR(signed_area(shape.outlines), area, shape.own_error + 1e-15);
     EXPECT_LT(shape.own_error, 1e-8);
-    EXPECT_TRUE(is_simple(shape.outlines));
+    EXPECT_TRUE(test::is_simple(shape.outlines));
 }
 
 TEST(Lens, MeetsTheInterfaceAt120Degrees) {
@@ -131,7 +132,7 @@ TEST(FourSectors, TheRightOneLosesAreaAtTheRateOfItsTurn) {
                 << theta << ", " << time;
             EXPECT_NEAR(signed_area(shape.outlines), shape.area, shape.own_error);
             EXPECT_LT(shape.own_error, 1e-9);
-            EXPECT_TRUE(is_simple(shape.outlines));
+            EXPECT_TRUE(test::is_simple(shape.outlines));
             EXPECT_NEAR(shape.outlines.front().front().x(),
                         0.5 + opening_factor(degrees(theta)) / 2 * std::sqrt(time), 1e-15);
         }
@@ -214,7 +215,7 @@ TEST(FourSectors, AreCutByAnyBox) {
         EXPECT_NEAR(shape.area, sum, 1e-6);
         EXPECT_LT(shape.own_error, 1e-8);
         EXPECT_NEAR(signed_area(shape.outlines), shape.area, shape.own_error);
-        EXPECT_TRUE(is_simple(shape.outlines));
+        EXPECT_TRUE(test::is_simple(shape.outlines));
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "dsc/base/error.h"
 #include "measures/symmetric_difference.h"
+#include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -78,7 +79,7 @@ TEST(TwoDiscs, HaveOutlinesOfThatArea) {
             EXPECT_NEAR(signed_area(shape.outlines), shape.area, shape.own_error + 1e-15)
                 << growth << ", " << shrinkage;
             EXPECT_LT(shape.own_error, 1e-7);
-            EXPECT_TRUE(is_simple(shape.outlines));
+            EXPECT_TRUE(test::is_simple(shape.outlines));
         }
     }
 }

@@ -4,7 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/initial/initial_complex.h"
-#include "dsc/initial/input/curve_contacts.h"
+#include "dsc/initial/input/contacts.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,8 @@
 namespace dsc::curve_errors_test {
 namespace {
 
-using initial::EdgeContact;
-using initial::NetworkEdge;
-using initial::NetworkPiece;
+using initial::Contact;
+using initial::NetworkLine;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -48,7 +47,7 @@ TEST(CurveErrors, OneCurve) {
     expect_error({across, {{}, 1, 0}}, "curve 1", "too few points");
     expect_error({{{{0, 0.5}}, 1, 0}}, "curve 0", "too few points: got 1");
     expect_error({{{{0.2, 0.5}, {0.4, 0.5}, {0.2, 0.5}}, 1, 0}}, "curve 0",
-                 "closed curve has too few points");
+                 "too few points: got 2");
     for (const double bad : {infinity, -infinity, not_a_number}) {
         expect_error({across, {{{0, 0.2}, {0.5, bad}, {1, 0.2}}, 1, 0}}, "curve 1, point 1",
                      "not finite");
@@ -63,18 +62,21 @@ TEST(CurveErrors, OneCurve) {
 }
 
 TEST(CurveErrors, Sides) {
-    expect_error({{{{0, 0.5}, {1.1, 0.5}}, 1, 0}}, "curve 0, point 1", "outside the domain");
-    expect_error({{{{0, 0.5}, {0, 1.5}}, 1, 0}}, "curve 0, point 1", "outside the domain");
+    expect_error({{{{0, 0.5}, {1.1, 0.5}}, 1, 0}}, "curve 0, point 1",
+                 "outside the domain or too close");
+    expect_error({{{{0, 0.5}, {0, 1.5}}, 1, 0}}, "curve 0, point 1",
+                 "outside the domain or too close");
     expect_error({{{{0, 0.5}, {0.5, 1}, {1, 0.5}}, 1, 0}}, "curve 0, point 1",
-                 "too close to a side");
+                 "outside the domain or too close");
     expect_error({{{{0, 0.5}, {0.5, 1e-5}, {1, 0.5}}, 1, 0}}, "curve 0, point 1",
-                 "too close to a side");
+                 "outside the domain or too close");
     EXPECT_NO_THROW(build({{{{0, 0.5}, {0.5, 6e-5}, {1, 0.5}}, 1, 0}}));
-    expect_error({{{{1e-9, 0.5}, {1, 0.5}}, 1, 0}}, "curve 0, point 0", "too close to a side");
-    expect_error({{{{0, 0.2}, {0, 0.8}}, 1, 0}}, "curve 0, edge 0", "lies in a side");
-    expect_error({{{{0.2, 1}, {0.8, 1}}, 1, 0}}, "curve 0, edge 0", "lies in a side");
+    expect_error({{{{1e-9, 0.5}, {1, 0.5}}, 1, 0}}, "curve 0, point 0",
+                 "outside the domain or too close");
+    expect_error({{{{0, 0.2}, {0, 0.8}}, 1, 0}}, "curve 0, edge 0", "runs along a side");
+    expect_error({{{{0.2, 1}, {0.8, 1}}, 1, 0}}, "curve 0, edge 0", "runs along a side");
     expect_error({{{{0, 0}, {1, 0.0003}, {0.9, 0.5}, {0, 0.4}}, 1, 0}}, "curve 0, point 1",
-                 "too close to a side");
+                 "outside the domain or too close");
     expect_error({{{{0, 0}, {0.9, 0.0003}, {0.9, 0.5}, {0, 0.4}}, 1, 0}}, "curve 0, edge 0",
                  "runs along a side");
 }
@@ -95,7 +97,7 @@ TEST(CurveErrors, Ends) {
 
 TEST(CurveErrors, Contacts) {
     expect_error({across, {{{0.5, 0}, {0.5, 1}}, 1, 0}}, "curve 0, edge 0",
-                 "cross or touch: got contact with curve 1, edge 0");
+                 "cross, touch or overlap: got contact with curve 1, edge 0");
     expect_error({{{{0, 0.2}, {0.6, 0.2}, {0.6, 0.6}, {0.3, 0.6}, {0.3, 0}}, 1, 0}},
                  "curve 0, edge 0", "contact with curve 0, edge 3");
     // A point on an edge, on a point; ends on a point that is no end; an overlap; two the same.
@@ -156,53 +158,71 @@ TEST(CurveErrors, FloatsThatCollide) {
 
 struct Lines {
     std::vector<Point<double>> points;
-    std::vector<NetworkEdge> edges;
-    std::vector<NetworkPiece> pieces;
+    std::vector<NetworkLine> lines;
 };
 
-// Lines between points of a coarse lattice, some cut in the middle. Ends at the same place now and
-// then have the same number.
+// Lines between points of a coarse lattice. Ends at the same place now and then have the same
+// number.
 Lines random_lines(std::mt19937& random) {
-    Lines lines;
+    Lines result;
     std::map<std::pair<double, double>, std::uint32_t> numbers;
     const auto number = [&](double x, double y) {
         const auto [at, fresh] =
-            numbers.try_emplace({x, y}, static_cast<std::uint32_t>(lines.points.size()));
+            numbers.try_emplace({x, y}, static_cast<std::uint32_t>(result.points.size()));
         if (fresh || random() % 64 == 0) {
-            at->second = static_cast<std::uint32_t>(lines.points.size());
-            lines.points.emplace_back(x, y);
+            at->second = static_cast<std::uint32_t>(result.points.size());
+            result.points.emplace_back(x, y);
         }
         return at->second;
     };
     const std::size_t count = 2 + random() % 5;
-    while (lines.edges.size() < count) {
+    while (result.lines.size() < count) {
         std::array<double, 4> at{};
         for (double& c : at) {
             c = static_cast<double>(random() % 12);
         }
-        if (at[0] == at[2] && at[1] == at[3]) {
-            continue;
+        if (at[0] != at[2] || at[1] != at[3]) {
+            const std::uint32_t from = number(at[0], at[1]);
+            result.lines.push_back({from, number(at[2], at[3])});
         }
-        const std::uint32_t from = number(at[0], at[1]);
-        const std::uint32_t to = number(at[2], at[3]);
-        const auto edge = static_cast<std::uint32_t>(lines.edges.size());
-        lines.edges.push_back({from, to});
-        if (random() % 2 == 0) {
-            lines.pieces.push_back({{from, to}, edge});
-            continue;
-        }
-        const auto middle = static_cast<std::uint32_t>(lines.points.size());
-        lines.points.emplace_back((at[0] + at[2]) / 2, (at[1] + at[3]) / 2);
-        lines.pieces.push_back({{from, middle}, edge});
-        lines.pieces.push_back({{middle, to}, edge});
     }
-    return lines;
+    return result;
+}
+
+// Star-shaped polygons on a coarse grid: now and then simple, often touching in vertices, in edges
+// or along them. No lines if one of them has no area or an edge no length.
+Lines random_polygons(std::mt19937& random, int grid) {
+    Lines result;
+    const std::size_t polygons = 1 + random() % 3;
+    for (std::size_t p = 0; p < polygons; ++p) {
+        const double cx = static_cast<double>(random() % 3) - 1;
+        const auto n = static_cast<std::uint32_t>(3 + random() % 5);
+        const double radius = 0.2 + 0.3 * static_cast<double>(random() % 4);
+        const auto first = static_cast<std::uint32_t>(result.points.size());
+        scenes::Outline outline;
+        for (std::uint32_t k = 0; k < n; ++k) {
+            const double angle = 2 * std::numbers::pi * k / n;
+            const double r = radius * (random() % 2 == 0 ? 1 : 0.6);
+            outline.emplace_back(std::round(grid * (cx + r * std::cos(angle))) / grid,
+                                 std::round(grid * r * std::sin(angle)) / grid);
+            result.lines.push_back({first + k, first + (k + 1) % n});
+        }
+        bool flat = scenes::signed_area(outline) == 0;
+        for (std::uint32_t k = 0; k < n; ++k) {
+            flat = flat || outline[k] == outline[(k + 1) % n];
+        }
+        if (flat) {
+            return {};
+        }
+        result.points.insert(result.points.end(), outline.begin(), outline.end());
+    }
+    return result;
 }
 
 // Any common point counts that is not the place of a common number.
-bool touch(const Lines& lines, const NetworkEdge& s, const NetworkEdge& t) {
+bool touch(const Lines& lines, const NetworkLine& s, const NetworkLine& t) {
     const auto& p = lines.points;
-    const auto inside = [&](std::uint32_t v, const NetworkEdge& e) {
+    const auto inside = [&](std::uint32_t v, const NetworkLine& e) {
         return dsc::orientation<double>(p[e.from], p[e.to], p[v]) == 0 &&
                dsc::box_contains<double>(p[e.from], p[e.to], p[v]);
     };
@@ -219,51 +239,48 @@ bool touch(const Lines& lines, const NetworkEdge& s, const NetworkEdge& t) {
     if ((s.from == t.from && s.to == t.to) || (s.from == t.to && s.to == t.from)) {
         return true;
     }
-    const auto side = [&](const NetworkEdge& e, std::uint32_t v) {
+    const auto side = [&](const NetworkLine& e, std::uint32_t v) {
         return dsc::orientation<double>(p[e.from], p[e.to], p[v]);
     };
     return side(s, t.from) * side(s, t.to) < 0 && side(t, s.from) * side(t, s.to) < 0;
 }
 
-TEST(CurveContacts, AgreeWithAllPairs) {
+std::optional<Contact> contact_in(const Lines& lines) {
+    return initial::find_contact(lines.points, lines.lines);
+}
+
+// Whether there is a contact. The sweep finds one if there is, and one that is true.
+bool expect_same_as_all_pairs(const Lines& lines) {
+    bool expected = false;
+    for (std::uint32_t e = 0; e < lines.lines.size(); ++e) {
+        for (std::uint32_t f = e + 1; f < lines.lines.size(); ++f) {
+            expected = expected || touch(lines, lines.lines[e], lines.lines[f]);
+        }
+    }
+    const auto contact = contact_in(lines);
+    EXPECT_EQ(contact.has_value(), expected);
+    if (contact) {
+        EXPECT_LT(contact->line, contact->other);
+        EXPECT_TRUE(touch(lines, lines.lines[contact->line], lines.lines[contact->other]));
+    }
+    return expected;
+}
+
+TEST(Contacts, AgreeWithAllPairs) {
     std::mt19937 random(5);
     std::size_t with = 0;
     std::size_t without = 0;
-    for (int i = 0; i < 20000; ++i) {
-        const Lines lines = random_lines(random);
-        std::optional<EdgeContact> expected;
-        for (std::uint32_t e = 0; e < lines.edges.size(); ++e) {
-            for (std::uint32_t f = e + 1; f < lines.edges.size() && !expected; ++f) {
-                if (touch(lines, lines.edges[e], lines.edges[f])) {
-                    expected = EdgeContact{e, f};
-                }
-            }
-        }
-        ASSERT_EQ(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 1e-3),
-                  expected)
-            << "case " << i;
-        (expected ? with : without) += 1;
+    for (int i = 0; i < 40000; ++i) {
+        SCOPED_TRACE("case " + std::to_string(i));
+        const Lines lines = i % 2 == 0 ? random_lines(random) : random_polygons(random, 4 + i % 24);
+        (expect_same_as_all_pairs(lines) ? with : without) += 1;
+        ASSERT_FALSE(HasFailure());
     }
-    EXPECT_GT(with, 2000U);
-    EXPECT_GT(without, 2000U);
+    EXPECT_GT(with, 4000U);
+    EXPECT_GT(without, 4000U);
 }
 
-// Pieces that rounding has moved over a neighbour are found though their edges are apart.
-TEST(CurveContacts, PiecesCountAsWell) {
-    Lines lines;
-    lines.points = {{0, 0}, {2, 0}, {0, 1}, {2, 1}, {1, 1.1}};
-    lines.edges = {{0, 1}, {2, 3}};
-    lines.pieces = {{{0, 4}, 0}, {{4, 1}, 0}, {{2, 3}, 1}};
-    const std::optional<EdgeContact> contact{{0, 1}};
-    EXPECT_EQ(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 0.1), contact);
-    lines.points[4].y() = 0.9;
-    EXPECT_FALSE(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 0.1));
-    // And the other way round: an edge ends on another one, whose pieces have been moved away.
-    lines.points = {{0, 0}, {2, 0}, {0.5, 0}, {0.5, 1}, {1, -0.05}};
-    EXPECT_EQ(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 0.1), contact);
-}
-
-TEST(CurveContacts, AreFoundAmongManyLinesThatAreApart) {
+TEST(Contacts, AreFoundAmongManyLinesThatAreApart) {
     Lines lines;
     const std::uint32_t count = 20000;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -271,12 +288,29 @@ TEST(CurveContacts, AreFoundAmongManyLinesThatAreApart) {
         const double y = static_cast<double>(i / 100);
         lines.points.emplace_back(x, y);
         lines.points.emplace_back(x + 0.9, y + 0.9);
-        lines.edges.push_back({2 * i, 2 * i + 1});
-        lines.pieces.push_back({lines.edges.back(), i});
+        lines.lines.push_back({2 * i, 2 * i + 1});
     }
-    EXPECT_FALSE(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 1e-3));
+    EXPECT_FALSE(contact_in(lines));
     lines.points[2 * 7001 + 1] += Point<double>(2, 0);
-    EXPECT_TRUE(dsc::initial::find_contact(lines.points, lines.edges, lines.pieces, 1e-3));
+    EXPECT_TRUE(contact_in(lines));
+}
+
+TEST(Contacts, OfALongOutlineAreFoundInOneSweep) {
+    Lines comb; // every edge overlaps all others in y
+    const std::uint32_t teeth = 50000;
+    for (std::uint32_t i = 0; i < teeth; ++i) {
+        comb.points.emplace_back(2.0 * i, 0.0);
+        comb.points.emplace_back(2.0 * i + 1, 1.0);
+    }
+    comb.points.emplace_back(2.0 * teeth, -1.0);
+    comb.points.emplace_back(-1.0, -1.0);
+    const auto count = static_cast<std::uint32_t>(comb.points.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        comb.lines.push_back({i, (i + 1) % count});
+    }
+    EXPECT_FALSE(contact_in(comb));
+    comb.points[70001].y() = -2;
+    EXPECT_TRUE(contact_in(comb));
 }
 
 } // namespace

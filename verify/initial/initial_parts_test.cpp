@@ -7,25 +7,18 @@
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/lattice.h"
 #include "dsc/initial/build/segments.h"
-#include "dsc/initial/input/outline_sweep.h"
 #include "dsc/queries/validate.h"
 #include "support/initial_testing.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <numbers>
 #include <random>
 
 namespace dsc::initial_parts_test {
 namespace {
 
 using initial::Place;
-using initial::SweepPolygon;
-
-using Polygon = std::vector<Point<double>>;
-
-using std::numbers::pi;
 
 TEST(Lattice, IsAValidComplexOfEverySize) {
     for (std::uint32_t columns = 1; columns < 6; ++columns) {
@@ -158,129 +151,6 @@ TEST(Segments, AreRecoveredThroughAnything) {
     }
 }
 
-// --- the sweep against all pairs
-// ------------------------------------------------------------------
-
-bool segments_touch(const Point<double>& a, const Point<double>& b, const Point<double>& c,
-                    const Point<double>& d) {
-    const auto side = [](const auto& p, const auto& q, const auto& r) {
-        return dsc::orientation<double>(p, q, r);
-    };
-    const auto in_box = [](const auto& p, const auto& q, const auto& r) {
-        return std::min(p.x(), q.x()) <= r.x() && r.x() <= std::max(p.x(), q.x()) &&
-               std::min(p.y(), q.y()) <= r.y() && r.y() <= std::max(p.y(), q.y());
-    };
-    return (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) ||
-           (side(a, b, c) == 0 && in_box(a, b, c)) || (side(a, b, d) == 0 && in_box(a, b, d)) ||
-           (side(c, d, a) == 0 && in_box(c, d, a)) || (side(c, d, b) == 0 && in_box(c, d, b));
-}
-
-bool any_contact(const std::vector<Polygon>& polygons) {
-    for (std::size_t p = 0; p < polygons.size(); ++p) {
-        for (std::size_t q = p; q < polygons.size(); ++q) {
-            const std::size_t n = polygons[p].size();
-            const std::size_t m = polygons[q].size();
-            for (std::size_t i = 0; i < n; ++i) {
-                for (std::size_t j = p == q ? i + 1 : 0; j < m; ++j) {
-                    const auto& a = polygons[p][i];
-                    const auto& b = polygons[p][(i + 1) % n];
-                    const auto& c = polygons[q][j];
-                    const auto& d = polygons[q][(j + 1) % m];
-                    if (p == q && (j == i + 1 || (i == 0 && j + 1 == n))) {
-                        // Successive edges: a spike is a contact, the common vertex is not.
-                        const auto& common = j == i + 1 ? b : a;
-                        const auto& one = j == i + 1 ? a : b;
-                        const auto& other = j == i + 1 ? d : c;
-                        if (dsc::orientation<double>(one, common, other) == 0 &&
-                            (one - common).dot(other - common) > 0) {
-                            return true;
-                        }
-                    } else if (segments_touch(a, b, c, d)) {
-                        return true;
-                    }
-                }
-            }
-        }
-    }
-    return false;
-}
-
-dsc::initial::SweepResult sweep(const std::vector<Polygon>& polygons) {
-    std::vector<SweepPolygon> all;
-    for (const auto& p : polygons) {
-        all.push_back({p, dsc::scenes::signed_area(p) > 0});
-    }
-    return dsc::initial::sweep(all);
-}
-
-// Star-shaped polygons on a coarse grid: now and then simple, often touching in vertices, in edges
-// or along them.
-TEST(Sweep, AgreesWithAllPairs) {
-    std::mt19937 random(11);
-    std::size_t with = 0;
-    std::size_t without = 0;
-    for (int i = 0; i < 20000; ++i) {
-        std::vector<Polygon> polygons(1 + random() % 3);
-        const int grid = i % 2 == 0 ? 8 : 24;
-        for (auto& polygon : polygons) {
-            const double cx = static_cast<double>(random() % 3) - 1;
-            const std::size_t n = 3 + random() % 5;
-            const double radius = 0.2 + 0.3 * static_cast<double>(random() % 4);
-            for (std::size_t k = 0; k < n; ++k) {
-                const double angle = 2 * pi * static_cast<double>(k) / static_cast<double>(n);
-                const double r = radius * (random() % 2 == 0 ? 1 : 0.6);
-                polygon.push_back({std::round(grid * (cx + r * std::cos(angle))) / grid,
-                                   std::round(grid * r * std::sin(angle)) / grid});
-            }
-        }
-        bool flat = false;
-        for (const auto& polygon : polygons) {
-            flat = flat || dsc::scenes::signed_area(polygon) == 0;
-            for (std::size_t k = 0; k < polygon.size(); ++k) {
-                flat = flat || polygon[k] == polygon[(k + 1) % polygon.size()];
-            }
-        }
-        if (flat) {
-            continue;
-        }
-        const bool expected = any_contact(polygons);
-        const auto result = sweep(polygons);
-        ASSERT_EQ(result.contact.has_value(), expected) << "case " << i;
-        (expected ? with : without) += 1;
-        if (expected) {
-            continue;
-        }
-        for (std::size_t p = 0; p < polygons.size(); ++p) {
-            std::uint32_t parent = dsc::no_id;
-            double least = 1e300;
-            for (std::uint32_t q = 0; q < polygons.size(); ++q) {
-                const double size = std::abs(dsc::scenes::signed_area(polygons[q]));
-                if (q != p && size < least && test::is_inside(polygons[q], polygons[p].front())) {
-                    parent = q;
-                    least = size;
-                }
-            }
-            EXPECT_EQ(result.parent[p], parent) << "case " << i;
-        }
-    }
-    EXPECT_GT(with, 2000U);
-    EXPECT_GT(without, 2000U);
-}
-
-TEST(Sweep, TakesALongOutlineInItsStride) {
-    Polygon comb; // every edge overlaps all others in y
-    const int teeth = 50000;
-    for (int i = 0; i < teeth; ++i) {
-        comb.push_back({2.0 * i, 0.0});
-        comb.push_back({2.0 * i + 1, 1.0});
-    }
-    comb.push_back({2.0 * teeth, -1.0});
-    comb.push_back({-1.0, -1.0});
-    EXPECT_FALSE(sweep({comb}).contact);
-    comb[70001].y() = -2;
-    EXPECT_TRUE(sweep({comb}).contact);
-}
-
 // --- errors
 // ---------------------------------------------------------------------------------------
 
@@ -331,9 +201,9 @@ TEST(InitialErrors, OneOutline) {
     const Shape good = square(0.1, 0.1, 0.1);
     Shape bad = square(0.5, 0.5, 0.2);
     bad.outline[2].x() = not_a_number;
-    expect_error({good, bad}, "shape 1, vertex 2", "not finite");
+    expect_error({good, bad}, "shape 1, point 2", "not finite");
     bad.outline[2].x() = infinity;
-    expect_error({good, bad}, "shape 1, vertex 2", "not finite");
+    expect_error({good, bad}, "shape 1, point 2", "not finite");
     expect_error({good, {{}, 1}}, "shape 1", "too few");
     expect_error({{{{0.2, 0.2}, {0.4, 0.4}}, 1}}, "shape 0", "too few");
     bad = square(0.5, 0.5, 0.2);
@@ -342,30 +212,35 @@ TEST(InitialErrors, OneOutline) {
     bad = square(0.5, 0.5, 0.2);
     bad.outline.push_back(bad.outline.front());
     expect_error({bad}, "shape 0, edge 4", "no length");
-    expect_error({{{{0.2, 0.2}, {0.4, 0.4}, {0.6, 0.6}, {0.3, 0.3}}, 1}}, "shape 0", "no area");
+    expect_error({{{{0.2, 0.2}, {0.4, 0.4}, {0.6, 0.6}, {0.3, 0.3}}, 1}}, "shape 0, edge 0",
+                 "overlap");
     expect_error({square(0.5, 0.5, 0.2, dsc::border_phase)}, "shape 0", "reserved");
     expect_error({square(0.5, 0.5, 0.04)}, "shape 0", "larger than the shape");
-    expect_error({square(0.8, 0.5, 0.2)}, "shape 0, vertex 1", "strictly inside");
-    expect_error({square(0.79999, 0.5, 0.2)}, "shape 0, vertex 1", "strictly inside");
-    expect_error({square(-0.1, 0.5, 0.2)}, "shape 0, vertex 0", "strictly inside");
-    expect_error({square(2, 2, 0.2)}, "shape 0, vertex 0", "strictly inside");
+    expect_error({square(0.8, 0.5, 0.2)}, "shape 0, point 1", "outside the domain or too close");
+    expect_error({square(0.79999, 0.5, 0.2)}, "shape 0, point 1",
+                 "outside the domain or too close");
+    expect_error({square(-0.1, 0.5, 0.2)}, "shape 0, point 0", "outside the domain or too close");
+    expect_error({square(2, 2, 0.2)}, "shape 0, point 0", "outside the domain or too close");
 }
 
 TEST(InitialErrors, Contacts) {
     expect_error({{{{0.2, 0.2}, {0.6, 0.6}, {0.6, 0.2}, {0.2, 0.6}}, 1}}, "shape 0, edge 0",
-                 "itself: got contact with shape 0, edge 2");
+                 "cross, touch or overlap: got contact with shape 0, edge 2");
     // A vertex on another edge, a vertex on another vertex, a spike.
     expect_error({{{{0.2, 0.2}, {0.6, 0.2}, {0.6, 0.6}, {0.4, 0.2}, {0.2, 0.6}}, 1}},
-                 "shape 0, edge 0", "itself");
+                 "shape 0, edge 0", "contact with shape 0");
     expect_error({{{{0.2, 0.2}, {0.4, 0.4}, {0.6, 0.2}, {0.6, 0.6}, {0.4, 0.4}, {0.2, 0.6}}, 1}},
-                 "shape 0, edge 0", "itself");
+                 "shape 0, edge 0", "contact with shape 0");
     expect_error({{{{0.2, 0.2}, {0.6, 0.2}, {0.4, 0.2}, {0.4, 0.6}}, 1}}, "shape 0, edge 0",
-                 "itself");
+                 "contact with shape 0");
     expect_error({square(0.2, 0.2, 0.2), square(0.3, 0.3, 0.2, 2)}, "shape 0, edge 2",
-                 "two outlines cross or touch: got contact with shape 1, edge 3");
-    expect_error({square(0.2, 0.2, 0.2), square(0.4, 0.2, 0.2, 2)}, "shape 0, edge 1", "two");
-    expect_error({square(0.2, 0.2, 0.2), square(0.2, 0.2, 0.2, 2)}, "shape 0, edge 0", "two");
-    expect_error({square(0.2, 0.2, 0.4), square(0.3, 0.2, 0.2, 2)}, "shape 0, edge 0", "two");
+                 "got contact with shape 1, edge 3");
+    expect_error({square(0.2, 0.2, 0.2), square(0.4, 0.2, 0.2, 2)}, "shape 0, edge 0",
+                 "contact with shape 1");
+    expect_error({square(0.2, 0.2, 0.2), square(0.2, 0.2, 0.2, 2)}, "shape 0, edge 0",
+                 "contact with shape 1");
+    expect_error({square(0.2, 0.2, 0.4), square(0.3, 0.2, 0.2, 2)}, "shape 0, edge 0",
+                 "contact with shape 1");
 }
 
 TEST(InitialErrors, Phases) {
@@ -388,7 +263,7 @@ TEST(InitialErrors, FloatsThatCollide) {
     // Apart as doubles, the same line as floats.
     expect_error<float>({square(0.2, 0.2, 0.2),
                          {{{0.4 + 1e-9, 0.2}, {0.6, 0.2}, {0.6, 0.4}, {0.4 + 1e-9, 0.4}}, 2}},
-                        "shape 0, edge 1", "two outlines");
+                        "shape 0, edge 0", "contact with shape 1");
 }
 
 } // namespace

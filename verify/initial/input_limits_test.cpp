@@ -2,7 +2,7 @@
 // Input at the very limit of what is allowed, and outlines that begin anywhere.
 #include "dsc/base/error.h"
 #include "dsc/initial/initial_complex.h"
-#include "dsc/initial/input/domain_check.h"
+#include "dsc/initial/input/input_check.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 

@@ -8,6 +8,7 @@
 #include "dsc/base/error.h"
 #include "dsc/queries/outlines.h"
 #include "dsc/queries/phases.h"
+#include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -79,8 +80,8 @@ TEST(Dumbbell, HasTheAreaOfItsOutline) {
         .centre = {1, 2}, .radius = 0.2, .distance = 0.7, .neck = 0.2, .rounding = 0.03};
     for (const Dumbbell& d : {Dumbbell{}, wide}) {
         const Outline outline = dumbbell(d, 1e-4);
-        EXPECT_TRUE(is_simple(outline));
-        EXPECT_LE(longest_edge(outline), 1e-4 * (1 + 1e-9));
+        EXPECT_TRUE(test::is_simple(outline));
+        EXPECT_LE(test::longest_edge(outline), 1e-4 * (1 + 1e-9));
         EXPECT_NEAR(signed_area(outline), dumbbell_area(d), 1e-8);
     }
     EXPECT_THROW((void)dumbbell({.neck = 0.3}, 0.01), InputError);

@@ -3,6 +3,7 @@
 #include "dsc/base/error.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"
+#include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -45,24 +46,25 @@ TEST(Outline, AreaDoesNotLoseDigitsFarFromTheOrigin) {
 }
 
 TEST(Outline, SimplicityIsDecidedExactly) {
-    EXPECT_TRUE(is_simple(square(0.0, 0.0, 1.0)));
-    EXPECT_FALSE(is_simple(Outline{{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
-    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {2, 1}, {1, 0}, {0, 1}})) << "touches an edge";
-    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {1, 0}, {1, 1}})) << "folds back";
-    EXPECT_FALSE(is_simple(Outline{{0, 0}, {2, 0}, {1, 0}})) << "folds back";
-    EXPECT_FALSE(is_simple(Outline{{1, 0}, {2, 0}, {0, 0}})) << "folds back";
-    EXPECT_FALSE(is_simple(Outline{{0, 0}, {0, 0}, {1, 0}, {1, 1}})) << "point twice";
+    EXPECT_TRUE(test::is_simple(square(0.0, 0.0, 1.0)));
+    EXPECT_FALSE(test::is_simple(Outline{{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
+    EXPECT_FALSE(test::is_simple(Outline{{0, 0}, {2, 0}, {2, 1}, {1, 0}, {0, 1}}))
+        << "touches an edge";
+    EXPECT_FALSE(test::is_simple(Outline{{0, 0}, {2, 0}, {1, 0}, {1, 1}})) << "folds back";
+    EXPECT_FALSE(test::is_simple(Outline{{0, 0}, {2, 0}, {1, 0}})) << "folds back";
+    EXPECT_FALSE(test::is_simple(Outline{{1, 0}, {2, 0}, {0, 0}})) << "folds back";
+    EXPECT_FALSE(test::is_simple(Outline{{0, 0}, {0, 0}, {1, 0}, {1, 1}})) << "point twice";
     const std::vector<Outline> nested{square(0, 0, 3), reversed(square(1, 1, 1))};
-    EXPECT_TRUE(is_simple(nested));
+    EXPECT_TRUE(test::is_simple(nested));
     const std::vector<Outline> crossing{square(0, 0, 3), square(2, 2, 3)};
-    EXPECT_FALSE(is_simple(crossing));
+    EXPECT_FALSE(test::is_simple(crossing));
     EXPECT_THROW(check_outline({{0, 0}, {1, 1}}, "test"), InputError);
     EXPECT_THROW(check_outline({{0, 0}, {1, NAN}, {1, 1}}, "test"), InputError);
 }
 
 void expect_sound(const Outline& outline, double edge_length, double area, double tolerance) {
-    EXPECT_TRUE(is_simple(outline));
-    EXPECT_LE(longest_edge(outline), edge_length * (1.0 + 1e-12));
+    EXPECT_TRUE(test::is_simple(outline));
+    EXPECT_LE(test::longest_edge(outline), edge_length * (1.0 + 1e-12));
     EXPECT_NEAR(signed_area(outline), area, tolerance);
 }
 
@@ -95,7 +97,7 @@ TEST(Shapes, KeepTheirAreaCornersAndEdgeLength) {
 
     expect_sound(star({0, 0}, 1.0, 0.4, 5, 0.05), 0.05, 5 * 0.4 * std::sin(pi / 5), 1e-14);
     const std::vector<Outline> four = four_circles({0.5, 0.5}, 0.4, 0.1, 0.01);
-    EXPECT_TRUE(is_simple(four));
+    EXPECT_TRUE(test::is_simple(four));
     EXPECT_EQ(four.size(), 4U);
     EXPECT_NEAR(signed_area(four), 4.0 * 0.5 * 63 * 0.01 * std::sin(2.0 * pi / 63), 1e-15);
     EXPECT_THROW((void)circle({0, 0}, -1.0, 0.1), InputError);

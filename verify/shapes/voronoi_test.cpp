@@ -5,6 +5,7 @@
 #include "dsc/base/error.h"
 #include "dsc/geometry/predicates.h"
 #include "support/initial_testing.h"
+#include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +47,7 @@ TEST(Voronoi, ThePointsOfACellAreNearestToItsSite) {
         EXPECT_NEAR(total_area(cells), whole, 1e-12 * whole);
         for (std::size_t i = 0; i < cells.size(); ++i) {
             EXPECT_TRUE(test::is_inside(cells[i], sites[i])) << "site " << i;
-            EXPECT_TRUE(is_simple(cells[i])) << "site " << i;
+            EXPECT_TRUE(test::is_simple(cells[i])) << "site " << i;
         }
         for (int k = 0; k < 3000; ++k) {
             const double x = share(random);
@@ -142,7 +143,7 @@ TEST(VoronoiShortEdges, AreContracted) {
         }
         for (std::size_t i = 0; i < cells.size(); ++i) {
             ASSERT_GE(cells[i].size(), 3U);
-            EXPECT_TRUE(is_simple(cells[i]));
+            EXPECT_TRUE(test::is_simple(cells[i]));
             short_before += shortest_edge(whole[i]) < shortest ? 1U : 0U;
             for (std::size_t k = 0; k < cells[i].size(); ++k) {
                 const Point<double>& p = cells[i][k];

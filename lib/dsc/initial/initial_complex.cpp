@@ -4,13 +4,11 @@
 #include "dsc/complex/numbering.h"
 #include "dsc/initial/build/clearing.h"
 #include "dsc/initial/build/delaunay.h"
-#include "dsc/initial/build/faces.h"
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/phases.h"
 #include "dsc/initial/build/segments.h"
 #include "dsc/initial/improve/grading.h"
 #include "dsc/initial/improve/improvement.h"
-#include "dsc/initial/input/curve_check.h"
 #include "dsc/initial/input/input_check.h"
 
 namespace dsc {
@@ -24,21 +22,23 @@ constexpr double clearance = 0.5;
 // arrays of a large complex need not be copied to grow.
 constexpr std::size_t spare_per_piece = 4;
 
-// A complex with these paths as its interface. `fill` gives the phases.
-template <class Real, class Fill>
-Complex<Real> build(const initial::Lattice& lattice, std::span<const initial::Path> paths,
-                    const InitialOptions& options, initial::Protection protection, Fill fill) {
+// A complex with these paths as its interface.
+template <class Real>
+Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& options,
+                    initial::Protection protection) {
     using namespace initial;
+    std::vector<Path> paths;
     std::size_t pieces = 0;
-    for (const Path& path : paths) {
-        pieces += path.size() - 1;
+    for (const CheckedPath& path : input.paths) {
+        paths.emplace_back(path.points);
+        pieces += path.points.size() - 1;
     }
     Complex<Real> complex;
-    write_lattice(lattice, spare_per_piece * pieces, complex);
-    clear_lattice(complex, lattice, paths, clearance);
-    Chains chains = insert_paths(complex, lattice, paths);
+    write_lattice(input.lattice, spare_per_piece * pieces, complex);
+    clear_lattice(complex, input.lattice, paths, clearance);
+    Chains chains = insert_paths(complex, input.lattice, paths);
     const std::vector<std::uint32_t> touched = recover_segments(complex, chains);
-    fill(complex, chains);
+    fill_phases(complex, input.paths, chains);
     std::vector<Corner> stack;
     for (const std::uint32_t v : touched) {
         legalise_star(complex, v, stack);
@@ -57,37 +57,20 @@ Complex<Real> build(const initial::Lattice& lattice, std::span<const initial::Pa
     return complex;
 }
 
-template <class Checked>
-std::vector<initial::Path> paths_of(const std::vector<Checked>& lines) {
-    std::vector<initial::Path> paths;
-    paths.reserve(lines.size());
-    for (const Checked& line : lines) {
-        paths.emplace_back(line.points);
-    }
-    return paths;
-}
-
 } // namespace
 
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
                               const InitialOptions& options) {
-    const initial::CheckedInput input = initial::check_input<Real>(domain, shapes, options);
-    return build<Real>(input.lattice, paths_of(input.outlines), options,
-                       initial::Protection::circle,
-                       [&](Complex<Real>& complex, const initial::Chains& chains) {
-                           initial::fill_phases(complex, std::span(input.outlines), chains);
-                       });
+    return build<Real>(initial::check_input<Real>(domain, shapes, options), options,
+                       initial::Protection::circle);
 }
 
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> curves,
                               const InitialOptions& options) {
-    const initial::CheckedCurves input = initial::check_curves<Real>(domain, curves, options);
-    return build<Real>(input.lattice, paths_of(input.curves), options, initial::Protection::lens,
-                       [&](Complex<Real>& complex, const initial::Chains& chains) {
-                           initial::fill_faces(complex, std::span(input.curves), chains);
-                       });
+    return build<Real>(initial::check_input<Real>(domain, curves, options), options,
+                       initial::Protection::lens);
 }
 
 template Complex<double> initial_complex(const Rectangle&, std::span<const Shape>,

@@ -81,9 +81,7 @@ Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Sha
 /// coordinates of other ends: three and more make a junction. Edges are cut as those of outlines;
 /// all points given stay, bit for bit (for float: as rounded).
 ///
-/// Time and memory: O(1) per triangle, plus O(n log n) for n curves; the contacts of pieces much
-/// shorter than the others, and crowded, are searched in up to the square of their number. The same
-/// input gives the same bits.
+/// Time and memory, and the same bits for the same input: as above.
 ///
 /// \throw InputError where a coordinate, the edge length or a size makes no sense; a curve has too
 /// few points, an edge without length, one phase on both sides or a reserved one; a point lies

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Phases from outlines: each region between outlines is flooded from one of its edges.
+// Phases from the interface: each region gets the phase that the paths around it name.
 #pragma once
 
 #include "dsc/initial/build/chains.h"
@@ -9,9 +9,10 @@
 
 namespace dsc::initial {
 
-/// Gives the triangles inside each outline, but outside of those that it contains, its phase. All
-/// marks must be 0, and are so afterwards. O(triangles inside).
+/// Floods each region from the pieces around it; a region that no path names keeps its phase. All
+/// marks must be 0, and are so afterwards. Throws InputError if two paths name different phases for
+/// one region, or one has the same phase on both sides. O(triangles).
 template <class Real>
-void fill_phases(Complex<Real>& complex, std::span<const Outline> outlines, const Chains& chains);
+void fill_phases(Complex<Real>& complex, std::span<const CheckedPath> paths, const Chains& chains);
 
 } // namespace dsc::initial

@@ -2,171 +2,479 @@
 #include "dsc/initial/input/input_check.h"
 
 #include "dsc/base/error.h"
+#include "dsc/geometry/distance.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/initial/input/cutting.h"
-#include "dsc/initial/input/outline_sweep.h"
-#include "dsc/initial/input/text.h"
+#include "dsc/initial/input/contacts.h"
+#include "dsc/initial/rounding.h"
 
 #include <algorithm>
-#include <string>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
 
 namespace dsc::initial {
 
 namespace {
 
-std::string shape_name(std::size_t shape) { return "shape " + std::to_string(shape); }
+using Points = std::vector<Point<double>>;
 
-std::string vertex_name(std::size_t shape, std::size_t vertex) {
-    return shape_name(shape) + ", vertex " + std::to_string(vertex);
+// The shortest digits that read back as the same number.
+std::string text(double value) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end.ptr};
 }
 
-std::string shape_edge_name(std::size_t shape, std::size_t edge) {
-    return shape_name(shape) + ", edge " + std::to_string(edge);
+std::string text(const Point<double>& point) {
+    std::string words(1, '('); // GCC 12 warns of "(" + a temporary string (its bug 105651)
+    words += text(point.x());
+    words += ", ";
+    words += text(point.y());
+    words += ')';
+    return words;
 }
 
-void check_collinear(const std::vector<Point<double>>& points, std::size_t shape) {
-    const Point<double>& a = points.front();
-    const Point<double>* b = &a;
-    for (const auto& point : points) {
-        b = largest(point - a) > largest(*b - a) ? &point : b;
+// --- the domain and the options ------------------------------------------------------------------
+
+// Of the lattice. Where edges grow, it is as coarse as they may become: an eighth of the smaller
+// side of the domain is small enough for triangles of good quality, and costs nothing.
+double spacing_of(const InitialOptions& options, double side) {
+    if (options.sizes.is_uniform()) {
+        return options.edge_length;
     }
-    for (const auto& point : points) {
-        if (orientation<double>(a, *b, point) != 0) {
-            return;
+    const double coarse = std::max(options.edge_length, side / 8);
+    return options.sizes.longest > 0 ? std::min(coarse, options.sizes.longest) : coarse;
+}
+
+template <class Real>
+Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
+    const double h = options.edge_length;
+    if (!std::isfinite(h) || h <= 0) {
+        throw InputError({.what = "edge length",
+                          .where = "options",
+                          .value = text(h),
+                          .allowed = "a finite number above 0"});
+    }
+    if (options.improve_rounds < 0) {
+        throw InputError({.what = "rounds of improvement",
+                          .where = "options",
+                          .value = std::to_string(options.improve_rounds),
+                          .allowed = "0 or more"});
+    }
+    const Point<double> low = rounded<Real>(domain.low);
+    const Point<double> high = rounded<Real>(domain.high);
+    if (!is_finite(low) || !is_finite(high)) {
+        throw InputError({.what = "a coordinate is not finite",
+                          .where = "domain",
+                          .value = text(domain.low) + " to " + text(domain.high),
+                          .allowed = "finite coordinates"});
+    }
+    const double width = high.x() - low.x();
+    const double height = high.y() - low.y();
+    if (!(width > 0) || !(height > 0) || !std::isfinite(width * height)) {
+        throw InputError({.what = "the rectangle is empty or out of range",
+                          .where = "domain",
+                          .value = text(domain.low) + " to " + text(domain.high),
+                          .allowed = "low below high in x and y, and an area that is finite"});
+    }
+    if (h < least_initial_edge_length || h > 1 / least_initial_edge_length) {
+        throw InputError({.what = "edge length is out of range",
+                          .where = "options",
+                          .value = text(h),
+                          .allowed = text(least_initial_edge_length) + " to " +
+                                     text(1 / least_initial_edge_length) +
+                                     "; choose_frame brings any scene there"});
+    }
+    if (h > std::min(width, height)) {
+        throw InputError({.what = "edge length is larger than the domain",
+                          .where = "options",
+                          .value = text(h),
+                          .allowed = "at most " + text(std::min(width, height))});
+    }
+    const double resolution = std::max(largest(low), largest(high)) *
+                              static_cast<double>(std::numeric_limits<Real>::epsilon());
+    if (h < least_steps * resolution) {
+        throw InputError({.what = "edge length is below what coordinates of this size resolve",
+                          .where = "options",
+                          .value = text(h),
+                          .allowed = "at least " + text(least_steps * resolution) +
+                                     "; choose_frame brings a scene near the origin"});
+    }
+    check_sizes(options.sizes, h);
+    const double spacing = spacing_of(options, std::min(width, height));
+    // An equilateral triangle has the area sqrt(3)/4 h^2.
+    const double triangles = width / spacing * (height / spacing) / 0.43301270189221933;
+    if (!(triangles <= most_triangles)) {
+        throw InputError(
+            {.what = "the complex would be absurdly large",
+             .where = "options",
+             .value = "edge length " + text(h) + ", about " + text(triangles) + " triangles",
+             .allowed = "at most " + text(most_triangles) + " triangles"});
+    }
+    return fit_lattice(low, high, spacing);
+}
+
+// --- one path ------------------------------------------------------------------------------------
+
+// An outline or a curve, while it is checked.
+struct Line {
+    CheckedPath path; // its points are rounded, and then cut
+    Points given;     // a closed line repeats its first point at the end
+
+    [[nodiscard]] bool is_outline() const { return !path.right; }
+    [[nodiscard]] std::string point(std::size_t i) const {
+        return path.name + ", point " + std::to_string(i);
+    }
+    [[nodiscard]] std::string edge(std::size_t i) const {
+        return path.name + ", edge " + std::to_string(i);
+    }
+    [[nodiscard]] std::string ends_of_edge(std::size_t i) const {
+        return text(given[i]) + " to " + text(given[i + 1]);
+    }
+};
+
+std::vector<Line> lines_of(std::span<const Shape> shapes) {
+    std::vector<Line> lines(shapes.size());
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        lines[k].path.name = "shape " + std::to_string(k);
+        lines[k].path.left = shapes[k].phase;
+        lines[k].given = shapes[k].outline;
+        if (!lines[k].given.empty()) {
+            lines[k].given.push_back(lines[k].given.front());
         }
     }
-    throw InputError({.what = "the outline encloses no area",
-                      .where = shape_name(shape),
-                      .value = std::to_string(points.size()) + " collinear vertices",
-                      .allowed = "a simple polygon"});
+    return lines;
 }
 
-void check_extent(const std::vector<Point<double>>& points, std::size_t shape,
-                  const Lattice& lattice, double h) {
+std::vector<Line> lines_of(std::span<const Curve> curves) {
+    std::vector<Line> lines(curves.size());
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        lines[k].path.name = "curve " + std::to_string(k);
+        lines[k].path.left = curves[k].left;
+        lines[k].path.right = curves[k].right;
+        lines[k].given = curves[k].points;
+    }
+    return lines;
+}
+
+void check_phases(const CheckedPath& path) {
+    for (const Phase phase : {path.left, path.right.value_or(path.left)}) {
+        if (phase == border_phase) {
+            throw InputError({.what = "the phase is reserved",
+                              .where = path.name,
+                              .value = std::to_string(phase),
+                              .allowed = "0 to 4294967294"});
+        }
+    }
+    if (path.right == path.left) {
+        throw InputError({.what = "the curve has one phase on both sides",
+                          .where = path.name,
+                          .value = std::to_string(path.left),
+                          .allowed = "two phases that differ"});
+    }
+}
+
+// Rounds the points: enough of them, all finite, and no two that follow each other the same.
+template <class Real>
+Points round_points(const Line& line) {
+    const Points& given = line.given;
+    const bool closed = given.size() > 1 && given.front() == given.back();
+    const std::size_t count = given.size() - (closed ? 1 : 0);
+    if (count < (closed ? 3 : 2)) {
+        throw InputError({.what = "too few points",
+                          .where = line.path.name,
+                          .value = std::to_string(count),
+                          .allowed = "2 or more, and 3 or more different ones around a region"});
+    }
+    Points points;
+    points.reserve(given.size());
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        points.push_back(rounded<Real>(given[i]));
+        if (!is_finite(given[i]) || !is_finite(points.back())) {
+            throw InputError({.what = "a coordinate is not finite",
+                              .where = line.point(i),
+                              .value = text(given[i]),
+                              .allowed = "finite coordinates"});
+        }
+        if (i > 0 && points[i - 1] == points[i]) {
+            throw InputError({.what = given[i - 1] == given[i]
+                                          ? "the edge has no length"
+                                          : "points collide when rounded to the scalar of the "
+                                            "complex",
+                              .where = line.edge(i - 1),
+                              .value = line.ends_of_edge(i - 1),
+                              .allowed = "points that differ from the one before; the first point "
+                                         "of an outline is not repeated at the end"});
+        }
+    }
+    return points;
+}
+
+// The distance of a point from the nearest side of the domain; negative outside.
+double distance_to_sides(const Lattice& lattice, const Point<double>& p) {
+    return std::min({p.x() - lattice.low.x(), lattice.high.x() - p.x(), p.y() - lattice.low.y(),
+                     lattice.high.y() - p.y()});
+}
+
+void check_places(const Line& line, const Lattice& lattice, double h) {
+    const Points& points = line.path.points;
     Point<double> low = points.front();
     Point<double> high = points.front();
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const Point<double>& p = points[i];
-        if (!(distance_to_sides(lattice, p) >= least_margin * h)) {
-            throw InputError({.what = "the outline is not strictly inside the domain",
-                              .where = vertex_name(shape, i),
-                              .value = text(p),
-                              .allowed = "a distance of at least " + text(least_margin * h) +
-                                         " to the sides of " + text(lattice.low) + " to " +
-                                         text(lattice.high)});
+        const bool may_touch = !line.is_outline() && (i == 0 || i + 1 == points.size());
+        const double distance = distance_to_sides(lattice, points[i]);
+        if (!(distance >= least_margin * h) && !(may_touch && distance == 0)) {
+            throw InputError(
+                {.what = "the point is outside the domain or too close to a side of it",
+                 .where = line.point(i),
+                 .value = text(points[i]),
+                 .allowed = "a distance of at least " + text(least_margin * h) +
+                            " to the sides of " + text(lattice.low) + " to " + text(lattice.high) +
+                            "; the ends of a curve may lie on them exactly"});
         }
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
+        low = low.cwiseMin(points[i]);
+        high = high.cwiseMax(points[i]);
     }
     const double side = (high - low).minCoeff();
-    if (h > side) {
+    if (line.is_outline() && h > side) {
         throw InputError(
             {.what = "edge length is larger than the shape",
-             .where = shape_name(shape),
+             .where = line.path.name,
              .value = text(h),
              .allowed = "at most " + text(side) + ", the smaller side of its bounding box"});
     }
 }
 
-// Rounds one shape and makes all checks that need no other shape, except for crossings.
-template <class Real>
-std::vector<Point<double>> check_shape(const Shape& shape, std::size_t index,
-                                       const Lattice& lattice, double h) {
-    const auto& outline = shape.outline;
-    if (shape.phase == border_phase) {
-        throw InputError({.what = "the phase is reserved",
-                          .where = shape_name(index),
-                          .value = std::to_string(shape.phase),
-                          .allowed = "0 to 4294967294"});
-    }
-    if (outline.size() < 3) {
-        throw InputError({.what = "the outline has too few vertices",
-                          .where = shape_name(index),
-                          .value = std::to_string(outline.size()),
-                          .allowed = "3 or more"});
-    }
-    std::vector<Point<double>> points;
-    points.reserve(outline.size());
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        points.push_back(rounded<Real>(outline[i]));
-        if (!is_finite(outline[i]) || !is_finite(points.back())) {
-            throw InputError({.what = "a coordinate is not finite",
-                              .where = vertex_name(index, i),
-                              .value = text(outline[i]),
-                              .allowed = "finite coordinates"});
-        }
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::size_t j = i + 1 < points.size() ? i + 1 : 0;
-        if (points[i] == points[j]) {
-            const bool zero = outline[i] == outline[j];
-            throw InputError(
-                {.what = zero ? "the edge has no length"
-                              : "vertices collide when rounded to the scalar of the complex",
-                 .where = shape_edge_name(index, i),
-                 .value = text(outline[i]) + " to " + text(outline[j]),
-                 .allowed = "distinct vertices; the first is not repeated at the end"});
-        }
-    }
-    check_collinear(points, index);
-    check_extent(points, index, lattice, h);
-    return points;
+// A length that is a whole number of target lengths, up to rounding, is cut into as many pieces.
+// Counted before rounding, so that float and double are cut alike.
+double piece_count(const Line& line, std::size_t edge, double h) {
+    constexpr double whole_number_slack = 1e-9;
+    const double length = (line.given[edge + 1] - line.given[edge]).norm();
+    return std::max(1.0, std::ceil(length / h * (1 - whole_number_slack)));
 }
 
-// From the turn at the lowest of the leftmost vertices, which is convex in a simple polygon. If it
-// is 0, the edges overlap, which the sweep reports.
-bool is_counter_clockwise(const std::vector<Point<double>>& points) {
+// Rounds each line, and makes the checks that need no other one.
+template <class Real>
+void check_lines(std::vector<Line>& lines, const Lattice& lattice, double h) {
+    double pieces = 0;
+    for (Line& line : lines) {
+        check_phases(line.path);
+        line.path.points = round_points<Real>(line);
+        check_places(line, lattice, h);
+        for (std::size_t i = 0; i + 1 < line.given.size(); ++i) {
+            pieces += piece_count(line, i, h);
+        }
+        if (pieces > most_pieces) {
+            throw InputError({.what = "the interface would be cut into absurdly many pieces",
+                              .where = line.path.name,
+                              .value = text(pieces),
+                              .allowed = "at most " + text(most_pieces)});
+        }
+    }
+}
+
+// --- all of them together ------------------------------------------------------------------------
+
+// The interface by numbers: equal ends of curves are one point. The outline of a shape has its
+// points for itself.
+class Network {
+public:
+    Network(std::span<const Line> lines, const Lattice& lattice, double h)
+        : lines_(lines), lattice_(lattice), h_(h), ends_(lines.size()) {}
+
+    // An end inside the domain must meet another one.
+    void join_ends() {
+        std::vector<End> ends;
+        for (std::uint32_t k = 0; k < lines_.size(); ++k) {
+            const Points& given = lines_[k].given;
+            const Points& points = lines_[k].path.points;
+            if (lines_[k].is_outline()) {
+                ends_[k].fill(number(points.front()));
+            } else {
+                ends.push_back({points.front(), given.front(), k, 0});
+                ends.push_back({points.back(), given.back(), k, 1});
+            }
+        }
+        std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
+            const auto key = [](const End& e) {
+                return std::tuple(e.place.x(), e.place.y(), e.line, e.index);
+            };
+            return key(a) < key(b);
+        });
+        for (std::size_t i = 0; i < ends.size();) {
+            std::size_t after = i;
+            const std::uint32_t point = number(ends[i].place);
+            for (; after < ends.size() && ends[after].place == ends[i].place; ++after) {
+                check_same(ends[i], ends[after]);
+                ends_[ends[after].line][ends[after].index] = point;
+            }
+            if (after == i + 1) {
+                check_single(ends[i]);
+            }
+            i = after;
+        }
+    }
+
+    // The points of a line and of the pieces that its edges are cut into, rounded.
+    template <class Real>
+    Points cut(std::uint32_t k) {
+        const Line& line = lines_[k];
+        const Points& points = line.path.points;
+        Points result;
+        std::uint32_t from = ends_[k][0];
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            const Point<double>& a = points[i];
+            const Point<double>& b = points[i + 1];
+            const std::uint32_t to = i + 2 < points.size() ? number(b) : ends_[k][1];
+            const auto pieces = static_cast<std::uint32_t>(piece_count(line, i, h_));
+            if (distance_to_sides(lattice_, midpoint<double>(a, b)) == 0) {
+                refuse_along_side(line, i, midpoint<double>(a, b));
+            }
+            edges_.push_back({from, to});
+            edge_names_.push_back({k, static_cast<std::uint32_t>(i)});
+            result.push_back(a);
+            for (std::uint32_t j = 1; j < pieces; ++j) {
+                const double fraction = static_cast<double>(j) / pieces;
+                const Point<double> p = rounded<Real>(a + fraction * (b - a));
+                if (!(distance_to_sides(lattice_, p) >= least_margin * h_)) {
+                    refuse_along_side(line, i, p);
+                }
+                result.push_back(p);
+                const std::uint32_t next = number(p);
+                add_piece(from, next);
+                from = next;
+            }
+            add_piece(from, to);
+            from = to;
+        }
+        result.push_back(points.back());
+        return result;
+    }
+
+    // Rounding moves the points that cut an edge: the pieces too must keep apart.
+    void check_contacts() const {
+        if (const auto contact = find_contact(points_, edges_)) {
+            refuse_contact(contact->line, contact->other);
+        }
+        if (pieces_.size() == edges_.size()) {
+            return;
+        }
+        if (const auto contact = find_contact(points_, pieces_)) {
+            refuse_contact(edge_of_piece_[contact->line], edge_of_piece_[contact->other]);
+        }
+    }
+
+private:
+    struct End {
+        Point<double> place;
+        Point<double> given;
+        std::uint32_t line;
+        std::uint32_t index; // 0: the first end, 1: the last one
+    };
+
+    std::uint32_t number(const Point<double>& point) {
+        points_.push_back(point);
+        return static_cast<std::uint32_t>(points_.size() - 1);
+    }
+
+    void add_piece(std::uint32_t from, std::uint32_t to) {
+        pieces_.push_back({from, to});
+        edge_of_piece_.push_back(static_cast<std::uint32_t>(edges_.size() - 1));
+    }
+
+    void check_same(const End& one, const End& other) const {
+        if (one.given != other.given) {
+            throw InputError({.what = "ends of curves collide when rounded to the scalar of the "
+                                      "complex",
+                              .where = lines_[other.line].path.name,
+                              .value = text(other.given) + ", with " + text(one.given) + " of " +
+                                       lines_[one.line].path.name,
+                              .allowed = "ends that are equal, or differ after rounding"});
+        }
+    }
+
+    void check_single(const End& end) const {
+        if (distance_to_sides(lattice_, end.place) != 0) {
+            const Line& line = lines_[end.line];
+            throw InputError({.what = "the curve ends inside the domain",
+                              .where = line.point(end.index == 0 ? 0 : line.given.size() - 1),
+                              .value = text(end.place),
+                              .allowed = "ends on a side of the domain, or exactly at other ends"});
+        }
+    }
+
+    [[noreturn]] void refuse_along_side(const Line& line, std::size_t edge,
+                                        const Point<double>& p) const {
+        throw InputError({.what = "the edge runs along a side of the domain",
+                          .where = line.edge(edge),
+                          .value = line.ends_of_edge(edge),
+                          .allowed = "a distance of at least " + text(least_margin * h_) +
+                                     " between its ends, as at " + text(p)});
+    }
+
+    [[noreturn]] void refuse_contact(std::uint32_t edge, std::uint32_t other) const {
+        const auto name = [this](std::uint32_t e) {
+            return lines_[edge_names_[e][0]].edge(edge_names_[e][1]);
+        };
+        const auto [first, second] = std::minmax(edge, other);
+        throw InputError({.what = "two edges cross, touch or overlap",
+                          .where = name(first),
+                          .value = "contact with " + name(second),
+                          .allowed = "outlines that are simple and apart; curves that meet nothing "
+                                     "but the ends of curves with their ends"});
+    }
+
+    std::span<const Line> lines_;
+    const Lattice& lattice_;
+    double h_;
+    std::vector<std::array<std::uint32_t, 2>>
+        ends_; // by line: the points that it begins and ends at
+    Points points_;
+    std::vector<NetworkLine> edges_;
+    std::vector<std::array<std::uint32_t, 2>> edge_names_; // by edge: its line, and its place there
+    std::vector<NetworkLine> pieces_;
+    std::vector<std::uint32_t> edge_of_piece_;
+};
+
+// From the turn at the lowest of the leftmost points, which is convex in a simple polygon.
+bool is_counter_clockwise(std::span<const Point<double>> points) {
     const auto at =
         std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
             return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
         });
     const auto before = at == points.begin() ? std::prev(points.end()) : std::prev(at);
     const auto after = std::next(at) == points.end() ? points.begin() : std::next(at);
-    return orientation<double>(*before, *at, *after) >= 0;
+    return orientation<double>(*before, *at, *after) > 0;
 }
 
-struct CutOutline {
-    std::vector<Point<double>> points;
-    std::vector<std::uint32_t> edge; // the edge of which a piece is part
-};
-
-double pieces_of_edge(const std::vector<Point<double>>& outline, std::size_t edge, double h) {
-    return piece_count(outline[edge], outline[edge + 1 < outline.size() ? edge + 1 : 0], h);
-}
-
-// Counts pieces of the outline before rounding, so that float and double are cut alike.
 template <class Real>
-CutOutline cut(const std::vector<Point<double>>& given, const std::vector<Point<double>>& points,
-               double h) {
-    CutOutline result;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Point<double>& a = points[i];
-        const Point<double>& b = points[i + 1 < points.size() ? i + 1 : 0];
-        const auto pieces = static_cast<std::uint32_t>(pieces_of_edge(given, i, h));
-        for (std::uint32_t k = 0; k < pieces; ++k) {
-            result.points.push_back(cut_point<Real>(a, b, k, pieces));
-            result.edge.push_back(static_cast<std::uint32_t>(i));
+CheckedInput check(const Rectangle& domain, std::vector<Line> lines,
+                   const InitialOptions& options) {
+    CheckedInput input{check_domain<Real>(domain, options), {}};
+    const double h = options.edge_length;
+    check_lines<Real>(lines, input.lattice, h);
+    Network network(lines, input.lattice, h);
+    network.join_ends();
+    std::vector<Points> cut;
+    for (std::uint32_t k = 0; k < lines.size(); ++k) {
+        cut.push_back(network.cut<Real>(k));
+    }
+    network.check_contacts();
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        CheckedPath& path = input.paths.emplace_back(std::move(lines[k].path));
+        const bool clockwise =
+            !path.right &&
+            !is_counter_clockwise(std::span(path.points).first(path.points.size() - 1));
+        path.points = std::move(cut[k]);
+        if (clockwise) {
+            std::reverse(path.points.begin(), path.points.end() - 1);
+            path.points.back() = path.points.front();
         }
     }
-    return result;
-}
-
-[[noreturn]] void refuse_contact(const Contact& contact, std::uint32_t edge,
-                                 std::uint32_t other_edge) {
-    const bool same = contact.polygon == contact.other_polygon;
-    throw InputError(
-        {.what = same ? "the outline crosses or touches itself" : "two outlines cross or touch",
-         .where = shape_edge_name(contact.polygon, edge),
-         .value = "contact with " + shape_edge_name(contact.other_polygon, other_edge),
-         .allowed = "outlines that are simple and apart"});
-}
-
-std::vector<SweepPolygon> polygons_of(const std::vector<std::vector<Point<double>>>& outlines) {
-    std::vector<SweepPolygon> polygons;
-    for (const auto& points : outlines) {
-        polygons.push_back({points, is_counter_clockwise(points)});
-    }
-    return polygons;
+    return input;
 }
 
 } // namespace
@@ -174,63 +482,22 @@ std::vector<SweepPolygon> polygons_of(const std::vector<std::vector<Point<double
 template <class Real>
 CheckedInput check_input(const Rectangle& domain, std::span<const Shape> shapes,
                          const InitialOptions& options) {
-    const double h = options.edge_length;
-    CheckedInput input;
-    input.lattice = check_domain<Real>(domain, options);
-    std::vector<std::vector<Point<double>>> outlines;
-    double pieces = 0;
-    for (std::size_t k = 0; k < shapes.size(); ++k) {
-        outlines.push_back(check_shape<Real>(shapes[k], k, input.lattice, h));
-        for (std::size_t i = 0; i < shapes[k].outline.size(); ++i) {
-            pieces += pieces_of_edge(shapes[k].outline, i, h);
-        }
-        if (pieces > most_pieces) {
-            throw InputError({.what = "the outlines would be cut into absurdly many pieces",
-                              .where = shape_name(k),
-                              .value = text(pieces),
-                              .allowed = "at most " + text(most_pieces)});
-        }
-    }
-    const SweepResult result = sweep(polygons_of(outlines));
-    if (result.contact) {
-        refuse_contact(*result.contact, result.contact->edge, result.contact->other_edge);
-    }
-    for (std::size_t k = 0; k < shapes.size(); ++k) {
-        const std::uint32_t parent = result.parent[k];
-        const Phase around = parent == no_id ? exterior_phase : shapes[parent].phase;
-        if (shapes[k].phase == around) {
-            throw InputError({.what = "the shape has the phase of what is around it",
-                              .where = shape_name(k),
-                              .value = std::to_string(shapes[k].phase),
-                              .allowed = "any other; phase 0 only in a shape of another phase"});
-        }
-    }
-    // Rounding moves the vertices that cut an edge; they too must keep the outlines apart.
-    std::vector<CutOutline> cuts;
-    std::vector<SweepPolygon> polygons;
-    for (std::size_t k = 0; k < outlines.size(); ++k) {
-        cuts.push_back(cut<Real>(shapes[k].outline, outlines[k], h));
-    }
-    for (std::size_t k = 0; k < cuts.size(); ++k) {
-        polygons.push_back({cuts[k].points, is_counter_clockwise(outlines[k])});
-    }
-    if (const auto contact = sweep(polygons).contact) {
-        refuse_contact(*contact, cuts[contact->polygon].edge[contact->edge],
-                       cuts[contact->other_polygon].edge[contact->other_edge]);
-    }
-    for (std::size_t k = 0; k < cuts.size(); ++k) {
-        if (!polygons[k].counter_clockwise) {
-            std::reverse(cuts[k].points.begin(), cuts[k].points.end());
-        }
-        cuts[k].points.push_back(cuts[k].points.front());
-        input.outlines.push_back({std::move(cuts[k].points), shapes[k].phase});
-    }
-    return input;
+    return check<Real>(domain, lines_of(shapes), options);
 }
 
-template CheckedInput check_input<double>(const Rectangle&, std::span<const Shape>,
-                                          const InitialOptions&);
-template CheckedInput check_input<float>(const Rectangle&, std::span<const Shape>,
-                                         const InitialOptions&);
+template <class Real>
+CheckedInput check_input(const Rectangle& domain, std::span<const Curve> curves,
+                         const InitialOptions& options) {
+    return check<Real>(domain, lines_of(curves), options);
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template CheckedInput check_input<Real>(const Rectangle&, std::span<const Shape>,              \
+                                            const InitialOptions&);                                \
+    template CheckedInput check_input<Real>(const Rectangle&, std::span<const Curve>,              \
+                                            const InitialOptions&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
 
 } // namespace dsc::initial

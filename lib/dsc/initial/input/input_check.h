@@ -1,28 +1,50 @@
 // SPDX-License-Identifier: MIT
-// What the initial complex is asked for, checked and made ready: outlines rounded to the scalar,
-// cut into pieces and counter-clockwise.
+// What a first complex is asked for, checked and made ready: outlines and curves alike, rounded to
+// the scalar and cut into pieces.
 #pragma once
 
-#include "dsc/initial/input/domain_check.h"
+#include "dsc/initial/build/lattice.h"
+#include "dsc/initial/initial_complex.h"
+
+#include <optional>
+#include <string>
 
 namespace dsc::initial {
 
-/// A checked outline, counter-clockwise, with no edge longer than the target and its first point
-/// repeated at the end; no two outlines cross or touch. Coordinates are representable in the scalar
-/// of the complex.
-struct Outline {
+/// The interface may come as close to the sides of the domain as this share of the edge length.
+inline constexpr double least_margin = 1e-3;
+/// More triangles than this are taken for a mistake; ids would end at 2^30.
+inline constexpr double most_triangles = 5e8;
+/// The interface may be cut into so many pieces.
+inline constexpr double most_pieces = most_triangles / 4;
+/// Qualities compare products of four lengths, and quotients of these: they must stay within the
+/// range of doubles. A simulation asks for more: `least_edge_length` in base/tolerances.h.
+inline constexpr double least_initial_edge_length = 1e-100;
+/// An edge length must span so many steps of the scalar at the largest coordinate.
+inline constexpr double least_steps = 64;
+
+/// A path of the interface without an edge longer than the target; a closed one repeats its first
+/// point at the end. Two of them, or two parts of one, have nothing in common but ends.
+struct CheckedPath {
+    std::string name; ///< in messages: "shape 2"
+    Phase left = exterior_phase;
+    std::optional<Phase> right; ///< none for an outline, which runs counter-clockwise
+    /// Representable in the scalar of the complex.
     std::vector<Point<double>> points;
-    Phase phase = exterior_phase;
 };
 
 struct CheckedInput {
     Lattice lattice;
-    std::vector<Outline> outlines;
+    std::vector<CheckedPath> paths;
 };
 
-/// Throws InputError as `initial_complex` documents.
+/// Throws InputError as `initial_complex` documents, except for phases that contradict each other:
+/// `fill_phases` finds these. O(n log n) for n pieces.
 template <class Real>
 CheckedInput check_input(const Rectangle& domain, std::span<const Shape> shapes,
+                         const InitialOptions& options);
+template <class Real>
+CheckedInput check_input(const Rectangle& domain, std::span<const Curve> curves,
                          const InitialOptions& options);
 
 } // namespace dsc::initial

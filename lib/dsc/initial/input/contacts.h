@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Do straight lines meet anywhere but at common ends? One sweep over all of them, in O(n log n) and
+// with exact signs (M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976).
+#pragma once
+
+#include "dsc/base/types.h"
+
+#include <optional>
+#include <span>
+
+namespace dsc::initial {
+
+/// A straight line by the numbers of its ends, which lie at different places. Lines that share a
+/// number may meet there; points at one place with different numbers touch each other.
+struct NetworkLine {
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+};
+
+/// Two lines that have a point in common and should not, the smaller number first.
+struct Contact {
+    std::uint32_t line = 0;
+    std::uint32_t other = 0;
+
+    friend bool operator==(const Contact&, const Contact&) = default;
+};
+
+/// One contact, if there are any. All coordinates must be finite.
+std::optional<Contact> find_contact(std::span<const Point<double>> points,
+                                    std::span<const NetworkLine> lines);
+
+} // namespace dsc::initial
