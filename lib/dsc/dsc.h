@@ -20,7 +20,6 @@
 #include "dsc/complex/spokes.h"
 #include "dsc/complex/submesh.h"
 
-#include "dsc/queries/components.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/locate.h"
 #include "dsc/queries/outlines.h"

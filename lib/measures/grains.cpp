@@ -3,7 +3,8 @@
 
 #include "dsc/base/error.h"
 #include "dsc/geometry/triangle.h"
-#include "dsc/queries/components.h"
+#include "dsc/queries/outlines.h"
+#include "dsc/queries/phases.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "measures/phases.h"
 
-#include "dsc/queries/components.h"
+#include "dsc/queries/phases.h"
 #include "measures/compensated_sum.h"
 
 #include <map>

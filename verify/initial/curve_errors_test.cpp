@@ -119,6 +119,12 @@ TEST(CurveErrors, Contacts) {
     const double beside = std::nextafter(0.4, 1);
     expect_error({{{{0.2, 0}, {0.6, 1}}, 1, 0}, {{{1, 0.3}, {0.4, 0.5}, {1, 0.7}}, 1, 0}},
                  "curve 0, edge 0", "contact with curve 1, edge 0");
+    // A point exactly on an edge whose pieces are moved away from it, to one side or the other.
+    for (const double side : {0.0, 1.0}) {
+        const Curve tip{{{0.2, side}, {0.25, 0.34375}, {0.3, side}}, 1, 0};
+        expect_error({{{{0, 0.25}, {1, 0.625}}, 1, 0}, tip}, "curve 0, edge 0",
+                     "contact with curve 1");
+    }
     EXPECT_NO_THROW(
         build({{{{0.4, 0}, {0.4, 1}}, 1, 2}, {{{1, 0.3}, {beside, 0.51}, {1, 0.7}}, 2, 0}}));
 }

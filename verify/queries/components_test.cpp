@@ -4,7 +4,7 @@
 #include "support/small_meshes.h"
 
 #include "dsc/geometry/triangle.h"
-#include "dsc/queries/components.h"
+#include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "support/ways.h"
 
 #include "dsc/parallel/parallel.h"
-#include "dsc/queries/components.h"
+#include "dsc/queries/phases.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 

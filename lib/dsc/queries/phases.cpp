@@ -3,7 +3,8 @@
 
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/interface_pair.h"
-#include "dsc/complex/ranges.h"
+#include "dsc/geometry/triangle.h"
+#include "dsc/queries/outlines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,12 +93,38 @@ double phase_area(const Complex<Real>& complex, Phase phase) {
     return sum + lost;
 }
 
+template <class Real>
+Components components(const Complex<Real>& complex) {
+    Components result;
+    const auto at = [&](Vertex v) {
+        return Point<double>(complex.position(v).template cast<double>());
+    };
+    const auto across = [&](Corner c) { return complex.phase_at(complex.twin(c)); };
+    result.of = label_parts(
+        complex, [&](Corner c) { return across(c) == complex.phase_at(c); },
+        [&](std::uint32_t part, Triangle t) {
+            if (part == result.list.size()) {
+                result.list.push_back({.phase = complex.phase(t)});
+            }
+            Component& component = result.list[part];
+            const auto [a, b, c] = complex.vertices_of(t);
+            ++component.triangles;
+            component.area += area(at(a), at(b), at(c));
+            component.touches_border = component.touches_border || is_boundary(complex, t);
+        });
+    for_each_outline(complex, [&](std::span<const Corner> outline) {
+        ++result.list[result.of[triangle_of(outline.front())]].outlines;
+    });
+    return result;
+}
+
 #define DSC_INSTANTIATE_SIMPLEX(Real, Simplex)                                                     \
     template bool is_boundary(const Complex<Real>&, Simplex);                                      \
     template bool is_interface(const Complex<Real>&, Simplex);
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::vector<Phase> phases(const Complex<Real>&);                                      \
     template double phase_area(const Complex<Real>&, Phase);                                       \
+    template Components components(const Complex<Real>&);                                          \
     DSC_INSTANTIATE_SIMPLEX(Real, Vertex)                                                          \
     DSC_INSTANTIATE_SIMPLEX(Real, Edge)                                                            \
     DSC_INSTANTIATE_SIMPLEX(Real, Triangle)

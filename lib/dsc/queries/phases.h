@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Phases, and the curves that are derived from them: the interface and the domain boundary (thesis,
-// section 8.6). Handles must be alive.
+// Phases, and what is derived from them (thesis, section 8.6): the interface, the domain boundary,
+// and the connected components. Handles must be alive. Thread-safe while nobody writes.
 #pragma once
 
-#include "dsc/complex/complex.h"
+#include "dsc/complex/ranges.h"
 
 #include <vector>
 
@@ -36,5 +36,63 @@ template <class Real>
 /// The area of all triangles of a phase, summed with compensation in double. O(n).
 template <class Real>
 [[nodiscard]] double phase_area(const Complex<Real>& complex, Phase phase);
+
+/// One connected component of a phase. Triangles of a phase that share an edge are in the same
+/// component; those that share a vertex alone are not.
+struct Component {
+    Phase phase = exterior_phase; ///< of all its triangles
+    std::uint32_t triangles = 0;  ///< how many
+    /// Closed curves around it, the outer one included. Holes that touch at a vertex share one.
+    std::uint32_t outlines = 0;
+    bool touches_border = false; ///< an edge of the domain boundary belongs to it
+    double area = 0;             ///< in squared units of the domain
+
+    /// The outlines without the outer one.
+    [[nodiscard]] std::uint32_t holes() const { return outlines - 1; }
+};
+
+/// All components of a complex, and which of them each triangle belongs to.
+struct Components {
+    std::vector<Component> list; ///< in the order of the smallest triangle of each
+    /// The position in `list` of each triangle's component, by id; `no_id` where no triangle lives.
+    std::vector<std::uint32_t> of;
+};
+
+/// The components of all phases, the exterior included. O(triangles).
+template <class Real>
+[[nodiscard]] Components components(const Complex<Real>& complex);
+
+/// Numbers the connected parts, in the order of the smallest triangle of each. Two triangles that
+/// share an edge are in one part if `joins(corner)` holds for the corner opposite to it. Calls
+/// `visit(part, triangle)` for each triangle, part by part. Returns the parts by id of the
+/// triangle; `no_id` where none lives. O(triangles).
+template <class Real, class Joins, class Visit>
+std::vector<std::uint32_t> label_parts(const Complex<Real>& complex, Joins joins, Visit visit) {
+    std::vector<std::uint32_t> part_of(complex.triangle_bound(), no_id);
+    std::vector<std::uint32_t> waiting;
+    std::uint32_t part = 0;
+    for (const Triangle first : triangles(complex)) {
+        if (part_of[first.id] != no_id) {
+            continue;
+        }
+        part_of[first.id] = part;
+        waiting.push_back(first.id);
+        while (!waiting.empty()) {
+            const std::uint32_t t = waiting.back();
+            waiting.pop_back();
+            visit(part, Triangle{t});
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                const Corner c = corner_of(t, i);
+                const std::uint32_t other = triangle_of(complex.twin(c));
+                if (other != border_triangle && part_of[other] == no_id && joins(c)) {
+                    part_of[other] = part;
+                    waiting.push_back(other);
+                }
+            }
+        }
+        ++part;
+    }
+    return part_of;
+}
 
 } // namespace dsc

@@ -5,12 +5,15 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/queries/embedding.h"
+#include "dsc/queries/outlines.h"
+#include "dsc/queries/phases.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace dsc {
@@ -272,16 +275,115 @@ Problem check_fans(const Complex<Real>& complex) {
     return {};
 }
 
+// --- the global half -----------------------------------------------------------------------------
+//
+// A complex whose vertices are all discs or half discs, and whose triangles are all positive, may
+// still overlap itself. That no two of its triangles overlap (thesis, chapter 3, condition 2)
+// follows from its boundary alone:
+//   each component is a sphere with holes (Euler: V - E + T = 2 - loops), and its map to the plane
+//   is locally one to one. The number of triangles over a point is then the winding number of the
+//   boundary about it. If no two loops meet, and one loop of each component turns left (Hopf: the
+//   turning numbers sum up to 2 - loops), that number is 0 or 1 for each component; components are
+//   disjoint if no loop of one lies inside another.
+
+// A boundary edge; its triangle lies to the left of the way from a to b.
+template <class Real>
+struct Segment {
+    Point<Real> a;
+    Point<Real> b;
+    std::uint32_t a_id;
+    std::uint32_t b_id;
+    std::uint32_t component;
+
+    [[nodiscard]] Real low_x() const { return std::min(a.x(), b.x()); }
+    [[nodiscard]] Real high_x() const { return std::max(a.x(), b.x()); }
+    [[nodiscard]] Real low_y() const { return std::min(a.y(), b.y()); }
+    [[nodiscard]] Real high_y() const { return std::max(a.y(), b.y()); }
+    [[nodiscard]] std::string name() const {
+        return "boundary edge " + std::to_string(a_id) + "-" + std::to_string(b_id);
+    }
+};
+
+template <class Real>
+struct Boundary {
+    std::vector<Segment<Real>> segments;
+    std::vector<Segment<Real>> loops; // one segment of each loop
+};
+
+template <class Real>
+Boundary<Real> collect_boundary(const Complex<Real>& complex,
+                                const std::vector<std::uint32_t>& component) {
+    Boundary<Real> boundary;
+    const auto segment_at = [&](Corner c) -> Segment<Real> {
+        const Vertex a{complex.vertex(next(c))};
+        const Vertex b{complex.vertex(prev(c))};
+        return {complex.position(a), complex.position(b), a.id, b.id, component[triangle_of(c)]};
+    };
+    const auto is_edge = [&](Corner c) { return is_border(complex.twin(c)); };
+    for_each_loop(complex, is_edge, [&](std::span<const Corner> loop) {
+        boundary.loops.push_back(segment_at(loop.front()));
+        std::transform(loop.begin(), loop.end(), std::back_inserter(boundary.segments), segment_at);
+    });
+    return boundary;
+}
+
+// A sweep along x. The edges of a vertical wall, which all begin at one x, are swept along y.
+// Segments that share a vertex meet only there, because its half disc goes around once.
+template <class Real>
+std::string find_meeting(std::vector<Segment<Real>>& segments) {
+    std::sort(segments.begin(), segments.end(), [](const auto& s, const auto& t) {
+        return std::tuple(s.low_x(), s.low_y(), s.a_id) < std::tuple(t.low_x(), t.low_y(), t.a_id);
+    });
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const Segment<Real>& s = segments[i];
+        for (std::size_t k = i + 1; k < segments.size() && segments[k].low_x() <= s.high_x(); ++k) {
+            const Segment<Real>& t = segments[k];
+            if (s.low_x() == s.high_x() && t.low_y() > s.high_y()) {
+                break; // as all that follow at this x
+            }
+            const bool shares =
+                s.a_id == t.a_id || s.a_id == t.b_id || s.b_id == t.a_id || s.b_id == t.b_id;
+            if (shares || s.low_y() > t.high_y() || t.low_y() > s.high_y()) {
+                continue;
+            }
+            if (segments_meet<Real>(s.a, s.b, t.a, t.b)) {
+                return s.name() + " meets " + t.name() + ": the domain lies over itself";
+            }
+        }
+    }
+    return {};
+}
+
+// The winding number of the boundaries of the other components about the start of `loop`.
+template <class Real>
+int winding_of_others(const std::vector<Segment<Real>>& segments, const Segment<Real>& loop) {
+    int winding = 0;
+    const Point<Real>& p = loop.a;
+    for (const Segment<Real>& s : segments) {
+        if (s.component == loop.component) {
+            continue;
+        }
+        if (s.a.y() <= p.y() && p.y() < s.b.y()) {
+            winding += orientation(s.a, s.b, p) > 0 ? 1 : 0;
+        } else if (s.b.y() <= p.y() && p.y() < s.a.y()) {
+            winding -= orientation(s.a, s.b, p) < 0 ? 1 : 0;
+        }
+    }
+    return winding;
+}
+
+// Euler's formula, and no overlaps. O(n + b log b) for b boundary edges if few of them lie above
+// each other, as in a rectangle; O(b^2) at worst.
 template <class Real>
 Problem check_shape(const Complex<Real>& complex, ValidationReport& report) {
-    const Embedding embedding = check_embedding(complex);
-    report.components = embedding.components;
-    report.boundary_loops = embedding.boundary_loops;
-    report.edges = (3 * report.triangles + embedding.boundary_edges) / 2;
-    report.euler_characteristic = static_cast<std::int64_t>(report.vertices) -
-                                  static_cast<std::int64_t>(report.unused_vertices) -
-                                  static_cast<std::int64_t>(report.edges) +
-                                  static_cast<std::int64_t>(report.triangles);
+    const std::vector<std::uint32_t> component = label_parts(
+        complex, [](Corner) { return true; },
+        [&](std::uint32_t part, Triangle) { report.components = part + 1; });
+    Boundary<Real> boundary = collect_boundary(complex, component);
+    report.boundary_loops = boundary.loops.size();
+    report.edges = (3 * report.triangles + boundary.segments.size()) / 2;
+    report.euler_characteristic = static_cast<std::int64_t>(report.vertices + report.triangles) -
+                                  static_cast<std::int64_t>(report.unused_vertices + report.edges);
     const std::int64_t expected = 2 * static_cast<std::int64_t>(report.components) -
                                   static_cast<std::int64_t>(report.boundary_loops);
     if (report.euler_characteristic != expected) {
@@ -291,7 +393,16 @@ Problem check_shape(const Complex<Real>& complex, ValidationReport& report) {
                std::to_string(report.boundary_loops) +
                " boundary loops: it does not fit into the plane";
     }
-    return embedding.problem;
+    if (Problem problem = find_meeting(boundary.segments);
+        !problem.empty() || report.components < 2) {
+        return problem;
+    }
+    for (const Segment<Real>& loop : boundary.loops) {
+        if (winding_of_others(boundary.segments, loop) != 0) {
+            return loop.name() + " lies inside another component: they overlap";
+        }
+    }
+    return {};
 }
 
 template <class Real>

@@ -7,7 +7,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
-#include "dsc/queries/components.h"
+#include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

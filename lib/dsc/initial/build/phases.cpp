@@ -2,6 +2,7 @@
 #include "dsc/initial/build/phases.h"
 
 #include "dsc/base/error.h"
+#include "dsc/queries/phases.h"
 
 namespace dsc::initial {
 
@@ -17,24 +18,33 @@ struct Wall {
 
 // Which path named a region first.
 struct Named {
-    Phase phase;
-    std::uint32_t path;
-    const char* side;
+    Phase phase = exterior_phase;
+    std::uint32_t path = no_id; // none has
+    const char* side = "";
 };
 
 template <class Real>
 class Filling {
 public:
-    Filling(Complex<Real>& complex, std::span<const CheckedPath> paths)
-        : complex_(complex), paths_(paths), region_of_(complex.triangle_bound(), no_id) {}
-
-    void run(const Chains& chains) {
+    Filling(Complex<Real>& complex, std::span<const CheckedPath> paths, const Chains& chains)
+        : complex_(complex), paths_(paths) {
         raise_walls(chains);
+        region_of_ = label_parts(
+            complex, [&](Corner c) { return !is_wall(c); },
+            [&](std::uint32_t region, Triangle) { regions_.resize(region + 1); });
+    }
+
+    void run() {
         for (const Wall& wall : walls_) {
             const CheckedPath& path = paths_[wall.path];
-            name(triangle_of(wall.left), {path.left, wall.path, "left"});
+            name(wall.left, {path.left, wall.path, "left"});
             if (path.right) {
-                name(triangle_of(wall.right), {*path.right, wall.path, "right"});
+                name(wall.right, {*path.right, wall.path, "right"});
+            }
+        }
+        for (const Triangle t : triangles(complex_)) {
+            if (const Named& region = regions_[region_of_[t.id]]; region.path != no_id) {
+                complex_.triangles[t.id].phase = region.phase;
             }
         }
         for (const Wall& wall : walls_) {
@@ -46,6 +56,10 @@ public:
 
 private:
     // Bit i of a triangle's mark: the edge opposite to its corner i is a wall.
+    [[nodiscard]] bool is_wall(Corner c) const {
+        return (complex_.triangles[triangle_of(c)].mark >> index_of(c) & 1U) != 0;
+    }
+
     void raise_walls(const Chains& chains) {
         for (std::uint32_t k = 0; k < chains.size(); ++k) {
             for (std::size_t i = 0; i + 1 < chains[k].size(); ++i) {
@@ -62,40 +76,17 @@ private:
         }
     }
 
-    // Floods the region of this triangle, or compares its phase if that is done.
-    void name(std::uint32_t triangle, const Named& region) {
-        const std::uint32_t known = region_of_[triangle];
-        if (known == no_id) {
-            regions_.push_back(region);
-            flood(triangle);
-        } else if (regions_[known].phase != region.phase) {
+    // Names the region at this corner, or compares the phases if that is done.
+    void name(Corner c, const Named& named) {
+        Named& region = regions_[region_of_[triangle_of(c)]];
+        if (region.path == no_id) {
+            region = named;
+        } else if (region.phase != named.phase) {
             throw InputError({.what = "curves name two phases for one region",
-                              .where = paths_[region.path].name,
-                              .value = described(region) + ", " + described(regions_[known]),
+                              .where = paths_[named.path].name,
+                              .value = described(named) + ", " + described(region),
                               .allowed = "the same phase from all curves around a region"});
         }
-    }
-
-    // Gives the last region to all triangles that can be reached without crossing a wall.
-    void flood(std::uint32_t first) {
-        enter(first);
-        while (!stack_.empty()) {
-            const std::uint32_t from = stack_.back();
-            stack_.pop_back();
-            for (std::uint32_t i = 0; i < 3; ++i) {
-                const Corner across = complex_.twin(corner_of(from, i));
-                const bool is_wall = (complex_.triangles[from].mark >> i & 1U) != 0;
-                if (!is_wall && !is_border(across) && region_of_[triangle_of(across)] == no_id) {
-                    enter(triangle_of(across));
-                }
-            }
-        }
-    }
-
-    void enter(std::uint32_t triangle) {
-        region_of_[triangle] = static_cast<std::uint32_t>(regions_.size() - 1);
-        complex_.triangles[triangle].phase = regions_.back().phase;
-        stack_.push_back(triangle);
     }
 
     // An outline names no phase outside: what is there is known only now.
@@ -108,9 +99,9 @@ private:
         }
     }
 
-    [[nodiscard]] std::string described(const Named& region) const {
-        return "phase " + std::to_string(region.phase) + " on the " + region.side + " of " +
-               paths_[region.path].name;
+    [[nodiscard]] std::string described(const Named& named) const {
+        return "phase " + std::to_string(named.phase) + " on the " + named.side + " of " +
+               paths_[named.path].name;
     }
 
     Complex<Real>& complex_;
@@ -118,14 +109,13 @@ private:
     std::vector<Wall> walls_;
     std::vector<std::uint32_t> region_of_; // by triangle
     std::vector<Named> regions_;
-    std::vector<std::uint32_t> stack_;
 };
 
 } // namespace
 
 template <class Real>
 void fill_phases(Complex<Real>& complex, std::span<const CheckedPath> paths, const Chains& chains) {
-    Filling<Real>(complex, paths).run(chains);
+    Filling<Real>(complex, paths, chains).run();
 }
 
 template void fill_phases(Complex<double>&, std::span<const CheckedPath>, const Chains&);

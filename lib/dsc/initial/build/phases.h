@@ -9,9 +9,9 @@
 
 namespace dsc::initial {
 
-/// Floods each region from the pieces around it; a region that no path names keeps its phase. All
-/// marks must be 0, and are so afterwards. Throws InputError if two paths name different phases for
-/// one region, or one has the same phase on both sides. O(triangles).
+/// Gives each region between the paths the phase that these name; one that none names keeps its
+/// phase. All marks must be 0, and are so afterwards. Throws InputError if two paths name different
+/// phases for one region, or one has the same phase on both sides. O(triangles).
 template <class Real>
 void fill_phases(Complex<Real>& complex, std::span<const CheckedPath> paths, const Chains& chains);
 
