@@ -3,10 +3,9 @@
 // and the errors for input that makes no sense.
 #include "dsc/base/error.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/initial/build/delaunay.h"
 #include "dsc/initial/build/insertion.h"
+#include "dsc/initial/build/interface.h"
 #include "dsc/initial/build/lattice.h"
-#include "dsc/initial/build/segments.h"
 #include "dsc/queries/validate.h"
 #include "support/initial_testing.h"
 
@@ -18,7 +17,7 @@
 namespace dsc::initial_parts_test {
 namespace {
 
-using initial::Place;
+using Kind = WalkEnd::Kind;
 
 TEST(Lattice, IsAValidComplexOfEverySize) {
     for (std::uint32_t columns = 1; columns < 6; ++columns) {
@@ -69,8 +68,8 @@ TEST(Locate, AgreesWithEveryTrianglesSigns) {
         const auto start =
             static_cast<std::uint32_t>(1 + random() % (complex.triangle_bound() - 1));
         const auto location = dsc::initial::locate(complex, start, p);
-        ASSERT_NE(location.place, Place::beyond);
-        ++places[static_cast<std::size_t>(location.place)];
+        ASSERT_NE(location.kind, Kind::stopped);
+        ++places[static_cast<std::size_t>(location.kind)];
         int zeros = 0;
         dsc::Corner c = location.corner;
         for (int side = 0; side < 3; ++side, c = dsc::next(c)) {
@@ -80,10 +79,8 @@ TEST(Locate, AgreesWithEveryTrianglesSigns) {
             ASSERT_GE(sign, 0);
             zeros += sign == 0 ? 1 : 0;
         }
-        EXPECT_EQ(zeros, location.place == Place::triangle ? 0
-                         : location.place == Place::edge   ? 1
-                                                           : 2);
-        if (location.place == Place::vertex) {
+        EXPECT_EQ(zeros, location.kind == Kind::triangle ? 0 : location.kind == Kind::edge ? 1 : 2);
+        if (location.kind == Kind::vertex) {
             EXPECT_EQ(complex.position(Vertex{complex.vertex(location.corner)}), p);
         }
         const std::uint32_t v = dsc::initial::insert_point(complex, location, p, stack);
@@ -101,12 +98,12 @@ TEST(Locate, StopsAtTheSidesAndAtTheInterface) {
     const auto lattice = dsc::initial::fit_lattice({0, 0}, {1, 1}, 0.1);
     Complex<double> complex;
     dsc::initial::write_lattice(lattice, 0, complex);
-    EXPECT_EQ(dsc::initial::locate(complex, 1, Point<double>(0.5, 1.5)).place, Place::beyond);
-    EXPECT_EQ(dsc::initial::locate(complex, 1, Point<double>(0.5, 0.95)).place, Place::triangle);
+    EXPECT_EQ(dsc::initial::locate(complex, 1, Point<double>(0.5, 1.5)).kind, Kind::stopped);
+    EXPECT_EQ(dsc::initial::locate(complex, 1, Point<double>(0.5, 0.95)).kind, Kind::triangle);
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
         complex.triangles[t].phase = complex.position(Vertex{complex.triangles[t].v[0]}).y() > 0.5;
     }
-    EXPECT_EQ(dsc::initial::locate(complex, 1, Point<double>(0.5, 0.95)).place, Place::beyond);
+    EXPECT_EQ(dsc::initial::locate(complex, 1, Point<double>(0.5, 0.95)).kind, Kind::stopped);
 }
 
 // Segments through a triangulation that knows nothing of them.

@@ -2,12 +2,9 @@
 #include "dsc/initial/initial_complex.h"
 
 #include "dsc/complex/numbering.h"
-#include "dsc/initial/build/clearing.h"
-#include "dsc/initial/build/delaunay.h"
 #include "dsc/initial/build/insertion.h"
+#include "dsc/initial/build/interface.h"
 #include "dsc/initial/build/phases.h"
-#include "dsc/initial/build/segments.h"
-#include "dsc/initial/improve/grading.h"
 #include "dsc/initial/improve/improvement.h"
 #include "dsc/initial/input/input_check.h"
 

@@ -2,37 +2,88 @@
 #include "dsc/initial/build/insertion.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/walk.h"
-#include "dsc/initial/build/delaunay.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/operations/edge_flip.h"
 
 namespace dsc::initial {
 
+namespace {
+
+// Whether the edge opposite to `corner` is not constrained and certainly not Delaunay.
 template <class Real>
-Location locate(const Complex<Real>& complex, std::uint32_t start, const Point<Real>& point) {
-    const WalkEnd end =
-        walk(complex, Triangle{start}, point, 8 * complex.triangles.size() + 64,
-             [&](Corner c) { return complex.phase_at(c) == complex.phase_at(complex.twin(c)); });
-    switch (end.kind) {
-    case WalkEnd::Kind::triangle: return {Place::triangle, end.corner};
-    case WalkEnd::Kind::edge: return {Place::edge, end.corner};
-    case WalkEnd::Kind::vertex: return {Place::vertex, end.corner};
-    case WalkEnd::Kind::stopped: return {Place::beyond, end.corner};
-    case WalkEnd::Kind::lost: break;
+bool wants_flip(const Complex<Real>& complex, Corner corner) {
+    const Corner other = complex.twin(corner);
+    if (complex.phase_at(corner) != complex.phase_at(other)) {
+        return false; // interface, or the domain boundary
     }
-    throw InvariantError("locate: the walk does not arrive");
+    const auto at = [&](Corner c) -> Point<double> {
+        return complex.position(Vertex{complex.vertex(c)}).template cast<double>();
+    };
+    return certainly_in_circle(at(corner), at(next(corner)), at(prev(corner)), at(other));
+}
+
+// Flips until all edges opposite to the corners on `stack`, and those that the flips touch, are
+// constrained Delaunay; empties the stack.
+template <class Real>
+void legalise(Complex<Real>& complex, std::vector<Corner>& stack) {
+    const Submesh whole = whole_submesh(complex);
+    while (!stack.empty()) {
+        const Corner corner = stack.back();
+        stack.pop_back();
+        if (!complex.is_alive(Triangle{triangle_of(corner)}) || !wants_flip(complex, corner)) {
+            continue;
+        }
+        const Corner other = complex.twin(corner);
+        if (edge_flip(complex, whole, corner) != Verdict::legal) {
+            continue;
+        }
+        for (const Corner c : {corner, other}) {
+            stack.push_back(c);
+            stack.push_back(prev(c));
+            complex.vertices[complex.vertex(c)].slot = unsettled;
+            complex.vertices[complex.vertex(next(c))].slot = unsettled;
+        }
+    }
+}
+
+} // namespace
+
+template <class Real>
+void legalise_star(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack) {
+    for_each_corner(complex, Vertex{vertex}, [&](Corner c) {
+        stack.push_back(c);
+        stack.push_back(next(c));
+        complex.vertices[complex.vertex(c)].slot = unsettled;
+        complex.vertices[complex.vertex(next(c))].slot = unsettled;
+        complex.vertices[complex.vertex(prev(c))].slot = unsettled;
+    });
+    legalise(complex, stack);
 }
 
 template <class Real>
-std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
-                           const Point<Real>& point, std::vector<Corner>& stack) {
-    if (location.place == Place::beyond) {
+WalkEnd locate(const Complex<Real>& complex, std::uint32_t start, const Point<Real>& point) {
+    const WalkEnd end =
+        walk(complex, Triangle{start}, point, 8 * complex.triangles.size() + 64,
+             [&](Corner c) { return complex.phase_at(c) == complex.phase_at(complex.twin(c)); });
+    if (end.kind == WalkEnd::Kind::lost) {
+        throw InvariantError("locate: the walk does not arrive");
+    }
+    return end;
+}
+
+template <class Real>
+std::uint32_t insert_point(Complex<Real>& complex, const WalkEnd& place, const Point<Real>& point,
+                           std::vector<Corner>& stack) {
+    if (place.kind == WalkEnd::Kind::stopped || place.kind == WalkEnd::Kind::lost) {
         throw InvariantError("insert_point: the point was not located");
     }
-    if (location.place == Place::vertex) {
-        return complex.vertex(location.corner);
+    if (place.kind == WalkEnd::Kind::vertex) {
+        return complex.vertex(place.corner);
     }
-    Corner corner = location.corner;
-    if (location.place == Place::triangle) {
+    Corner corner = place.corner;
+    if (place.kind == WalkEnd::Kind::triangle) {
         while (is_border(complex.twin(corner))) {
             corner = next(corner);
         }
@@ -42,7 +93,7 @@ std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
     const std::uint32_t t2 = complex.take_triangle(complex.ids);
     const std::uint32_t u2 = is_border(other) ? no_id : complex.take_triangle(complex.ids);
     rewire::split(complex, complex.journal, corner, m, point, t2, u2);
-    if (location.place == Place::triangle) {
+    if (place.kind == WalkEnd::Kind::triangle) {
         // One into three: split an edge as if m were on it, then flip the edge from m into the
         // triangle beyond back to its old place. That triangle is u2 now, and u lies on this side.
         rewire::flip(complex, complex.journal, next(other));
@@ -52,36 +103,13 @@ std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
     return m;
 }
 
-template <class Real>
-Chains insert_paths(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths) {
-    Chains chains;
-    std::vector<Corner> stack;
-    for (const Path& path : paths) {
-        auto& chain = chains.emplace_back();
-        chain.reserve(path.size());
-        std::uint32_t near = lattice.triangle_near(path.front());
-        while (!complex.is_alive(Triangle{near})) {
-            // It was removed. The triangles of the lattice at the corners of the domain are left.
-            near = near + 1 < complex.triangle_bound() ? near + 1 : 1;
-        }
-        for (const Point<double>& place : path) {
-            const Point<Real> point = place.template cast<Real>();
-            const std::uint32_t id =
-                insert_point(complex, locate(complex, near, point), point, stack);
-            chain.push_back(id);
-            near = triangle_of(complex.vertices[id].corner);
-        }
-    }
-    return chains;
-}
-
-template Location locate(const Complex<double>&, std::uint32_t, const Point<double>&);
-template Location locate(const Complex<float>&, std::uint32_t, const Point<float>&);
-template std::uint32_t insert_point(Complex<double>&, const Location&, const Point<double>&,
-                                    std::vector<Corner>&);
-template std::uint32_t insert_point(Complex<float>&, const Location&, const Point<float>&,
-                                    std::vector<Corner>&);
-template Chains insert_paths(Complex<double>&, const Lattice&, std::span<const Path>);
-template Chains insert_paths(Complex<float>&, const Lattice&, std::span<const Path>);
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template void legalise_star(Complex<Real>&, std::uint32_t, std::vector<Corner>&);              \
+    template WalkEnd locate(const Complex<Real>&, std::uint32_t, const Point<Real>&);              \
+    template std::uint32_t insert_point(Complex<Real>&, const WalkEnd&, const Point<Real>&,        \
+                                        std::vector<Corner>&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
 
 } // namespace dsc::initial

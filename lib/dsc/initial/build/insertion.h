@@ -1,43 +1,35 @@
 // SPDX-License-Identifier: MIT
-// Point location inside one phase, and insertion, which keeps the triangulation constrained
-// Delaunay.
+// Point location inside one phase, and insertion, with the triangulation kept constrained Delaunay
+// by flips (C. L. Lawson, "Software for C1 surface interpolation", 1977). An edge is flipped only
+// where the in-circle test is certain: each flip lowers the lifted surface, so the flips come to an
+// end without a slack.
 #pragma once
 
-#include "dsc/complex/complex.h"
-#include "dsc/initial/build/chains.h"
-#include "dsc/initial/build/lattice.h"
+#include "dsc/complex/walk.h"
 
-#include <span>
 #include <vector>
 
 namespace dsc::initial {
 
-/// Where a point lies.
-enum class Place : std::uint8_t {
-    triangle, ///< strictly inside the triangle of `corner`
-    edge,     ///< inside the edge opposite to `corner`
-    vertex,   ///< on the vertex at `corner`
-    beyond,   ///< beyond the constrained edge opposite to `corner`, where the walk stopped
-};
+/// Whether the star of a vertex has changed since it was last looked at; kept in the vertices'
+/// `slot` while the complex is built. A star that could not be improved is not tried again.
+inline constexpr std::uint32_t unsettled = no_id;
+inline constexpr std::uint32_t settled = 0;
 
-struct Location {
-    Place place = Place::beyond;
-    Corner corner = border_corner;
-};
+/// Restores the Delaunay property after the star of a vertex has changed. Vertices whose stars
+/// change are unsettled. `stack` is scratch memory.
+template <class Real>
+void legalise_star(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack);
 
-/// Walks from a living triangle towards the point. Stops at edges of the domain, and at the
+/// Walks from a living triangle towards the point; `stopped` at an edge of the domain or of the
 /// interface. O(triangles on the way).
 template <class Real>
-Location locate(const Complex<Real>& complex, std::uint32_t start, const Point<Real>& point);
+WalkEnd locate(const Complex<Real>& complex, std::uint32_t start, const Point<Real>& point);
 
 /// Puts a new vertex there, or returns the one that is there already; restores the Delaunay
-/// property. `location` must not be `beyond`. O(degree), except for long chains of flips.
+/// property. `place` must not be `stopped`. O(degree), except for long chains of flips.
 template <class Real>
-std::uint32_t insert_point(Complex<Real>& complex, const Location& location,
-                           const Point<Real>& point, std::vector<Corner>& stack);
-
-/// Inserts all points of the paths; for each path the ids of its vertices, in order.
-template <class Real>
-Chains insert_paths(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths);
+std::uint32_t insert_point(Complex<Real>& complex, const WalkEnd& place, const Point<Real>& point,
+                           std::vector<Corner>& stack);
 
 } // namespace dsc::initial

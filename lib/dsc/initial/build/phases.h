@@ -2,7 +2,7 @@
 // Phases from the interface: each region gets the phase that the paths around it name.
 #pragma once
 
-#include "dsc/initial/build/chains.h"
+#include "dsc/initial/build/interface.h"
 #include "dsc/initial/input/input_check.h"
 
 #include <span>

@@ -1,40 +1,267 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/improve/improvement.h"
 
-#include "dsc/initial/build/delaunay.h"
-#include "dsc/initial/build/zone.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/geometry/triangle.h"
+#include "dsc/initial/build/star_quality.h"
 #include "dsc/initial/improve/relaxation.h"
+#include "dsc/initial/rounding.h"
+#include "dsc/quality/ring_quality.h"
+#include "dsc/sizes/measure.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
 
 namespace dsc::initial {
 
-template <class Real>
-Improvement improve(Complex<Real>& complex, std::span<const std::uint32_t> interface_vertices,
-                    double edge_length, int rounds, Protection protection) {
-    Improvement done;
-    bool busy = true;
-    while (done.rounds < rounds && busy) {
-        ++done.rounds;
-        const auto zone = find_zone(complex, interface_vertices, edge_length);
-        // Smoothing after every change, as the next change is judged by the current triangles.
-        std::size_t moves = smooth(complex, zone);
-        const std::size_t collapses = thin_out(complex, zone, edge_length);
-        moves += smooth(complex, zone);
-        const std::size_t insertions =
-            refine(complex, zone, protection) + split_long(complex, zone, edge_length);
-        done.moves += moves;
-        done.collapses += collapses;
-        done.insertions += insertions;
-        busy = moves + collapses + insertions > 0;
+namespace {
+
+// Calls `round`, which returns the number of its changes, until there are none.
+template <class Real, class Round>
+void in_rounds(Complex<Real>& complex, int rounds, Round round) {
+    for (int i = 0; i < rounds && round() > 0; ++i) {
     }
     for (auto& record : complex.vertices) {
         record.slot = unsettled;
     }
-    return done;
 }
 
-template Improvement improve(Complex<double>&, std::span<const std::uint32_t>, double, int,
-                             Protection);
-template Improvement improve(Complex<float>&, std::span<const std::uint32_t>, double, int,
-                             Protection);
+// --- near the interface --------------------------------------------------------------------------
+
+constexpr int rings = 4; // of edges about the interface that always belong to the zone
+// An edge shorter than this share of the target is not one of the lattice, whose shortest edges
+// belong to the half triangles at the sides.
+constexpr double fine_below = 0.48;
+
+template <class Real>
+bool is_fine(const Complex<Real>& complex, std::uint32_t vertex, double length) {
+    double shortest = std::numeric_limits<double>::infinity();
+    const Point<Real> centre = complex.position(Vertex{vertex});
+    for (const Vertex w : link_vertices(complex, Vertex{vertex})) {
+        const Point<Real> spoke = complex.position(w) - centre;
+        shortest = std::min(shortest, spoke.template cast<double>().norm());
+    }
+    return shortest < fine_below * length;
+}
+
+// --- where edges grow ----------------------------------------------------------------------------
+
+// The radius of the circle about a triangle that is broken up, over the mean target of its corners;
+// of an equilateral triangle with such edges it is 0.58. The edges that result are between this and
+// twice this.
+constexpr double largest_radius = 0.75;
+// Sides of the domain that are split, over the mean target of their ends.
+constexpr double longest_side = 1.4;
+// Sides shorter than that are not split for a centre that comes too near to them.
+constexpr double shortest_side = 0.8;
+// A vertex all of whose spokes are shorter than this, over its target, is removed...
+constexpr double crowded = 0.95;
+// ...if edges are not longer than this afterwards, and triangles no worse.
+constexpr double longest_after = 1.5;
+constexpr double quality_after = 0.5;
+
+template <class Real>
+class SizeRefinement {
+public:
+    SizeRefinement(Complex<Real>& complex, const SizeOptions<Real>& sizes, Real edge_length,
+                   Protection protection)
+        : complex_(complex), rule_(sizes, edge_length), field_(size_field(complex)),
+          protection_(protection) {}
+
+    void run() {
+        for (const Triangle t : triangles(complex_)) {
+            queue_.push_back(t.id);
+        }
+        for (std::size_t i = 0; i < queue_.size(); ++i) {
+            look_at(queue_[i]);
+        }
+    }
+
+private:
+    [[nodiscard]] double target(std::uint32_t v) const {
+        return static_cast<double>(field_[Vertex{v}].length);
+    }
+    [[nodiscard]] Point<double> at(std::uint32_t v) const { return position_of(complex_, v); }
+
+    void look_at(std::uint32_t triangle) {
+        if (!complex_.is_alive(Triangle{triangle})) {
+            return;
+        }
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            if (split_side(corner_of(triangle, i), longest_side)) {
+                return; // the parts are in the queue
+            }
+        }
+        const auto& v = complex_.triangles[triangle].v;
+        const Point<double> centre = circumcentre<double>(at(v[0]), at(v[1]), at(v[2]));
+        const double allowed = largest_radius * (target(v[0]) + target(v[1]) + target(v[2])) / 3;
+        if (!((centre - at(v[0])).norm() > allowed)) {
+            return;
+        }
+        const BreakUp result = break_up(complex_, triangle, protection_, stack_);
+        if (result.vertex != no_id) {
+            take(result.vertex);
+        } else if (result.in_the_way != no_id && split_side(result.in_the_way, shortest_side) &&
+                   complex_.is_alive(Triangle{triangle})) {
+            queue_.push_back(triangle);
+        }
+    }
+
+    // Splits the edge opposite to the corner if it is a side of the domain in the exterior phase,
+    // and longer than that share of the target.
+    bool split_side(Corner corner, double share) {
+        if (!is_border(complex_.twin(corner)) || complex_.phase_at(corner) != exterior_phase) {
+            return false;
+        }
+        const std::uint32_t a = complex_.vertex(next(corner));
+        const std::uint32_t b = complex_.vertex(prev(corner));
+        if (!((at(a) - at(b)).norm() > share * (target(a) + target(b)) / 2)) {
+            return false;
+        }
+        const Point<Real> middle = narrowed<Real>(midpoint<double>(at(a), at(b)));
+        take(insert_point(complex_, {WalkEnd::Kind::edge, corner}, middle, stack_));
+        return true;
+    }
+
+    // A new vertex gets its target from its star, whose triangles are looked at.
+    void take(std::uint32_t v) {
+        if (gather(complex_, Region{}, v, ring_)) {
+            lengths_.take(ring_, [this](std::uint32_t u) { return field_[Vertex{u}].length; });
+            if (rule_.needs_distance()) {
+                distances_.take(ring_,
+                                [this](std::uint32_t u) { return field_[Vertex{u}].distance; });
+            }
+            field_[Vertex{v}] = rule_.at(ring_, lengths_, distances_, Real(0));
+        }
+        for (const Triangle t : star_triangles(complex_, Vertex{v})) {
+            queue_.push_back(t.id);
+        }
+    }
+
+    Complex<Real>& complex_;
+    SizeRule<Real> rule_;
+    SizeField<Real>& field_;
+    Protection protection_;
+    std::vector<std::uint32_t> queue_; ///< triangles to be looked at, in order
+    std::vector<Corner> stack_;
+    Ring<Real> ring_;
+    LinkValues<Real> lengths_;
+    LinkValues<Real> distances_;
+};
+
+// Collapses vertices where there are more of them than the targets call for. Returns their number.
+template <class Real>
+std::size_t remove_crowded(Complex<Real>& complex, std::span<const std::uint32_t> zone) {
+    const SizeField<Real>& field = size_field(complex);
+    std::vector<Corner> stack;
+    Ring<Real> ring;
+    std::size_t removed = 0;
+    for (const std::uint32_t v : zone) {
+        if (!complex.is_alive(Vertex{v}) || !gather(complex, Region{}, v, ring) ||
+            !ring.one_phase || !ring.closed || ring.size < 4) {
+            continue;
+        }
+        const auto target = static_cast<double>(field[Vertex{v}].length);
+        if (!(std::sqrt(static_cast<double>(examine(ring).longest)) < crowded * target)) {
+            continue;
+        }
+        const CollapseChoice best = best_collapse(ring, longest_after * target);
+        if (best.spoke != no_id && best.quality > quality_after &&
+            collapse_along(complex, ring, best.spoke)) {
+            legalise_star(complex, ring.link[best.spoke], stack);
+            ++removed;
+        }
+    }
+    return removed;
+}
+
+template <class Real>
+std::vector<std::uint32_t> all_vertices(const Complex<Real>& complex) {
+    std::vector<std::uint32_t> list;
+    list.reserve(complex.vertex_count());
+    for (const Vertex v : vertices(complex)) {
+        list.push_back(v.id);
+    }
+    return list;
+}
+
+} // namespace
+
+template <class Real>
+std::vector<std::uint32_t> find_zone(Complex<Real>& complex,
+                                     std::span<const std::uint32_t> interface_vertices,
+                                     double edge_length) {
+    std::vector<std::uint32_t> found(interface_vertices.begin(), interface_vertices.end());
+    for (const std::uint32_t v : found) {
+        complex.vertices[v].stamp = 1;
+    }
+    std::size_t ring_end = found.size();
+    int ring = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (i == ring_end) {
+            ++ring;
+            ring_end = found.size();
+        }
+        const std::uint32_t v = found[i];
+        if (ring >= rings && !is_fine(complex, v, edge_length)) {
+            continue;
+        }
+        for (const Vertex w : link_vertices(complex, Vertex{v})) {
+            if (complex.vertices[w.id].stamp == 0) {
+                complex.vertices[w.id].stamp = 1;
+                found.push_back(w.id);
+            }
+        }
+    }
+    for (const std::uint32_t v : found) {
+        complex.vertices[v].stamp = 0;
+    }
+    std::erase_if(found, [&](std::uint32_t v) { return complex.vertices[v].slot == settled; });
+    return found;
+}
+
+template <class Real>
+void improve(Complex<Real>& complex, std::span<const std::uint32_t> interface_vertices,
+             double edge_length, int rounds, Protection protection) {
+    in_rounds(complex, rounds, [&] {
+        const auto zone = find_zone(complex, interface_vertices, edge_length);
+        // Smoothing after every change, as the next change is judged by the current triangles.
+        std::size_t changes = smooth(complex, zone);
+        changes += thin_out(complex, zone, edge_length);
+        changes += smooth(complex, zone);
+        changes += refine(complex, zone, protection);
+        return changes + split_long(complex, zone, edge_length);
+    });
+}
+
+template <class Real>
+void grade(Complex<Real>& complex, const SizeOptions<Real>& sizes, Real edge_length, int rounds,
+           Protection protection) {
+    SizeOptions<Real> bounded = sizes;
+    if (bounded.longest == 0) {
+        bounded.longest = std::max(extent_of(complex), edge_length);
+    }
+    measure_sizes(complex, bounded, edge_length, Real(0));
+    SizeRefinement<Real>(complex, bounded, edge_length, protection).run();
+    in_rounds(complex, rounds, [&] {
+        const std::vector<std::uint32_t> zone = all_vertices(complex);
+        std::size_t changes = smooth(complex, zone);
+        changes += remove_crowded(complex, zone);
+        return changes + refine(complex, zone, protection);
+    });
+    const std::string name = size_field(complex).name(); // outlives the attribute
+    complex.attributes.remove(name);
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template std::vector<std::uint32_t> find_zone(Complex<Real>&, std::span<const std::uint32_t>,  \
+                                                  double);                                         \
+    template void improve(Complex<Real>&, std::span<const std::uint32_t>, double, int,             \
+                          Protection);                                                             \
+    template void grade(Complex<Real>&, const SizeOptions<Real>&, Real, int, Protection);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
 
 } // namespace dsc::initial

@@ -1,26 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Better triangles near the interface, with all edges kept constrained Delaunay and the interface
-// kept as it is: rounds of relaxation.h and refinement.h.
+// Better triangles, with all edges kept constrained Delaunay and the interface kept as it is:
+// rounds of relaxation.h and refinement.h, near the interface or, where edges grow, everywhere.
 #pragma once
 
-#include "dsc/complex/complex.h"
 #include "dsc/initial/improve/refinement.h"
+#include "dsc/sizes/options.h"
 
 #include <span>
 
 namespace dsc::initial {
 
-struct Improvement {
-    std::size_t moves = 0;
-    std::size_t collapses = 0;
-    std::size_t insertions = 0;
-    int rounds = 0;
-};
-
-/// Improves the triangles around the given vertices of the interface, in rounds, until nothing
-/// improves any more. O(vertices near the interface) a round.
+/// The unsettled vertices within a few edges of the interface, and beyond these wherever short
+/// edges have not yet grown to the target; the interface first. O(vertices near the interface).
 template <class Real>
-Improvement improve(Complex<Real>& complex, std::span<const std::uint32_t> interface_vertices,
-                    double edge_length, int rounds, Protection protection = Protection::circle);
+std::vector<std::uint32_t> find_zone(Complex<Real>& complex,
+                                     std::span<const std::uint32_t> interface_vertices,
+                                     double edge_length);
+
+/// Improves the triangles around the given vertices of the interface, in at most so many rounds,
+/// until nothing improves any more. O(vertices near the interface) a round.
+template <class Real>
+void improve(Complex<Real>& complex, std::span<const std::uint32_t> interface_vertices,
+             double edge_length, int rounds, Protection protection);
+
+/// Makes the edges of a coarse mesh grow away from the interface: breaks up the triangles that are
+/// larger than the targets of their vertices allow, splits the sides of the domain where they are
+/// too long, and improves the triangles. O(n log n) for the n vertices that there are in the end.
+template <class Real>
+void grade(Complex<Real>& complex, const SizeOptions<Real>& sizes, Real edge_length, int rounds,
+           Protection protection);
 
 } // namespace dsc::initial

@@ -2,12 +2,12 @@
 #include "dsc/initial/improve/refinement.h"
 
 #include "dsc/complex/ranges.h"
+#include "dsc/geometry/triangle.h"
+#include "dsc/initial/rounding.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/quality/measures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace dsc::initial {
 
@@ -16,6 +16,41 @@ namespace {
 constexpr double refine_below = 0.5;  // quality of a triangle that is broken up
 constexpr double split_above = 1.5;   // length of an inner edge that is split, over the target
 constexpr double split_quality = 0.4; // of the triangles that a split may leave for smoothing
+
+// The corner opposite to a constrained edge of the triangle whose protection the point lies in;
+// no_id if there is none.
+template <class Real>
+Corner encroached_edge(const Complex<Real>& complex, std::uint32_t triangle,
+                       const Point<double>& point, Protection protection) {
+    constexpr double cosine_of_lens = -0.5; // of the angle at which a piece is seen from its rim
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const Corner c = corner_of(triangle, i);
+        if (!is_constrained(complex, c)) {
+            continue;
+        }
+        const Point<double> p = position_of(complex, complex.vertex(next(c))) - point;
+        const Point<double> q = position_of(complex, complex.vertex(prev(c))) - point;
+        const double dot = p.dot(q);
+        if (dot < 0 &&
+            (protection == Protection::circle || dot < cosine_of_lens * p.norm() * q.norm())) {
+            return c;
+        }
+    }
+    return no_id;
+}
+
+// The same for the triangle and its neighbours, which an insertion is certain to change.
+template <class Real>
+Corner encroached_edge_near(const Complex<Real>& complex, std::uint32_t triangle,
+                            const Point<double>& point, Protection protection) {
+    Corner found = encroached_edge(complex, triangle, point, protection);
+    for (const Corner c : complex.triangles[triangle].n) {
+        if (found == no_id && !is_border(c)) {
+            found = encroached_edge(complex, triangle_of(c), point, protection);
+        }
+    }
+    return found;
+}
 
 template <class Real>
 double quality_of(const Complex<Real>& complex, std::uint32_t triangle) {
@@ -49,11 +84,36 @@ bool split(Complex<Real>& complex, Corner corner, std::vector<Corner>& stack) {
         edge_split_guard<Real>(complex, Region{}, corner, point) != Verdict::legal) {
         return false;
     }
-    insert_point(complex, Location{Place::edge, corner}, point, stack);
+    insert_point(complex, {WalkEnd::Kind::edge, corner}, point, stack);
     return true;
 }
 
 } // namespace
+
+template <class Real>
+BreakUp break_up(Complex<Real>& complex, std::uint32_t triangle, Protection protection,
+                 std::vector<Corner>& stack) {
+    const auto& v = complex.triangles[triangle].v;
+    const Point<double> centre = circumcentre<double>(
+        position_of(complex, v[0]), position_of(complex, v[1]), position_of(complex, v[2]));
+    if (!std::isfinite(centre.x()) || !std::isfinite(centre.y())) {
+        return {};
+    }
+    const Point<Real> point = narrowed<Real>(centre);
+    const WalkEnd place = locate(complex, triangle, point);
+    if (place.kind == WalkEnd::Kind::stopped) {
+        return {no_id, place.corner};
+    }
+    if (place.kind == WalkEnd::Kind::vertex) {
+        return {};
+    }
+    const Corner encroached =
+        encroached_edge_near(complex, triangle_of(place.corner), centre, protection);
+    if (encroached != no_id) {
+        return {no_id, encroached};
+    }
+    return {insert_point(complex, place, point, stack), no_id};
+}
 
 template <class Real>
 std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone,
@@ -109,9 +169,12 @@ std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zo
     return inserted;
 }
 
-template std::size_t refine(Complex<double>&, std::span<const std::uint32_t>, Protection);
-template std::size_t refine(Complex<float>&, std::span<const std::uint32_t>, Protection);
-template std::size_t split_long(Complex<double>&, std::span<const std::uint32_t>, double);
-template std::size_t split_long(Complex<float>&, std::span<const std::uint32_t>, double);
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template BreakUp break_up(Complex<Real>&, std::uint32_t, Protection, std::vector<Corner>&);    \
+    template std::size_t refine(Complex<Real>&, std::span<const std::uint32_t>, Protection);       \
+    template std::size_t split_long(Complex<Real>&, std::span<const std::uint32_t>, double);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
 
 } // namespace dsc::initial

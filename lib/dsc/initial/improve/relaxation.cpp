@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/improve/relaxation.h"
 
-#include "dsc/initial/build/delaunay.h"
+#include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/star_quality.h"
-#include "dsc/initial/build/zone.h"
 #include "dsc/initial/rounding.h"
 
 #include <array>

@@ -1,17 +1,70 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/initial/build/segments.h"
+#include "dsc/initial/build/interface.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
+#include "dsc/geometry/distance.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/initial/build/insertion.h"
+#include "dsc/initial/build/star_quality.h"
 #include "dsc/operations/edge_flip.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
 
 namespace dsc::initial {
 
 namespace {
+
+std::uint32_t clamped(double value, std::uint32_t low, std::uint32_t high) {
+    return static_cast<std::uint32_t>(
+        std::clamp(value, static_cast<double>(low), static_cast<double>(high)));
+}
+
+// Collapses an inner vertex of one phase into the neighbour that leaves the best triangles.
+template <class Real>
+void remove_vertex(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack) {
+    Ring<Real> ring;
+    if (!gather(complex, Region{}, vertex, ring)) {
+        return;
+    }
+    const CollapseChoice best = best_collapse(ring);
+    if (best.spoke != no_id && collapse_along(complex, ring, best.spoke)) {
+        legalise_star(complex, ring.link[best.spoke], stack);
+    }
+}
+
+// Removes the inner vertices of the lattice within reach of the piece from a to b.
+template <class Real>
+void clear_piece(Complex<Real>& complex, const Lattice& lattice, const Point<double>& a,
+                 const Point<double>& b, double reach, std::vector<Corner>& stack) {
+    const auto row_of = [&](double y) { return (y - lattice.low.y()) / lattice.height; };
+    const auto column_of = [&](double x) { return (x - lattice.low.x()) / lattice.spacing; };
+    const std::uint32_t first_row =
+        clamped(std::floor(row_of(std::min(a.y(), b.y()) - reach)), 1, lattice.rows - 1);
+    const std::uint32_t last_row =
+        clamped(std::ceil(row_of(std::max(a.y(), b.y()) + reach)), 1, lattice.rows - 1);
+    for (std::uint32_t row = first_row; row <= last_row; ++row) {
+        const std::uint32_t last = lattice.vertices_in_row(row) - 1;
+        if (last < 2) {
+            continue;
+        }
+        const std::uint32_t from =
+            clamped(std::floor(column_of(std::min(a.x(), b.x()) - reach)), 1, last - 1);
+        const std::uint32_t to =
+            clamped(std::ceil(column_of(std::max(a.x(), b.x()) + reach)) + 1, 1, last - 1);
+        for (std::uint32_t column = from; column <= to; ++column) {
+            const std::uint32_t id = lattice.vertex(row, column);
+            const Point<double> p(lattice.x(row, column), lattice.y(row));
+            if (squared_distance<double>(p, nearest_point<double>(p, a, b)) < reach * reach &&
+                complex.is_alive(Vertex{id})) {
+                remove_vertex(complex, id, stack);
+            }
+        }
+    }
+}
 
 using Pair = std::array<std::uint32_t, 2>;
 
@@ -127,6 +180,44 @@ private:
 } // namespace
 
 template <class Real>
+void clear_lattice(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths,
+                   double clearance) {
+    std::vector<Corner> stack;
+    if (lattice.rows < 2) {
+        return;
+    }
+    for (const Path& path : paths) {
+        for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+            const double reach = clearance * (path[i + 1] - path[i]).norm();
+            clear_piece(complex, lattice, path[i], path[i + 1], reach, stack);
+        }
+    }
+}
+
+template <class Real>
+Chains insert_paths(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths) {
+    Chains chains;
+    std::vector<Corner> stack;
+    for (const Path& path : paths) {
+        auto& chain = chains.emplace_back();
+        chain.reserve(path.size());
+        std::uint32_t near = lattice.triangle_near(path.front());
+        while (!complex.is_alive(Triangle{near})) {
+            // It was removed. The triangles of the lattice at the corners of the domain are left.
+            near = near + 1 < complex.triangle_bound() ? near + 1 : 1;
+        }
+        for (const Point<double>& place : path) {
+            const Point<Real> point = place.template cast<Real>();
+            const std::uint32_t id =
+                insert_point(complex, locate(complex, near, point), point, stack);
+            chain.push_back(id);
+            near = triangle_of(complex.vertices[id].corner);
+        }
+    }
+    return chains;
+}
+
+template <class Real>
 std::vector<std::uint32_t> recover_segments(Complex<Real>& complex, Chains& chains) {
     Recovery<Real> recovery(complex);
     for (auto& chain : chains) {
@@ -141,7 +232,12 @@ std::vector<std::uint32_t> recover_segments(Complex<Real>& complex, Chains& chai
     return std::move(recovery.touched);
 }
 
-template std::vector<std::uint32_t> recover_segments(Complex<double>&, Chains&);
-template std::vector<std::uint32_t> recover_segments(Complex<float>&, Chains&);
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template void clear_lattice(Complex<Real>&, const Lattice&, std::span<const Path>, double);    \
+    template Chains insert_paths(Complex<Real>&, const Lattice&, std::span<const Path>);           \
+    template std::vector<std::uint32_t> recover_segments(Complex<Real>&, Chains&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
 
 } // namespace dsc::initial
