@@ -213,7 +213,7 @@ Cover cover_features(std::size_t strength, std::uint64_t seed, std::size_t most_
 }
 
 std::span<const std::string_view> found_rows() {
-    static constexpr std::array<std::string_view, 10> list{
+    static constexpr std::array<std::string_view, 11> list{
         // A star waited for a vertex that went half of its way in each pass because the star
         // waited.
         "motion=turn integrator=rk4 outline=loose_corners way=cells inside=carried",
@@ -238,6 +238,9 @@ std::span<const std::string_view> found_rows() {
         // Which tasks of a step that threw had run depended on the threads.
         "place=through_corner phases=junctions motion=swirl way=fixed submeshes=two "
         "interruption=thrown sizes=switched_off",
+        // Of two phases that merged with a wall at once, the first took what was the other's.
+        "place=by_wall phases=junctions motion=grow told=seeing sizes=by_place topology=wide "
+        "turned=quarter",
     };
     return list;
 }

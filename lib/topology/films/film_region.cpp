@@ -202,6 +202,17 @@ bool FilmRegion<Real>::is_all_positive(Vertex v, const Point<Real>& place) const
 }
 
 template <class Real>
+double FilmRegion<Real>::area_of(Phase taker) const {
+    double area = 0;
+    for (const Triangle t : order_) {
+        if (entries_.at(t.id).to == taker) {
+            area += static_cast<double>(doubled_area(work_.complex, t)) / 2;
+        }
+    }
+    return area;
+}
+
+template <class Real>
 double FilmRegion<Real>::give_all() {
     double area = 0;
     for (const Triangle t : order_) {

@@ -27,6 +27,8 @@ public:
     /// Straightens where the region will end: its vertices there are inside the film, so that no
     /// phase changes by that. O(number of triangles), a few times.
     void smooth();
+    /// The area that the phase is about to take. O(number of triangles).
+    [[nodiscard]] double area_of(Phase taker) const;
     /// Gives all triangles away and returns their area. Their vertices lie on a seam from now on.
     double give_all();
 

@@ -145,32 +145,17 @@ private:
         if (!(contact > 0) || (nearest < near && std::ranges::none_of(run, is_pressed))) {
             return;
         }
-        const EventKind kind = std::isfinite(nearest) ? EventKind::widen : EventKind::meet;
-        // The outline of the film goes on across junctions: each phase beyond it is asked for, and
-        // told of, by itself.
-        for (auto from = run.begin(); from != run.end();) {
-            const auto to = std::find_if(from, run.end(), [&](const auto& chord) {
-                return phase_beyond(complex_, chord.sheet) != phase_beyond(complex_, from->sheet);
-            });
-            open_part({from, to}, kind);
-            from = to;
-        }
+        open(run, std::isfinite(nearest) ? EventKind::widen : EventKind::meet);
     }
 
-    // Successive chords with one phase beyond them.
-    void open_part(std::vector<WallChord<Real>> part, EventKind kind) {
-        // What opened before it may have taken some of the edges, or the film.
-        std::erase_if(part, [&](WallChord<Real>& chord) {
-            if (!is_sheet(complex_, chord.sheet) || is_border(complex_.twin(chord.sheet))) {
-                return true;
-            }
-            chord.ray = ray_of(chord.sheet);
-            return chord.ray.wall == no_id ||
-                   (work_.options.opening == Opening::squeezed && !is_squeezed_to_wall(chord));
-        });
-        if (!part.empty()) {
-            open(part, kind);
+    // Whether a chord may still open: what opened before it may have taken its edge, or the film.
+    [[nodiscard]] bool opens(WallChord<Real>& chord) const {
+        if (!is_sheet(complex_, chord.sheet) || is_border(complex_.twin(chord.sheet))) {
+            return false;
         }
+        chord.ray = ray_of(chord.sheet);
+        return chord.ray.wall != no_id &&
+               (work_.options.opening != Opening::squeezed || is_squeezed_to_wall(chord));
     }
 
     // Held up for good, at both ends.
@@ -241,33 +226,54 @@ private:
         return is_squeezed(then, now);
     }
 
-    void open(const std::vector<WallChord<Real>>& run, EventKind kind) {
-        const auto& thinnest = *std::ranges::min_element(
-            run, {}, [](const WallChord<Real>& chord) { return chord.ray.thickness; });
-        const Phase film = complex_.phase_at(thinnest.sheet);
-        const Phase taker = phase_beyond(complex_, thinnest.sheet);
-        const auto x = static_cast<double>(thinnest.ray.middle.x());
-        const auto y = static_cast<double>(thinnest.ray.middle.y());
-        if (!may_open(work_, {.film = film,
-                              .sides = {taker, border_phase},
-                              .x = x,
-                              .y = y,
-                              .thickness = static_cast<double>(thinnest.ray.thickness)})) {
+    // The outline of the film goes on across junctions. The phases beyond it divide the film
+    // between them, but each is asked for, and told of, by itself.
+    void open(std::vector<WallChord<Real>> run, EventKind kind) {
+        std::erase_if(run, [this](WallChord<Real>& chord) { return !opens(chord); });
+        if (run.empty()) {
             return;
         }
-        FilmRegion<Real> region(work_, film, contact_of(thinnest.sheet));
+        const Phase film = complex_.phase_at(run.front().sheet);
+        Real contact = 0;
         for (const WallChord<Real>& chord : run) {
-            region.add_ray(chord.sheet);
+            contact = std::max(contact, contact_of(chord.sheet));
+        }
+        FilmRegion<Real> region(work_, film, contact);
+        std::vector<Event> events;
+        for (std::span<WallChord<Real>> rest = run; !rest.empty();) {
+            const Phase taker = phase_beyond(complex_, rest.front().sheet);
+            const auto others = std::ranges::stable_partition(rest, [&](const auto& chord) {
+                return phase_beyond(complex_, chord.sheet) == taker;
+            });
+            const std::span part = rest.first(rest.size() - others.size());
+            rest = rest.last(others.size());
+            const auto& thinnest = *std::ranges::min_element(
+                part, {}, [](const WallChord<Real>& chord) { return chord.ray.thickness; });
+            const Event event{.kind = kind,
+                              .time = work_.time,
+                              .x = static_cast<double>(thinnest.ray.middle.x()),
+                              .y = static_cast<double>(thinnest.ray.middle.y()),
+                              .lost = film,
+                              .taken = {taker, taker}};
+            if (!may_open(work_, {.film = film,
+                                  .sides = {taker, border_phase},
+                                  .x = event.x,
+                                  .y = event.y,
+                                  .thickness = static_cast<double>(thinnest.ray.thickness)})) {
+                continue;
+            }
+            for (const WallChord<Real>& chord : part) {
+                region.add_ray(chord.sheet);
+            }
+            events.push_back(event);
         }
         region.fill();
         region.smooth();
-        work_.events.push_back({.kind = kind,
-                                .time = work_.time,
-                                .x = x,
-                                .y = y,
-                                .lost = film,
-                                .taken = {taker, taker},
-                                .area = region.give_all()});
+        for (Event& event : events) {
+            event.area = region.area_of(event.taken[0]);
+            work_.events.push_back(event);
+        }
+        region.give_all();
     }
 
     TopologyWork<Real>& work_;
