@@ -213,7 +213,7 @@ Cover cover_features(std::size_t strength, std::uint64_t seed, std::size_t most_
 }
 
 std::span<const std::string_view> found_rows() {
-    static constexpr std::array<std::string_view, 12> list{
+    static constexpr std::array<std::string_view, 14> list{
         // A star waited for a vertex that went half of its way in each pass because the star
         // waited.
         "motion=turn integrator=rk4 outline=loose_corners way=cells inside=carried",
@@ -244,6 +244,12 @@ std::span<const std::string_view> found_rows() {
         // An end of a curve that had become a vertex of a wall went back and forth along it.
         "place=by_wall motion=grow told=seeing sizes=graded topology=least_area "
         "integrator=centred",
+        // Vertices that a wall holds up waited for others, between them and the end of the curve,
+        // that it does not.
+        "place=by_wall motion=grow told=seeing topology=change integrator=adaptive "
+        "coarsening=never",
+        "place=by_wall motion=grow told=seeing sizes=in_time topology=wide integrator=midpoint "
+        "insertion=arc coarsening=never",
     };
     return list;
 }

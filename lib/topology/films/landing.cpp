@@ -21,6 +21,8 @@ namespace {
 constexpr double landing_height = 0.15;
 /// It lands on a vertex of the wall that is nearer than this share of the edge there.
 constexpr double landing_share = 0.25;
+/// Up to this far along the curve from its end, in edge lengths, others land first.
+constexpr double landing_reach = 1.5;
 
 template <class Real>
 class Landing {
@@ -50,6 +52,7 @@ public:
         for (const auto& one : found) {
             std::uint32_t v = std::get<2>(one);
             while (v != no_id && is_held_up(work_, v)) {
+                land_those_before(v);
                 v = land(v);
             }
         }
@@ -64,10 +67,44 @@ private:
                }) != no_id;
     }
 
+    // Between a vertex that is held up and the end of its curve may be others, as low as it, that
+    // are not. They land first, from the end on.
+    void land_those_before(std::uint32_t v) {
+        std::vector<std::vector<std::uint32_t>> ways;
+        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
+            if (is_outline(complex_, prev(c))) {
+                ways.push_back(way_to_end(prev(c)));
+            }
+        });
+        for (const auto& way : ways) {
+            (void)std::all_of(way.rbegin(), way.rend(),
+                              [this](std::uint32_t u) { return land(u) != no_id; });
+        }
+    }
+
+    // The vertices along the curve from the end of the half-edge to before the wall, if that is
+    // near.
+    [[nodiscard]] std::vector<std::uint32_t> way_to_end(Corner c) const {
+        std::vector<std::uint32_t> way;
+        Real length = direction(complex_, c).norm();
+        while (length < static_cast<Real>(landing_reach) * work_.edge_length) {
+            const std::uint32_t u = complex_.vertex(prev(c));
+            if (is_on_wall(u)) {
+                return way;
+            }
+            way.push_back(u);
+            c = along_outline(complex_, c);
+            length += direction(complex_, c).norm();
+        }
+        return {};
+    }
+
     // Fills a slit whose mouth holds the vertex up: a triangle of which the two long sides are of
-    // the interface, and the mouth, which is at the vertex, is narrower than a film may be.
+    // the interface, and the mouth, which is at the vertex, is narrower than a film may be. And
+    // what is left of the film between it and the end of its curve.
     void fill_slits(std::uint32_t v) {
-        for (Corner side = no_id; (side = slit_at(v)) != no_id;) {
+        Corner side = no_id;
+        while ((side = slit_at(v)) != no_id || (side = ear_at(v)) != no_id) {
             const Triangle t{triangle_of(side)};
             const Point<double> place = centroid(complex_, t).template cast<double>();
             const Phase taker = phase_beyond(complex_, side);
@@ -103,6 +140,24 @@ private:
                     width < contact * contact &&
                     4 * width < direction(complex_, side).squaredNorm()) {
                     found = side;
+                }
+            }
+        });
+        return found;
+    }
+
+    // A side of the thin triangle that is left between two edges of the curve where the vertex is
+    // above an edge of the wall at its end; no_id if there is none.
+    [[nodiscard]] Corner ear_at(std::uint32_t v) const {
+        Corner found = no_id;
+        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
+            for (const Corner side : {next(c), prev(c)}) {
+                const Corner apex = complex_.twin(side);
+                if (is_border(complex_.twin(c)) && !is_outline(complex_, side) &&
+                    is_sheet(complex_, next(apex)) && is_sheet(complex_, prev(apex)) &&
+                    phase_beyond(complex_, next(apex)) == phase_beyond(complex_, prev(apex)) &&
+                    is_thin(work_, Triangle{triangle_of(apex)})) {
+                    found = next(apex);
                 }
             }
         });
