@@ -83,12 +83,15 @@ private:
         }
     }
 
-    // Between two successive edges of one sheet, away from seams: it bridges no film, and is not
-    // the end of a seam.
+    // Between two successive edges of one sheet, away from seams, and nothing is held up: it
+    // bridges no film, and is not the end of a seam.
     bool is_plain_ear(Corner c) const {
+        const auto is_plain = [&](std::uint32_t v) {
+            return !is_seam(v) && (complex_.vertices[v].flags & vertex_contact) == 0;
+        };
         return (is_sheet(complex_, next(c)) || is_sheet(complex_, prev(c))) &&
-               !is_seam(complex_.vertex(c)) && !is_seam(complex_.vertex(next(c))) &&
-               !is_seam(complex_.vertex(prev(c)));
+               is_plain(complex_.vertex(c)) && is_plain(complex_.vertex(next(c))) &&
+               is_plain(complex_.vertex(prev(c)));
     }
 
     // In the order of their places, which is the same for every way to divide the mesh.
@@ -254,7 +257,8 @@ private:
 
     // --- seams --------------------------------------------------------------------------------
     // A triangle that an earlier event has left at the end of its seam: one of its two sheets is
-    // the end itself, across the film, or the two meet in a sharp notch there.
+    // the end itself, across the film, or the two meet in a sharp notch there. Or a notch that is
+    // closing anywhere.
     bool is_end_of_seam(Triangle t) const {
         std::array<Corner, 3> sheets{};
         if (sheets_of(complex_, t, sheets) != 2) {
@@ -269,13 +273,13 @@ private:
         const Corner shared = next(sheets[0]) == sheets[1] ? prev(sheets[0]) : next(sheets[0]);
         const Point<Real> a = direction(complex_, sheets[0]);
         const Point<Real> b = direction(complex_, sheets[1]);
-        // A tip between two vertices of the seam that hold up each other.
+        // Its two sides hold up each other.
         const auto is_held_up = [&](Corner c) {
             const std::uint32_t v = complex_.vertex(next(c) == shared ? prev(c) : next(c));
-            return is_seam(v) && (complex_.vertices[v].flags & vertex_contact) != 0;
+            return (complex_.vertices[v].flags & vertex_contact) != 0;
         };
-        const bool is_tip = is_held_up(sheets[0]) && is_held_up(sheets[1]);
-        return (is_tip || is_seam(complex_.vertex(shared))) &&
+        const bool is_closing = is_held_up(sheets[0]) && is_held_up(sheets[1]);
+        return (is_closing || is_seam(complex_.vertex(shared))) &&
                -a.dot(b) > static_cast<Real>(seam_angle) * a.norm() * b.norm();
     }
 
@@ -287,6 +291,9 @@ private:
                     .x = static_cast<double>(place.x()),
                     .y = static_cast<double>(place.y()),
                     .lost = film};
+        if (!is_beside_seam(t) && !may_close(t)) {
+            return;
+        }
         const Phase taken = close(t);
         if (taken == film) {
             return;
@@ -297,6 +304,24 @@ private:
             event.area += close_from(complex_.twin(corner_of(t.id, i)), film);
         }
         work_.events.push_back(event);
+    }
+
+    [[nodiscard]] bool is_beside_seam(Triangle t) const {
+        return std::ranges::any_of(complex_.vertices_of(t),
+                                   [this](Vertex v) { return is_seam(v.id); });
+    }
+
+    // Asked for a notch that no event has made.
+    [[nodiscard]] bool may_close(Triangle t) const {
+        std::array<Corner, 3> sheets{};
+        (void)sheets_of(complex_, t, sheets);
+        const Point<double> place = centroid(complex_, t).template cast<double>();
+        return may_open(
+            work_, {.film = complex_.phase(t),
+                    .sides = {phase_beyond(complex_, sheets[0]), phase_beyond(complex_, sheets[1])},
+                    .x = place.x(),
+                    .y = place.y(),
+                    .thickness = static_cast<double>(thickness(complex_, t))});
     }
 
     // Closes a triangle that has only one open side left: it goes to the phase beyond its longest

@@ -16,7 +16,8 @@
 // Not every thin triangle is a film: three successive vertices of one flat curve span one as well,
 // and so do the end of a filament and a sharp corner. So a film opens only where two edges face
 // each other and are far from each other along the outline, and a seam only goes on where it has
-// begun.
+// begun. A sharp notch whose two sides hold up each other closes from its point, as the end of a
+// seam does.
 #pragma once
 
 #include "topology/region.h"
