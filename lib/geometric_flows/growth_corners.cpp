@@ -150,8 +150,8 @@ private:
 
     // The centre vanishes into the other end of a spoke, if that is legal.
     bool collapse_into(const Ring<Real>& ring, std::uint32_t spoke) {
-        return edge_collapse(complex_, work_.submesh, prev(ring.corner[spoke]),
-                             rewire::Vanishing::next) == Verdict::legal;
+        return edge_collapse(work_.submesh, prev(ring.corner[spoke]), rewire::Vanishing::next) ==
+               Verdict::legal;
     }
 
     // --- fans ---------------------------------------------------------------------------------
@@ -240,7 +240,7 @@ private:
             if (corner == no_id || !owns_place(work_.submesh.region, point)) {
                 break;
             }
-            const SplitResult result = edge_split(complex_, work_.submesh, corner, point);
+            const SplitResult result = edge_split(work_.submesh, corner, point);
             if (result.verdict != Verdict::legal) {
                 break;
             }

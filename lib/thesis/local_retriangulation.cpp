@@ -287,14 +287,15 @@ void make_delaunay(Complex<Real>& complex, EditLog& log, RetriangulationPlan<Rea
 } // namespace
 
 template <class Real>
-Verdict local_retriangulation_guard(const Complex<Real>& complex, const Region& region,
-                                    Triangle triangle) {
+Verdict local_retriangulation_guard(const Complex<Real>& complex, Triangle triangle,
+                                    const Region& region) {
     return make_plan(complex, region, triangle, scratch<Real>());
 }
 
 template <class Real>
-RetriangulationResult local_retriangulation(Complex<Real>& complex, const Submesh& submesh,
-                                            Triangle triangle, RetriangulationMethod method) {
+RetriangulationResult detail::local_retriangulation(const Submesh<Real>& submesh, Triangle triangle,
+                                                    RetriangulationMethod method) {
+    Complex<Real>& complex = submesh.complex;
     RetriangulationPlan<Real>& plan = scratch<Real>();
     RetriangulationResult result;
     result.verdict = make_plan(complex, submesh.region, triangle, plan);
@@ -329,11 +330,11 @@ RetriangulationResult local_retriangulation(Complex<Real>& complex, const Submes
     return result;
 }
 
-template Verdict local_retriangulation_guard(const Complex<double>&, const Region&, Triangle);
-template Verdict local_retriangulation_guard(const Complex<float>&, const Region&, Triangle);
-template RetriangulationResult local_retriangulation(Complex<double>&, const Submesh&, Triangle,
-                                                     RetriangulationMethod);
-template RetriangulationResult local_retriangulation(Complex<float>&, const Submesh&, Triangle,
-                                                     RetriangulationMethod);
+template Verdict local_retriangulation_guard(const Complex<double>&, Triangle, const Region&);
+template Verdict local_retriangulation_guard(const Complex<float>&, Triangle, const Region&);
+template RetriangulationResult detail::local_retriangulation(const Submesh<double>&, Triangle,
+                                                             RetriangulationMethod);
+template RetriangulationResult detail::local_retriangulation(const Submesh<float>&, Triangle,
+                                                             RetriangulationMethod);
 
 } // namespace dsc

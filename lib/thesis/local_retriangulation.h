@@ -29,8 +29,8 @@ enum class RetriangulationMethod : std::uint8_t {
 /// simple polygon that ears can be cut from (thesis, section 6.5). Vertices of the domain boundary
 /// stay. O(n^2) for a polygon of n. Exact.
 template <class Real>
-Verdict local_retriangulation_guard(const Complex<Real>& complex, const Region& region,
-                                    Triangle triangle);
+Verdict local_retriangulation_guard(const Complex<Real>& complex, Triangle triangle,
+                                    const Region& region = {});
 
 /// What a retriangulation did.
 struct RetriangulationResult {
@@ -39,27 +39,20 @@ struct RetriangulationResult {
     std::uint32_t triangles_removed = 0; ///< old minus new ones
 };
 
+namespace detail {
+template <class Real>
+RetriangulationResult local_retriangulation(const Submesh<Real>& submesh, Triangle triangle,
+                                            RetriangulationMethod method);
+} // namespace detail
+
 /// Retriangulates if that is legal. The new triangles reuse ids of the old ones, the given
 /// triangle's first, and inherit its phase and attributes; new edges get the attributes' defaults,
 /// the polygon's keep theirs. Never needs a free id. Thread-safe for disjoint submeshes; allocates
 /// only until the scratch of the calling thread has grown to the largest polygon.
-template <class Real>
 RetriangulationResult
-local_retriangulation(Complex<Real>& complex, const Submesh& submesh, Triangle triangle,
-                      RetriangulationMethod method = RetriangulationMethod::ear_clipping);
-
-/// The same, with the whole complex as the submesh.
-template <class Real>
-RetriangulationResult
-local_retriangulation(Complex<Real>& complex, Triangle triangle,
+local_retriangulation(Editable auto&& where, Triangle triangle,
                       RetriangulationMethod method = RetriangulationMethod::ear_clipping) {
-    return local_retriangulation(complex, whole_submesh(complex), triangle, method);
-}
-
-/// The guard for the whole complex.
-template <class Real>
-Verdict local_retriangulation_guard(const Complex<Real>& complex, Triangle triangle) {
-    return local_retriangulation_guard(complex, Region{}, triangle);
+    return detail::local_retriangulation(Submesh(where), triangle, method);
 }
 
 } // namespace dsc

@@ -23,8 +23,8 @@ std::array<Point<Real>, 3> midpoints(const Complex<Real>& complex, Triangle tria
 } // namespace
 
 template <class Real>
-Verdict loop_subdivision_guard(const Complex<Real>& complex, const Region& region,
-                               Triangle triangle) {
+Verdict loop_subdivision_guard(const Complex<Real>& complex, Triangle triangle,
+                               const Region& region) {
     if (!complex.is_alive(triangle)) {
         return Verdict::not_a_simplex;
     }
@@ -62,9 +62,9 @@ Verdict loop_subdivision_guard(const Complex<Real>& complex, const Region& regio
 }
 
 template <class Real>
-LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, const Submesh& submesh,
-                                       Triangle triangle) {
-    const Verdict verdict = loop_subdivision_guard(complex, submesh.region, triangle);
+LoopSubdivisionResult detail::loop_subdivision(const Submesh<Real>& submesh, Triangle triangle) {
+    Complex<Real>& complex = submesh.complex;
+    const Verdict verdict = loop_subdivision_guard(complex, triangle, submesh.region);
     if (verdict != Verdict::legal) {
         return {verdict, {}};
     }
@@ -98,9 +98,9 @@ LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, const Submesh& su
     return result;
 }
 
-template Verdict loop_subdivision_guard(const Complex<double>&, const Region&, Triangle);
-template Verdict loop_subdivision_guard(const Complex<float>&, const Region&, Triangle);
-template LoopSubdivisionResult loop_subdivision(Complex<double>&, const Submesh&, Triangle);
-template LoopSubdivisionResult loop_subdivision(Complex<float>&, const Submesh&, Triangle);
+template Verdict loop_subdivision_guard(const Complex<double>&, Triangle, const Region&);
+template Verdict loop_subdivision_guard(const Complex<float>&, Triangle, const Region&);
+template LoopSubdivisionResult detail::loop_subdivision(const Submesh<double>&, Triangle);
+template LoopSubdivisionResult detail::loop_subdivision(const Submesh<float>&, Triangle);
 
 } // namespace dsc

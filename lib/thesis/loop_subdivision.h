@@ -14,8 +14,8 @@ namespace dsc {
 /// submesh boundary; edges of the domain boundary are split as well (thesis, section 6.5). O(1).
 /// Exact.
 template <class Real>
-Verdict loop_subdivision_guard(const Complex<Real>& complex, const Region& region,
-                               Triangle triangle);
+Verdict loop_subdivision_guard(const Complex<Real>& complex, Triangle triangle,
+                               const Region& region = {});
 
 /// What a subdivision did.
 struct LoopSubdivisionResult {
@@ -25,24 +25,17 @@ struct LoopSubdivisionResult {
     std::array<Vertex, 3> vertices{};
 };
 
+namespace detail {
+template <class Real>
+LoopSubdivisionResult loop_subdivision(const Submesh<Real>& submesh, Triangle triangle);
+} // namespace detail
+
 /// Subdivides the triangle if that is legal. The part in the middle keeps its id. The parts inherit
 /// phase and triangle attributes, the halves of an edge its attributes; new edges get the defaults,
 /// the attributes of new vertices are blended at the midpoint. O(1). Thread-safe for disjoint
 /// submeshes.
-template <class Real>
-LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, const Submesh& submesh,
-                                       Triangle triangle);
-
-/// The same, with the whole complex as the submesh.
-template <class Real>
-LoopSubdivisionResult loop_subdivision(Complex<Real>& complex, Triangle triangle) {
-    return loop_subdivision(complex, whole_submesh(complex), triangle);
-}
-
-/// The guard for the whole complex.
-template <class Real>
-Verdict loop_subdivision_guard(const Complex<Real>& complex, Triangle triangle) {
-    return loop_subdivision_guard(complex, Region{}, triangle);
+LoopSubdivisionResult loop_subdivision(Editable auto&& where, Triangle triangle) {
+    return detail::loop_subdivision(Submesh(where), triangle);
 }
 
 } // namespace dsc

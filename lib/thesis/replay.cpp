@@ -16,7 +16,8 @@ namespace {
 // By ear clipping alone: the flips after it have records of their own. Locks are no edits, so the
 // log does not say that a vertex was unlocked before it vanished.
 template <class Real>
-bool retriangulate(Complex<Real>& complex, const Submesh& submesh, Triangle t) {
+bool retriangulate(const Submesh<Real>& submesh, Triangle t) {
+    Complex<Real>& complex = submesh.complex;
     if (!complex.is_alive(t)) {
         return false;
     }
@@ -26,7 +27,7 @@ bool retriangulate(Complex<Real>& complex, const Submesh& submesh, Triangle t) {
         locked[i] = complex.is_locked(v[i]);
         complex.set_locked(v[i], false);
     }
-    const bool done = local_retriangulation(complex, submesh, t).verdict == Verdict::legal;
+    const bool done = local_retriangulation(submesh, t).verdict == Verdict::legal;
     for (std::size_t i = 0; i < 3; ++i) {
         if (complex.is_alive(v[i])) {
             complex.set_locked(v[i], locked[i]);
@@ -38,11 +39,12 @@ bool retriangulate(Complex<Real>& complex, const Submesh& submesh, Triangle t) {
 } // namespace
 
 template <class Real>
-bool repeat_edit(Complex<Real>& complex, const Submesh& submesh, const Edit& edit) {
+bool repeat_edit(const Submesh<Real>& submesh, const Edit& edit) {
+    Complex<Real>& complex = submesh.complex;
     const Triangle t{triangle_of(edit.corner)};
     const std::array v{edit.ends[0], edit.ends[1], edit.apexes[0]};
     switch (edit.kind) {
-    case EditKind::retriangulate: return retriangulate(complex, submesh, t);
+    case EditKind::retriangulate: return retriangulate(submesh, t);
     case EditKind::insert_triangle:
         if (!std::ranges::all_of(v, [&](Vertex one) { return complex.is_alive(one); })) {
             return false;
@@ -63,7 +65,7 @@ bool repeat_edit(Complex<Real>& complex, const Submesh& submesh, const Edit& edi
     }
 }
 
-template bool repeat_edit(Complex<double>&, const Submesh&, const Edit&);
-template bool repeat_edit(Complex<float>&, const Submesh&, const Edit&);
+template bool repeat_edit(const Submesh<double>&, const Edit&);
+template bool repeat_edit(const Submesh<float>&, const Edit&);
 
 } // namespace dsc

@@ -9,6 +9,6 @@ namespace dsc {
 
 /// Repeats a local retriangulation, an insertion or a removal; see `RepeatEdit`.
 template <class Real>
-bool repeat_edit(Complex<Real>& complex, const Submesh& submesh, const Edit& edit);
+bool repeat_edit(const Submesh<Real>& submesh, const Edit& edit);
 
 } // namespace dsc

@@ -58,7 +58,7 @@ void smooth_interface(Work<Real>& work) {
                                                 work.options.interface.corner_degrees};
     for (const std::uint32_t v : work.interface) {
         if (work.complex.is_alive(Vertex{v}) &&
-            interface_smoothing(work.complex, work.submesh, Vertex{v}, options) == Verdict::legal) {
+            interface_smoothing(work.submesh, Vertex{v}, options) == Verdict::legal) {
             work.activate(v);
         }
     }
@@ -103,9 +103,8 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
          .select = below<Triangle>(thresholds.small_area * unit),
          .operation = [](Work<Real>& work, Triangle t) {
              const auto corners = work.complex.vertices_of(t);
-             const Verdict verdict = local_retriangulation(work.complex, work.submesh, t,
-                                                           RetriangulationMethod::delaunay)
-                                         .verdict;
+             const Verdict verdict =
+                 local_retriangulation(work.submesh, t, RetriangulationMethod::delaunay).verdict;
              if (verdict == Verdict::legal) {
                  for (const Vertex v : corners) {
                      if (work.complex.is_alive(v)) {
@@ -122,7 +121,7 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
          .select = below<Triangle>(-thresholds.large_area * unit),
          .operation =
              [](Work<Real>& work, Triangle t) {
-                 const Verdict verdict = loop_subdivision(work.complex, work.submesh, t).verdict;
+                 const Verdict verdict = loop_subdivision(work.submesh, t).verdict;
                  if (verdict == Verdict::legal) {
                      activate_triangle(work, t);
                  }
@@ -142,7 +141,7 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
                  if (is_border(work.complex.twin(e.id)) || is_delaunay(work.complex, e.id)) {
                      return Verdict::no_gain;
                  }
-                 return edge_flip(work.complex, work.submesh, e);
+                 return edge_flip(work.submesh, e);
              }}));
     algorithm.motion.push_back(mesh_update_pass<Real, Vertex>(
         {.name = "smoothing: Laplacian",
@@ -157,10 +156,8 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
                  return std::sqrt(std::max(squared, 0.0));
              },
          .select = below<Vertex>(thresholds.smooth_quality),
-         .operation =
-             [](Work<Real>& work, Vertex v) {
-                 return laplacian_smoothing(work.complex, work.submesh, v);
-             }}));
+         .operation = [](Work<Real>& work,
+                         Vertex v) { return laplacian_smoothing(work.submesh, v); }}));
     algorithm.motion.push_back(last);
     return algorithm;
 }

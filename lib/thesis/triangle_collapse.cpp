@@ -199,15 +199,16 @@ CollapsePlan<Real> plan_collapse(const Complex<Real>& complex, const Region& reg
 } // namespace
 
 template <class Real>
-Verdict triangle_collapse_guard(const Complex<Real>& complex, const Region& region,
-                                Triangle triangle, const TriangleCollapseOptions<Real>& options) {
+Verdict triangle_collapse_guard(const Complex<Real>& complex, Triangle triangle,
+                                const TriangleCollapseOptions<Real>& options,
+                                const Region& region) {
     return plan_collapse(complex, region, triangle, options).verdict;
 }
 
 template <class Real>
-TriangleCollapseResult triangle_collapse(Complex<Real>& complex, const Submesh& submesh,
-                                         Triangle triangle,
-                                         const TriangleCollapseOptions<Real>& options) {
+TriangleCollapseResult detail::triangle_collapse(const Submesh<Real>& submesh, Triangle triangle,
+                                                 const TriangleCollapseOptions<Real>& options) {
+    Complex<Real>& complex = submesh.complex;
     const CollapsePlan<Real> plan = plan_collapse(complex, submesh.region, triangle, options);
     if (plan.verdict != Verdict::legal) {
         return {plan.verdict, {}};
@@ -235,10 +236,10 @@ TriangleCollapseResult triangle_collapse(Complex<Real>& complex, const Submesh& 
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template Verdict triangle_collapse_guard(const Complex<Real>&, const Region&, Triangle,        \
-                                             const TriangleCollapseOptions<Real>&);                \
-    template TriangleCollapseResult triangle_collapse(Complex<Real>&, const Submesh&, Triangle,    \
-                                                      const TriangleCollapseOptions<Real>&);
+    template Verdict triangle_collapse_guard(const Complex<Real>&, Triangle,                       \
+                                             const TriangleCollapseOptions<Real>&, const Region&); \
+    template TriangleCollapseResult detail::triangle_collapse(                                     \
+        const Submesh<Real>&, Triangle, const TriangleCollapseOptions<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

@@ -34,9 +34,9 @@ struct TriangleCollapseOptions {
 /// one twice, or two triangles would fall onto each other) or inverts. Throws InputError if the
 /// place is not finite. O(sum of degrees, squared). Exact.
 template <class Real>
-Verdict triangle_collapse_guard(const Complex<Real>& complex, const Region& region,
-                                Triangle triangle,
-                                const TriangleCollapseOptions<Real>& options = {});
+Verdict triangle_collapse_guard(const Complex<Real>& complex, Triangle triangle,
+                                const TriangleCollapseOptions<Real>& options = {},
+                                const Region& region = {});
 
 /// What a triangle collapse did.
 struct TriangleCollapseResult {
@@ -44,28 +44,22 @@ struct TriangleCollapseResult {
     Vertex vertex;                    ///< the one that is left, if legal
 };
 
+namespace detail {
+template <class Real>
+TriangleCollapseResult triangle_collapse(const Submesh<Real>& submesh, Triangle triangle,
+                                         const TriangleCollapseOptions<Real>& options);
+} // namespace detail
+
 /// Collapses the triangle if that is legal: two edge collapses, as the thesis suggests, and a
 /// movement, and so they are counted and logged. The vertex that may not move remains; where all
 /// may, the only one on the interface, the only corner of the interface, or the one with the
 /// smallest id. It keeps its attributes; data of edges and triangles follow as in edge collapses.
 /// Never needs a free id. Thread-safe for disjoint submeshes.
-template <class Real>
-TriangleCollapseResult triangle_collapse(Complex<Real>& complex, const Submesh& submesh,
-                                         Triangle triangle,
-                                         const TriangleCollapseOptions<Real>& options = {});
-
-/// The guard for the whole complex.
-template <class Real>
-Verdict triangle_collapse_guard(const Complex<Real>& complex, Triangle triangle,
-                                const TriangleCollapseOptions<Real>& options = {}) {
-    return triangle_collapse_guard(complex, Region{}, triangle, options);
-}
-
-/// The same, with the whole complex as the submesh.
-template <class Real>
-TriangleCollapseResult triangle_collapse(Complex<Real>& complex, Triangle triangle,
-                                         const TriangleCollapseOptions<Real>& options = {}) {
-    return triangle_collapse(complex, whole_submesh(complex), triangle, options);
+template <Editable Where>
+TriangleCollapseResult
+triangle_collapse(Where&& where, Triangle triangle,
+                  const TriangleCollapseOptions<ScalarOf<Where>>& options = {}) {
+    return detail::triangle_collapse(Submesh(where), triangle, options);
 }
 
 } // namespace dsc

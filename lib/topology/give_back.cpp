@@ -50,7 +50,7 @@ template <class Real>
 class GiveBack {
 public:
     explicit GiveBack(TopologyWork<Real>& work)
-        : work_(work), complex_(work.complex), submesh_(whole_submesh(work.complex)),
+        : work_(work), complex_(work.complex), submesh_(work.complex),
           farthest_(farthest_move * static_cast<double>(work.edge_length)) {}
 
     AreaAccount run() {
@@ -237,8 +237,8 @@ private:
         if (!gather(complex_, Region{}, bend.vertex, ring_)) {
             return 0;
         }
-        if (move_vertex(complex_, submesh_, ring_, target.x(), target.y(),
-                        MoveReason::giving_back) == MoveOutcome::blocked) {
+        if (move_vertex(submesh_, ring_, target.x(), target.y(), MoveReason::giving_back) ==
+            MoveOutcome::blocked) {
             return 0;
         }
         return gradient(bend).dot(position(bend.vertex) - before);
@@ -246,7 +246,7 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    Submesh submesh_;
+    Submesh<Real> submesh_;
     double farthest_;
     std::vector<Bend> bends_;
     Ring<Real> ring_;

@@ -79,7 +79,7 @@ TYPED_TEST(OwnPasses, AVertexThatVanishesOnItsWayDoesNotCountAsUnreached) {
     const auto collapse_one = [&](Work<Real>& work) {
         for (const Edge edge : edges(complex)) {
             if (vanished == 0 && is_interface(complex, edge) &&
-                edge_collapse(complex, work.submesh, edge) == Verdict::legal) {
+                edge_collapse(work.submesh, edge) == Verdict::legal) {
                 ++vanished;
                 return;
             }

@@ -261,10 +261,9 @@ TEST(OwnAttributes, AreSharedOutByArea) {
         const auto [a, b] = complex.vertices_of(e);
         const Point<double> third = (2 * complex.position(a) + complex.position(b)) / 3;
         const std::uint32_t what = random.below(3);
-        const Verdict verdict = what == 0 ? edge_flip(complex, e)
-                                : what == 1
-                                    ? edge_split(complex, whole_submesh(complex), e, third).verdict
-                                    : loop_subdivision(complex, t).verdict;
+        const Verdict verdict = what == 0   ? edge_flip(complex, e)
+                                : what == 1 ? edge_split(Submesh(complex), e, third).verdict
+                                            : loop_subdivision(complex, t).verdict;
         done += verdict == Verdict::legal ? 1 : 0;
     }
     EXPECT_GT(done, 100);
@@ -289,14 +288,14 @@ TEST(OwnAttributes, AreConservedByAllOperations) {
             }
             const Edge e = complex.edge(corner_of(t.id, random.below(3)));
             const std::uint32_t what = random.below(5);
-            const Verdict verdict = what == 0   ? edge_flip(complex, e)
-                                    : what == 1 ? edge_split(complex, e).verdict
-                                    : what == 2 ? edge_collapse(complex, e)
-                                    : what == 3
-                                        ? loop_subdivision(complex, t).verdict
-                                        : local_retriangulation(complex, whole_submesh(complex), t,
-                                                                RetriangulationMethod::delaunay)
-                                              .verdict;
+            const Verdict verdict =
+                what == 0   ? edge_flip(complex, e)
+                : what == 1 ? edge_split(complex, e).verdict
+                : what == 2 ? edge_collapse(complex, e)
+                : what == 3
+                    ? loop_subdivision(complex, t).verdict
+                    : local_retriangulation(Submesh(complex), t, RetriangulationMethod::delaunay)
+                          .verdict;
             done[what] += verdict == Verdict::legal ? 1 : 0;
             ASSERT_NEAR(total(complex, mass), whole, 1e-11 * std::abs(whole))
                 << "operation " << what << ", seed " << seed;

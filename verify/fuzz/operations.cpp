@@ -187,18 +187,18 @@ private:
 
     void edit_submesh() {
         labels_.resize(complex_.vertex_bound(), 0);
-        Submesh submesh = whole_submesh(complex_);
+        Submesh submesh = Submesh(complex_);
         submesh.region.kind = Region::Kind::labels;
         submesh.region.labels = labels_.data();
         submesh.region.label = 1;
         const std::vector<Edge> outside = edges_outside(submesh.region);
         const std::uint32_t kind = bytes_.below(5);
         switch (kind) {
-        case 0: edge_flip(complex_, submesh, edge()); break;
-        case 1: edge_collapse(complex_, submesh, edge()); break;
-        case 2: laplacian_smoothing(complex_, submesh, vertex()); break;
-        case 3: interface_smoothing(complex_, submesh, vertex()); break;
-        default: local_retriangulation(complex_, submesh, triangle()); break;
+        case 0: edge_flip(submesh, edge()); break;
+        case 1: edge_collapse(submesh, edge()); break;
+        case 2: laplacian_smoothing(submesh, vertex()); break;
+        case 3: interface_smoothing(submesh, vertex()); break;
+        default: local_retriangulation(submesh, triangle()); break;
         }
         for (const Edge e : outside) {
             expect(complex_.is_alive(e), "an edge outside the submesh vanished");

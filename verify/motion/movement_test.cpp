@@ -31,7 +31,7 @@ double least_shape(const Complex<double>& complex) {
 MoveOutcome move_centre(Complex<double>& complex, const Point<double>& target) {
     Ring<double> ring;
     EXPECT_TRUE(gather(complex, Region{}, 0, ring));
-    return move_vertex(complex, whole_submesh(complex), ring, target.x(), target.y());
+    return move_vertex(Submesh(complex), ring, target.x(), target.y());
 }
 
 TEST(Movement, ReachesWhatLiesInItsStar) {

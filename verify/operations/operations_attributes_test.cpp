@@ -222,7 +222,7 @@ std::optional<Change> operate(Random& random, Complex<Real>& K, const Data& befo
     const Corner c = corner_of(t.id, random.below(3));
     const Edge e = K.edge(c);
     const auto [a, b] = K.vertices_of(e);
-    const Submesh whole = whole_submesh(K);
+    const Submesh whole = Submesh(K);
     Change change;
     const std::uint32_t what = random.below(8);
     switch (what) {
@@ -263,7 +263,7 @@ std::optional<Change> operate(Random& random, Complex<Real>& K, const Data& befo
         const auto method =
             what == 5 ? RetriangulationMethod::ear_clipping : RetriangulationMethod::delaunay;
         change.filled = before.triangles.at(t.id).first;
-        if (local_retriangulation(K, whole, t, method).verdict != Verdict::legal) {
+        if (local_retriangulation(whole, t, method).verdict != Verdict::legal) {
             return std::nullopt;
         }
         break;

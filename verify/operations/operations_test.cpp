@@ -45,8 +45,7 @@ TYPED_TEST(Operations, FlipIsRefused) {
     const Edge diagonal = K.find_edge(Vertex{0}, Vertex{2});
     const Edge side = K.find_edge(Vertex{0}, Vertex{1});
     const auto flip = [](Edge e) {
-        return
-            [e](auto& complex, const Submesh& submesh) { return edge_flip(complex, submesh, e); };
+        return [e](const auto& submesh) { return edge_flip(submesh, e); };
     };
     expect_refused(K, Verdict::not_a_simplex, flip(Edge{}));
     expect_refused(K, Verdict::not_a_simplex, flip(Edge{corner_of(7, 0)}));
@@ -64,8 +63,8 @@ TYPED_TEST(Operations, FlipOfAQuadrilateralThatIsNotStrictlyConvexInverts) {
     // The quadrilateral (0, 1, 2, 3), cut from 1 to 3, is reflex at 1, or flat.
     for (const TypeParam y : {TypeParam(0.5), TypeParam(0)}) {
         auto K = build<TypeParam>({{0, 0}, {1, y}, {2, 0}, {1, 2}}, {{0, 1, 3}, {1, 2, 3}}, {0, 0});
-        expect_refused(K, Verdict::inverts, [](auto& complex, const Submesh& submesh) {
-            return edge_flip(complex, submesh, complex.find_edge(Vertex{1}, Vertex{3}));
+        expect_refused(K, Verdict::inverts, [](const auto& submesh) {
+            return edge_flip(submesh, submesh.complex.find_edge(Vertex{1}, Vertex{3}));
         });
     }
 }
@@ -90,7 +89,7 @@ TYPED_TEST(Operations, SplitCutsBothTriangles) {
 
 TYPED_TEST(Operations, SplitOfABoundaryEdgeCutsOneTriangle) {
     auto K = square<TypeParam>();
-    const auto [verdict, m] = edge_split(K, whole_submesh(K), K.find_edge(Vertex{0}, Vertex{1}),
+    const auto [verdict, m] = edge_split(Submesh(K), K.find_edge(Vertex{0}, Vertex{1}),
                                          Point<TypeParam>(TypeParam(0.5), TypeParam(-0.25)));
     EXPECT_EQ(verdict, Verdict::legal);
     expect_valid(K);
@@ -103,13 +102,11 @@ TYPED_TEST(Operations, SplitIsRefused) {
     const Edge diagonal = K.find_edge(Vertex{0}, Vertex{2});
     const Edge side = K.find_edge(Vertex{0}, Vertex{1});
     const auto split = [](Edge e) {
-        return [e](auto& complex, const Submesh& submesh) {
-            return edge_split(complex, submesh, e).verdict;
-        };
+        return [e](const auto& submesh) { return edge_split(submesh, e).verdict; };
     };
     const auto split_at = [](Edge e, TypeParam x, TypeParam y) {
-        return [=](auto& complex, const Submesh& submesh) {
-            return edge_split(complex, submesh, e, Point<TypeParam>(x, y)).verdict;
+        return [=](const auto& submesh) {
+            return edge_split(submesh, e, Point<TypeParam>(x, y)).verdict;
         };
     };
     expect_refused(K, Verdict::not_a_simplex, split(Edge{}));
@@ -280,15 +277,14 @@ TYPED_TEST(Operations, CollapseIsRefusedOutsideAndOnTheSubmeshBoundary) {
     for (std::uint32_t v = 0; v < 25; ++v) {
         labels[v] = v % 5 < 3 ? 1 : 0; // columns 0 to 2; column 2 is the submesh boundary
     }
-    expect_refused(K, Verdict::not_a_simplex, [](auto& complex, const Submesh& submesh) {
-        return edge_collapse(complex, submesh, Edge{});
-    });
+    expect_refused(K, Verdict::not_a_simplex,
+                   [](const auto& submesh) { return edge_collapse(submesh, Edge{}); });
     expect_refused(K, Verdict::on_submesh_boundary, collapse_between(12, 13), labels);
     expect_refused(K, Verdict::on_submesh_boundary, collapse_between(7, 12), labels);
     expect_refused(K, Verdict::on_submesh_boundary, collapse_between(3, 4), labels);
     // Towards the submesh boundary it is legal: figure 6.12.
     Submesh submesh = submesh_of(K, labels);
-    EXPECT_EQ(edge_collapse(K, submesh, K.find_edge(Vertex{11}, Vertex{12})), Verdict::legal);
+    EXPECT_EQ(edge_collapse(submesh, K.find_edge(Vertex{11}, Vertex{12})), Verdict::legal);
     expect_valid(K);
     EXPECT_FALSE(K.is_alive(Vertex{11}));
 }
@@ -298,8 +294,8 @@ TYPED_TEST(Operations, SplitOfTheSmallestTriangleInverts) {
     const TypeParam one = 1;
     const TypeParam after = std::nextafter(one, TypeParam(2));
     auto K = build<TypeParam>({{one, one}, {after, one}, {one, after}}, {{0, 1, 2}}, {0});
-    expect_refused(K, Verdict::inverts, [](auto& complex, const Submesh& submesh) {
-        return edge_split(complex, submesh, complex.find_edge(Vertex{0}, Vertex{1})).verdict;
+    expect_refused(K, Verdict::inverts, [](const auto& submesh) {
+        return edge_split(submesh, submesh.complex.find_edge(Vertex{0}, Vertex{1})).verdict;
     });
 }
 

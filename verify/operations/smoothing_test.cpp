@@ -21,14 +21,12 @@ using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(Smoothing, Reals);
 
 auto smooth(std::uint32_t v) {
-    return [v](auto& complex, const Submesh& submesh) {
-        return laplacian_smoothing(complex, submesh, Vertex{v});
-    };
+    return [v](const auto& submesh) { return laplacian_smoothing(submesh, Vertex{v}); };
 }
 
 auto slide(std::uint32_t v, InterfaceSmoothingOptions options = {}) {
-    return [v, options](auto& complex, const Submesh& submesh) {
-        return interface_smoothing(complex, submesh, Vertex{v}, options);
+    return [v, options](const auto& submesh) {
+        return interface_smoothing(submesh, Vertex{v}, options);
     };
 }
 
@@ -187,7 +185,7 @@ TYPED_TEST(Smoothing, TheCurveOfThreePointsWhereTheSubmeshEnds) {
         auto whole = K;
         std::vector<std::uint32_t> labels(3 * n, 1);
         labels[k - 2] = 0;
-        EXPECT_EQ(interface_smoothing(K, submesh_of(K, labels), Vertex{k}), Verdict::legal);
+        EXPECT_EQ(interface_smoothing(submesh_of(K, labels), Vertex{k}), Verdict::legal);
         expect_valid(K);
         EXPECT_NEAR(edge_ratio(K, k - 1, k, k + 1), 1, 1e-3);
         error.push_back(off_curve(K, k, 1.5));

@@ -245,8 +245,7 @@ void thin_out(Work<double>& work) {
         }
         for (std::uint32_t i = 0; i < work.ring.size; ++i) {
             const Corner spoke = prev(work.ring.corner[i]);
-            if (edge_collapse(complex, work.submesh, spoke, rewire::Vanishing::prev) ==
-                Verdict::legal) {
+            if (edge_collapse(work.submesh, spoke, rewire::Vanishing::prev) == Verdict::legal) {
                 break;
             }
         }

@@ -27,7 +27,7 @@ protected:
         run_pass<double>(work, {"split", [](Work<double>& here) {
                                     for (const Edge e : edges(here.complex)) {
                                         if (is_interface(here.complex, e)) {
-                                            edge_split(here.complex, here.submesh, e.id,
+                                            edge_split(here.submesh, e.id,
                                                        midpoint_of(here.complex, e));
                                             return;
                                         }

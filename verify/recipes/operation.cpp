@@ -32,7 +32,7 @@ TEST(Recipe, AnOperationIsOnePassMore) {
                                if (gain(work.complex, edge) <= 0) {
                                    return Verdict::no_gain; // a flip before this one has done it
                                }
-                               const Verdict verdict = edge_flip(work.complex, work.submesh, edge);
+                               const Verdict verdict = edge_flip(work.submesh, edge);
                                flips += verdict == Verdict::legal ? 1 : 0;
                                return verdict;
                            }}));

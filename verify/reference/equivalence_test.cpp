@@ -27,23 +27,15 @@ void compare_edge(Equivalence<Real>& equivalence, const Complex<Real>& K, Edge e
     const auto [a, b] = K.vertices_of(e);
     const reference::EdgeKey key = reference::edge_key(a, b);
     equivalence.compare(
-        Operation::flip, {a, b},
-        [&](Complex<Real>& complex, const Submesh& submesh) {
-            return edge_flip(complex, submesh, e);
-        },
+        Operation::flip, {a, b}, [&](const auto& submesh) { return edge_flip(submesh, e); },
         [&](reference::Complex& copied) { return reference::edge_flip(key, copied); });
     equivalence.compare(
-        Operation::collapse, {a, b},
-        [&](Complex<Real>& complex, const Submesh& submesh) {
-            return edge_collapse(complex, submesh, e);
-        },
+        Operation::collapse, {a, b}, [&](const auto& submesh) { return edge_collapse(submesh, e); },
         [&](reference::Complex& copied) { return reference::edge_collapse(key, copied); });
     if (exact_middle) {
         equivalence.compare(
             Operation::split, {a, b},
-            [&](Complex<Real>& complex, const Submesh& submesh) {
-                return edge_split(complex, submesh, e).verdict;
-            },
+            [&](const auto& submesh) { return edge_split(submesh, e).verdict; },
             [&](reference::Complex& copied) {
                 return reference::edge_split(key, copied, std::nullopt);
             });
@@ -57,16 +49,12 @@ void compare_triangle(Equivalence<Real>& equivalence, const Complex<Real>& K, Tr
     const reference::TriangleKey key = reference::triangle_key(a, b, c);
     equivalence.compare(
         Operation::retriangulation, {a, b, c},
-        [&](Complex<Real>& complex, const Submesh& submesh) {
-            return local_retriangulation(complex, submesh, t).verdict;
-        },
+        [&](const auto& submesh) { return local_retriangulation(submesh, t).verdict; },
         [&](reference::Complex& copied) { return reference::local_retriangulation(key, copied); });
     if (exact_middle) {
         equivalence.compare(
             Operation::subdivision, {a, b, c},
-            [&](Complex<Real>& complex, const Submesh& submesh) {
-                return loop_subdivision(complex, submesh, t).verdict;
-            },
+            [&](const auto& submesh) { return loop_subdivision(submesh, t).verdict; },
             [&](reference::Complex& copied) { return reference::loop_subdivision(key, copied); });
     }
 }
@@ -90,9 +78,7 @@ void compare_all(const Case<Real>& given, Tally& tally, bool exact_middle, bool 
             if (K.vertices[v.id].corner != no_id) {
                 equivalence.compare(
                     Operation::smoothing, {v},
-                    [&](Complex<Real>& complex, const Submesh& submesh) {
-                        return laplacian_smoothing(complex, submesh, v);
-                    },
+                    [&](const auto& submesh) { return laplacian_smoothing(submesh, v); },
                     [&](reference::Complex& copied) {
                         return reference::laplacian_smoothing(v, copied);
                     });

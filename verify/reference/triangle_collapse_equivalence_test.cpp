@@ -40,13 +40,13 @@ void compare_collapses(Equivalence<Real>& equivalence, const Complex<Real>& K, T
             equivalence.compare(
                 may_change ? Operation::interface_triangle_collapse : Operation::triangle_collapse,
                 {a, b, c},
-                [&](Complex<Real>& complex, const Submesh& submesh) {
+                [&](const auto& submesh) {
                     const TriangleCollapseOptions<Real> options{place, rule};
                     const Verdict said =
-                        triangle_collapse_guard(complex, submesh.region, t, options);
-                    const auto result = triangle_collapse(complex, submesh, t, options);
+                        triangle_collapse_guard(submesh.complex, t, options, submesh.region);
+                    const auto result = triangle_collapse(submesh, t, options);
                     EXPECT_EQ(said, result.verdict);
-                    EXPECT_EQ(said == Verdict::legal, complex.is_alive(result.vertex));
+                    EXPECT_EQ(said == Verdict::legal, submesh.complex.is_alive(result.vertex));
                     return result.verdict;
                 },
                 [&](reference::Complex& copied) {

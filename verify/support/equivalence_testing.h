@@ -122,12 +122,11 @@ public:
 
     // `library` and `literal` perform the operation on copies; `vertices` are those of the simplex.
     void compare(Operation operation, const std::vector<Vertex>& vertices,
-                 const std::function<Verdict(Complex<Real>&, const Submesh&)>& library,
+                 const std::function<Verdict(const Submesh<Real>&)>& library,
                  const std::function<Verdict(reference::Complex&)>& literal) {
         Complex<Real> complex = given_.complex;
         const std::string before = snapshot(complex);
-        const Verdict verdict =
-            library(complex, Submesh{given_.region, &complex.ids, &complex.journal});
+        const Verdict verdict = library({complex, given_.region, complex.ids, complex.journal});
         reference::Complex copied = given_.copied;
         Verdict expected = literal(copied);
         if (expected == Verdict::not_a_simplex) {

@@ -23,22 +23,22 @@ void expect_valid(const Complex<Real>& complex) {
 
 /// The submesh of the vertices with label 1; the labels must outlive it.
 template <class Real>
-Submesh submesh_of(Complex<Real>& complex, const std::vector<std::uint32_t>& labels) {
-    Submesh submesh = whole_submesh(complex);
+Submesh<Real> submesh_of(Complex<Real>& complex, const std::vector<std::uint32_t>& labels) {
+    Submesh<Real> submesh(complex);
     submesh.region.kind = Region::Kind::labels;
     submesh.region.labels = labels.data();
     submesh.region.label = 1;
     return submesh;
 }
 
-/// `operate(complex, submesh)` returns that verdict and leaves all bytes as they are. No labels:
+/// `operate(submesh)` returns that verdict and leaves all bytes as they are. No labels:
 /// the whole complex.
 template <class Real, class Operate>
 void expect_refused(Complex<Real>& complex, Verdict expected, Operate operate,
                     const std::vector<std::uint32_t>& labels = {}) {
     const std::string before = snapshot(complex);
     const Verdict verdict =
-        operate(complex, labels.empty() ? whole_submesh(complex) : submesh_of(complex, labels));
+        operate(labels.empty() ? Submesh(complex) : submesh_of(complex, labels));
     EXPECT_EQ(to_string(verdict), to_string(expected));
     EXPECT_EQ(before == snapshot(complex), true) << "a refused operation changed the complex";
 }
@@ -63,15 +63,15 @@ Verdict verdict_with_ids(Complex<Real> complex, std::uint32_t vertices, std::uin
     }
     complex.ids.may_grow = false;
     const std::string before = snapshot(complex);
-    const Verdict verdict = operate(complex, whole_submesh(complex));
+    const Verdict verdict = operate(Submesh<Real>(complex));
     EXPECT_TRUE(verdict == Verdict::legal || before == snapshot(complex));
     expect_valid(complex);
     return verdict;
 }
 
 inline auto collapse_between(std::uint32_t a, std::uint32_t b) {
-    return [a, b](auto& complex, const Submesh& submesh) {
-        return edge_collapse(complex, submesh, complex.find_edge(Vertex{a}, Vertex{b}));
+    return [a, b](const auto& submesh) {
+        return edge_collapse(submesh, submesh.complex.find_edge(Vertex{a}, Vertex{b}));
     };
 }
 

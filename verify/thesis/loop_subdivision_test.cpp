@@ -55,9 +55,7 @@ TYPED_TEST(LoopSubdivision, AtTheDomainBoundary) {
 
 TYPED_TEST(LoopSubdivision, IsRefused) {
     const auto subdivide = [](Triangle t) {
-        return [t](auto& complex, const Submesh& submesh) {
-            return loop_subdivision(complex, submesh, t).verdict;
-        };
+        return [t](const auto& submesh) { return loop_subdivision(submesh, t).verdict; };
     };
     auto K = hexagon<TypeParam>();
     expect_refused(K, Verdict::not_a_simplex, subdivide(Triangle{}));
@@ -86,8 +84,8 @@ TYPED_TEST(LoopSubdivision, OfTheSmallestTriangleInverts) {
     const TypeParam one = 1;
     const TypeParam after = std::nextafter(one, TypeParam(2));
     auto K = build<TypeParam>({{one, one}, {after, one}, {one, after}}, {{0, 1, 2}}, {0});
-    expect_refused(K, Verdict::inverts, [](auto& complex, const Submesh& submesh) {
-        return loop_subdivision(complex, submesh, Triangle{1}).verdict;
+    expect_refused(K, Verdict::inverts, [](const auto& submesh) {
+        return loop_subdivision(submesh, Triangle{1}).verdict;
     });
 }
 

@@ -116,9 +116,9 @@ TYPED_TEST(Retriangulation, VerticesOfTheDomainBoundaryStay) {
 }
 
 auto retriangulate(Triangle t) {
-    return [t](auto& complex, const Submesh& submesh) {
-        const Verdict guess = local_retriangulation_guard(complex, submesh.region, t);
-        const Verdict verdict = local_retriangulation(complex, submesh, t).verdict;
+    return [t](const auto& submesh) {
+        const Verdict guess = local_retriangulation_guard(submesh.complex, t, submesh.region);
+        const Verdict verdict = local_retriangulation(submesh, t).verdict;
         EXPECT_EQ(guess, verdict);
         return verdict;
     };

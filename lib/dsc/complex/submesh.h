@@ -9,6 +9,7 @@
 #include "dsc/complex/shared.h"
 
 #include <limits>
+#include <utility>
 
 namespace dsc {
 
@@ -115,19 +116,34 @@ struct Region {
     }
 };
 
-/// A region, the pool of ids that its operations draw from, and the log that records them. Neither
-/// pointer may be null.
+/// What an operation edits: a region of a complex, with the pool of ids that new simplices draw
+/// from and the log that notes the edits. A complex stands for the whole of it.
+template <class Real>
 struct Submesh {
-    Region region; ///< what it owns
-    IdPool* pool;  ///< ids for new simplices
-    EditLog* log;  ///< where edits are noted
+    using Scalar = Real; ///< of coordinates
+
+    /// Owns everything, with the pool and the journal of the complex.
+    Submesh(Complex<Real>& whole) // NOLINT(google-explicit-constructor): wherever a submesh may be
+        : complex(whole), pool(&whole.ids), log(&whole.journal) {}
+    /// Of a region; all of these must outlive it.
+    Submesh(Complex<Real>& complex_in, const Region& region_in, IdPool& pool_in, EditLog& log_in)
+        : complex(complex_in), region(region_in), pool(&pool_in), log(&log_in) {}
+
+    Complex<Real>& complex; ///< of which it is a part
+    Region region;          ///< what it owns
+    IdPool* pool;           ///< ids for new simplices
+    EditLog* log;           ///< where edits are noted
 };
 
-/// The submesh that owns everything, with the pool and the journal of the complex.
-template <class Real>
-Submesh whole_submesh(Complex<Real>& complex) {
-    return Submesh{Region{}, &complex.ids, &complex.journal};
-}
+/// What an operation may be given: a submesh, or a complex for the whole of it.
+template <class T>
+concept Editable = requires(T& where) {
+    Submesh(where);
+};
+
+/// The scalar of the coordinates there.
+template <Editable Where>
+using ScalarOf = typename decltype(Submesh(std::declval<Where&>()))::Scalar;
 
 /// Whether the region owns a vertex, where it is now. Safe while another submesh moves it.
 template <class Real>

@@ -77,8 +77,8 @@ inline constexpr double least_fraction = 1e-3;
 
 /// Moves the ring's vertex towards (x, y). The ring's own centre is updated. O(degree).
 template <class Real>
-MoveOutcome move_vertex(Complex<Real>& complex, const Submesh& submesh, Ring<Real>& ring, Real x,
-                        Real y, MoveReason reason = MoveReason::flow) {
+MoveOutcome move_vertex(const Submesh<Real>& submesh, Ring<Real>& ring, Real x, Real y,
+                        MoveReason reason = MoveReason::flow) {
     Real fraction = move_limit(ring, x, y);
     for (int attempt = 0; attempt < 4; ++attempt, fraction *= Real(0.5)) {
         if (!(fraction >= static_cast<Real>(least_fraction))) {
@@ -91,7 +91,7 @@ MoveOutcome move_vertex(Complex<Real>& complex, const Submesh& submesh, Ring<Rea
             break; // rounding leaves no place in between: that is no progress
         }
         if (all_positive(ring, px, py)) {
-            rewire::move(complex, *submesh.log, ring.vertex, px, py, reason);
+            rewire::move(submesh.complex, *submesh.log, ring.vertex, px, py, reason);
             ring.x0 = px;
             ring.y0 = py;
             return whole ? MoveOutcome::reached : MoveOutcome::partly;

@@ -104,33 +104,6 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
 }
 
 template <class Real>
-Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Corner corner,
-                      rewire::Vanishing end) {
-    const Verdict verdict = edge_collapse_guard(complex, submesh.region, corner, end);
-    if (verdict == Verdict::legal) {
-        rewire::collapse(complex, *submesh.log, corner, end, *submesh.pool);
-    }
-    return verdict;
-}
-
-template <class Real>
-Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge) {
-    if (!complex.is_alive(edge)) {
-        return Verdict::not_a_simplex;
-    }
-    const Corner corner = edge.id;
-    const bool next_first = complex.vertex(next(corner)) < complex.vertex(prev(corner));
-    const auto first = next_first ? rewire::Vanishing::next : rewire::Vanishing::prev;
-    const auto second = next_first ? rewire::Vanishing::prev : rewire::Vanishing::next;
-    const Verdict verdict = edge_collapse(complex, submesh, corner, first);
-    if (verdict == Verdict::legal) {
-        return verdict;
-    }
-    return edge_collapse(complex, submesh, corner, second) == Verdict::legal ? Verdict::legal
-                                                                             : verdict;
-}
-
-template <class Real>
 Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t i) {
     if (complex.is_locked(Vertex{ring.vertex})) {
         return Verdict::locked;
@@ -155,9 +128,5 @@ template Verdict edge_collapse_guard(const Complex<double>&, const Region&, Corn
                                      rewire::Vanishing, JunctionRule);
 template Verdict edge_collapse_guard(const Complex<float>&, const Region&, Corner,
                                      rewire::Vanishing, JunctionRule);
-template Verdict edge_collapse(Complex<double>&, const Submesh&, Corner, rewire::Vanishing);
-template Verdict edge_collapse(Complex<float>&, const Submesh&, Corner, rewire::Vanishing);
-template Verdict edge_collapse(Complex<double>&, const Submesh&, Edge);
-template Verdict edge_collapse(Complex<float>&, const Submesh&, Edge);
 
 } // namespace dsc

@@ -7,6 +7,8 @@
 #include "dsc/complex/ring.h"
 #include "dsc/complex/submesh.h"
 
+#include <utility>
+
 namespace dsc {
 
 /// Whether a junction may be merged into another one along the interface edge between them, or the
@@ -20,15 +22,22 @@ template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
                             rewire::Vanishing end, JunctionRule junctions = JunctionRule::kept);
 
-/// Collapses in that direction if it is legal. Thread-safe for disjoint submeshes.
+/// Whether `vanishing` may be merged into the other end of the edge; also answers not_a_simplex if
+/// the edge is not alive or `vanishing` is not one of its ends.
 template <class Real>
-Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Corner corner,
-                      rewire::Vanishing end);
-
-/// Tries both ends, the vertex with the smaller id first, as in algorithm 7.7 of the thesis; if
-/// neither may vanish, the answer is that of the first.
-template <class Real>
-Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge);
+Verdict edge_collapse_guard(const Complex<Real>& complex, Edge edge, Vertex vanishing,
+                            const Region& region = {}) {
+    if (!complex.is_alive(edge)) {
+        return Verdict::not_a_simplex;
+    }
+    const auto ends = complex.vertices_of(edge);
+    if (vanishing != ends[0] && vanishing != ends[1]) {
+        return Verdict::not_a_simplex;
+    }
+    return edge_collapse_guard(complex, region, edge.id,
+                               vanishing == ends[0] ? rewire::Vanishing::next
+                                                    : rewire::Vanishing::prev);
+}
 
 /// The guard for a vertex inside one phase whose star has been gathered and is owned as a whole:
 /// may the centre, if it is not locked, vanish into link vertex `i`? Only inversion can stop it:
@@ -37,57 +46,46 @@ Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge)
 template <class Real>
 Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t i);
 
-/// Tries both ends, with the whole complex as the submesh.
+/// Collapses in that direction if it is legal. Thread-safe for disjoint submeshes. For algorithms
+/// that know that their corners are alive.
 template <class Real>
-Verdict edge_collapse(Complex<Real>& complex, Edge edge) {
-    return edge_collapse(complex, whole_submesh(complex), edge);
-}
-
-// For applications: by handle, which is checked. The forms above that take corners are for the
-// library's algorithms, which know that their corners are alive.
-
-/// Whether `vanishing` may be merged into the other end of the edge; also answers not_a_simplex if
-/// the edge is not alive or `vanishing` is not one of its ends. O(degree). Exact.
-template <class Real>
-Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Edge edge,
-                            Vertex vanishing) {
-    if (!complex.is_alive(edge)) {
-        return Verdict::not_a_simplex;
+Verdict edge_collapse(const Submesh<Real>& submesh, Corner corner, rewire::Vanishing end) {
+    const Verdict verdict = edge_collapse_guard(submesh.complex, submesh.region, corner, end);
+    if (verdict == Verdict::legal) {
+        rewire::collapse(submesh.complex, *submesh.log, corner, end, *submesh.pool);
     }
-    const auto ends = complex.vertices_of(edge);
-    if (vanishing == ends[0]) {
-        return edge_collapse_guard(complex, region, edge.id, rewire::Vanishing::next);
-    }
-    return vanishing == ends[1]
-               ? edge_collapse_guard(complex, region, edge.id, rewire::Vanishing::prev)
-               : Verdict::not_a_simplex;
-}
-
-/// The guard for the whole complex.
-template <class Real>
-Verdict edge_collapse_guard(const Complex<Real>& complex, Edge edge, Vertex vanishing) {
-    return edge_collapse_guard(complex, Region{}, edge, vanishing);
+    return verdict;
 }
 
 /// Merges `vanishing` into the other end of the edge if that is legal; the other end is not tried.
-/// Thread-safe for disjoint submeshes.
-template <class Real>
-Verdict edge_collapse(Complex<Real>& complex, const Submesh& submesh, Edge edge, Vertex vanishing) {
-    if (!complex.is_alive(edge)) {
-        return Verdict::not_a_simplex;
+/// By handle, which is checked: also answers not_a_simplex.
+Verdict edge_collapse(Editable auto&& where, Edge edge, Vertex vanishing) {
+    const Submesh submesh(where);
+    const Verdict verdict = edge_collapse_guard(submesh.complex, edge, vanishing, submesh.region);
+    if (verdict == Verdict::legal) {
+        const bool is_next = submesh.complex.vertices_of(edge)[0] == vanishing;
+        rewire::collapse(submesh.complex, *submesh.log, edge.id,
+                         is_next ? rewire::Vanishing::next : rewire::Vanishing::prev,
+                         *submesh.pool);
     }
-    const auto ends = complex.vertices_of(edge);
-    if (vanishing == ends[0]) {
-        return edge_collapse(complex, submesh, edge.id, rewire::Vanishing::next);
-    }
-    return vanishing == ends[1] ? edge_collapse(complex, submesh, edge.id, rewire::Vanishing::prev)
-                                : Verdict::not_a_simplex;
+    return verdict;
 }
 
-/// The same, with the whole complex as the submesh.
-template <class Real>
-Verdict edge_collapse(Complex<Real>& complex, Edge edge, Vertex vanishing) {
-    return edge_collapse(complex, whole_submesh(complex), edge, vanishing);
+/// Tries both ends, the vertex with the smaller id first, as in algorithm 7.7 of the thesis; if
+/// neither may vanish, the answer is that of the first.
+Verdict edge_collapse(Editable auto&& where, Edge edge) {
+    const Submesh submesh(where);
+    if (!submesh.complex.is_alive(edge)) {
+        return Verdict::not_a_simplex;
+    }
+    auto [first, second] = submesh.complex.vertices_of(edge);
+    if (second.id < first.id) {
+        std::swap(first, second);
+    }
+    const Verdict verdict = edge_collapse(submesh, edge, first);
+    return verdict == Verdict::legal || edge_collapse(submesh, edge, second) == Verdict::legal
+               ? Verdict::legal
+               : verdict;
 }
 
 } // namespace dsc

@@ -33,43 +33,29 @@ Verdict edge_flip_guard(const Complex<Real>& complex, const Region& region, Corn
                                                                             : Verdict::inverts;
 }
 
-/// Flips the edge opposite to `corner` if that is legal. Vertex data and all other edges' data
-/// stay; the new edge gets the attributes' defaults. Thread-safe for disjoint submeshes.
+/// By handle, which is checked: also answers not_a_simplex.
 template <class Real>
-Verdict edge_flip(Complex<Real>& complex, const Submesh& submesh, Corner corner) {
-    const Verdict verdict = edge_flip_guard(complex, submesh.region, corner);
-    if (verdict == Verdict::legal) {
-        rewire::flip(complex, *submesh.log, corner);
-    }
-    return verdict;
-}
-
-/// By handle, which is checked: answers not_a_simplex for a dead edge.
-template <class Real>
-Verdict edge_flip(Complex<Real>& complex, const Submesh& submesh, Edge edge) {
-    return complex.is_alive(edge) ? edge_flip(complex, submesh, edge.id) : Verdict::not_a_simplex;
-}
-
-/// The same, with the whole complex as the submesh.
-template <class Real>
-Verdict edge_flip(Complex<Real>& complex, Edge edge) {
-    return edge_flip(complex, whole_submesh(complex), edge);
-}
-
-// For applications: by handle, which is checked. The forms above that take corners are for the
-// library's algorithms, which know that their corners are alive.
-
-/// The guard by handle; also answers not_a_simplex. O(1). Exact.
-template <class Real>
-Verdict edge_flip_guard(const Complex<Real>& complex, const Region& region, Edge edge) {
+Verdict edge_flip_guard(const Complex<Real>& complex, Edge edge, const Region& region = {}) {
     return complex.is_alive(edge) ? edge_flip_guard(complex, region, edge.id)
                                   : Verdict::not_a_simplex;
 }
 
-/// The guard for the whole complex.
+/// Flips the edge opposite to `corner` if that is legal. Vertex data and all other edges' data
+/// stay; the new edge gets the attributes' defaults. Thread-safe for disjoint submeshes. For
+/// algorithms that know that their corners are alive.
 template <class Real>
-Verdict edge_flip_guard(const Complex<Real>& complex, Edge edge) {
-    return edge_flip_guard(complex, Region{}, edge);
+Verdict edge_flip(const Submesh<Real>& submesh, Corner corner) {
+    const Verdict verdict = edge_flip_guard(submesh.complex, submesh.region, corner);
+    if (verdict == Verdict::legal) {
+        rewire::flip(submesh.complex, *submesh.log, corner);
+    }
+    return verdict;
+}
+
+/// By handle, which is checked: also answers not_a_simplex.
+Verdict edge_flip(Editable auto&& where, Edge edge) {
+    const Submesh submesh(where);
+    return submesh.complex.is_alive(edge) ? edge_flip(submesh, edge.id) : Verdict::not_a_simplex;
 }
 
 } // namespace dsc

@@ -37,6 +37,15 @@ Verdict edge_split_guard(const Complex<Real>& complex, const Region& region, Cor
     return Verdict::legal;
 }
 
+/// By handle, which is checked: also answers not_a_simplex.
+template <class Real>
+Verdict edge_split_guard(const Complex<Real>& complex, Edge edge,
+                         const std::type_identity_t<Point<Real>>& point,
+                         const Region& region = {}) {
+    return complex.is_alive(edge) ? edge_split_guard<Real>(complex, region, edge.id, point)
+                                  : Verdict::not_a_simplex;
+}
+
 /// What a split did.
 struct SplitResult {
     Verdict verdict = Verdict::legal; ///< `legal`, or what stopped it
@@ -44,12 +53,13 @@ struct SplitResult {
 };
 
 /// Splits the edge opposite to `corner` at `point` if that is legal. Only the position needs to be
-/// known, so the choice of interpolator is the caller's. Vertex attributes are blended
-/// where it lies along the edge. Thread-safe for disjoint submeshes.
+/// known, so the choice of interpolator is the caller's. Vertex attributes are blended where it
+/// lies along the edge. Thread-safe for disjoint submeshes. For algorithms that know that their
+/// corners are alive.
 template <class Real>
-SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner corner,
-                       const Point<Real>& point) {
-    Verdict verdict = edge_split_guard(complex, submesh.region, corner, point);
+SplitResult edge_split(const Submesh<Real>& submesh, Corner corner, const Point<Real>& point) {
+    Complex<Real>& complex = submesh.complex;
+    const Verdict verdict = edge_split_guard(complex, submesh.region, corner, point);
     if (verdict != Verdict::legal) {
         return {verdict, {}};
     }
@@ -65,52 +75,25 @@ SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Corner co
     return {Verdict::legal, Vertex{m}};
 }
 
-/// By handle, which is checked: answers not_a_simplex for a dead edge.
-template <class Real>
-SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Edge edge,
-                       const Point<Real>& point) {
-    return complex.is_alive(edge) ? edge_split(complex, submesh, edge.id, point)
-                                  : SplitResult{Verdict::not_a_simplex, {}};
+/// By handle, which is checked: also answers not_a_simplex.
+template <Editable Where>
+SplitResult edge_split(Where&& where, Edge edge, const Point<ScalarOf<Where>>& point) {
+    const Submesh submesh(where);
+    return submesh.complex.is_alive(edge) ? edge_split(submesh, edge.id, point)
+                                          : SplitResult{Verdict::not_a_simplex, {}};
 }
 
-/// Splits an edge at its midpoint.
-template <class Real>
-SplitResult edge_split(Complex<Real>& complex, const Submesh& submesh, Edge edge) {
-    if (!complex.is_alive(edge)) {
+/// The same at the midpoint.
+template <Editable Where>
+SplitResult edge_split(Where&& where, Edge edge) {
+    const Submesh submesh(where);
+    if (!submesh.complex.is_alive(edge)) {
         return {Verdict::not_a_simplex, {}};
     }
-    const auto [a, b] = complex.vertices_of(edge);
-    return edge_split(complex, submesh, edge.id,
-                      midpoint<Real>(complex.position(a), complex.position(b)));
-}
-
-/// Splits an edge at its midpoint, with the whole complex as the submesh.
-template <class Real>
-SplitResult edge_split(Complex<Real>& complex, Edge edge) {
-    return edge_split(complex, whole_submesh(complex), edge);
-}
-
-// For applications: by handle, which is checked. The forms above that take corners are for the
-// library's algorithms, which know that their corners are alive.
-
-/// The guard by handle; also answers not_a_simplex. O(1). Exact.
-template <class Real>
-Verdict edge_split_guard(const Complex<Real>& complex, const Region& region, Edge edge,
-                         const Point<Real>& point) {
-    return complex.is_alive(edge) ? edge_split_guard(complex, region, edge.id, point)
-                                  : Verdict::not_a_simplex;
-}
-
-/// The guard for the whole complex.
-template <class Real>
-Verdict edge_split_guard(const Complex<Real>& complex, Edge edge, const Point<Real>& point) {
-    return edge_split_guard(complex, Region{}, edge, point);
-}
-
-/// Splits an edge at `point`, with the whole complex as the submesh.
-template <class Real>
-SplitResult edge_split(Complex<Real>& complex, Edge edge, const Point<Real>& point) {
-    return edge_split(complex, whole_submesh(complex), edge, point);
+    const auto [a, b] = submesh.complex.vertices_of(edge);
+    return edge_split(
+        submesh, edge.id,
+        midpoint<ScalarOf<Where>>(submesh.complex.position(a), submesh.complex.position(b)));
 }
 
 } // namespace dsc

@@ -200,7 +200,7 @@ private:
             }
             complex_.ids.triangles.assign(1, id);
         }
-        return others_(complex_, Submesh{Region{}, &freed_, &silent_}, edit);
+        return others_({complex_, Region{}, freed_, silent_}, edit);
     }
 
     static Point<Real> place(const Edit& edit) {

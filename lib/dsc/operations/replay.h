@@ -20,10 +20,10 @@ struct ReplayReport {
 
 /// Repeats a record of an operation that the core does not have: a `retriangulate`, an
 /// `insert_triangle` or a `remove_triangle`. Returns false, and changes nothing, if its simplices
-/// do not exist. What `submesh` has is not used otherwise; the next triangle that the complex gives
-/// out is the one that an `insert_triangle` names.
+/// do not exist. The pool and the log are not read afterwards; the next triangle that the complex
+/// gives out is the one that an `insert_triangle` names.
 template <class Real>
-using RepeatEdit = std::function<bool(Complex<Real>& complex, const Submesh& submesh, const Edit&)>;
+using RepeatEdit = std::function<bool(const Submesh<Real>& submesh, const Edit& edit)>;
 
 /// Repeats the edits without testing whether they are legal: the same simplices with the same ids,
 /// so that handles in later records mean what they meant. A record whose simplices do not exist, or

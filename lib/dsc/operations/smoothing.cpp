@@ -39,8 +39,8 @@ Verdict check_star(const Complex<Real>& complex, const Region& region, Vertex ve
 
 // Moves the vertex to `target` if no star triangle inverts and the quality of the star rises.
 template <class Real>
-Verdict move_if_better(Complex<Real>& complex, const Submesh& submesh, Vertex vertex,
-                       const Point<Real>& target) {
+Verdict move_if_better(const Submesh<Real>& submesh, Vertex vertex, const Point<Real>& target) {
+    Complex<Real>& complex = submesh.complex;
     // A vertex must not walk out of its submesh while others run. If its neighbours are owned and
     // regions are convex, it cannot, except by rounding.
     if (!submesh.region.owns(vertex.id, static_cast<double>(target.x()),
@@ -125,7 +125,8 @@ Real equalising_knot(std::span<const Point<Real>> points, std::span<const Real> 
 } // namespace
 
 template <class Real>
-Verdict laplacian_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex) {
+Verdict detail::laplacian_smoothing(const Submesh<Real>& submesh, Vertex vertex) {
+    const Complex<Real>& complex = submesh.complex;
     Fan fan;
     const Verdict verdict = check_star(complex, submesh.region, vertex, fan);
     if (verdict != Verdict::legal) {
@@ -148,12 +149,13 @@ Verdict laplacian_smoothing(Complex<Real>& complex, const Submesh& submesh, Vert
     if (count == 0) {
         return Verdict::no_gain;
     }
-    return move_if_better<Real>(complex, submesh, vertex, here + sum / static_cast<Real>(count));
+    return move_if_better<Real>(submesh, vertex, here + sum / static_cast<Real>(count));
 }
 
 template <class Real>
-Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex,
-                            const InterfaceSmoothingOptions& options) {
+Verdict detail::interface_smoothing(const Submesh<Real>& submesh, Vertex vertex,
+                                    const InterfaceSmoothingOptions& options) {
+    const Complex<Real>& complex = submesh.complex;
     if (!(options.corner_degrees >= 0 && options.corner_degrees <= 180)) {
         throw InputError({.what = "corner_degrees",
                           .where = "interface_smoothing",
@@ -208,14 +210,15 @@ Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vert
     const std::span<const Point<Real>> curve(points.data(), size);
     const std::span<const Real> at(knots.data(), size);
     const Real knot = equalising_knot(curve, at) * static_cast<Real>(options.step);
-    return move_if_better<Real>(complex, submesh, vertex, on_curve(curve, at, knot));
+    return move_if_better<Real>(submesh, vertex, on_curve(curve, at, knot));
 }
 
-template Verdict laplacian_smoothing(Complex<double>&, const Submesh&, Vertex);
-template Verdict laplacian_smoothing(Complex<float>&, const Submesh&, Vertex);
-template Verdict interface_smoothing(Complex<double>&, const Submesh&, Vertex,
-                                     const InterfaceSmoothingOptions&);
-template Verdict interface_smoothing(Complex<float>&, const Submesh&, Vertex,
-                                     const InterfaceSmoothingOptions&);
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template Verdict detail::laplacian_smoothing(const Submesh<Real>&, Vertex);                    \
+    template Verdict detail::interface_smoothing(const Submesh<Real>&, Vertex,                     \
+                                                 const InterfaceSmoothingOptions&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
 
 } // namespace dsc

@@ -9,18 +9,6 @@
 
 namespace dsc {
 
-/// Moves the vertex to the mean of its neighbours (equation 6) if no star triangle inverts and the
-/// smallest quality of the star rises. A vertex of the domain boundary or of the interface stays.
-/// O(degree), no allocation. The signs are exact. Thread-safe for disjoint submeshes.
-template <class Real>
-Verdict laplacian_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex);
-
-/// The same, with the whole complex as the submesh.
-template <class Real>
-Verdict laplacian_smoothing(Complex<Real>& complex, Vertex vertex) {
-    return laplacian_smoothing(complex, whole_submesh(complex), vertex);
-}
-
 /// How an interface vertex slides.
 struct InterfaceSmoothingOptions {
     /// Degrees. If the interface turns by more, the vertex is a corner: it stays, and no curve is
@@ -30,6 +18,21 @@ struct InterfaceSmoothingOptions {
     double step = 1;
 };
 
+namespace detail {
+template <class Real>
+Verdict laplacian_smoothing(const Submesh<Real>& submesh, Vertex vertex);
+template <class Real>
+Verdict interface_smoothing(const Submesh<Real>& submesh, Vertex vertex,
+                            const InterfaceSmoothingOptions& options);
+} // namespace detail
+
+/// Moves the vertex to the mean of its neighbours (equation 6) if no star triangle inverts and the
+/// smallest quality of the star rises. A vertex of the domain boundary or of the interface stays.
+/// O(degree), no allocation. The signs are exact. Thread-safe for disjoint submeshes.
+Verdict laplacian_smoothing(Editable auto&& where, Vertex vertex) {
+    return detail::laplacian_smoothing(Submesh(where), vertex);
+}
+
 /// Slides a vertex with exactly two interface edges along the interface, towards the point where
 /// the two are equally long. It moves on the Lagrange polynomial, parameterised by chord length,
 /// through the vertex, its two interface neighbours and the one beyond the farther of them (three
@@ -38,15 +41,9 @@ struct InterfaceSmoothingOptions {
 /// smallest quality of the star rises. Answers on_interface at junctions, at corners and away from
 /// the interface. O(degree), no allocation. Thread-safe for disjoint submeshes. Throws InputError
 /// if an option is out of range.
-template <class Real>
-Verdict interface_smoothing(Complex<Real>& complex, const Submesh& submesh, Vertex vertex,
-                            const InterfaceSmoothingOptions& options = {});
-
-/// The same, with the whole complex as the submesh.
-template <class Real>
-Verdict interface_smoothing(Complex<Real>& complex, Vertex vertex,
+Verdict interface_smoothing(Editable auto&& where, Vertex vertex,
                             const InterfaceSmoothingOptions& options = {}) {
-    return interface_smoothing(complex, whole_submesh(complex), vertex, options);
+    return detail::interface_smoothing(Submesh(where), vertex, options);
 }
 
 } // namespace dsc

@@ -25,7 +25,7 @@ void activate_link(Work<Real>& work, const Ring<Real>& ring) {
 template <class Real>
 Verdict collapse_centre(Work<Real>& work, const Ring<Real>& ring, Corner corner,
                         rewire::Vanishing end) {
-    const Verdict verdict = edge_collapse(work.complex, work.submesh, corner, end);
+    const Verdict verdict = edge_collapse(work.submesh, corner, end);
     if (verdict == Verdict::legal) {
         activate_link(work, ring);
     }
@@ -61,7 +61,7 @@ SplitResult split(Work<Real>& work, Corner corner, const Point<Real>& point, Wak
     const std::uint32_t far = complex.vertex(prev(corner));
     const std::uint32_t left = complex.vertex(corner);
     const std::uint32_t right = is_border(across) ? no_id : complex.vertex(across);
-    const SplitResult result = edge_split(work.complex, work.submesh, corner, point);
+    const SplitResult result = edge_split(work.submesh, corner, point);
     if (result.verdict != Verdict::legal) {
         return result;
     }

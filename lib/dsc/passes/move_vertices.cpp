@@ -89,7 +89,7 @@ void move_vertices(Work<Real>& work) {
             work.deferred.mover(mover);
             continue;
         }
-        const MoveOutcome outcome = move_vertex(work.complex, work.submesh, ring, x, y);
+        const MoveOutcome outcome = move_vertex(work.submesh, ring, x, y);
         if (outcome != MoveOutcome::blocked) {
             ++work.progressed;
         }

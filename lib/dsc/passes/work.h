@@ -33,7 +33,8 @@ template <class Real>
 struct Work {
     /// Refers to both: the executor that owns the work keeps a copy of the options.
     Work(Complex<Real>& complex_in, const Options<Real>& options_in)
-        : complex(complex_in), options(options_in), submesh{Region{}, &complex_in.ids, &log} {
+        : complex(complex_in),
+          options(options_in), submesh{complex_in, Region{}, complex_in.ids, log} {
         find_past();
     }
     ~Work() = default;
@@ -45,7 +46,7 @@ struct Work {
     Complex<Real>& complex;                      ///< the complex that is worked on
     const Options<Real>& options;                ///< those of the simulation
     EditLog log;                                 ///< the edits made here
-    Submesh submesh;                             ///< notes in `log`
+    Submesh<Real> submesh;                       ///< notes in `log`
     VertexAttribute<Past<Real>>* past = nullptr; ///< of `Integrator::centred`; null for all others
 
     std::vector<std::uint32_t> interface; ///< interface vertices, roughly in the order of the curve

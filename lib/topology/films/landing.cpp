@@ -283,7 +283,7 @@ private:
         if (below.share < 1 - static_cast<Real>(landing_share)) {
             const Point<Real> foot = at(end) + below.share * (at(below.other) - at(end));
             if (orientation<Real>(at(end), foot, at(below.other)) == 0) {
-                const SplitResult split = edge_split(complex_, submesh_, below.edge, foot);
+                const SplitResult split = edge_split(submesh_, below.edge, foot);
                 if (split.verdict == Verdict::legal) {
                     return split.vertex.id;
                 }
@@ -306,7 +306,7 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    Submesh submesh_ = whole_submesh(complex_);
+    Submesh<Real> submesh_{complex_};
     std::span<const Suspect<Real>> suspects_;
 };
 

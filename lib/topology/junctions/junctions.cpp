@@ -39,7 +39,7 @@ template <class Real>
 class Junctions {
 public:
     explicit Junctions(TopologyWork<Real>& work)
-        : work_(work), complex_(work.complex), submesh_(whole_submesh(work.complex)),
+        : work_(work), complex_(work.complex), submesh_(work.complex),
           shortest_(static_cast<Real>(exchange_length) * work.edge_length) {}
 
     void run(std::span<const Suspect<Real>> suspects) {
@@ -188,7 +188,7 @@ private:
             find_sectors(complex_, w, there_);
             if (there_.size() == 1 && !there_.is_at_corner) {
                 const auto end = is_first ? rewire::Vanishing::prev : rewire::Vanishing::next;
-                (void)edge_collapse(complex_, submesh_, edge, end);
+                (void)edge_collapse(submesh_, edge, end);
                 find_sectors(complex_, v, here_);
                 continue;
             }
@@ -232,7 +232,7 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    Submesh submesh_;
+    Submesh<Real> submesh_;
     Real shortest_;
     Sectors<Real> here_;
     Sectors<Real> there_;

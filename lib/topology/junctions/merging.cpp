@@ -21,8 +21,7 @@ template <class Real>
 class Merging {
 public:
     Merging(TopologyWork<Real>& work, Vertex v, Vertex w)
-        : work_(work), complex_(work.complex), submesh_(whole_submesh(work.complex)), v_(v), w_(w) {
-    }
+        : work_(work), complex_(work.complex), submesh_(work.complex), v_(v), w_(w) {}
 
     Vertex run(bool either) {
         for (int removed = 0; removed <= most_removed; ++removed) {
@@ -162,7 +161,7 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    Submesh submesh_;
+    Submesh<Real> submesh_;
     Vertex v_;
     Vertex w_;
     Ring<Real> ring_;

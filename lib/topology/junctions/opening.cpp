@@ -17,7 +17,7 @@ template <class Real>
 class SectorOpening {
 public:
     SectorOpening(Complex<Real>& complex, Vertex v, const Sector<Real>& sector)
-        : complex_(complex), submesh_(whole_submesh(complex)), v_(v), phase_(sector.phase),
+        : complex_(complex), submesh_(complex), v_(v), phase_(sector.phase),
           place_(complex.position(v)) {
         Corner c = sector.first;
         link_.push_back(complex.vertex(next(c)));
@@ -37,8 +37,7 @@ public:
         }
         const Point<Real> way = way_to(i).normalized();
         const Point<Real> point = place_ + way * std::min(length, room(way) / 2);
-        if (edge_split(complex_, submesh_, prev(corner_to(link_[i])), point).verdict !=
-            Verdict::legal) {
+        if (edge_split(submesh_, prev(corner_to(link_[i])), point).verdict != Verdict::legal) {
             return no_id;
         }
         for (std::size_t j = i - 1; j > 0; --j) {
@@ -65,7 +64,7 @@ public:
         for (const Real factor : {share, std::min(share, Real(0.5)), std::min(share, Real(0.25))}) {
             const Point<Real> point = place_ + factor * way;
             if (orientation<Real>(place_, point, far) == 0) {
-                const SplitResult result = edge_split(complex_, submesh_, edge, point);
+                const SplitResult result = edge_split(submesh_, edge, point);
                 if (result.verdict == Verdict::legal) {
                     made = result.vertex.id;
                     break;
@@ -100,7 +99,7 @@ private:
         if (is_border(complex_.twin(c)) && orientation<Real>(a, middle, b) != 0) {
             return false; // it would be a corner of the domain
         }
-        const SplitResult result = edge_split(complex_, submesh_, c, middle);
+        const SplitResult result = edge_split(submesh_, c, middle);
         if (result.verdict != Verdict::legal) {
             return false;
         }
@@ -146,11 +145,11 @@ private:
     // Its other end becomes the new vertex.
     bool flip_spoke(std::size_t i) {
         const Corner c = corner_to(link_[i]);
-        return c != no_id && edge_flip(complex_, submesh_, prev(c)) == Verdict::legal;
+        return c != no_id && edge_flip(submesh_, prev(c)) == Verdict::legal;
     }
 
     Complex<Real>& complex_;
-    Submesh submesh_;
+    Submesh<Real> submesh_;
     Vertex v_;
     Phase phase_;
     Point<Real> place_;

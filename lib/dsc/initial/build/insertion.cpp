@@ -28,7 +28,7 @@ bool wants_flip(const Complex<Real>& complex, Corner corner) {
 // constrained Delaunay; empties the stack.
 template <class Real>
 void legalise(Complex<Real>& complex, std::vector<Corner>& stack) {
-    const Submesh whole = whole_submesh(complex);
+    const Submesh whole = Submesh(complex);
     while (!stack.empty()) {
         const Corner corner = stack.back();
         stack.pop_back();
@@ -36,7 +36,7 @@ void legalise(Complex<Real>& complex, std::vector<Corner>& stack) {
             continue;
         }
         const Corner other = complex.twin(corner);
-        if (edge_flip(complex, whole, corner) != Verdict::legal) {
+        if (edge_flip(whole, corner) != Verdict::legal) {
             continue;
         }
         for (const Corner c : {corner, other}) {

@@ -143,7 +143,7 @@ private:
     }
 
     void flip_away(std::uint32_t p, std::uint32_t q, std::deque<Pair>& edges) {
-        const Submesh whole = whole_submesh(complex_);
+        const Submesh whole = Submesh(complex_);
         // Each flip of a strictly convex quadrilateral makes progress; there always is one.
         std::size_t patience = 64 + 16 * edges.size() * edges.size();
         while (!edges.empty()) {
@@ -159,7 +159,7 @@ private:
             }
             const std::uint32_t a = complex_.vertex(corner);
             const std::uint32_t d = complex_.vertex(other);
-            if (edge_flip(complex_, whole, corner) != Verdict::legal) {
+            if (edge_flip(whole, corner) != Verdict::legal) {
                 edges.push_back({right, left});
                 continue;
             }

@@ -89,7 +89,7 @@ bool collapse_along(Complex<Real>& complex, const Ring<Real>& ring, std::uint32_
     const bool last = spoke == ring.size;
     const Corner corner = last ? next(ring.corner[ring.size - 1]) : prev(ring.corner[spoke]);
     const auto end = last ? rewire::Vanishing::prev : rewire::Vanishing::next;
-    return edge_collapse(complex, whole_submesh(complex), corner, end) == Verdict::legal;
+    return edge_collapse(Submesh(complex), corner, end) == Verdict::legal;
 }
 
 } // namespace dsc::initial

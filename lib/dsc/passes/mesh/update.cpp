@@ -187,10 +187,10 @@ private:
             }
             // All four vertices are owned: the region need not be consulted.
             if (flips >= max_flips_at_once ||
-                edge_flip(complex_, Submesh{Region{}, work_.submesh.pool, &work_.log}, c) !=
-                    Verdict::legal) {
+                edge_flip_guard(complex_, Region{}, c) != Verdict::legal) {
                 continue;
             }
+            rewire::flip(complex_, work_.log, c);
             ++flips;
             suspects.push_back(c);
             suspects.push_back(prev(c));
