@@ -26,7 +26,7 @@
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 
-#include "dsc/sizes/measure.h"
+#include "dsc/sizes/field.h"
 #include "dsc/sizes/options.h"
 
 #include "dsc/operations/edge_collapse.h"

@@ -2,7 +2,7 @@
 // Closed curves of circular arcs and straight sides: exact shapes whose area has a closed form.
 #pragma once
 
-#include "shapes/exact_shape.h"
+#include "shapes/outline.h"
 
 #include <span>
 

@@ -3,7 +3,7 @@
 // in arcs of circles and straight sides.
 #pragma once
 
-#include "shapes/exact_shape.h"
+#include "shapes/outline.h"
 #include "shapes/shapes.h"
 
 namespace dsc::scenes {

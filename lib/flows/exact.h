@@ -5,7 +5,7 @@
 
 #include "flows/flow_map.h"
 #include "shapes/curve.h"
-#include "shapes/exact_shape.h"
+#include "shapes/outline.h"
 
 #include <span>
 #include <string>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
-#include "shapes/exact_shape.h"
+#include "shapes/outline.h"
 
 #include <array>
 #include <cstdint>

@@ -3,7 +3,7 @@
 // circles.
 #pragma once
 
-#include "shapes/exact_shape.h"
+#include "shapes/outline.h"
 
 namespace dsc::scenes {
 

@@ -6,7 +6,7 @@
 #include "dsc/base/enum_table.h"
 #include "dsc/complex/complex.h"
 #include "measures/figures.h"
-#include "shapes/exact_shape.h"
+#include "shapes/outline.h"
 
 #include <functional>
 #include <span>

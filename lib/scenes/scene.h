@@ -8,7 +8,7 @@
 #include "flows/velocity.h"
 #include "geometric_flows/curvature_flow.h"
 #include "scenes/keys.h"
-#include "shapes/exact_shape.h"
+#include "shapes/outline.h"
 
 #include <algorithm>
 #include <cmath>

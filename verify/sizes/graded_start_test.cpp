@@ -12,7 +12,7 @@
 #include "dsc/quality/measures.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/phases.h"
-#include "dsc/sizes/measure.h"
+#include "dsc/sizes/field.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,7 @@
 // small meshes.
 #include "dsc/complex/gather.h"
 #include "dsc/sizes/field.h"
-#include "dsc/sizes/measure.h"
-#include "dsc/sizes/wavefront.h"
+#include "dsc/sizes/rule.h"
 
 #include "support/small_meshes.h"
 

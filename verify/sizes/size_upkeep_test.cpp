@@ -9,7 +9,7 @@
 
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/sizes/measure.h"
+#include "dsc/sizes/field.h"
 
 #include <gtest/gtest.h>
 
@@ -58,9 +58,7 @@ TEST_F(Told, AreAllNeighboursOfATargetThatFalls) {
 }
 
 // Over one edge it is lower than what they have, over two it would not be.
-TEST_F(Told, AreNeighboursThatAFallReachesJustSo) {
-    EXPECT_EQ(told_of(3.3).size(), 6U);
-}
+TEST_F(Told, AreNeighboursThatAFallReachesJustSo) { EXPECT_EQ(told_of(3.3).size(), 6U); }
 
 TEST_F(Told, AreVisitedInTheNextPassOnceEach) {
     Work<double> work(complex, options);

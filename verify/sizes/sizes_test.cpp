@@ -9,7 +9,7 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/phases.h"
-#include "dsc/sizes/measure.h"
+#include "dsc/sizes/field.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/passes/readers.h"
-#include "dsc/sizes/measure.h"
+#include "dsc/sizes/field.h"
 
 #include <algorithm>
 #include <cmath>

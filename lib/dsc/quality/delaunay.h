@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The Delaunay condition of an edge of a complex; see geometry/delaunay.h.
+// The Delaunay condition of an edge of a complex; see geometry/triangle.h.
 #pragma once
 
 #include "dsc/complex/complex.h"
-#include "dsc/geometry/delaunay.h"
+#include "dsc/geometry/triangle.h"
 
 namespace dsc {
 

@@ -6,7 +6,6 @@
 
 #include "dsc/base/tolerances.h"
 #include "dsc/complex/ring.h"
-#include "dsc/geometry/delaunay.h"
 #include "dsc/geometry/triangle.h"
 
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "dsc/initial/improve/relaxation.h"
 #include "dsc/initial/rounding.h"
 #include "dsc/quality/ring_quality.h"
-#include "dsc/sizes/measure.h"
+#include "dsc/sizes/rule.h"
 
 #include <algorithm>
 #include <limits>

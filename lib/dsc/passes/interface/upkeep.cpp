@@ -9,7 +9,7 @@
 #include "dsc/passes/interface/curve.h"
 #include "dsc/passes/wall.h"
 #include "dsc/quality/ring_quality.h"
-#include "dsc/sizes/field.h"
+#include "dsc/sizes/rule.h"
 
 #include <algorithm>
 #include <cmath>

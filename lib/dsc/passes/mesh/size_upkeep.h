@@ -8,7 +8,7 @@
 
 #include "dsc/passes/mesh/star_limits.h"
 #include "dsc/passes/work.h"
-#include "dsc/sizes/field.h"
+#include "dsc/sizes/rule.h"
 
 #include <cmath>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/sizes/measure.h"
+#include "dsc/sizes/field.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/sizes/rule.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiled without errno for square roots (CMakeLists.txt): the loop over the lanes has them.
-#include "dsc/sizes/wavefront.h"
+#include "dsc/sizes/rule.h"
 
 namespace dsc {
 

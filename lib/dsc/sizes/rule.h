@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// What the target length should be at a vertex, given its star. A value that grows with the
+// distance reaches a vertex along edges, or across the triangles of its star, which is exact for a
+// straight front (R. Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", 1998).
+#pragma once
+
+#include "dsc/complex/ring.h"
+#include "dsc/sizes/field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dsc {
+
+/// The least of value(q) + slope |p - q| over the points q strictly between a and b, where the
+/// value is linear; infinity if it is at an end, or if the values at both ends are infinite. (ax,
+/// ay) and (bx, by) lead from p to a and b. `slope` must be positive. Without branches.
+template <class Real>
+Real least_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_b, Real slope) {
+    const Real ex = bx - ax;
+    const Real ey = by - ay;
+    const Real squared = ex * ex + ey * ey;
+    const Real along = -(ax * ex + ay * ey);
+    const Real across = std::abs(ax * by - ay * bx);
+    // How far the front rises along the edge, and how far it goes sideways: 0 where it is steeper
+    // than the slope, and the lower end always the better start.
+    const Real rise = (value_b - value_a) / slope;
+    const Real sideways = std::sqrt(std::max(Real(0), squared - rise * rise));
+    const Real foot = along * sideways - across * rise; // over sideways: along the edge
+    const Real value = value_a + slope * (rise * along + sideways * across) / squared;
+    // A choice between constants: between computed values it would become a branch, and a loop over
+    // lanes no loop over vectors.
+    constexpr Real infinity = std::numeric_limits<Real>::infinity();
+    const Real bound = std::min(foot, squared * sideways - foot) > 0 ? -infinity : infinity;
+    return std::max(bound, value);
+}
+
+/// The values at the link of a ring: as the ring's coordinates, padded, with those of the next link
+/// vertex beside them.
+template <class Real>
+struct LinkValues {
+    alignas(64) std::array<Real, Ring<Real>::room> at;   ///< of link vertex i
+    alignas(64) std::array<Real, Ring<Real>::room> next; ///< of link vertex i + 1
+
+    /// Takes value(v) of each vertex v of the link. O(degree).
+    template <class Value>
+    void take(const Ring<Real>& ring, Value value) {
+        const std::uint32_t n = ring.size;
+        at[0] = value(ring.link[0]);
+        for (std::uint32_t i = 1; i <= n; ++i) { // the last one of an open ring is not padding
+            const Real there = value(ring.link[i]);
+            at[i] = there;
+            next[i - 1] = there;
+        }
+        for (std::uint32_t i = n; i < ring.padded(); ++i) {
+            at[i + 1] = at[0];
+            next[i] = next[0];
+        }
+    }
+};
+
+/// The least of value(q) + slope |p - q| over the points q of the link of a ring, whose centre is
+/// p; the value is linear along the link's edges. O(degree).
+template <class Real>
+Real least_over_link(const Ring<Real>& ring, Real slope, const LinkValues<Real>& values);
+
+/// Whether the centre of a star is on the interface (or on a side of the domain that belongs to
+/// it). O(1).
+template <class Real>
+bool is_on_interface(const Ring<Real>& ring) {
+    return !ring.one_phase || (!ring.closed && ring.phase[0] != exterior_phase);
+}
+
+/// What the target should be. Thread-safe if the functions of the application are.
+template <class Real>
+class SizeRule {
+public:
+    /// Refers to the options.
+    SizeRule(const SizeOptions<Real>& options, Real edge_length)
+        : options_(options), edge_length_(edge_length),
+          slope_(static_cast<Real>(options.growth) - 1),
+          slack_(std::min(Real(0.1), Real(0.3) * slope_)) {}
+
+    /// By how much a target grows over a length of 1.
+    [[nodiscard]] Real slope() const { return slope_; }
+    /// Changes of less than this share of the target are not followed. Two neighbours that hold
+    /// each other down rise by the slope times the edge between them, which is longer than the 0.3
+    /// above times their target: they are not held up.
+    [[nodiscard]] Real slack() const { return slack_; }
+    /// Whether the distance to the interface has to be kept.
+    [[nodiscard]] bool needs_distance() const { return bool(options_.by_distance); }
+
+    /// The target at the centre without regard to its neighbours. O(degree).
+    [[nodiscard]] Real own(const Ring<Real>& ring, Real distance, Real time) const {
+        if (is_finest(ring)) {
+            return edge_length_;
+        }
+        Real least =
+            options_.longest > 0 ? options_.longest : std::numeric_limits<Real>::infinity();
+        for (std::uint32_t i = 0; options_.by_place && i < ring.size; ++i) {
+            if (i == 0 || ring.phase[i] != ring.phase[i - 1]) {
+                least = std::min(
+                    least, at_least(options_.by_place({ring.x0, ring.y0}, time, ring.phase[i])));
+            }
+        }
+        if (options_.on_interface && is_on_interface(ring)) {
+            least = std::min(least, on_interface({ring.x0, ring.y0}, time));
+        }
+        if (needs_distance()) {
+            least = std::min(least, at_least(options_.by_distance(distance)));
+        }
+        return least;
+    }
+
+    /// The target of the interface's own edges at a place; only where there is one.
+    [[nodiscard]] Real on_interface(const Point<Real>& place, Real time) const {
+        return at_least(options_.on_interface(place, time));
+    }
+
+    /// Whether all that matters at the centre is that it is on the interface. O(1).
+    [[nodiscard]] bool is_finest(const Ring<Real>& ring) const {
+        return !options_.by_place && !options_.on_interface && is_on_interface(ring);
+    }
+
+    /// The same with regard to its neighbours. `distances` is read only if it is needed. O(degree).
+    [[nodiscard]] VertexSize<Real> at(const Ring<Real>& ring, const LinkValues<Real>& lengths,
+                                      const LinkValues<Real>& distances, Real time) const {
+        Real distance = 0;
+        if (needs_distance() && !is_on_interface(ring)) {
+            distance = least_over_link(ring, Real(1), distances);
+        }
+        const Real least = own(ring, distance, time);
+        return {std::min(least, least_over_link(ring, slope_, lengths)), distance};
+    }
+
+private:
+    [[nodiscard]] Real at_least(Real length) const {
+        return length > edge_length_ ? length : edge_length_; // also for NaN
+    }
+
+    const SizeOptions<Real>& options_;
+    Real edge_length_;
+    Real slope_;
+    Real slack_;
+};
+
+} // namespace dsc
