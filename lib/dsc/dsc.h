@@ -68,6 +68,6 @@
 #include "dsc/parallel/timer.h"
 
 #include "dsc/io/edit_file.h"
-#include "dsc/io/sealed_file.h"
+#include "dsc/io/part_file.h"
 #include "dsc/io/svg.h"
 #include "dsc/io/vtu.h"

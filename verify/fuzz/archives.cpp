@@ -9,7 +9,7 @@
 #include "dsc/base/archive.h"
 #include "dsc/base/error.h"
 #include "dsc/io/edit_file.h"
-#include "dsc/io/sealed_file.h"
+#include "dsc/io/part_file.h"
 #include "dsc/operations/replay.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/validate.h"

@@ -3,9 +3,8 @@
 // are taken, kinds of eight bytes.
 #include "dsc/base/error.h"
 #include "dsc/io/appended_data.h"
-#include "dsc/io/sealed_file.h"
+#include "dsc/io/part_file.h"
 #include "dsc/io/svg.h"
-#include "dsc/io/svg_fill.h"
 #include "dsc/io/vtu.h"
 
 #include "support/small_meshes.h"

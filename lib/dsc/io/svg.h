@@ -4,9 +4,10 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
-#include "dsc/io/svg_fill.h"
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,29 @@ struct SvgBox {
     double high_y = 1;
 };
 
+/// Colours of triangles by something other than their phase: a number, or which group they are in.
+struct SvgFill {
+    std::string name;                 ///< class names in the file are name-0, name-1, ...
+    std::vector<std::string> colours; ///< as in CSS
+    /// By id of the triangle: a position in `colours`; beyond the last one, it is grey.
+    std::vector<std::uint32_t> of;
+};
+
 /// A place that is pointed out by a ring.
 struct SvgMark {
     double x = 0; ///< in units of the domain
     double y = 0;
     std::string text{}; ///< its tooltip
 };
+
+/// From dark blue at `low` and below to yellow at `high` and above, in 32 steps of equal lightness
+/// (the map viridis, readable by the colour-blind and in grey). NaN is grey. Throws InputError
+/// unless low < high, both finite.
+[[nodiscard]] SvgFill fill_by_value(std::string name, std::span<const double> values, double low,
+                                    double high);
+
+/// A colour for each number, the palette again and again; negative numbers are grey.
+[[nodiscard]] SvgFill fill_by_number(std::string name, std::span<const std::int32_t> numbers);
 
 /// How a picture looks.
 struct SvgOptions {
@@ -49,8 +67,7 @@ struct SvgOptions {
     std::string mark_colour = "#d55e00"; ///< of the rings
 };
 
-/// Writes the picture, y upwards. The file exists as a whole or not at all. O(n log
-/// phases).
+/// Writes the picture, y upwards. The file exists as a whole or not at all. O(n log phases).
 /// Throws FileError where it cannot be written, InputError where the options do not make sense.
 template <class Real>
 void write_svg(const Complex<Real>& complex, const std::string& path,

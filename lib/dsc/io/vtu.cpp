@@ -154,41 +154,34 @@ private:
         }
         for (const auto& attribute : complex_.attributes.list()) {
             if (attribute->kind() == kind && !names_.contains(attribute->name())) {
-                (void)(add_numbers<Simplex, double, float, std::int8_t, std::uint8_t, std::int16_t,
-                                   std::uint16_t, std::int32_t, std::uint32_t, std::int64_t,
-                                   std::uint64_t>(*attribute) ||
-                       add_points<Simplex, double, float>(*attribute));
+                add_one_of<Simplex, double, float, std::int8_t, std::uint8_t, std::int16_t,
+                           std::uint16_t, std::int32_t, std::uint32_t, std::int64_t, std::uint64_t,
+                           Point<double>, Point<float>>(*attribute);
             }
         }
     }
 
-    template <class Simplex, class... Numbers>
-    bool add_numbers(const AttributeBase& attribute) {
-        const auto add_one = [&]<class Number>(Number) {
-            const auto* typed = dynamic_cast<const Attribute<Number, Simplex>*>(&attribute);
-            if (typed != nullptr) {
-                add_vectors(typed->name(), ids<Simplex>(), 1, typed->data());
-            }
-            return typed != nullptr;
-        };
-        return (add_one(Numbers{}) || ...);
+    template <class Simplex, class... Values>
+    void add_one_of(const AttributeBase& attribute) {
+        (void)(add_if<Simplex, Values>(attribute) || ...);
     }
-
-    template <class Simplex, class... Numbers>
-    bool add_points(const AttributeBase& attribute) {
-        const auto add_one = [&]<class Number>(Number) {
-            const auto* typed = dynamic_cast<const Attribute<Point<Number>, Simplex>*>(&attribute);
-            if (typed != nullptr) {
-                std::vector<Number> numbers;
-                numbers.reserve(2 * typed->data().size());
-                for (const Point<Number>& p : typed->data()) {
-                    numbers.insert(numbers.end(), {p.x(), p.y()});
-                }
-                add_vectors(typed->name(), ids<Simplex>(), 2, numbers);
+    template <class Simplex, class Value>
+    bool add_if(const AttributeBase& attribute) {
+        const auto* typed = dynamic_cast<const Attribute<Value, Simplex>*>(&attribute);
+        if (typed == nullptr) {
+            return false;
+        }
+        if constexpr (std::is_arithmetic_v<Value>) {
+            add_vectors(typed->name(), ids<Simplex>(), 1, typed->data());
+        } else {
+            std::vector<typename Value::Scalar> numbers;
+            numbers.reserve(2 * typed->data().size());
+            for (const Value& p : typed->data()) {
+                numbers.insert(numbers.end(), {p.x(), p.y()});
             }
-            return typed != nullptr;
-        };
-        return (add_one(Numbers{}) || ...);
+            add_vectors(typed->name(), ids<Simplex>(), 2, numbers);
+        }
+        return true;
     }
 
     void add_cells() {
