@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/cell_clipping.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,34 +120,26 @@ double squared_radius(const ClippedCell& cell) {
 
 std::string site_name(std::size_t site) { return "site " + std::to_string(site); }
 
-std::string coordinates(const Point<double>& p) {
-    return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ")";
-}
-
 void check_sites(const Rectangle& domain, std::span<const Point<double>> sites) {
     const Point<double> size = domain.high - domain.low;
     if (!size.allFinite() || !(size.minCoeff() > 0) || !std::isfinite(size.prod())) {
         throw InputError({.what = "the rectangle is empty or out of range",
                           .where = "domain",
-                          .value = coordinates(domain.low) + " to " + coordinates(domain.high),
+                          .value = to_text(domain.low) + " to " + to_text(domain.high),
                           .allowed = "low below high in x and y, and an area that is finite"});
     }
-    if (sites.size() >= bottom_side) {
-        throw InputError({.what = "too many sites",
-                          .where = "sites",
-                          .value = std::to_string(sites.size()),
-                          .allowed = "fewer than " + std::to_string(bottom_side)});
-    }
+    require(sites.size() < bottom_side, "number of sites", static_cast<double>(sites.size()),
+            "fewer than " + to_text(bottom_side));
     for (std::size_t i = 0; i < sites.size(); ++i) {
         const Point<double>& s = sites[i];
         const bool inside =
             (s.array() >= domain.low.array()).all() && (s.array() <= domain.high.array()).all();
         if (!inside) { // a NaN is not inside either
-            throw InputError({.what = "the site is not in the domain",
-                              .where = site_name(i),
-                              .value = coordinates(s),
-                              .allowed = "points in " + coordinates(domain.low) + " to " +
-                                         coordinates(domain.high)});
+            throw InputError(
+                {.what = "the site is not in the domain",
+                 .where = site_name(i),
+                 .value = to_text(s),
+                 .allowed = "points in " + to_text(domain.low) + " to " + to_text(domain.high)});
         }
     }
 }
@@ -194,11 +186,10 @@ std::vector<ClippedCell> clip_cells(const Rectangle& domain, std::span<const Poi
                 reach = 4 * squared_radius(cell);
             }
             if (!apart || cell.corners.size() < 3) {
-                throw InputError(
-                    {.what = "two sites coincide or nearly do",
-                     .where = site_name(std::min(i, j)),
-                     .value = coordinates(sites[i]) + ", as " + site_name(std::max(i, j)),
-                     .allowed = "sites that are apart"});
+                throw InputError({.what = "two sites coincide or nearly do",
+                                  .where = site_name(std::min(i, j)),
+                                  .value = to_text(sites[i]) + ", as " + site_name(std::max(i, j)),
+                                  .allowed = "sites that are apart"});
             }
         };
         // Sites beyond ring r are farther away than r times the width of a bucket.

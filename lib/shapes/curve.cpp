@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/curve.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +16,8 @@ using std::numbers::pi;
 }
 
 ParametricCurve circle_curve(const Point<double>& centre, double radius) {
-    if (!(radius > 0.0) || !std::isfinite(radius)) {
-        throw InputError({.what = "radius",
-                          .where = "circle_curve",
-                          .value = std::to_string(radius),
-                          .allowed = "finite and above 0"});
-    }
+    require(radius > 0.0 && std::isfinite(radius), "radius of the circle", radius,
+            "finite and above 0");
     const auto point = [centre, radius](double s) {
         return Point<double>{centre.x() + radius * std::cos(2.0 * pi * s),
                              centre.y() + radius * std::sin(2.0 * pi * s)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/outline.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 #include "measures/compensated_sum.h"
 
 #include <algorithm>
@@ -66,18 +66,13 @@ Outline reversed(Outline outline) {
 }
 
 void check_outline(const Outline& outline, const std::string& where) {
-    if (outline.size() < 3) {
-        throw InputError({.what = "too few points in an outline",
-                          .where = where,
-                          .value = std::to_string(outline.size()),
-                          .allowed = "at least 3"});
-    }
+    require(outline.size() >= 3, where + ": number of points", static_cast<double>(outline.size()),
+            "at least 3");
     for (std::size_t i = 0; i < outline.size(); ++i) {
         if (!outline[i].allFinite()) {
             throw InputError({.what = "point " + std::to_string(i) + " of an outline is not finite",
                               .where = where,
-                              .value = "(" + std::to_string(outline[i].x()) + ", " +
-                                       std::to_string(outline[i].y()) + ")",
+                              .value = to_text(outline[i]),
                               .allowed = "finite coordinates"});
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/shapes.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,24 +20,15 @@ constexpr double most_vertices = 1e8;
 constexpr double same_point = 1e-13;
 
 void check_positive(double value, const std::string& what, const std::string& where) {
-    if (!(value > 0.0) || !std::isfinite(value)) {
-        throw InputError({.what = what,
-                          .where = where,
-                          .value = std::to_string(value),
-                          .allowed = "finite and above 0"});
-    }
+    require(value > 0.0 && std::isfinite(value), where + ": " + what, value, "finite and above 0");
 }
 
 /// The number of edges needed for a curve of this length.
 int parts(double length, double edge_length, const std::string& where) {
     check_positive(edge_length, "edge length", where);
     const double count = std::ceil(length / edge_length);
-    if (!(count <= most_vertices)) {
-        throw InputError({.what = "edge length too small for the shape",
-                          .where = where,
-                          .value = std::to_string(edge_length),
-                          .allowed = "at most 1e8 edges"});
-    }
+    require(count <= most_vertices, where + ": edge length too small for the shape", edge_length,
+            "at most 1e8 edges");
     return std::max(1, static_cast<int>(count));
 }
 
@@ -107,23 +98,15 @@ std::vector<Point<double>> slot_corners(const SlottedDisc& disc) {
     check_positive(disc.radius, "radius", "slotted_disc");
     check_positive(disc.slot_width, "slot width", "slotted_disc");
     const double half = 0.5 * disc.slot_width;
-    if (half >= disc.radius) {
-        throw InputError({.what = "slot width",
-                          .where = "slotted_disc",
-                          .value = std::to_string(disc.slot_width),
-                          .allowed = "less than the diameter"});
-    }
+    require(half < disc.radius, "slotted_disc: slot width", disc.slot_width,
+            "less than the diameter");
     const double reach = std::sqrt((disc.radius - half) * (disc.radius + half));
     const double left = disc.centre.x() - half;
     const double right = disc.centre.x() + half;
     const double bottom = disc.centre.y() - reach;
     const double top = disc.centre.y() - disc.radius + disc.slot_height;
-    if (!(top > bottom && top < disc.centre.y() + reach)) {
-        throw InputError({.what = "slot height",
-                          .where = "slotted_disc",
-                          .value = std::to_string(disc.slot_height),
-                          .allowed = "ends inside the disc"});
-    }
+    require(top > bottom && top < disc.centre.y() + reach, "slotted_disc: slot height",
+            disc.slot_height, "ends inside the disc");
     return {{left, bottom}, {left, top}, {right, top}, {right, bottom}};
 }
 
@@ -156,12 +139,8 @@ Outline crescent(const Crescent& crescent, double edge_length) {
     const double distance = std::hypot(axis.x(), axis.y());
     const double r = crescent.radius;
     const double b = crescent.bite_radius;
-    if (!(distance > std::abs(r - b) && distance < r + b)) {
-        throw InputError({.what = "distance of the bite's centre",
-                          .where = "crescent",
-                          .value = std::to_string(distance),
-                          .allowed = "such that the two circles cross"});
-    }
+    require(distance > std::abs(r - b) && distance < r + b,
+            "crescent: distance of the bite's centre", distance, "such that the two circles cross");
     // The horns: `along` from the centre on the axis, `across` away from it on either side.
     const double along = 0.5 * (distance + (r - b) * (r + b) / distance);
     const double across = std::sqrt((r - along) * (r + along));
@@ -187,19 +166,10 @@ Point<double> rounding_offset(const Dumbbell& d) {
     check_positive(d.neck, "width of the neck", "dumbbell");
     const double across = 0.5 * d.neck + d.rounding;
     const double reach = d.radius + d.rounding;
-    if (across >= reach) {
-        throw InputError({.what = "width of the neck",
-                          .where = "dumbbell",
-                          .value = std::to_string(d.neck),
-                          .allowed = "less than the diameter"});
-    }
+    require(across < reach, "dumbbell: width of the neck", d.neck, "less than the diameter");
     const double along = std::sqrt((reach - across) * (reach + across));
-    if (!(0.5 * d.distance >= along)) {
-        throw InputError({.what = "distance of the centres",
-                          .where = "dumbbell",
-                          .value = std::to_string(d.distance),
-                          .allowed = "at least " + std::to_string(2 * along)});
-    }
+    require(0.5 * d.distance >= along, "dumbbell: distance of the centres", d.distance,
+            "at least " + to_text(2 * along));
     return {along, across};
 }
 
@@ -249,12 +219,7 @@ Outline star(const Point<double>& centre, double outer_radius, double inner_radi
              double edge_length) {
     check_positive(outer_radius, "outer radius", "star");
     check_positive(inner_radius, "inner radius", "star");
-    if (tips < 2) {
-        throw InputError({.what = "number of tips",
-                          .where = "star",
-                          .value = std::to_string(tips),
-                          .allowed = "at least 2"});
-    }
+    require(tips >= 2, "star: number of tips", tips, "at least 2");
     Outline corners;
     for (int i = 0; i < 2 * tips; ++i) {
         const double radius = i % 2 == 0 ? outer_radius : inner_radius;
@@ -267,12 +232,7 @@ Outline star(const Point<double>& centre, double outer_radius, double inner_radi
 
 std::vector<Outline> four_circles(const Point<double>& centre, double spacing, double radius,
                                   double edge_length) {
-    if (!(spacing > 2.0 * radius)) {
-        throw InputError({.what = "spacing",
-                          .where = "four_circles",
-                          .value = std::to_string(spacing),
-                          .allowed = "more than the diameter"});
-    }
+    require(spacing > 2.0 * radius, "four_circles: spacing", spacing, "more than the diameter");
     const double half = 0.5 * spacing;
     std::vector<Outline> outlines;
     for (const auto& [x, y] :

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/voronoi.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 #include "shapes/short_edges.h"
 #include "shapes/voronoi_diagram.h"
 
@@ -14,12 +14,8 @@ namespace {
 
 VoronoiDiagram diagram_of(const Rectangle& domain, std::span<const Point<double>> sites,
                           const VoronoiOptions& options) {
-    if (!(options.shortest >= 0) || !std::isfinite(options.shortest)) {
-        throw InputError({.what = "the length of the shortest edges",
-                          .where = "options",
-                          .value = std::to_string(options.shortest),
-                          .allowed = "a finite number, 0 or above"});
-    }
+    require(options.shortest >= 0 && std::isfinite(options.shortest), "shortest", options.shortest,
+            "a finite number, 0 or above");
     VoronoiDiagram diagram = voronoi_diagram(domain, sites);
     return options.shortest > 0 ? without_short_edges(std::move(diagram), options.shortest)
                                 : diagram;
@@ -48,12 +44,8 @@ private:
 
 std::vector<Curve> voronoi_curves(const Rectangle& domain, std::span<const Point<double>> sites,
                                   const VoronoiOptions& options) {
-    if (sites.size() < 2) {
-        throw InputError({.what = "too few sites",
-                          .where = "sites",
-                          .value = std::to_string(sites.size()),
-                          .allowed = "2 or more: curves name the phases, and one cell has none"});
-    }
+    require(sites.size() >= 2, "number of sites", static_cast<double>(sites.size()),
+            "2 or more: curves name the phases, and one cell has none");
     const VoronoiDiagram diagram = diagram_of(domain, sites, options);
     std::vector<Curve> curves;
     for (std::uint32_t i = 0; i < sites.size(); ++i) {
@@ -88,12 +80,7 @@ std::vector<Outline> voronoi_cells(const Rectangle& domain, std::span<const Poin
 
 std::vector<Point<double>> relaxed_sites(const Rectangle& domain,
                                          std::span<const Point<double>> sites, int rounds) {
-    if (rounds < 0) {
-        throw InputError({.what = "rounds of relaxation",
-                          .where = "relaxed_sites",
-                          .value = std::to_string(rounds),
-                          .allowed = "0 or more"});
-    }
+    require(rounds >= 0, "rounds of relaxation", rounds, "0 or more");
     std::vector<Point<double>> result(sites.begin(), sites.end());
     for (int round = 0; round < rounds; ++round) {
         const std::vector<ClippedCell> cells = clip_cells(domain, result);

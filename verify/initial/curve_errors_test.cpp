@@ -54,11 +54,12 @@ TEST(CurveErrors, OneCurve) {
     }
     expect_error({{across.points, dsc::border_phase, 0}}, "curve 0", "reserved");
     expect_error({{across.points, 0, dsc::border_phase}}, "curve 0", "reserved");
-    expect_error({across, {{{0, 0.2}, {1, 0.2}}, 3, 3}}, "curve 1", "one phase on both sides");
+    expect_error({across, {{{0, 0.2}, {1, 0.2}}, 3, 3}}, "curve 1",
+                 "got 3; allowed: two phases that differ");
     expect_error({{{{0, 0.5}, {0.5, 0.5}, {0.5, 0.5}, {1, 0.5}}, 1, 0}}, "curve 0, edge 1",
                  "no length");
-    expect_error({across}, "options", "edge length", 0);
-    expect_error({across}, "options", "larger than the domain", 1.5);
+    expect_error({across}, "edge_length", "above 0", 0);
+    expect_error({across}, "edge_length", "smaller side of the domain", 1.5);
 }
 
 TEST(CurveErrors, Sides) {

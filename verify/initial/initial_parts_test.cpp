@@ -176,16 +176,18 @@ void expect_error(const std::vector<Shape>& shapes, const std::string& where,
 
 TEST(InitialErrors, OptionsAndDomain) {
     for (const double h : {0.0, -1.0, infinity, not_a_number}) {
-        expect_error({}, "options", "edge length", h);
+        expect_error({}, "edge_length", "above 0", h);
     }
-    expect_error({}, "options", "out of range", 1e-110, {{0, 0}, {1e-109, 1e-109}});
-    expect_error({}, "options", "out of range", 1e110, {{0, 0}, {1e111, 1e111}});
-    expect_error({}, "options", "rounds", 0.1, {}, -1);
-    expect_error({}, "options", "larger than the domain", 1.5);
-    expect_error({}, "options", "larger than the domain", 0.3, {{0, 0}, {1, 0.2}});
-    expect_error({}, "options", "absurdly large", 1e-5);
-    expect_error({}, "options", "resolve", 1.0, {{1e15, 0}, {1e15 + 64, 64}});
-    expect_error<float>({}, "options", "resolve", 0.05, {{1e5, 0}, {1e5 + 1, 1}});
+    expect_error({}, "edge_length", "choose_frame brings any scene there", 1e-110,
+                 {{0, 0}, {1e-109, 1e-109}});
+    expect_error({}, "edge_length", "choose_frame brings any scene there", 1e110,
+                 {{0, 0}, {1e111, 1e111}});
+    expect_error({}, "improve_rounds", "0 or more", 0.1, {}, -1);
+    expect_error({}, "edge_length", "smaller side of the domain", 1.5);
+    expect_error({}, "edge_length", "smaller side of the domain", 0.3, {{0, 0}, {1, 0.2}});
+    expect_error({}, "edge_length", "triangles", 1e-5);
+    expect_error({}, "edge_length", "resolve", 1.0, {{1e15, 0}, {1e15 + 64, 64}});
+    expect_error<float>({}, "edge_length", "resolve", 0.05, {{1e5, 0}, {1e5 + 1, 1}});
     expect_error({}, "domain", "empty", 0.1, {{0, 0}, {0, 1}});
     expect_error({}, "domain", "empty", 0.1, {{1, 0}, {0, 1}});
     expect_error({}, "domain", "out of range", 1, {{-1e200, 0}, {1e200, 1e200}});
@@ -212,7 +214,7 @@ TEST(InitialErrors, OneOutline) {
     expect_error({{{{0.2, 0.2}, {0.4, 0.4}, {0.6, 0.6}, {0.3, 0.3}}, 1}}, "shape 0, edge 0",
                  "overlap");
     expect_error({square(0.5, 0.5, 0.2, dsc::border_phase)}, "shape 0", "reserved");
-    expect_error({square(0.5, 0.5, 0.04)}, "shape 0", "larger than the shape");
+    expect_error({square(0.5, 0.5, 0.04)}, "shape 0", "smaller side of the shape");
     expect_error({square(0.8, 0.5, 0.2)}, "shape 0, point 1", "outside the domain or too close");
     expect_error({square(0.79999, 0.5, 0.2)}, "shape 0, point 1",
                  "outside the domain or too close");

@@ -287,8 +287,8 @@ void expect_error(const Sites& sites, const std::string& where, const std::strin
 
 TEST(VoronoiErrors, Sites) {
     constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-    expect_error(Sites{}, "sites", "too few");
-    expect_error(Sites{{0.5, 0.5}}, "sites", "too few");
+    expect_error(Sites{}, "number of sites", "out of range");
+    expect_error(Sites{{0.5, 0.5}}, "number of sites", "out of range");
     expect_error(Sites{{0.5, 0.5}, {1.5, 0.5}}, "site 1", "not in the domain");
     expect_error(Sites{{0.5, not_a_number}, {0.5, 0.5}}, "site 0", "not in the domain");
     expect_error(Sites{{0.2, 0.5}, {0.7, 0.5}, {0.2, 0.5}}, "site 0", "coincide");
@@ -306,10 +306,11 @@ TEST(VoronoiErrors, DomainAndOptions) {
         expect_error([&] { return voronoi_cells(bad, sites); }, "domain", "empty");
     }
     for (const double bad : {-1.0, infinity, std::nan("")}) {
-        expect_error([&] { return voronoi_curves({}, sites, {.shortest = bad}); }, "options",
-                     "shortest");
+        expect_error([&] { return voronoi_curves({}, sites, {.shortest = bad}); }, "shortest",
+                     "out of range");
     }
-    expect_error([&] { return relaxed_sites({}, sites, -1); }, "relaxed_sites", "rounds");
+    expect_error([&] { return relaxed_sites({}, sites, -1); }, "rounds of relaxation",
+                 "out of range");
 }
 
 // Not only a few sites at once: lattices are cocircular everywhere, unless they are hexagonal.

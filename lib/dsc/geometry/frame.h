@@ -7,11 +7,8 @@
 //     world = origin + unit * coordinate
 #pragma once
 
-#include "dsc/base/error.h"
-#include "dsc/base/types.h"
+#include "dsc/base/require.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace dsc {
@@ -32,12 +29,10 @@ inline Frame choose_frame(const Point<double>& low, const Point<double>& high) {
     const double size = sides.maxCoeff();
     constexpr double least = 1e-290;
     if (!low.allFinite() || !(sides.minCoeff() > 0) || !(size >= least && size <= 1 / least)) {
-        std::array<char, 32> text{};
-        const auto end = std::to_chars(text.data(), text.data() + text.size(), size);
         throw InputError(
             {.what = "not a box that has a frame",
              .where = "choose_frame",
-             .value = "a larger side of " + std::string(text.data(), end.ptr),
+             .value = "a larger side of " + to_text(size),
              .allowed = "low below high, finite, and a larger side of 1e-290 to 1e290"});
     }
     Frame frame;

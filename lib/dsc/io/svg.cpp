@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/io/svg.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/io/part_file.h"
 #include "dsc/queries/phases.h"
@@ -73,31 +73,20 @@ private:
 };
 
 void check(const SvgOptions& options) {
-    const auto refuse = [](const char* what, double value, const char* allowed) {
-        throw InputError({.what = what,
-                          .where = "write_svg",
-                          .value = std::to_string(value),
-                          .allowed = allowed});
-    };
-    if (!(options.size_px > 0) || !std::isfinite(options.size_px)) {
-        refuse("no size", options.size_px, "a positive number of pixels");
+    require(options.size_px > 0 && std::isfinite(options.size_px), "size_px", options.size_px,
+            "a positive number of pixels");
+    for (const auto& [name, width] : {std::pair("margin_px", options.margin_px),
+                                      {"edge_width_px", options.edge_width_px},
+                                      {"interface_width_px", options.interface_width_px}}) {
+        require(width >= 0 && std::isfinite(width), name, width, "0 or more pixels");
     }
-    for (const double width :
-         {options.margin_px, options.edge_width_px, options.interface_width_px}) {
-        if (!(width >= 0) || !std::isfinite(width)) {
-            refuse("a margin or width is negative", width, "0 or more pixels");
-        }
-    }
-    if (options.phase_colours.empty()) {
-        refuse("no phase colours", 0, "one or more");
-    }
+    require(!options.phase_colours.empty(), "phase_colours", 0, "one or more");
     if (options.view) {
         const SvgBox& box = *options.view;
         const double width = box.high_x - box.low_x;
         const double height = box.high_y - box.low_y;
-        if (!(width > 0) || !(height > 0) || !std::isfinite(width) || !std::isfinite(height)) {
-            refuse("an empty view", std::min(width, height), "a positive width and height");
-        }
+        require(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height), "view",
+                std::min(width, height), "a positive width and height");
     }
 }
 

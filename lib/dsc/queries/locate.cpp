@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/queries/locate.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/walk.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace dsc {
 
@@ -63,11 +62,9 @@ WalkEnd look_into(const Complex<Real>& complex, Triangle t, const Point<Real>& p
 template <class Real>
 Location locate(const Complex<Real>& complex, const Point<Real>& point, Triangle hint) {
     if (!std::isfinite(point.x()) || !std::isfinite(point.y())) {
-        std::ostringstream value;
-        value << '(' << point.x() << ", " << point.y() << ')';
         throw InputError({.what = "a coordinate is not finite",
                           .where = "locate",
-                          .value = value.str(),
+                          .value = to_text(point),
                           .allowed = "finite coordinates"});
     }
     const auto all = triangles(complex);

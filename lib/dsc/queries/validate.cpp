@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/queries/validate.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -29,10 +28,7 @@ std::string name(const char* kind, std::uint32_t id) {
 
 template <class Real>
 std::string name_vertex(const Complex<Real>& complex, std::uint32_t v) {
-    std::ostringstream text;
-    text << "vertex " << v << " at (" << complex.vertices[v].x << ", " << complex.vertices[v].y
-         << ')';
-    return text.str();
+    return name("vertex", v) + " at " + to_text(complex.position(Vertex{v}));
 }
 
 std::string name_corner(Corner c) {

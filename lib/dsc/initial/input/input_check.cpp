@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/input/input_check.h"
 
-#include "dsc/base/error.h"
+#include "dsc/base/require.h"
 #include "dsc/geometry/distance.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/initial/input/contacts.h"
@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -20,22 +19,6 @@ namespace dsc::initial {
 namespace {
 
 using Points = std::vector<Point<double>>;
-
-// The shortest digits that read back as the same number.
-std::string text(double value) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), end.ptr};
-}
-
-std::string text(const Point<double>& point) {
-    std::string words(1, '('); // GCC 12 warns of "(" + a temporary string (its bug 105651)
-    words += text(point.x());
-    words += ", ";
-    words += text(point.y());
-    words += ')';
-    return words;
-}
 
 // --- the domain and the options ------------------------------------------------------------------
 
@@ -52,24 +35,14 @@ double spacing_of(const InitialOptions& options, double side) {
 template <class Real>
 Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     const double h = options.edge_length;
-    if (!std::isfinite(h) || h <= 0) {
-        throw InputError({.what = "edge length",
-                          .where = "options",
-                          .value = text(h),
-                          .allowed = "a finite number above 0"});
-    }
-    if (options.improve_rounds < 0) {
-        throw InputError({.what = "rounds of improvement",
-                          .where = "options",
-                          .value = std::to_string(options.improve_rounds),
-                          .allowed = "0 or more"});
-    }
+    require(std::isfinite(h) && h > 0, "edge_length", h, "a finite number above 0");
+    require(options.improve_rounds >= 0, "improve_rounds", options.improve_rounds, "0 or more");
     const Point<double> low = rounded<Real>(domain.low);
     const Point<double> high = rounded<Real>(domain.high);
     if (!is_finite(low) || !is_finite(high)) {
         throw InputError({.what = "a coordinate is not finite",
                           .where = "domain",
-                          .value = text(domain.low) + " to " + text(domain.high),
+                          .value = to_text(domain.low) + " to " + to_text(domain.high),
                           .allowed = "finite coordinates"});
     }
     const double width = high.x() - low.x();
@@ -77,43 +50,26 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     if (!(width > 0) || !(height > 0) || !std::isfinite(width * height)) {
         throw InputError({.what = "the rectangle is empty or out of range",
                           .where = "domain",
-                          .value = text(domain.low) + " to " + text(domain.high),
+                          .value = to_text(domain.low) + " to " + to_text(domain.high),
                           .allowed = "low below high in x and y, and an area that is finite"});
     }
-    if (h < least_initial_edge_length || h > 1 / least_initial_edge_length) {
-        throw InputError({.what = "edge length is out of range",
-                          .where = "options",
-                          .value = text(h),
-                          .allowed = text(least_initial_edge_length) + " to " +
-                                     text(1 / least_initial_edge_length) +
-                                     "; choose_frame brings any scene there"});
-    }
-    if (h > std::min(width, height)) {
-        throw InputError({.what = "edge length is larger than the domain",
-                          .where = "options",
-                          .value = text(h),
-                          .allowed = "at most " + text(std::min(width, height))});
-    }
+    constexpr double least = least_initial_edge_length;
+    require(h >= least && h <= 1 / least, "edge_length", h,
+            to_text(least) + " to " + to_text(1 / least) + "; choose_frame brings any scene there");
+    require(h <= std::min(width, height), "edge_length", h,
+            "at most " + to_text(std::min(width, height)) + ", the smaller side of the domain");
     const double resolution = std::max(largest(low), largest(high)) *
                               static_cast<double>(std::numeric_limits<Real>::epsilon());
-    if (h < least_steps * resolution) {
-        throw InputError({.what = "edge length is below what coordinates of this size resolve",
-                          .where = "options",
-                          .value = text(h),
-                          .allowed = "at least " + text(least_steps * resolution) +
-                                     "; choose_frame brings a scene near the origin"});
-    }
+    require(
+        h >= least_steps * resolution, "edge_length", h,
+        "at least " + to_text(least_steps * resolution) +
+            ", what coordinates of this size resolve; choose_frame brings a scene near the origin");
     check_sizes(options.sizes, h);
     const double spacing = spacing_of(options, std::min(width, height));
     // An equilateral triangle has the area sqrt(3)/4 h^2.
     const double triangles = width / spacing * (height / spacing) / 0.43301270189221933;
-    if (!(triangles <= most_triangles)) {
-        throw InputError(
-            {.what = "the complex would be absurdly large",
-             .where = "options",
-             .value = "edge length " + text(h) + ", about " + text(triangles) + " triangles",
-             .allowed = "at most " + text(most_triangles) + " triangles"});
-    }
+    require(triangles <= most_triangles, "edge_length", h,
+            "at most " + to_text(most_triangles) + " triangles, not about " + to_text(triangles));
     return fit_lattice(low, high, spacing);
 }
 
@@ -132,7 +88,7 @@ struct Line {
         return path.name + ", edge " + std::to_string(i);
     }
     [[nodiscard]] std::string ends_of_edge(std::size_t i) const {
-        return text(given[i]) + " to " + text(given[i + 1]);
+        return to_text(given[i]) + " to " + to_text(given[i + 1]);
     }
 };
 
@@ -162,19 +118,10 @@ std::vector<Line> lines_of(std::span<const Curve> curves) {
 
 void check_phases(const CheckedPath& path) {
     for (const Phase phase : {path.left, path.right.value_or(path.left)}) {
-        if (phase == border_phase) {
-            throw InputError({.what = "the phase is reserved",
-                              .where = path.name,
-                              .value = std::to_string(phase),
-                              .allowed = "0 to 4294967294"});
-        }
+        require(phase != border_phase, path.name, phase,
+                "phases from 0 to 4294967294; the next one is reserved");
     }
-    if (path.right == path.left) {
-        throw InputError({.what = "the curve has one phase on both sides",
-                          .where = path.name,
-                          .value = std::to_string(path.left),
-                          .allowed = "two phases that differ"});
-    }
+    require(path.right != path.left, path.name, path.left, "two phases that differ on its sides");
 }
 
 // Rounds the points: enough of them, all finite, and no two that follow each other the same.
@@ -196,7 +143,7 @@ Points round_points(const Line& line) {
         if (!is_finite(given[i]) || !is_finite(points.back())) {
             throw InputError({.what = "a coordinate is not finite",
                               .where = line.point(i),
-                              .value = text(given[i]),
+                              .value = to_text(given[i]),
                               .allowed = "finite coordinates"});
         }
         if (i > 0 && points[i - 1] == points[i]) {
@@ -230,22 +177,19 @@ void check_places(const Line& line, const Lattice& lattice, double h) {
             throw InputError(
                 {.what = "the point is outside the domain or too close to a side of it",
                  .where = line.point(i),
-                 .value = text(points[i]),
-                 .allowed = "a distance of at least " + text(least_margin * h) +
-                            " to the sides of " + text(lattice.low) + " to " + text(lattice.high) +
+                 .value = to_text(points[i]),
+                 .allowed = "a distance of at least " + to_text(least_margin * h) +
+                            " to the sides of " + to_text(lattice.low) + " to " +
+                            to_text(lattice.high) +
                             "; the ends of a curve may lie on them exactly"});
         }
         low = low.cwiseMin(points[i]);
         high = high.cwiseMax(points[i]);
     }
     const double side = (high - low).minCoeff();
-    if (line.is_outline() && h > side) {
-        throw InputError(
-            {.what = "edge length is larger than the shape",
-             .where = line.path.name,
-             .value = text(h),
-             .allowed = "at most " + text(side) + ", the smaller side of its bounding box"});
-    }
+    require(!line.is_outline() || h <= side, line.path.name, h,
+            "an edge length of at most " + to_text(side) +
+                ", the smaller side of the shape's bounding box");
 }
 
 // A length that is a whole number of target lengths, up to rounding, is cut into as many pieces.
@@ -267,12 +211,8 @@ void check_lines(std::vector<Line>& lines, const Lattice& lattice, double h) {
         for (std::size_t i = 0; i + 1 < line.given.size(); ++i) {
             pieces += piece_count(line, i, h);
         }
-        if (pieces > most_pieces) {
-            throw InputError({.what = "the interface would be cut into absurdly many pieces",
-                              .where = line.path.name,
-                              .value = text(pieces),
-                              .allowed = "at most " + text(most_pieces)});
-        }
+        require(pieces <= most_pieces, line.path.name, pieces,
+                "at most " + to_text(most_pieces) + " pieces of the interface up to its end");
     }
 }
 
@@ -390,8 +330,8 @@ private:
             throw InputError({.what = "ends of curves collide when rounded to the scalar of the "
                                       "complex",
                               .where = lines_[other.line].path.name,
-                              .value = text(other.given) + ", with " + text(one.given) + " of " +
-                                       lines_[one.line].path.name,
+                              .value = to_text(other.given) + ", with " + to_text(one.given) +
+                                       " of " + lines_[one.line].path.name,
                               .allowed = "ends that are equal, or differ after rounding"});
         }
     }
@@ -401,7 +341,7 @@ private:
             const Line& line = lines_[end.line];
             throw InputError({.what = "the curve ends inside the domain",
                               .where = line.point(end.index == 0 ? 0 : line.given.size() - 1),
-                              .value = text(end.place),
+                              .value = to_text(end.place),
                               .allowed = "ends on a side of the domain, or exactly at other ends"});
         }
     }
@@ -411,8 +351,8 @@ private:
         throw InputError({.what = "the edge runs along a side of the domain",
                           .where = line.edge(edge),
                           .value = line.ends_of_edge(edge),
-                          .allowed = "a distance of at least " + text(least_margin * h_) +
-                                     " between its ends, as at " + text(p)});
+                          .allowed = "a distance of at least " + to_text(least_margin * h_) +
+                                     " between its ends, as at " + to_text(p)});
     }
 
     [[noreturn]] void refuse_contact(std::uint32_t edge, std::uint32_t other) const {
