@@ -2,7 +2,6 @@
 #include "shapes/voronoi.h"
 
 #include "dsc/base/require.h"
-#include "shapes/short_edges.h"
 #include "shapes/voronoi_diagram.h"
 
 #include <cmath>

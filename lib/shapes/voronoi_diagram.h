@@ -31,15 +31,14 @@ struct VoronoiDiagram {
 
 inline constexpr std::uint32_t domain_corners = 4;
 
-/// Whether the whole cell is seen from a point in it: each edge goes counter-clockwise about it,
-/// with some length. The point may lie on a side of the domain. Exact. Such a cell is a simple
-/// polygon.
-[[nodiscard]] bool is_seen_from(const Point<double>& point, std::span<const Point<double>> corners,
-                                std::span<const std::uint32_t> beyond);
-
 /// The diagram of the sites. O(n log n), and the cost of `clip_cells`. Throws InputError as
 /// `clip_cells` does, and where cells disagree on the sites that meet at a vertex.
 [[nodiscard]] VoronoiDiagram voronoi_diagram(const Rectangle& domain,
                                              std::span<const Point<double>> sites);
+
+/// Contracts edges, and pieces of the domain's sides, that are shorter than `shortest`, the
+/// shortest first, as `VoronoiOptions` says; then edges that this has made too short, until nothing
+/// changes. O(n log n) for each of a few rounds.
+[[nodiscard]] VoronoiDiagram without_short_edges(VoronoiDiagram diagram, double shortest);
 
 } // namespace dsc::scenes
