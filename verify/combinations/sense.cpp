@@ -213,7 +213,7 @@ Cover cover_features(std::size_t strength, std::uint64_t seed, std::size_t most_
 }
 
 std::span<const std::string_view> found_rows() {
-    static constexpr std::array<std::string_view, 15> list{
+    static constexpr std::array<std::string_view, 17> list{
         // A star waited for a vertex that went half of its way in each pass because the star
         // waited.
         "motion=turn integrator=rk4 outline=loose_corners way=cells inside=carried",
@@ -241,6 +241,10 @@ std::span<const std::string_view> found_rows() {
         // Of two phases that merged with a wall at once, the first took what was the other's.
         "place=by_wall phases=junctions motion=grow told=seeing sizes=by_place topology=wide "
         "turned=quarter",
+        "place=by_wall phases=junctions motion=grow told=seeing sizes=by_place topology=wide "
+        "integrator=centred insertion=cubic coarsening=area way=active precision=float "
+        "interruption=tiny_step turned=quarter data=field",
+        "place=by_wall phases=junctions motion=grow told=seeing sizes=by_place topology=wide",
         // An end of a curve that had become a vertex of a wall went back and forth along it.
         "place=by_wall motion=grow told=seeing sizes=graded topology=least_area "
         "integrator=centred",

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/film_region.h"
 
+#include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/operations/edge_split.h"
 #include "topology/films/film_ray.h"
 
 #include <algorithm>
@@ -19,8 +21,49 @@ constexpr double least_share = 0.2;
 /// A pocket shares more of its outline than this with the region about it. The phase beyond a neck
 /// shares less.
 constexpr double pocket_share = 1.0 / 3;
+/// In edge lengths: the longest edges of uniform sizes, by `PhaseThresholds::longest`.
+constexpr double longest_in_film = 1.6;
+
+// Of the triangles on the ray, the longest edge that is not of the interface; no_id if it is short.
+template <class Real>
+Corner longest_on_ray(const TopologyWork<Real>& work, Corner sheet, Real contact) {
+    Corner found = no_id;
+    Real longest = static_cast<Real>(longest_in_film) * work.edge_length;
+    (void)cross_film(work.complex, sheet, contact, [&](Triangle t, Real, Real) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t.id, i);
+            const Real length = direction(work.complex, c).norm();
+            if (length > longest && !is_sheet(work.complex, c)) {
+                longest = length;
+                found = c;
+            }
+        }
+    });
+    return found;
+}
 
 } // namespace
+
+template <class Real>
+bool refine_film(TopologyWork<Real>& work, const std::array<Vertex, 2>& sheet, Real contact) {
+    constexpr int most_splits = 16;
+    Complex<Real>& complex = work.complex;
+    for (int splits = 0; splits < most_splits; ++splits) {
+        const Corner edge =
+            longest_on_ray(work, complex.find_half_edge(sheet[0], sheet[1]), contact);
+        if (edge == no_id) {
+            return splits > 0;
+        }
+        const Point<Real> from = complex.position(Vertex{complex.vertex(next(edge))});
+        const Point<Real> to = complex.position(Vertex{complex.vertex(prev(edge))});
+        const Point<Real> middle = (from + to) / Real(2);
+        if ((is_border(complex.twin(edge)) && orientation<Real>(from, middle, to) != 0) ||
+            edge_split(complex, whole_submesh(complex), edge, middle).verdict != Verdict::legal) {
+            return splits > 0;
+        }
+    }
+    return true;
+}
 
 template <class Real>
 void FilmRegion<Real>::offer(Triangle t, Phase to, Real distance) {
@@ -223,6 +266,8 @@ double FilmRegion<Real>::give_all() {
     return area;
 }
 
+template bool refine_film(TopologyWork<double>&, const std::array<Vertex, 2>&, double);
+template bool refine_film(TopologyWork<float>&, const std::array<Vertex, 2>&, float);
 template class FilmRegion<double>;
 template class FilmRegion<float>;
 

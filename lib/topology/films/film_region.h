@@ -5,10 +5,17 @@
 
 #include "topology/region.h"
 
+#include <array>
 #include <unordered_map>
 #include <vector>
 
 namespace dsc {
+
+/// Splits the edges of a film that the ray of the half-edge between two vertices comes past, where
+/// they are longer than those of uniform sizes: a film is divided by whole triangles. Returns
+/// whether there were any. O(contact / length of the edges).
+template <class Real>
+bool refine_film(TopologyWork<Real>& work, const std::array<Vertex, 2>& sheet, Real contact);
 
 template <class Real>
 class FilmRegion {

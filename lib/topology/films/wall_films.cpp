@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/wall_films.h"
 
+#include "dsc/complex/submesh.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/operations/edge_split.h"
 #include "topology/films/bridge.h"
 #include "topology/films/film_ray.h"
 #include "topology/films/film_region.h"
@@ -21,6 +24,8 @@ namespace {
 constexpr double length_of_wedge = 1.5;
 /// Up to this many, it is a part of the film that has opened there.
 constexpr double same_film = 12;
+/// The share of an edge of the wall that is near its end.
+constexpr double near_foot = 0.25;
 /// An interface edge near the wall, with the film on its left.
 template <class Real>
 struct WallChord {
@@ -39,9 +44,17 @@ public:
         for (std::size_t i = 0; i < suspects_.size(); ++i) {
             complex_.vertices[suspects_[i].vertex].slot = static_cast<std::uint32_t>(i);
         }
-        find_chords();
+        do {
+            find_chords();
+            visit_runs();
+        } while (is_refined_);
+    }
+
+private:
+    // Until the mesh is another one.
+    void visit_runs() {
         for (const bool starts : {true, false}) { // those left over go round
-            for (std::size_t i = 0; i < chords_.size(); ++i) {
+            for (std::size_t i = 0; i < chords_.size() && !is_refined_; ++i) {
                 if (chords_[i].is_first == starts && index_.contains(chords_[i].sheet)) {
                     visit_run(i);
                 }
@@ -49,12 +62,14 @@ public:
         }
     }
 
-private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
 
     // --- films ----------------------------------------------------------------------------------
     // In the order of their places. Nearly always there are none, and nothing is allocated.
     void find_chords() {
+        chords_.clear();
+        index_.clear();
+        is_refined_ = false;
         for (const auto& suspect : suspects_) {
             if (!complex_.is_alive(Vertex{suspect.vertex})) {
                 continue;
@@ -226,6 +241,48 @@ private:
         return is_squeezed(then, now);
     }
 
+    // By its ends, as splits give half-edges other corners.
+    using Sheet = std::array<Vertex, 2>;
+    [[nodiscard]] Corner half_edge(const Sheet& sheet) const {
+        return complex_.find_half_edge(sheet[0], sheet[1]);
+    }
+
+    // The film is divided by whole triangles: they must not be coarse, and below a junction each of
+    // the two phases is to reach the wall.
+    void prepare(const std::vector<Sheet>& sheets, Real contact) {
+        for (const Sheet& sheet : sheets) {
+            is_refined_ = refine_film<Real>(work_, sheet, contact) || is_refined_;
+        }
+        for (const Sheet& one : sheets) {
+            for (const Sheet& other : sheets) {
+                if (one[1] == other[0] && phase_beyond(complex_, half_edge(one)) !=
+                                              phase_beyond(complex_, half_edge(other))) {
+                    is_refined_ = split_below(one, other) || is_refined_;
+                }
+            }
+        }
+    }
+
+    // At the foot of the vertex between the two, unless a vertex of the wall is near it.
+    bool split_below(const Sheet& one, const Sheet& other) {
+        for (const Sheet& sheet : {one, other}) {
+            const Corner wall = ray_of(half_edge(sheet)).wall;
+            if (wall == no_id) {
+                continue;
+            }
+            const Point<Real> from = at(complex_.vertex(next(wall)));
+            const Point<Real> along = direction(complex_, wall);
+            const Real share = (at(one[1].id) - from).dot(along) / along.squaredNorm();
+            const Point<Real> foot = from + share * along;
+            if (std::min(share, 1 - share) > static_cast<Real>(near_foot) &&
+                orientation<Real>(from, foot, at(complex_.vertex(prev(wall)))) == 0) {
+                return edge_split(complex_, whole_submesh(complex_), wall, foot).verdict ==
+                       Verdict::legal;
+            }
+        }
+        return false;
+    }
+
     // The outline of the film goes on across junctions. The phases beyond it divide the film
     // between them, but each is asked for, and told of, by itself.
     void open(std::vector<WallChord<Real>> run, EventKind kind) {
@@ -238,8 +295,8 @@ private:
         for (const WallChord<Real>& chord : run) {
             contact = std::max(contact, contact_of(chord.sheet));
         }
-        FilmRegion<Real> region(work_, film, contact);
         std::vector<Event> events;
+        std::vector<Sheet> sheets;
         for (std::span<WallChord<Real>> rest = run; !rest.empty();) {
             const Phase taker = phase_beyond(complex_, rest.front().sheet);
             const auto others = std::ranges::stable_partition(rest, [&](const auto& chord) {
@@ -263,9 +320,15 @@ private:
                 continue;
             }
             for (const WallChord<Real>& chord : part) {
-                region.add_ray(chord.sheet);
+                sheets.push_back({Vertex{complex_.vertex(next(chord.sheet))},
+                                  Vertex{complex_.vertex(prev(chord.sheet))}});
             }
             events.push_back(event);
+        }
+        prepare(sheets, contact);
+        FilmRegion<Real> region(work_, film, contact);
+        for (const Sheet& sheet : sheets) {
+            region.add_ray(half_edge(sheet));
         }
         region.fill();
         region.smooth();
@@ -281,6 +344,7 @@ private:
     std::span<const Suspect<Real>> suspects_;
     std::vector<WallChord<Real>> chords_;
     std::unordered_map<Corner, std::size_t> index_; ///< of the chords that are still to be visited
+    bool is_refined_ = false;                       ///< the chords are to be found anew
 };
 
 } // namespace
