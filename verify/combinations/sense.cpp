@@ -213,7 +213,7 @@ Cover cover_features(std::size_t strength, std::uint64_t seed, std::size_t most_
 }
 
 std::span<const std::string_view> found_rows() {
-    static constexpr std::array<std::string_view, 17> list{
+    static constexpr std::array<std::string_view, 18> list{
         // A star waited for a vertex that went half of its way in each pass because the star
         // waited.
         "motion=turn integrator=rk4 outline=loose_corners way=cells inside=carried",
@@ -254,6 +254,8 @@ std::span<const std::string_view> found_rows() {
         "coarsening=never",
         "place=by_wall motion=grow told=seeing sizes=in_time topology=wide integrator=midpoint "
         "insertion=arc coarsening=never",
+        // A vertex exactly above the end of its curve on the wall did not land.
+        "place=by_wall phases=junctions motion=down topology=change coarsening=never",
         // A notch whose sides hold up each other closed beside seams alone.
         "place=by_wall phases=nested motion=grow told=seeing sizes=graded topology=wide "
         "way=counting precision=float turned=three_quarters data=field",

@@ -229,7 +229,7 @@ private:
                 const std::uint32_t other = complex_.vertex(side == next(c) ? prev(c) : next(c));
                 const Point<Real> way = at(other) - at(end);
                 if (other != v && (is_border(complex_.twin(side)) || is_sheet(complex_, side)) &&
-                    from.dot(way) > 0) {
+                    from.dot(way) >= 0) {
                     lowest = std::min(lowest, std::abs(cross<Real>(way, from)) / way.norm());
                 }
             }
