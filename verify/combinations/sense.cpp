@@ -213,7 +213,7 @@ Cover cover_features(std::size_t strength, std::uint64_t seed, std::size_t most_
 }
 
 std::span<const std::string_view> found_rows() {
-    static constexpr std::array<std::string_view, 18> list{
+    static constexpr std::array<std::string_view, 20> list{
         // A star waited for a vertex that went half of its way in each pass because the star
         // waited.
         "motion=turn integrator=rk4 outline=loose_corners way=cells inside=carried",
@@ -256,6 +256,10 @@ std::span<const std::string_view> found_rows() {
         "insertion=arc coarsening=never",
         // A vertex exactly above the end of its curve on the wall did not land.
         "place=by_wall phases=junctions motion=down topology=change coarsening=never",
+        // Nor did one above inner vertices of the film, or a long edge of the wall.
+        "place=by_wall motion=grow told=seeing topology=change integrator=rk4 way=cells",
+        "place=by_wall motion=grow told=seeing sizes=graded topology=change coarsening=never "
+        "turned=mirrored",
         // A notch whose sides hold up each other closed beside seams alone.
         "place=by_wall phases=nested motion=grow told=seeing sizes=graded topology=wide "
         "way=counting precision=float turned=three_quarters data=field",

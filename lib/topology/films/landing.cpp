@@ -19,7 +19,8 @@ namespace {
 
 /// A vertex lands on the wall from below this height, in edge lengths.
 constexpr double landing_height = 0.15;
-/// It lands on a vertex of the wall that is nearer than this share of the edge there.
+/// It lands on a vertex of the wall that is nearer than this share of the edge there, or of the
+/// edge length where that is less.
 constexpr double landing_share = 0.25;
 /// Up to this far along the curve from its end, in edge lengths, others land first.
 constexpr double landing_reach = 1.5;
@@ -194,6 +195,7 @@ private:
         Corner edge = no_id; ///< the corner at the vertex
         std::uint32_t other = no_id;
         Real share = 0; ///< of the way along it
+        Real near = 0;  ///< up to this share from its ends is near them
     };
     [[nodiscard]] Below find_below(std::uint32_t v, std::uint32_t end) const {
         Below found;
@@ -207,7 +209,8 @@ private:
             const Point<Real> from = at(v) - at(end);
             const Real share = from.dot(way) / way.squaredNorm();
             if (found.edge == no_id || share > found.share) {
-                found = {c, other, share};
+                const Real near = std::min(Real(1), work_.edge_length / way.norm());
+                found = {c, other, share, static_cast<Real>(landing_share) * near};
             }
         });
         return found;
@@ -237,18 +240,40 @@ private:
         return lowest;
     }
 
+    // Removes vertices of the film from between the edge and the wall, as far as they may go.
+    void make_way(std::uint32_t v, std::uint32_t end) {
+        std::vector<std::uint32_t> link; // from wall to wall
+        for_each_corner(complex_, Vertex{end}, [&](Corner c) {
+            link.push_back(complex_.vertex(next(c)));
+            if (is_border(complex_.twin(next(c)))) {
+                link.push_back(complex_.vertex(prev(c)));
+            }
+        });
+        const auto place = std::ranges::find(link, v);
+        const bool is_first = (at(v) - at(end)).dot(at(link.front()) - at(end)) > 0;
+        const std::span between = is_first ? std::span(link.begin(), place).subspan(1)
+                                           : std::span(place + 1, link.end() - 1);
+        for (const std::uint32_t u : between) {
+            (void)remove_inside(work_, Vertex{u}, Real(0));
+        }
+    }
+
     bool land_beside(std::uint32_t v, std::uint32_t end) {
-        const Below below = find_below(v, end);
+        Below below = find_below(v, end);
         const Real height = height_of(v, end);
         if (!(height < static_cast<Real>(landing_height) * work_.edge_length)) {
             return false;
+        }
+        if (below.edge == no_id && is_on_wall(end)) {
+            make_way(v, end);
+            below = find_below(v, end);
         }
         Event event{.kind = EventKind::widen,
                     .time = work_.time,
                     .x = static_cast<double>(at(v).x()),
                     .y = static_cast<double>(at(v).y())};
         std::uint32_t target = end;
-        if (below.edge != no_id && below.share > static_cast<Real>(landing_share)) {
+        if (below.edge != no_id && below.share > below.near) {
             // Across the edge from the vertex to the end of the curve.
             const Corner side =
                 complex_.vertex(next(below.edge)) == end ? prev(below.edge) : next(below.edge);
@@ -280,7 +305,7 @@ private:
     // A vertex of the wall below the one that lands, or a new one there; only if it lies exactly
     // on the wall, as beside it the domain would have another corner.
     std::uint32_t foot_of(const Below& below, std::uint32_t end) {
-        if (below.share < 1 - static_cast<Real>(landing_share)) {
+        if (below.share < 1 - below.near) {
             const Point<Real> foot = at(end) + below.share * (at(below.other) - at(end));
             if (orientation<Real>(at(end), foot, at(below.other)) == 0) {
                 const SplitResult split = edge_split(submesh_, below.edge, foot);

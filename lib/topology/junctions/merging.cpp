@@ -105,33 +105,13 @@ private:
             if (at_worst != no_id) {
                 const std::array ends{complex_.vertex(next(at_worst)),
                                       complex_.vertex(prev(at_worst))};
-                if (remove(ends[0], least) || remove(ends[1], least)) {
+                if (remove_inside(work_, Vertex{ends[0]}, least) ||
+                    remove_inside(work_, Vertex{ends[1]}, least)) {
                     return true;
                 }
             }
         }
         return false;
-    }
-
-    bool remove(std::uint32_t vertex, Real least) {
-        if (!gather(complex_, Region{}, vertex, ring_) || !ring_.one_phase || !ring_.closed) {
-            return false;
-        }
-        Real best = least;
-        std::uint32_t heir = no_id;
-        for (std::uint32_t i = 0; i < ring_.size; ++i) {
-            const Real after = ring_.size > 3 ? worst_quality_squared_after_collapse(ring_, i) : 1;
-            if (after > best && star_collapse_guard(complex_, ring_, i) == Verdict::legal) {
-                best = after;
-                heir = i;
-            }
-        }
-        if (heir == no_id) {
-            return false;
-        }
-        rewire::collapse(complex_, *submesh_.log, prev(ring_.corner[heir]), rewire::Vanishing::next,
-                         *submesh_.pool);
-        return true;
     }
 
     // The curves that end at the junction sweep area as it moves: each the triangle between its
@@ -164,7 +144,6 @@ private:
     Submesh<Real> submesh_;
     Vertex v_;
     Vertex w_;
-    Ring<Real> ring_;
 };
 
 } // namespace
@@ -174,7 +153,34 @@ Vertex merge_ends(TopologyWork<Real>& work, Vertex v, Vertex w, bool either) {
     return Merging<Real>(work, v, w).run(either);
 }
 
+template <class Real>
+bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real least) {
+    Complex<Real>& complex = work.complex;
+    Ring<Real> ring;
+    if (!gather(complex, Region{}, vertex.id, ring) || !ring.one_phase || !ring.closed) {
+        return false;
+    }
+    Real best = least;
+    std::uint32_t heir = no_id;
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+        const Real after = ring.size > 3 ? worst_quality_squared_after_collapse(ring, i) : 1;
+        if (after > best && star_collapse_guard(complex, ring, i) == Verdict::legal) {
+            best = after;
+            heir = i;
+        }
+    }
+    if (heir == no_id) {
+        return false;
+    }
+    const Submesh submesh = whole_submesh(complex);
+    rewire::collapse(complex, *submesh.log, prev(ring.corner[heir]), rewire::Vanishing::next,
+                     *submesh.pool);
+    return true;
+}
+
 template Vertex merge_ends(TopologyWork<double>&, Vertex, Vertex, bool);
 template Vertex merge_ends(TopologyWork<float>&, Vertex, Vertex, bool);
+template bool remove_inside(TopologyWork<double>&, Vertex, double);
+template bool remove_inside(TopologyWork<float>&, Vertex, float);
 
 } // namespace dsc

@@ -13,4 +13,9 @@ namespace dsc {
 template <class Real>
 [[nodiscard]] Vertex merge_ends(TopologyWork<Real>& work, Vertex v, Vertex w, bool either);
 
+/// Collapses a vertex inside a phase into the neighbour that leaves the best triangles. Returns
+/// false if none leaves a quality, squared, of more than `least`. O(degree squared).
+template <class Real>
+bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real least);
+
 } // namespace dsc
