@@ -34,7 +34,7 @@ public:
     void run() {
         std::vector<std::tuple<Real, Real, std::uint32_t>> found;
         const auto take = [&](std::uint32_t v) {
-            if (is_held_up(work_, v)) {
+            if (is_held_up(work_, v) || is_before_held_end(v)) {
                 found.emplace_back(at(v).x(), at(v).y(), v);
             }
         };
@@ -52,7 +52,7 @@ public:
         std::ranges::sort(found);
         for (const auto& one : found) {
             std::uint32_t v = std::get<2>(one);
-            while (v != no_id && is_held_up(work_, v)) {
+            while (v != no_id && (is_held_up(work_, v) || is_before_held_end(v))) {
                 land_those_before(v);
                 v = land(v);
             }
@@ -61,6 +61,15 @@ public:
 
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
+
+    // The end of a curve that is held up has its own next vertices in its way.
+    [[nodiscard]] bool is_before_held_end(std::uint32_t v) const {
+        return complex_.is_alive(Vertex{v}) &&
+               find_corner(complex_, Vertex{v}, [&](Corner c) {
+                   const std::uint32_t end = complex_.vertex(next(c));
+                   return is_sheet(complex_, prev(c)) && is_held_up(work_, end) && is_on_wall(end);
+               }) != no_id;
+    }
 
     [[nodiscard]] bool is_on_wall(std::uint32_t v) const {
         return find_corner(complex_, Vertex{v}, [&](Corner c) {
