@@ -25,6 +25,7 @@ template <class Real>
 struct Way {
     bool arrives = false;
     bool on_seam = false;
+    bool on_wall = false;
     Real length = 0; ///< between the two half-edges
 };
 
@@ -44,6 +45,7 @@ Way<Real> way_along(const TopologyWork<Real>& work, Corner one, Corner other, Re
         if (c == one) {
             return way;
         }
+        way.on_wall = way.on_wall || is_border(complex.twin(c));
         way.length += direction(complex, c).norm();
     }
     return way;
@@ -169,7 +171,9 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
                                              : std::numeric_limits<double>::infinity();
         (distances < filament_end ? connection.is_near : connection.is_far) = true;
         connection.is_beside_end = connection.is_beside_end || way.arrives;
-        connection.is_seam = connection.is_seam || (distances < end_of_seam && way.on_seam);
+        // What stands on a wall is no end of a seam, though a film has opened there.
+        connection.is_seam =
+            connection.is_seam || (distances < end_of_seam && way.on_seam && !way.on_wall);
     }
     connection.is_beside_end = connection.is_beside_end && !connection.is_near;
     return connection;
