@@ -19,7 +19,6 @@ LOOKS = {
     "linear insertion": (style.ORANGE, "^"),
     "arc insertion": (style.SKY, "P"),
     "coarsening by length": (style.GREEN, "s"),
-    "coarsening by area": (style.PURPLE, "v"),
     "never coarsened": (style.VERMILLION, "D"),
     "fourth order": (style.PURPLE, "p"),
     "fourth order, coarsened": (style.VERMILLION, "D"),

@@ -149,7 +149,7 @@ Case of_patches() {
         return test::random_patches<double>(dice, 0.04, 12);
     };
     one.options = options_of(0.04);
-    one.options.interface.coarsening = Coarsening::area;
+    one.options.interface.coarsening = Coarsening::length;
     one.options.insertion = Insertion::arc;
     one.options.interface.turn_degrees = 30;
     return one;

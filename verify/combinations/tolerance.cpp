@@ -42,11 +42,9 @@ Tolerance loose_corners(const Row& row, const Scene& scene) {
     Tolerance of_corner; // an area and a distance
     if (row.coarsening != Coarsening::never) {
         // A corner with an edge shorter than `shortest` may go, if what takes the place of both its
-        // edges is no longer than `longest`: so much is cut off. A neighbour that moves to preserve
-        // the area adds as much elsewhere, beyond the edge that it was on.
+        // edges is no longer than `longest`: so much is cut off.
         const double cut = upkeep.shortest * upkeep.longest * sine / 2;
-        const bool moves = row.coarsening == Coarsening::area;
-        of_corner += {moves ? 2 * cut : cut, moves ? upkeep.shortest : 0};
+        of_corner += {cut, 0};
     }
     if (row.insertion != Insertion::linear) {
         // A parabola through the ends of an edge c and the next vertex beyond the corner, at a

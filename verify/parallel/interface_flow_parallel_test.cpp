@@ -139,7 +139,7 @@ TEST(InterfaceFlowParallel, AFlowOfPositionsMovesTheSameBitsEitherWay) {
 TEST(InterfaceFlowParallel, EverySubmeshSeesTheWholeInterface) {
     for (std::uint64_t seed = 1; seed <= test::seeds_or_fewer(6); ++seed) {
         for (const Strategy& strategy : strategies()) {
-            for (const auto coarsening : {Coarsening::deviation, Coarsening::area}) {
+            for (const auto coarsening : {Coarsening::deviation, Coarsening::length}) {
                 SCOPED_TRACE(strategy.name + ", seed " + std::to_string(seed));
                 test::Dice dice(seed);
                 Complex<double> complex = seed % 2 == 0

@@ -51,11 +51,10 @@ TEST_P(EveryDivision, GivesTheSameBitsInFloat) {
     }
 }
 
-// The options of the interface reach farther: to the neighbours of neighbours, which may be moved,
-// and across the link.
+// The options of the interface reach farther: to the neighbours of neighbours, and across the link.
 TEST_P(EveryDivision, GivesTheSameBitsWhateverTheInterfaceIsAskedFor) {
     const std::array<std::function<void(InterfaceThresholds&)>, 3> ways{
-        [](auto& i) { i.coarsening = Coarsening::area; },
+        [](auto& i) { i.coarsening = Coarsening::length; },
         [](auto& i) { i.reading = Reading::cubic; },
         [](auto& i) {
             i.turn_degrees = 15;

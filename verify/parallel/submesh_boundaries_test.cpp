@@ -142,51 +142,6 @@ TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
     }
 }
 
-// A vertex that is moved to keep the area does so in whichever submesh it is, and also if those
-// that were put off are done last, after all vertices have been aimed.
-TEST(SubmeshExecutor, KeepsTheAreaWhereThatIsAskedFor) {
-    constexpr double h = 0.02;
-    std::vector<Point<double>> outline;
-    // Edges of 0.7, 0.2 and 0.85 edge lengths: of the ends of the second one, the first may be
-    // removed; the other one, which is moved, may not.
-    for (int i = 0; i < 54; ++i) {
-        for (const double share : {0.0, 0.4, 0.4 + 0.2 / 1.75}) {
-            const double angle = 2 * M_PI * (i + share) / 54;
-            outline.emplace_back(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
-        }
-    }
-    const std::vector<Shape> shapes{{outline, 1}};
-    const auto area_inside = [](const Complex<double>& complex) {
-        double sum = 0;
-        for (const Triangle t : triangles(complex, 1)) {
-            sum += area(complex, t);
-        }
-        return sum;
-    };
-    for (const auto& way : ways_to_divide(1000)) {
-        SCOPED_TRACE(way.name);
-        auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-        Options<double> options;
-        options.edge_length = h;
-        options.insertion = Insertion::linear;
-        options.interface.coarsening = Coarsening::area;
-        options.interface.shortest = 0.45;
-        Simulation<double> simulation(complex, options,
-                                      std::make_unique<SubmeshExecutor<double>>(
-                                          complex, options, default_algorithm<double>(), way.make(),
-                                          SubmeshOptions{.threads = 3, .vertices_per_thread = 1}));
-        const double before = area_inside(complex);
-        std::uint64_t collapses = 0;
-        for (int step = 0; step < 3; ++step) {
-            const auto report = simulation.step(everywhere(0.1, 0.05), 0, 0.1);
-            EXPECT_EQ(report.unreached, 0U);
-            collapses += report.operations.interface_collapses;
-        }
-        EXPECT_GT(collapses, 40U);
-        EXPECT_NEAR(area_inside(complex), before, 1e-13);
-    }
-}
-
 // Counts the vertices that a submesh is about to look at and does not own: it would write to their
 // stamps while their own submesh does.
 Pass<double> counting_strangers(std::atomic<int>& strangers) {

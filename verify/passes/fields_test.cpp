@@ -62,7 +62,7 @@ TEST(Fields, AreThoseOfThePlaceWhereTheFlowMovesTheInterface) {
             carried.set_field(true, OnInterface::carried);
             Options<double> options{.edge_length = test::disc_h};
             options.insertion = insertion;
-            options.interface.coarsening = Coarsening::area;
+            options.interface.coarsening = Coarsening::length;
             const auto simulation = test::make_simulation(complex, options, way);
             for (const Vertex v : vertices(complex)) {
                 field[v] = plane_at(complex.position(v));

@@ -130,20 +130,6 @@ TEST(Coarsening, ByLengthTakesAllThatDeviationTakesAndMore) {
     EXPECT_GT(length.counts.interface_collapses, deviation.counts.interface_collapses * 6 / 5);
 }
 
-// Chords of the ellipse lose area; if the surviving vertices move outwards, they do not.
-TEST(Coarsening, ByAreaKeepsTheArea) {
-    const double before = area_inside(complex_of(crowded));
-    auto options = with(Coarsening::length);
-    options.insertion = Insertion::linear; // it changes no area
-    const Kept length = keep_up(crowded, options);
-    options.interface.coarsening = Coarsening::area;
-    const Kept area = keep_up(crowded, options);
-    EXPECT_TRUE(area.ended);
-    EXPECT_GT(area.counts.interface_collapses, 40U);
-    EXPECT_GT(std::abs(area_inside(length.complex) - before), 1e-4);
-    EXPECT_NEAR(area_inside(area.complex), before, 1e-14);
-}
-
 // Off the curve by no more than the deviation, however it is interpolated.
 TEST(Coarsening, ByDeviationKeepsTheCurve) {
     for (const Reading reading : {Reading::chords, Reading::cubic}) {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The list that the interface upkeep keeps: who stays on it, who leaves it, who is woken or
-// put off.
+// The list that the interface upkeep keeps: who stays on it and who leaves it.
 #include "dsc/passes/interface/upkeep.h"
 
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
 
-#include "dsc/complex/circulate.h"
-#include "dsc/complex/gather.h"
-#include "dsc/passes/interface/curve.h"
 #include "dsc/passes/interface/list.h"
 
 #include <gtest/gtest.h>
@@ -23,17 +19,6 @@ namespace {
 
 using std::numbers::pi;
 using test::options_for;
-
-// A curve of edges much shorter than the edge length, through a mesh as fine.
-constexpr double fine = 0.02;
-
-Complex<double> crowded() { return test::disc_complex<double>(fine); }
-
-Options<double> coarsening_by_area() {
-    auto options = options_for<double>(4 * fine);
-    options.interface.coarsening = Coarsening::area;
-    return options;
-}
 
 TEST(UpkeepList, VerticesOfNoInterfaceLeaveIt) {
     auto complex = test::grid<double>(8, 0, 1, 2.5);
@@ -63,69 +48,6 @@ TEST(UpkeepList, AVertexOfTooManyTrianglesStaysOnIt) {
     work.interface = {0};
     upkeep_interface(work);
     EXPECT_EQ(work.interface, std::vector<std::uint32_t>{0});
-}
-
-TEST(UpkeepList, TheStarOfAVertexThatKeepsTheAreaIsWoken) {
-    auto complex = crowded();
-    const auto options = coarsening_by_area();
-    std::size_t moved = 0;
-    const auto list = collect_interface(complex);
-    for (const std::uint32_t v : list) {
-        if (!complex.is_alive(Vertex{v})) {
-            continue;
-        }
-        Work<double> work(complex, options);
-        work.epoch = 1;
-        work.log.readers = 1;
-        for (auto& record : complex.vertices) {
-            record.stamp = 0;
-        }
-        work.interface = {v};
-        upkeep_interface(work);
-        for (const Edit& edit : work.log.records) {
-            if (edit.kind == EditKind::move) {
-                ++moved;
-                for_each_corner(complex, edit.vertex, [&](Corner c) {
-                    EXPECT_EQ(complex.vertices[complex.vertex(next(c))].stamp, work.epoch);
-                });
-            }
-        }
-    }
-    EXPECT_GT(moved, 10U);
-}
-
-std::uint32_t is_near(const void* context, double x, double y) {
-    const auto& centre = *static_cast<const Point<double>*>(context);
-    return (Point<double>(x, y) - centre).norm() < 1e-9 ? 1 : 0;
-}
-
-// The survivor of a collapse has to move, but another submesh has a vertex of its star.
-TEST(UpkeepList, AVertexWhoseNeighbourMayNotMoveIsPutOff) {
-    const auto options = coarsening_by_area();
-    std::ptrdiff_t put_off = 0;
-    const auto before = crowded();
-    const auto list = collect_interface(before);
-    for (std::size_t i = 2; i < list.size(); ++i) {
-        for (const std::size_t beyond : {i - 2, (i + 2) % list.size()}) {
-            auto complex = before;
-            Ring<double> ring;
-            ASSERT_TRUE(gather(complex, Region{}, list[i], ring));
-            if (std::ranges::count(ring.link, list[beyond]) > 0) {
-                continue;
-            }
-            const Point<double> foreign = complex.position(Vertex{list[beyond]});
-            Work<double> work(complex, options);
-            work.epoch = 1;
-            work.submesh.region.kind = Region::Kind::places;
-            work.submesh.region.place = &is_near;
-            work.submesh.region.context = &foreign;
-            work.interface = {list[i]};
-            upkeep_interface(work);
-            put_off +=
-                std::ranges::count(work.deferred.entries, list[i], &Deferred<double>::vertex);
-        }
-    }
-    EXPECT_GT(put_off, std::ssize(list) / 2);
 }
 
 // The remnant of a tip: shorter than five times the deviation, and not longer.

@@ -60,7 +60,6 @@ TEST(Parameters, TakeGoodValues) {
     EXPECT_EQ(with("integrator", "adaptive").integrator, Integrator::adaptive);
     EXPECT_EQ(with("tolerance", "1e-6").tolerance, 1e-6);
     EXPECT_EQ(with("coarsening", "length").interface.coarsening, Coarsening::length);
-    EXPECT_EQ(with("coarsening", "area").interface.coarsening, Coarsening::area);
     EXPECT_EQ(with("coarsening", "never").interface.coarsening, Coarsening::never);
     EXPECT_EQ(with("reading", "cubic").interface.reading, Reading::cubic);
     EXPECT_EQ(with("longest", "1.25").interface.longest, 1.25);
@@ -151,7 +150,7 @@ TEST(Parameters, ArePrintedAsTheyAreRead) {
         {"inside", "coarse"},     {"outside", "coarse"},
         {"ramp", "linear"},       {"integrator", "euler"},
         {"tolerance", "0.25"},    {"insertion", "arc"},
-        {"coarsening", "area"},   {"reading", "cubic"},
+        {"coarsening", "length"}, {"reading", "cubic"},
         {"longest", "1.25"},      {"shortest", "0.125"},
         {"deviation", "0.5"},     {"turn", "15"},
         {"corner", "180"},        {"gap", "2"},

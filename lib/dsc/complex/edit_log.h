@@ -60,7 +60,7 @@ enum class MoveReason : std::uint8_t {
     application, ///< an edit by the application
     flow,        ///< towards the target that the velocity gave it
     smoothing,   ///< for the quality of its star
-    coarsening,  ///< of the vertex that survives a collapse, or a triangle collapse
+    coarsening,  ///< of the vertex that survives a triangle collapse
     giving_back, ///< to return area that a change of topology took from a phase
 };
 

@@ -29,14 +29,12 @@ struct PhaseThresholds {
 enum class Coarsening : std::uint8_t {
     deviation, ///< those whose removal leaves the curve in place
     length,    ///< all, as in the thesis
-    area,      ///< all, and a neighbour moves to preserve the areas of the phases
     never,     ///< none: the curve keeps all its detail, at the price of short edges
 };
 
 inline constexpr std::array coarsening_names{
     Named{Coarsening::deviation, "deviation"},
     Named{Coarsening::length, "length"},
-    Named{Coarsening::area, "area"},
     Named{Coarsening::never, "never"},
 };
 

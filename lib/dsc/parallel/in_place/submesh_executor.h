@@ -95,7 +95,6 @@ private:
     void route(Part& part);
     // Between and after them.
     AimReport<Real> hand_over(const Flow<Real>& flow, Real time, Real dt);
-    void take_displaced();
     void unlist(std::span<const std::uint32_t> vertices);
     void hand_out_resized();
     void send_home();

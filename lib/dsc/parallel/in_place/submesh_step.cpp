@@ -232,9 +232,6 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     }
     listed_.resize(kept);
     unlist(gone);
-    if (options_.interface.coarsening == Coarsening::area && flow.velocity() != nullptr) {
-        take_displaced();
-    }
     std::erase_if(whole_.interface,
                   [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
     if (flow.velocity() == nullptr) {
@@ -243,24 +240,6 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     AimReport<Real> report = find_velocities(whole_, *flow.velocity(), time);
     report.reach = find_targets(whole_, *flow.velocity(), time, dt);
     return report;
-}
-
-// Neighbours of deleted vertices have moved, so their aims belong to their old positions: they are
-// aimed anew. O(interface vertices).
-template <class Real>
-void SubmeshExecutor<Real>::take_displaced() {
-    std::vector<std::uint32_t> displaced;
-    for (std::size_t i = 0; i < first_colour_; ++i) {
-        const Work<Real>& work = parts_[i]->work;
-        for (std::size_t k = 0; k < work.interface.size(); ++k) {
-            if (complex_.position(Vertex{work.interface[k]}) != work.aim.positions[k]) {
-                displaced.push_back(work.interface[k]);
-            }
-        }
-    }
-    whole_.interface.insert(whole_.interface.end(), displaced.begin(), displaced.end());
-    std::ranges::sort(displaced);
-    unlist(displaced);
 }
 
 // Removes vertices (ascending) from the lists that have them, together with their aims. O(interface

@@ -74,22 +74,4 @@ Real squared_gap(const Complex<Real>& complex, const Ring<Real>& ring, const Spo
     return gap;
 }
 
-/// Where a has to go for the areas on either side of the polyline b, p, a, c to stay the same
-/// without p: above the middle of p and a, at the height over the chord from b to c that preserves
-/// them. False if b and c coincide. O(1).
-template <class Real>
-bool area_keeping_place(const Point<Real>& b, const Point<Real>& p, const Point<Real>& a,
-                        const Point<Real>& c, Point<Real>& place) {
-    const Point<Real> chord = c - b;
-    const Real square = chord.squaredNorm();
-    if (!(square > 0)) {
-        return false;
-    }
-    const Real doubled_area = cross<Real>(p - b, a - b) + cross<Real>(a - b, chord);
-    const Point<Real> middle = midpoint<Real>(p, a);
-    const Real missing = doubled_area - cross<Real>(middle - b, chord);
-    place = middle + missing / square * Point<Real>(chord.y(), -chord.x());
-    return true;
-}
-
 } // namespace dsc

@@ -2,7 +2,6 @@
 #include "dsc/passes/interface/upkeep.h"
 
 #include "dsc/complex/gather.h"
-#include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/edits.h"
@@ -244,55 +243,12 @@ private:
         const Real to_b = (link_point(ring, spokes.second) - p).squaredNorm();
         const std::uint32_t nearer = to_a < to_b ? spokes.first : spokes.second;
         for (const std::uint32_t i : {nearer, spokes.other(nearer)}) {
-            Point<Real> place;
-            const bool moves = thresholds_.coarsening == Coarsening::area;
-            if (moves && !keeps_area(ring, i, spokes.other(i), place)) {
-                continue;
-            }
             if (collapse_centre(work_, ring, prev(ring.corner[i]), rewire::Vanishing::next) ==
                 Verdict::legal) {
-                if (moves) {
-                    move_survivor(ring.link[i], place);
-                }
                 return true;
             }
         }
         return false;
-    }
-
-    // The place of the survivor of the edge from p to a. False if it may not move, or cannot be
-    // seen.
-    bool keeps_area(const Ring<Real>& ring, std::uint32_t survivor, std::uint32_t other,
-                    Point<Real>& place) {
-        const Point<Real> p(ring.x0, ring.y0);
-        const Point<Real> a = link_point(ring, survivor);
-        const Point<Real> b = link_point(ring, other);
-        if (!see_end(ring, survivor)) {
-            return false;
-        }
-        const Ring<Real>& beyond = work_.other_ring;
-        if (!beyond.closed || is_corner(beyond.vertex) ||
-            complex_.is_locked(Vertex{beyond.vertex})) {
-            return false;
-        }
-        const Spokes spokes = interface_spokes(beyond);
-        if (spokes.count != 2) {
-            return false;
-        }
-        const bool first_is_p = beyond.link[spokes.first] == ring.vertex;
-        const Point<Real> c = link_point(beyond, first_is_p ? spokes.second : spokes.first);
-        return area_keeping_place(b, p, a, c, place) &&
-               (place - midpoint<Real>(p, a)).squaredNorm() < shortest_squared_ &&
-               owns_point(place);
-    }
-
-    void move_survivor(std::uint32_t v, const Point<Real>& place) {
-        Ring<Real>& star = work_.other_ring;
-        if (gather(complex_, work_.submesh.region, v, star) && star.owned &&
-            all_positive(star, place.x(), place.y())) {
-            rewire::move(complex_, work_.log, v, place.x(), place.y(), MoveReason::coarsening);
-            activate_link(work_, star);
-        }
     }
 
     // --- refinement ---------------------------------------------------------------------------
