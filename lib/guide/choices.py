@@ -61,7 +61,6 @@ def choosing(program, runs):
         *({"h": h, "dt": h} for h in lengths),
         *({"h": h, "dt": h, **cubic(h)} for h in lengths),
         {**default, "coarsening": "never"},
-        {**default, "insertion": "arc"},
         {**default, "insertion": "linear"},
         {**default, "coarsening": "length"},
         {**default, "integrator": "midpoint"},

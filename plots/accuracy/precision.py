@@ -17,7 +17,6 @@ LOOKS = {
     "midpoint": (style.PURPLE, "v"),
     "adaptive": (style.VERMILLION, "D"),
     "linear insertion": (style.ORANGE, "^"),
-    "arc insertion": (style.SKY, "P"),
     "coarsening by length": (style.GREEN, "s"),
     "never coarsened": (style.VERMILLION, "D"),
     "fourth order": (style.PURPLE, "p"),

@@ -13,9 +13,9 @@ DEFAULT = "default"
 FLOWS = ["single-vortex-8", "single-vortex-2", "swirl-260", "swirl-420", "zalesak",
          "vortex-square"]
 GROUPS = ["default", "time", "upkeep", "other", "markers"]
-METHODS = ["euler", "centred", "midpoint", "adaptive", "linear insertion", "arc insertion",
-           "coarsening by length", "never coarsened", "fourth order", "fourth order, coarsened",
-           "float", "thesis's choice", "literal reference",
+METHODS = ["euler", "centred", "midpoint", "adaptive", "linear insertion", "coarsening by length",
+           "never coarsened", "fourth order", "fourth order, coarsened", "float",
+           "thesis's choice", "literal reference",
            "markers, linear", "markers, cubic", "markers, cubic, all kept",
            "markers, read as cubic, all kept"]
 

@@ -197,8 +197,7 @@ class Precision(Case):
 
     def test_looks_of_a_panel_differ_in_colour_and_marker(self):
         groups = (("default", "euler", "centred", "midpoint", "adaptive"),
-                  ("default", "linear insertion", "arc insertion", "coarsening by length",
-                   "never coarsened"),
+                  ("default", "linear insertion", "coarsening by length", "never coarsened"),
                   ("default", "fourth order", "float", "thesis's choice", "literal reference"))
         for names in groups:
             looks = [precision.LOOKS[name] for name in names]

@@ -150,7 +150,7 @@ Case of_patches() {
     };
     one.options = options_of(0.04);
     one.options.interface.coarsening = Coarsening::length;
-    one.options.insertion = Insertion::arc;
+    one.options.insertion = Insertion::linear;
     one.options.interface.turn_degrees = 30;
     return one;
 }

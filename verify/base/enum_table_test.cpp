@@ -58,7 +58,7 @@ TEST(EnumTable, LeadsFromValuesToNamesAndBack) {
 
 TEST(EnumTable, NamesAreThoseThatEnumsAreKnownBy) {
     EXPECT_EQ(to_string(Integrator::rk4), "rk4");
-    EXPECT_EQ(to_string(Insertion::arc), "arc");
+    EXPECT_EQ(to_string(Insertion::linear), "linear");
     EXPECT_EQ(to_string(Reading::chords), "chords");
     EXPECT_EQ(to_string(Coarsening::deviation), "deviation");
     EXPECT_EQ(to_string(Slabbing::counting), "counting");

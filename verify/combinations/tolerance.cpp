@@ -50,7 +50,6 @@ Tolerance loose_corners(const Row& row, const Scene& scene) {
         // A parabola through the ends of an edge c and the next vertex beyond the corner, at a
         // distance a, is c^2 sin / (4 (a + c)) off in the middle of c: most if c is the longest
         // edge and a the shortest. A vertex is put there, and so on both sides: a triangle each.
-        // The circle of half of that curvature is nearer.
         const double off = sine / (4 * (upkeep.longest + upkeep.shortest));
         of_corner += {off * upkeep.longest, off};
     }

@@ -41,7 +41,6 @@ std::vector<Choice> choices() {
         {"centred", [](auto& o) { o.integrator = Integrator::centred; }},
         {"midpoint", [](auto& o) { o.integrator = Integrator::midpoint; }},
         {"adaptive", [](auto& o) { o.integrator = Integrator::adaptive; }},
-        {"arc", [](auto& o) { o.insertion = Insertion::arc; }},
         {"length", [](auto& o) { o.interface.coarsening = Coarsening::length; }},
         {"gap", [](auto& o) { o.interface.gap = 1; }},
         {"turn", [](auto& o) { o.interface.turn_degrees = 20; }},

@@ -186,58 +186,6 @@ TEST(CurvePoint, HasFourthOrderWhereverItIsOnTheChord) {
     }
 }
 
-// Whichever way it is gone round, with whatever neighbours, and evenly spread or not.
-TYPED_TEST(Interpolation, KeepsACircleByArcs) {
-    using Real = TypeParam;
-    constexpr double radius = 0.3;
-    for (const double sense : {1.0, -1.0}) {
-        for (const double length : {1e-3, 0.1, 1.0, 2.5}) {
-            const auto at = [&](double angle) {
-                return Point<Real>(static_cast<Real>(2 + radius * std::cos(sense * angle)),
-                                   static_cast<Real>(1 + radius * std::sin(sense * angle)));
-            };
-            for (int known = 1; known < 4; ++known) {
-                const CurveNeighbours<Real> n{at(0.7 - 0.4 * length), at(0.7),
-                                              at(0.7 + length),       at(0.7 + 1.5 * length),
-                                              (known & 1) != 0,       (known & 2) != 0};
-                const Point<double> p = insertion_point(Insertion::arc, n).template cast<double>();
-                const Point<double> middle = at(0.7 + length / 2).template cast<double>();
-                // The curvature is that of rounded points; its height over the chord, as much.
-                const double rounding =
-                    40 * static_cast<double>(std::numeric_limits<Real>::epsilon());
-                EXPECT_NEAR((p - middle).norm(), 0, rounding) << length << " " << known;
-            }
-        }
-    }
-}
-
-TEST(ArcInsertion, IsTheMidpointOfAStraightLineAndBetweenTwoCorners) {
-    CurveNeighbours<double> n{{0, 0}, {1, 1}, {2, 2}, {4, 4}, true, true};
-    EXPECT_EQ((insertion_point(Insertion::arc, n) - Point<double>(1.5, 1.5)).norm(), 0);
-    n.p0 = {1, -3};
-    n.p3 = {5, 0};
-    n.has_first = n.has_last = false;
-    EXPECT_EQ((insertion_point(Insertion::arc, n) - Point<double>(1.5, 1.5)).norm(), 0);
-}
-
-// The curvature of three points is that of the curve at their middle, which for even spacing is the
-// second one: then the mean of two is off by the second order, one alone, or uneven spacing, by the
-// first; the height is length^2 times that.
-TEST(ArcInsertion, HasFourthOrderForEvenEdgesAndThirdForOthers) {
-    const auto order = [](double before, double after, bool has_first, bool has_last) {
-        const auto off = [&](double h) {
-            return off_the_ellipse(h, before, after, has_first, has_last, [](const auto& n) {
-                return insertion_point(Insertion::arc, n);
-            });
-        };
-        return std::log2(off(0.05) / off(0.025));
-    };
-    EXPECT_NEAR(order(1, 1, true, true), 4, 0.2);
-    EXPECT_NEAR(order(0.8, 1.3, true, true), 3, 0.2);
-    EXPECT_NEAR(order(1, 1, true, false), 3, 0.2);
-    EXPECT_NEAR(order(1, 1, false, true), 3, 0.2);
-}
-
 TEST(LinearInsertion, HasSecondOrderWhateverTheNeighbours) {
     EXPECT_NEAR(order_of(true, true, Insertion::linear), 2, 0.1);
     EXPECT_EQ(off_the_ellipse(0.05, true, true, Insertion::linear),

@@ -55,7 +55,6 @@ TEST(Parameters, TakeGoodValues) {
     EXPECT_EQ(with("integrator", "rk4").integrator, Integrator::rk4);
     EXPECT_EQ(with("insertion", "linear").insertion, Insertion::linear);
     EXPECT_EQ(with("insertion", "cubic").insertion, Insertion::cubic);
-    EXPECT_EQ(with("insertion", "arc").insertion, Insertion::arc);
     EXPECT_EQ(with("integrator", "centred").integrator, Integrator::centred);
     EXPECT_EQ(with("integrator", "adaptive").integrator, Integrator::adaptive);
     EXPECT_EQ(with("tolerance", "1e-6").tolerance, 1e-6);
@@ -149,7 +148,7 @@ TEST(Parameters, ArePrintedAsTheyAreRead) {
         {"angle", "30"},          {"grains", "25"},
         {"inside", "coarse"},     {"outside", "coarse"},
         {"ramp", "linear"},       {"integrator", "euler"},
-        {"tolerance", "0.25"},    {"insertion", "arc"},
+        {"tolerance", "0.25"},    {"insertion", "linear"},
         {"coarsening", "length"}, {"reading", "cubic"},
         {"longest", "1.25"},      {"shortest", "0.125"},
         {"deviation", "0.5"},     {"turn", "15"},

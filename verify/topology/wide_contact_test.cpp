@@ -325,7 +325,7 @@ TEST(WideContactOf, AShrunkenPhaseIsNotRefused) {
     test::ChangingSimulation<double> simulation(complex, options);
     (void)run_on(complex, simulation, grow_apart(0.1, -1), dt, 12);
     EXPECT_LT(area_of(complex, 1), 0.0078) << "of a disc of that diameter";
-    options.insertion = Insertion::arc;
+    options.insertion = Insertion::linear;
     EXPECT_NO_THROW(simulation.set_options(options));
     EXPECT_THROW(test::ChangingSimulation<double>(complex, options), InputError);
 }

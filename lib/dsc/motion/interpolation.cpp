@@ -3,11 +3,8 @@
 
 #include "dsc/geometry/distance.h"
 #include "dsc/geometry/lagrange.h"
-#include "dsc/geometry/turn.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace dsc {
 
@@ -38,41 +35,11 @@ Point<Real> curve_point(const CurveNeighbours<Real>& neighbours, Real share) {
                           std::span<const Real>(knots.data(), count), share * chord, on_chord);
 }
 
-namespace {
-
-/// The middle of the arc from p1 to p2 with the mean of the known curvatures.
-template <class Real>
-Point<Real> arc_point(const CurveNeighbours<Real>& n) {
-    const Point<Real> chord = n.p2 - n.p1;
-    Real bend = 0;
-    int known = 0;
-    if (n.has_first) {
-        bend += curvature<Real>(n.p0, n.p1, n.p2);
-        ++known;
-    }
-    if (n.has_last) {
-        bend += curvature<Real>(n.p1, n.p2, n.p3);
-        ++known;
-    }
-    const Point<Real> middle = midpoint<Real>(n.p1, n.p2);
-    if (known == 0) {
-        return middle;
-    }
-    bend /= static_cast<Real>(known);
-    // The height of the arc over half its chord. An arc is at most a half circle.
-    const Real sine = std::clamp(Real(0.5) * bend * chord.norm(), Real(-1), Real(1));
-    const Real height = Real(0.5) * sine / (1 + std::sqrt(1 - sine * sine));
-    return middle + height * Point<Real>(chord.y(), -chord.x());
-}
-
-} // namespace
-
 template <class Real>
 Point<Real> insertion_point(Insertion insertion, const CurveNeighbours<Real>& neighbours) {
     switch (insertion) {
     case Insertion::linear: break;
     case Insertion::cubic: return curve_point(neighbours, Real(0.5));
-    case Insertion::arc: return arc_point(neighbours);
     }
     return midpoint<Real>(neighbours.p1, neighbours.p2);
 }

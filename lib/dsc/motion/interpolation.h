@@ -16,13 +16,11 @@ namespace dsc {
 enum class Insertion : std::uint8_t {
     linear, ///< the midpoint of the edge
     cubic,  ///< 4-point Lagrange by chord length; one-sided or linear at corners
-    arc,    ///< on the circle of the mean curvature at the two ends: circles stay circles
 };
 
 inline constexpr std::array insertion_names{
     Named{Insertion::linear, "linear"},
     Named{Insertion::cubic, "cubic"},
-    Named{Insertion::arc, "arc"},
 };
 
 [[nodiscard]] constexpr std::string_view to_string(Insertion insertion) {

@@ -72,9 +72,6 @@ reference::Options reference_options(const Parameters& parameters) {
     case Integrator::adaptive:
         throw not_in_reference("--set integrator", to_string(parameters.integrator));
     }
-    if (parameters.insertion == Insertion::arc) {
-        throw not_in_reference("--set insertion", to_string(parameters.insertion));
-    }
     if (parameters.interface.reading != Reading::chords) {
         throw not_in_reference("--set reading", to_string(parameters.interface.reading));
     }
