@@ -242,7 +242,7 @@ std::span<const std::string_view> found_rows() {
         "place=by_wall phases=junctions motion=grow told=seeing sizes=by_place topology=wide "
         "turned=quarter",
         "place=by_wall phases=junctions motion=grow told=seeing sizes=by_place topology=wide "
-        "integrator=centred insertion=cubic coarsening=area way=active precision=float "
+        "integrator=centred insertion=cubic way=active precision=float "
         "interruption=tiny_step turned=quarter data=field",
         "place=by_wall phases=junctions motion=grow told=seeing sizes=by_place topology=wide",
         // An end of a curve that had become a vertex of a wall went back and forth along it.
@@ -253,7 +253,7 @@ std::span<const std::string_view> found_rows() {
         "place=by_wall motion=grow told=seeing topology=change integrator=adaptive "
         "coarsening=never",
         "place=by_wall motion=grow told=seeing sizes=in_time topology=wide integrator=midpoint "
-        "insertion=arc coarsening=never",
+        "coarsening=never",
         // A vertex exactly above the end of its curve on the wall did not land.
         "place=by_wall phases=junctions motion=down topology=change coarsening=never",
         // Nor did one above inner vertices of the film, or a long edge of the wall.
