@@ -27,20 +27,14 @@ enum Notable : std::uint32_t {
     noted_for_ever = noted_seam | noted_wall, ///< kept from round to round
 };
 
-/// The note of a vertex.
-template <class Real>
+/// The note of a vertex. Small, because those of a whole link are read for each star.
 struct Note {
-    Real x = 0; ///< before the sub-step
-    Real y = 0;
     std::uint32_t round = 0; ///< of the sub-step; 0: none yet
     std::uint32_t what = 0;  ///< bits of `Notable`
 };
 
 /// The bytes of a note.
-template <class Real>
-void archive(Archive& archive, Note<Real>& note) {
-    archive(note.x, note.y, note.round, note.what);
-}
+inline void archive(Archive& archive, Note& note) { archive(note.round, note.what); }
 
 /// Whether the complex has an attribute of notes. O(1).
 template <class Real>
@@ -48,7 +42,10 @@ template <class Real>
 /// The notes of a complex, which are made if there are none yet. A new vertex has none, except that
 /// between two on the domain boundary it counts as one of those. O(1), or O(n) for new ones.
 template <class Real>
-[[nodiscard]] VertexAttribute<Note<Real>>& notes_of(Complex<Real>& complex);
+[[nodiscard]] VertexAttribute<Note>& notes_of(Complex<Real>& complex);
+/// Where the vertices that were noted last were before the sub-step. As `notes_of`.
+template <class Real>
+[[nodiscard]] VertexAttribute<Point<Real>>& places_of(Complex<Real>& complex);
 /// Forgets all notes, as of an earlier simulation, and notes which vertices are on the domain
 /// boundary. O(n).
 template <class Real>
@@ -107,16 +104,20 @@ template <class Real>
     return false;
 }
 
-/// Whether two successive vertices of the link lie on the domain boundary, or were noted in this
-/// round or the last one: only then can a triangle bridge a film once the vertices have moved. The
-/// last round counts because a vertex that has just come into another submesh is noted after all
-/// others. O(degree).
+/// Whether a vertex lies on the domain boundary, or was noted in this round or the last one. The
+/// last one counts because a vertex that has just come into another submesh is noted after all
+/// others.
+[[nodiscard]] inline bool is_noted(const Note& note, std::uint32_t round) {
+    return round - note.round <= 1 || (note.what & noted_wall) != 0;
+}
+
+/// Whether two successive vertices of the link are noted: only then can a triangle bridge a film
+/// once the vertices have moved. O(degree).
 template <class Real>
-[[nodiscard]] bool may_face_a_sheet(const VertexAttribute<Note<Real>>& notes, std::uint32_t round,
+[[nodiscard]] bool may_face_a_sheet(const VertexAttribute<Note>& notes, std::uint32_t round,
                                     const Ring<Real>& ring) {
     const auto is_noted = [&](std::uint32_t i) {
-        const Note<Real>& note = notes[Vertex{ring.link[i]}];
-        return round - note.round <= 1 || (note.what & noted_wall) != 0;
+        return dsc::is_noted(notes[Vertex{ring.link[i]}], round);
     };
     // Of two that are successive one has an odd place, unless they close an odd ring.
     const std::uint32_t n = ring.link_size();
@@ -140,28 +141,40 @@ template <class Real>
     return false;
 }
 
-/// Whether the interface turns by more than 45 degrees between the two edges at the centre: the
-/// angle from which an outline counts as sharp. Squared, as a root would be a third of the time.
+/// The two edges of a curve at a vertex, as vectors along it.
 template <class Real>
-[[nodiscard]] bool turns_sharply(const Ring<Real>& ring, const Spokes& spokes) {
+struct Bend {
+    Bend(Real from_x, Real from_y, Real x, Real y, Real to_x, Real to_y)
+        : in_x(x - from_x), in_y(y - from_y), out_x(to_x - x), out_y(to_y - y) {}
+    Bend(const Ring<Real>& ring, const Spokes& spokes)
+        : Bend(ring.link_x(spokes.first), ring.link_y(spokes.first), ring.x0, ring.y0,
+               ring.link_x(spokes.second), ring.link_y(spokes.second)) {}
+
+    Real in_x;
+    Real in_y;
+    Real out_x;
+    Real out_y;
+};
+
+/// Whether the interface turns by more than 45 degrees between two edges: the angle from which an
+/// outline counts as sharp. Squared, as a root would be a third of the time.
+template <class Real>
+[[nodiscard]] bool turns_sharply(const Bend<Real>& bend) {
     constexpr Real squared_cosine = Real(0.49);
-    const Real in_x = ring.x0 - ring.link_x(spokes.first);
-    const Real in_y = ring.y0 - ring.link_y(spokes.first);
-    const Real out_x = ring.link_x(spokes.second) - ring.x0;
-    const Real out_y = ring.link_y(spokes.second) - ring.y0;
-    const Real along = in_x * out_x + in_y * out_y;
-    return !(along > 0 && along * along > squared_cosine * (in_x * in_x + in_y * in_y) *
-                                              (out_x * out_x + out_y * out_y));
+    const Real along = bend.in_x * bend.out_x + bend.in_y * bend.out_y;
+    return !(along > 0 && along * along > squared_cosine *
+                                              (bend.in_x * bend.in_x + bend.in_y * bend.in_y) *
+                                              (bend.out_x * bend.out_x + bend.out_y * bend.out_y));
 }
 
-/// Whether the circle through the centre and the ends of both edges has that curvature, or more.
-/// Both sides are squared, and without a unit: a product of three squares may underflow.
+/// Whether the circle through the ends of both edges has that curvature, or more. Both sides are
+/// squared, and without a unit: a product of three squares may underflow.
 template <class Real>
-[[nodiscard]] bool turns_tightly(const Ring<Real>& ring, const Spokes& spokes, Real curvature) {
-    const Real a_x = (ring.x0 - ring.link_x(spokes.first)) * curvature;
-    const Real a_y = (ring.y0 - ring.link_y(spokes.first)) * curvature;
-    const Real b_x = (ring.link_x(spokes.second) - ring.x0) * curvature;
-    const Real b_y = (ring.link_y(spokes.second) - ring.y0) * curvature;
+[[nodiscard]] bool turns_tightly(const Bend<Real>& bend, Real curvature) {
+    const Real a_x = bend.in_x * curvature;
+    const Real a_y = bend.in_y * curvature;
+    const Real b_x = bend.out_x * curvature;
+    const Real b_y = bend.out_y * curvature;
     const Real c_x = a_x + b_x;
     const Real c_y = a_y + b_y;
     const Real sine = a_x * b_y - a_y * b_x;

@@ -34,7 +34,7 @@ struct TopologyWork {
     Real edge_length;
     double time; ///< of the events
     std::vector<Event>& events;
-    VertexAttribute<Note<Real>>& notes = notes_of(complex);
+    VertexAttribute<Note>& notes = notes_of(complex);
     /// Vertices of the triangles that have changed hands: some may have too many sectors now.
     std::vector<Vertex> touched = {};
     std::vector<Transfer> transfers = {}; ///< kept where area is to be given back

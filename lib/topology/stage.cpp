@@ -38,6 +38,7 @@ void TopologyStage<Real>::begin(Complex<Real>& complex, const Options<Real>& opt
     }
     complex_ = &complex;
     notes_ = &notes_of(complex);
+    places_ = &places_of(complex);
     edge_length_ = options.edge_length;
     settle();
 }
@@ -62,7 +63,7 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
         return;
     }
     const auto what = [&](std::uint32_t v) {
-        const Note<Real>& note = (*notes_)[Vertex{v}];
+        const Note note = (*notes_)[Vertex{v}];
         return note.round == round ? note.what & ~std::uint32_t{noted_for_ever} : 0U;
     };
     // Films that are wider than triangles show are looked for from everywhere.
@@ -76,9 +77,9 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
     suspects_.clear();
     for (const std::uint32_t v : between.interface) {
         if (const std::uint32_t bits = what(v); bits != 0) {
-            const Note<Real>& note = (*notes_)[Vertex{v}];
-            suspects_.push_back({.x = note.x,
-                                 .y = note.y,
+            const Point<Real>& place = (*places_)[Vertex{v}];
+            suspects_.push_back({.x = place.x(),
+                                 .y = place.y(),
                                  .vertex = v,
                                  .is_thin = (bits & noted_thin) != 0,
                                  .is_facing = (bits & noted_facing) != 0,

@@ -53,7 +53,7 @@ void expect_all_noted(Complex<double>& complex, Executor<double>& executor) {
         ++round;
         (void)executor.aim(carry, 0, 0.25 * h); // upkeep first: the mesh is as it was noted
         for (const std::uint32_t v : at_thin_triangles(complex, default_contact * h)) {
-            const Note<double>& note = notes_of(complex)[Vertex{v}];
+            const Note note = notes_of(complex)[Vertex{v}];
             EXPECT_TRUE(note.round == round && (note.what & noted_thin) != 0)
                 << "step " << step << ", vertex " << v;
             ++count;
@@ -139,10 +139,10 @@ TEST(Suspects, AreSharpWhereTheInterfaceTurnsByMoreThanAnEighth) {
                                             {-135.0, true}}) {
         ring.x[4] = 0.1 * std::cos(degrees * std::numbers::pi / 180);
         ring.y[4] = 0.1 * std::sin(degrees * std::numbers::pi / 180);
-        EXPECT_EQ(turns_sharply(ring, spokes), is_sharp) << degrees;
+        EXPECT_EQ(turns_sharply(Bend(ring, spokes)), is_sharp) << degrees;
     }
     ring.x[4] = ring.y[4] = 0;
-    EXPECT_TRUE(turns_sharply(ring, spokes)) << "an edge of no length";
+    EXPECT_TRUE(turns_sharply(Bend(ring, spokes))) << "an edge of no length";
 }
 
 // Three points of a circle, in float so small that the product of three squares would be none.
@@ -158,8 +158,8 @@ TEST(Suspects, AreTightOnCirclesOfTheCurvatureOrMore) {
             ring.y[1] = radius * std::sin(from);
             ring.x[4] = radius * (1 - std::cos(to));
             ring.y[4] = radius * std::sin(to);
-            EXPECT_TRUE(turns_tightly(ring, spokes, 0.98F / radius)) << from << ", " << to;
-            EXPECT_FALSE(turns_tightly(ring, spokes, 1.02F / radius)) << from << ", " << to;
+            EXPECT_TRUE(turns_tightly(Bend(ring, spokes), 0.98F / radius)) << from << ", " << to;
+            EXPECT_FALSE(turns_tightly(Bend(ring, spokes), 1.02F / radius)) << from << ", " << to;
         }
     }
     EXPECT_FLOAT_EQ(curvature_around(std::numbers::pi_v<float>), 0.5F);
