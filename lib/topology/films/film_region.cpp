@@ -58,7 +58,7 @@ bool refine_film(TopologyWork<Real>& work, const std::array<Vertex, 2>& sheet, R
         const Point<Real> to = complex.position(Vertex{complex.vertex(prev(edge))});
         const Point<Real> middle = (from + to) / Real(2);
         if ((is_border(complex.twin(edge)) && orientation<Real>(from, middle, to) != 0) ||
-            edge_split(complex, whole_submesh(complex), edge, middle).verdict != Verdict::legal) {
+            edge_split(Submesh(complex), edge, middle).verdict != Verdict::legal) {
             return splits > 0;
         }
     }

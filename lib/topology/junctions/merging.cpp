@@ -172,9 +172,8 @@ bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real least) {
     if (heir == no_id) {
         return false;
     }
-    const Submesh submesh = whole_submesh(complex);
-    rewire::collapse(complex, *submesh.log, prev(ring.corner[heir]), rewire::Vanishing::next,
-                     *submesh.pool);
+    rewire::collapse(complex, complex.journal, prev(ring.corner[heir]), rewire::Vanishing::next,
+                     complex.ids);
     return true;
 }
 
