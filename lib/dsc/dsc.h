@@ -36,7 +36,6 @@
 #include "dsc/operations/replay.h"
 #include "dsc/operations/smoothing.h"
 
-#include "dsc/quality/delaunay.h"
 #include "dsc/quality/measures.h"
 #include "dsc/quality/ring_quality.h"
 
@@ -50,7 +49,6 @@
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/carried.h"
 #include "dsc/passes/options.h"
-#include "dsc/passes/work_archive.h"
 
 #include "dsc/algorithm/run.h"
 #include "dsc/algorithm/simulation.h"

@@ -2,7 +2,7 @@
 #include "thesis/insertion_removal.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/interface_pair.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"

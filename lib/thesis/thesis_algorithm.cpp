@@ -4,7 +4,6 @@
 #include "dsc/complex/gather.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/smoothing.h"
-#include "dsc/quality/delaunay.h"
 #include "dsc/quality/measures.h"
 #include "dsc/quality/ring_quality.h"
 #include "thesis/local_retriangulation.h"

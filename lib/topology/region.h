@@ -3,8 +3,8 @@
 // is serial and rare: it runs between two sub-steps, on a few triangles, in the whole complex.
 #pragma once
 
+#include "dsc/base/types.h"
 #include "dsc/complex/circulate.h"
-#include "dsc/complex/interface_pair.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/turn.h"
 #include "topology/events.h"

@@ -7,9 +7,8 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/passes/mesh/update.h"
-#include "dsc/passes/move_vertices.h"
 #include "dsc/queries/hash.h"
 
 #include <gtest/gtest.h>

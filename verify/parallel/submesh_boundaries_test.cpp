@@ -8,7 +8,6 @@
 #include "dsc/initial/initial_complex.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/quality/delaunay.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/hash.h"
 

@@ -5,8 +5,7 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/complex/circulate.h"
-#include "dsc/passes/mesh/update.h"
-#include "dsc/passes/move_vertices.h"
+#include "dsc/passes/algorithm.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // What an application can choose about the interface: which vertices may be removed, how long edges
 // are, which corners stay, and the quality of the mesh beside short edges.
 #include "dsc/complex/gather.h"
-#include "dsc/passes/interface/upkeep.h"
+#include "dsc/passes/algorithm.h"
 
 #include "support/simulation_testing.h"
 

@@ -5,8 +5,7 @@
 #include "support/small_meshes.h"
 
 #include "dsc/operations/edge_split.h"
-#include "dsc/passes/mesh/update.h"
-#include "dsc/passes/move_vertices.h"
+#include "dsc/passes/algorithm.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The list that the interface upkeep keeps: who stays on it and who leaves it.
-#include "dsc/passes/interface/upkeep.h"
+#include "dsc/passes/algorithm.h"
 
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"

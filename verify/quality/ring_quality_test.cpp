@@ -6,7 +6,6 @@
 
 #include "support/small_meshes.h"
 
-#include "dsc/quality/delaunay.h"
 #include "dsc/quality/measures.h"
 
 #include <gtest/gtest.h>

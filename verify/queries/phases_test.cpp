@@ -4,7 +4,7 @@
 
 #include "support/small_meshes.h"
 
-#include "dsc/complex/interface_pair.h"
+#include "dsc/base/types.h"
 #include "thesis/algebra.h"
 #include "thesis/mesh_functions.h"
 

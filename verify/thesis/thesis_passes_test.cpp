@@ -9,7 +9,7 @@
 
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/quality/delaunay.h"
+#include "dsc/quality/measures.h"
 
 #include <gtest/gtest.h>
 

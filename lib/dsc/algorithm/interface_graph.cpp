@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/interface_graph.h"
 
+#include "dsc/base/types.h"
 #include "dsc/complex/circulate.h"
-#include "dsc/complex/interface_pair.h"
 
 namespace dsc {
 

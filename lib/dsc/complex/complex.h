@@ -12,6 +12,7 @@
 #include "dsc/complex/edit_log.h"
 
 #include <array>
+#include <atomic>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,20 @@ struct VertexRecord {
     std::uint32_t slot;  ///< scratch of the active set
 };
 static_assert(sizeof(VertexRecord<double>) == 32);
+
+// Coordinates of a vertex that another submesh may be moving at this moment: such a vertex always
+// fails the test of ownership, so the order of reads and writes does not matter, but none may tear.
+
+/// Reads without tearing; any value that was there at some moment.
+template <class Real>
+Real read_shared(const Real& value) {
+    return std::atomic_ref<Real>(const_cast<Real&>(value)).load(std::memory_order_relaxed);
+}
+/// Writes without tearing.
+template <class Real>
+void write_shared(Real& value, Real next) {
+    std::atomic_ref<Real>(value).store(next, std::memory_order_relaxed);
+}
 
 /// A pool of free ids. The complex grows its arrays when its own pool is empty. A submesh that runs
 /// in parallel may not grow them: an edit that finds its pool empty is refused

@@ -7,10 +7,9 @@
 // that faces the calling submesh.
 #pragma once
 
+#include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
-#include "dsc/complex/interface_pair.h"
 #include "dsc/complex/resample.h"
-#include "dsc/complex/shared.h"
 #include "dsc/geometry/distance.h"
 #include "dsc/geometry/triangle.h"
 

@@ -2,7 +2,7 @@
 // Which spokes of a gathered star belong to the interface.
 #pragma once
 
-#include "dsc/complex/interface_pair.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/ring.h"
 
 namespace dsc {

@@ -6,7 +6,6 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
-#include "dsc/complex/shared.h"
 
 #include <limits>
 #include <utility>

@@ -4,8 +4,8 @@
 // star is not gathered.
 #pragma once
 
+#include "dsc/base/types.h"
 #include "dsc/complex/circulate.h"
-#include "dsc/complex/interface_pair.h"
 #include "dsc/complex/submesh.h"
 
 namespace dsc {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/algorithm.h"
 
-#include "dsc/passes/interface/upkeep.h"
-#include "dsc/passes/mesh/update.h"
-#include "dsc/passes/move_vertices.h"
-
 namespace dsc {
 
 template <class Real>

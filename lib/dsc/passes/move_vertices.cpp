@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/passes/move_vertices.h"
+#include "dsc/passes/algorithm.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"

@@ -25,4 +25,13 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real min_angle_deg(const Complex<Real>& complex, Triangle t);
 
+/// Whether the edge opposite to `corner`, which must have two triangles, is Delaunay.
+template <class Real>
+bool is_delaunay(const Complex<Real>& complex, Corner corner) {
+    return is_delaunay<Real>(complex.position(Vertex{complex.vertex(corner)}),
+                             complex.position(Vertex{complex.vertex(next(corner))}),
+                             complex.position(Vertex{complex.vertex(complex.twin(corner))}),
+                             complex.position(Vertex{complex.vertex(prev(corner))}));
+}
+
 } // namespace dsc

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/queries/phases.h"
 
+#include "dsc/base/types.h"
 #include "dsc/complex/circulate.h"
-#include "dsc/complex/interface_pair.h"
 #include "dsc/geometry/triangle.h"
 #include "dsc/queries/outlines.h"
 

@@ -3,8 +3,8 @@
 // how it bends, and how close its next sheet is.
 #pragma once
 
+#include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
-#include "dsc/complex/interface_pair.h"
 #include "dsc/complex/ring.h"
 #include "dsc/complex/spokes.h"
 #include "dsc/geometry/distance.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/passes/interface/upkeep.h"
+#include "dsc/passes/algorithm.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/operations/edge_collapse.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/passes/mesh/update.h"
+#include "dsc/passes/algorithm.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
@@ -10,7 +10,7 @@
 #include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/passes/waiting.h"
 #include "dsc/passes/wall.h"
-#include "dsc/quality/delaunay.h"
+#include "dsc/quality/measures.h"
 
 namespace dsc {
 
