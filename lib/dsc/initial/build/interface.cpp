@@ -27,12 +27,8 @@ std::uint32_t clamped(double value, std::uint32_t low, std::uint32_t high) {
 template <class Real>
 void remove_vertex(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack) {
     Ring<Real> ring;
-    if (!gather(complex, Region{}, vertex, ring)) {
-        return;
-    }
-    const CollapseChoice best = best_collapse(ring);
-    if (best.spoke != no_id && collapse_along(complex, ring, best.spoke)) {
-        legalise_star(complex, ring.link[best.spoke], stack);
+    if (gather(complex, Region{}, vertex, ring)) {
+        collapse_along(complex, ring, best_collapse(ring).spoke, stack);
     }
 }
 

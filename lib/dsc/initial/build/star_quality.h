@@ -5,6 +5,7 @@
 
 #include "dsc/complex/gather.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/initial/build/insertion.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/quality/measures.h"
 
@@ -81,15 +82,24 @@ CollapseChoice best_collapse(const Ring<Real>& ring,
     return best;
 }
 
-/// Collapses the centre of a star into the link vertex at the end of this spoke if that is legal.
+/// Collapses the centre of a star into the link vertex at the end of this spoke, if there is one
+/// and that is legal, and restores the Delaunay property. Returns whether it was.
 template <class Real>
-bool collapse_along(Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t spoke) {
+bool collapse_along(Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t spoke,
+                    std::vector<Corner>& stack) {
+    if (spoke == no_id) {
+        return false;
+    }
     // A spoke is opposite to the previous corner of the triangle that begins with it; the last one
     // of an open star to the next corner of the triangle that ends there.
     const bool last = spoke == ring.size;
     const Corner corner = last ? next(ring.corner[ring.size - 1]) : prev(ring.corner[spoke]);
     const auto end = last ? rewire::Vanishing::prev : rewire::Vanishing::next;
-    return edge_collapse(Submesh(complex), corner, end) == Verdict::legal;
+    if (edge_collapse(Submesh(complex), corner, end) != Verdict::legal) {
+        return false;
+    }
+    legalise_star(complex, ring.link[spoke], stack);
+    return true;
 }
 
 } // namespace dsc::initial

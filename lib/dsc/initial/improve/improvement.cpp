@@ -167,9 +167,7 @@ std::size_t remove_crowded(Complex<Real>& complex, std::span<const std::uint32_t
             continue;
         }
         const CollapseChoice best = best_collapse(ring, longest_after * target);
-        if (best.spoke != no_id && best.quality > quality_after &&
-            collapse_along(complex, ring, best.spoke)) {
-            legalise_star(complex, ring.link[best.spoke], stack);
+        if (best.quality > quality_after && collapse_along(complex, ring, best.spoke, stack)) {
             ++removed;
         }
     }

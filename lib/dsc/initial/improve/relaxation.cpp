@@ -164,12 +164,9 @@ std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone
             continue;
         }
         const CollapseChoice best = best_collapse(ring, longest_edge * edge_length);
-        if (best.spoke == no_id || best.quality < before + collapse_gain) {
-            continue;
-        }
-        if (collapse_along(complex, ring, best.spoke)) {
+        if (best.quality >= before + collapse_gain &&
+            collapse_along(complex, ring, best.spoke, stack)) {
             ++collapses;
-            legalise_star(complex, ring.link[best.spoke], stack);
         }
     }
     return collapses;
