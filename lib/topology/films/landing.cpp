@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -41,7 +40,7 @@ public:
         for (const auto& suspect : suspects_) {
             const Vertex v{suspect.vertex};
             take(v.id);
-            if (complex_.is_alive(v) && is_on_wall(v.id)) { // perhaps the end of a curve
+            if (complex_.is_alive(v) && (is_on_wall(v.id) || is_junction(v.id))) {
                 for_each_corner(complex_, v, [&](Corner c) {
                     if (is_outline(complex_, prev(c))) {
                         take(complex_.vertex(next(c)));
@@ -62,12 +61,13 @@ public:
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
 
-    // The end of a curve that is held up has its own next vertices in its way.
+    // The end of a curve that is held up has the next vertices of its own curves in its way.
     [[nodiscard]] bool is_before_held_end(std::uint32_t v) const {
         return complex_.is_alive(Vertex{v}) &&
                find_corner(complex_, Vertex{v}, [&](Corner c) {
                    const std::uint32_t end = complex_.vertex(next(c));
-                   return is_sheet(complex_, prev(c)) && is_held_up(work_, end) && is_on_wall(end);
+                   return is_sheet(complex_, prev(c)) && is_held_up(work_, end) &&
+                          (is_on_wall(end) || is_junction(end));
                }) != no_id;
     }
 
@@ -232,16 +232,17 @@ private:
         return curves > 2;
     }
 
-    // Above the wall, or the other curves, that leave the end of a curve towards the vertex.
+    // Above the wall, or the other curves, that leave the end of a curve towards the vertex; or its
+    // distance from the end.
     [[nodiscard]] Real height_of(std::uint32_t v, std::uint32_t end) const {
-        Real lowest = std::numeric_limits<Real>::infinity();
         const Point<Real> from = at(v) - at(end);
+        Real lowest = from.norm();
         for_each_corner(complex_, Vertex{end}, [&](Corner c) {
             for (const Corner side : {next(c), prev(c)}) {
                 const std::uint32_t other = complex_.vertex(side == next(c) ? prev(c) : next(c));
                 const Point<Real> way = at(other) - at(end);
                 if (other != v && (is_border(complex_.twin(side)) || is_sheet(complex_, side)) &&
-                    from.dot(way) >= 0) {
+                    from.dot(way) > 0) {
                     lowest = std::min(lowest, std::abs(cross<Real>(way, from)) / way.norm());
                 }
             }
