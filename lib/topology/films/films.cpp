@@ -221,7 +221,9 @@ private:
                     .y = y,
                     .lost = film,
                     .taken = {one, other}};
-        event.area = static_cast<double>(doubled_area(complex_, t) + doubled_area(complex_, u)) / 2;
+        event.area = (static_cast<double>(doubled_area(complex_, t)) +
+                      static_cast<double>(doubled_area(complex_, u))) /
+                     2;
         close(t, one);
         close(u, other);
         for (const Triangle end : {t, u}) {
