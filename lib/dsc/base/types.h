@@ -51,6 +51,13 @@ using Edge = Handle<EdgeTag>;
 /// A 2-simplex.
 using Triangle = Handle<TriangleTag>;
 
+/// Whether an edge between these two phases, in either order, is an interface edge. The outside of
+/// the domain counts as exterior (thesis, section 8.6).
+constexpr bool is_interface_pair(Phase one, Phase other) {
+    return (one == border_phase ? exterior_phase : one) !=
+           (other == border_phase ? exterior_phase : other);
+}
+
 } // namespace dsc
 
 template <class Tag>

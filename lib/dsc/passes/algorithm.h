@@ -36,4 +36,26 @@ struct Algorithm {
 template <class Real>
 Algorithm<Real> default_algorithm();
 
+// --- the passes of the default ------------------------------------------------------------------
+
+/// Interface upkeep (algorithm 5.1 of the thesis, lines 6 and 7), with all vertices at the same
+/// time level, before anything moves. Splits interface edges that are too long, with the
+/// interpolator of the options; collapses interface vertices at short edges if the curve stays in
+/// place. Rewrites `work.interface`; if a submesh may not do what is needed, the vertex stays in
+/// the list and is deferred as well. O(interface vertices of the submesh).
+template <class Real>
+void upkeep_interface(Work<Real>& work);
+
+/// Movement (line 5): moves every mover once, as far as possible. Those that arrive leave
+/// `work.movers`; all that moved activate their star. O(movers).
+template <class Real>
+void move_vertices(Work<Real>& work);
+
+/// The mesh update (lines 9 to 20; algorithm 5.2) on the active set: only vertices whose star
+/// changed are visited. For each: Delaunay flips of its spokes, then coarsening by collapse,
+/// smoothing or refinement, whichever the thresholds of its phase require. Empties `work.active`;
+/// stars that a submesh may not touch are deferred. O(active).
+template <class Real>
+void update_mesh(Work<Real>& work);
+
 } // namespace dsc
