@@ -29,12 +29,12 @@ void add_others(std::vector<Method>& methods, const EnumTable<Enum, n>& table, E
     }
 }
 
-Method of_time(Integrator integrator, const std::string& name) {
+Method of_time(scenes::IntegratorChoice integrator, const std::string& name) {
     Method method{.name = name, .group = Group::time, .settings = {{"integrator", name}}};
-    if (integrator == Integrator::euler) {
+    if (integrator == scenes::IntegratorChoice::euler) {
         method.step = Method::Step::with_square;
         method.most_lengths = 3; // a fourth takes longer than all other methods together
-    } else if (integrator == Integrator::adaptive) {
+    } else if (integrator == scenes::IntegratorChoice::adaptive) {
         method.settings.push_back({.key = "tolerance", .factor = 0.1, .power = 2});
         method.step_factor = 8;
     }
@@ -56,7 +56,7 @@ Method of_coarsening(Coarsening coarsening, const std::string& name) {
 std::vector<Method> make_methods() {
     const scenes::Parameters standard;
     std::vector<Method> methods{{.name = "default", .group = Group::base, .to_the_last = true}};
-    add_others(methods, integrator_names, standard.integrator, of_time);
+    add_others(methods, scenes::integrator_choice_names, standard.integrator, of_time);
     add_others(methods, insertion_names, standard.insertion, of_insertion);
     add_others(methods, coarsening_names, standard.interface.coarsening, of_coarsening);
     const std::vector<Method> others{

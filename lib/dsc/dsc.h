@@ -41,6 +41,7 @@
 
 #include "dsc/initial/initial_complex.h"
 
+#include "dsc/motion/custom_integrator.h"
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interface_flow.h"
 #include "dsc/motion/interpolation.h"

@@ -89,7 +89,7 @@ std::vector<Key> make_keys() {
         for_some_scenes(choice(
             "ramp", ramp_names, [](auto& p) -> auto& { return p.ramp; })),
         choice(
-            "integrator", integrator_names, [](auto& p) -> auto& { return p.integrator; }),
+            "integrator", integrator_choice_names, [](auto& p) -> auto& { return p.integrator; }),
         number(
             "tolerance", 1e-12, 1.0, "1e-12 to 1, an error in edge lengths",
             [](auto& p) -> auto& { return p.tolerance; }),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/passes/options.h"
+#include "scenes/integrator_choice.h"
 #include "topology/options.h"
 
 #include <cstdint>
@@ -51,7 +52,7 @@ struct Parameters {
     Fineness inside = Fineness::fine;  ///< triangles of the shape
     Fineness outside = Fineness::fine; ///< of the exterior
     Ramp ramp = Ramp::quadratic;       ///< of a value from the first radius to the last
-    Integrator integrator = Integrator::rk4;
+    IntegratorChoice integrator = IntegratorChoice::rk4;
     double tolerance = Options<double>{}.tolerance; ///< of `adaptive`, in edge lengths
     Insertion insertion = Insertion::cubic;
     InterfaceThresholds interface {};

@@ -98,7 +98,6 @@ void CopyExecutor<Real>::hand_out() {
         // The stamps of a new submesh are 0.
         task->work.epoch = 1;
         task->work.time = whole_.time;
-        task->work.find_past(); // the attributes of a submesh are made with it
     }
     waiting_movers_.clear();
     waiting_active_.clear();

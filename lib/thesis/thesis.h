@@ -13,6 +13,7 @@
 #include "thesis/replay.h"
 #include "thesis/triangle_collapse.h"
 
+#include "thesis/centred_difference.h"
 #include "thesis/selection.h"
 #include "thesis/thesis_algorithm.h"
 

@@ -6,6 +6,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/queries/hash.h"
+#include "scenes/integrator_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -31,11 +32,11 @@ InterfaceMotion<double> translation(double x, double y) {
 }
 
 TEST(InterfaceMotion, MovesAsFarAsAVelocityWithAnyIntegrator) {
-    for (const Integrator integrator :
-         {Integrator::euler, Integrator::centred, Integrator::rk4, Integrator::adaptive}) {
+    for (const auto& [integrator, name] : scenes::integrator_choice_names) {
+        SCOPED_TRACE(name);
         auto complex = disc_complex<double>(coarse);
         auto options = options_for<double>(coarse);
-        options.integrator = integrator;
+        scenes::choose_integrator(options, integrator);
         Simulation<double> simulation(complex, options);
         const double area = phase_area(complex, 1);
         for (int step = 0; step < 4; ++step) {

@@ -5,6 +5,7 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/queries/hash.h"
+#include "scenes/integrator_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -151,13 +152,11 @@ TEST(InterfaceStages, AFlowOfPositionsMovesTheSameBitsEitherWay) {
         turn(view.positions.subspan(begin, end - begin), time,
              velocities.subspan(begin, end - begin));
     };
-    for (const Integrator integrator :
-         {Integrator::euler, Integrator::centred, Integrator::midpoint, Integrator::rk4,
-          Integrator::adaptive}) {
+    for (const auto& [integrator, name] : scenes::integrator_choice_names) {
         auto one = test::disc_complex<double>(coarse);
         auto other = test::disc_complex<double>(coarse);
         auto options = options_for<double>(coarse);
-        options.integrator = integrator;
+        scenes::choose_integrator(options, integrator);
         Simulation<double> by_positions(one, options);
         Simulation<double> by_sight(other, options);
         for (int step = 0; step < 8; ++step) {
@@ -165,7 +164,7 @@ TEST(InterfaceStages, AFlowOfPositionsMovesTheSameBitsEitherWay) {
             const auto second = by_sight.step(the_same, 0.02 * step, 0.02);
             EXPECT_EQ(first.sub_steps, second.sub_steps);
             EXPECT_EQ(first.error, second.error);
-            ASSERT_EQ(mesh_hash(one), mesh_hash(other)) << to_string(integrator);
+            ASSERT_EQ(mesh_hash(one), mesh_hash(other)) << name;
         }
     }
 }

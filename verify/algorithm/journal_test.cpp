@@ -9,6 +9,7 @@
 #include "dsc/operations/edge_split.h"
 #include "dsc/operations/replay.h"
 #include "dsc/queries/hash.h"
+#include "thesis/centred_difference.h"
 
 #include <gtest/gtest.h>
 
@@ -93,10 +94,11 @@ void expect_to_go_on(Complex<double>& complex, Simulation<double>& simulation) {
 }
 
 TEST_P(JournalOf, AComplexThatBecomesAnotherTellsItsSimulation) {
-    for (const Integrator integrator : {Integrator::rk4, Integrator::centred}) {
+    for (const auto& custom :
+         {std::shared_ptr<const CustomIntegrator<double>>(), centred_difference<double>()}) {
         Complex<double> complex = disc();
         const Complex<double> other = test::disc_complex<double>(disc_h, {0.3, 0.4}, 0.1);
-        const Options<double> options{.edge_length = disc_h, .integrator = integrator};
+        const Options<double> options{.edge_length = disc_h, .custom_integrator = custom};
         auto simulation = test::make_simulation(complex, options, GetParam());
         (void)simulation->step(test::swirl, 0, 0.02);
         complex = other;

@@ -6,6 +6,7 @@
 #include "dsc/algorithm/run.h"
 #include "dsc/base/error.h"
 #include "dsc/queries/hash.h"
+#include "thesis/centred_difference.h"
 
 #include <gtest/gtest.h>
 
@@ -53,15 +54,15 @@ TEST_P(EveryWay, SetOptionsTakesThemAsAWhole) {
     EXPECT_THROW(simulation->set_options(wrong), InputError);
     EXPECT_EQ(simulation->options().edge_length, disc_h);
 
-    // A memory that begins with the switch: the first step of `centred` is one of `midpoint`.
+    // A memory that begins with the switch: the first centred step is one of `midpoint`.
     Options<double> centred = simulation->options();
-    centred.integrator = Integrator::centred;
+    centred.custom_integrator = centred_difference<double>();
     simulation->set_options(centred);
     Options<double> finer = centred;
     simulation->step(swirl, 0.02, 0.02);
     simulation->step(swirl, 0.04, 0.02);
     finer.edge_length = disc_h / 2;
-    finer.integrator = Integrator::rk4;
+    finer.custom_integrator = nullptr;
     simulation->set_options(finer);
     const std::size_t before = simulation->interface_size();
     simulation->step(swirl, 0.06, 0.02);

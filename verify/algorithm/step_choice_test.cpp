@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Integrators that need more than the moment: the centred difference, which remembers, and the step
-// that follows from a tolerance; and what a step says when it gives up.
+// The step that follows from a tolerance; and what a step says when it gives up.
 #include "dsc/algorithm/simulation.h"
 
 #include "support/courses.h"
@@ -18,86 +17,6 @@ namespace {
 
 using test::options_for;
 using test::pointwise;
-
-// A turn about the origin whose speed changes: by sin(t) from time 0 to t.
-void changing_turn(std::span<const Point<double>> positions, double time,
-                   std::span<Point<double>> velocities) {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        velocities[i] = std::cos(time) * Point<double>(-positions[i].y(), positions[i].x());
-    }
-}
-
-// One point by centred differences, with steps whose lengths alternate where `ratio` is not 1.
-double centred_error(int steps, double ratio) {
-    IntegratorScratch<double> scratch;
-    scratch.first.resize(1);
-    scratch.past.resize(1);
-    std::vector<Point<double>> at{{1, 0}};
-    std::vector<Point<double>> to(1);
-    double time = 0;
-    const double mean = 2.0 / steps;
-    for (int i = 0; i < steps; ++i) {
-        const double dt = 2 * mean * (i % 2 == 0 ? ratio : 1) / (1 + ratio);
-        changing_turn(at, time, scratch.first);
-        EXPECT_EQ(integrate<double>(Integrator::centred, changing_turn, at, time, dt, to, scratch),
-                  0);
-        scratch.past[0] = {to[0] - at[0], dt};
-        at = to;
-        time += dt;
-    }
-    const double angle = std::sin(time);
-    return (at[0] - Point<double>(std::cos(angle), std::sin(angle))).norm();
-}
-
-TEST(CentredDifference, HasSecondOrderForEqualAndForUnequalSteps) {
-    for (const double ratio : {1.0, 1.5}) {
-        EXPECT_NEAR(std::log2(centred_error(80, ratio) / centred_error(160, ratio)), 2, 0.2)
-            << ratio;
-        EXPECT_LT(centred_error(160, ratio), 3e-4);
-    }
-}
-
-TEST(CentredDifference, IsTheLeapfrogForEqualSteps) {
-    IntegratorScratch<double> scratch;
-    const std::vector<Point<double>> at{{0.5, 0.25}};
-    std::vector<Point<double>> to(1);
-    scratch.first = {{3, -1}};
-    scratch.past = {{Point<double>(0.125, 0.0625), 0.25}};
-    integrate<double>(Integrator::centred, changing_turn, at, 0, 0.25, to, scratch);
-    // x(t - dt) + 2 dt v(t)
-    EXPECT_EQ(to[0].x(), 0.375 + 0.5 * 3);
-    EXPECT_EQ(to[0].y(), 0.1875 + 0.5 * -1);
-}
-
-// An error of the past, if only its rounding, enters the next step with the square of the ratio of
-// both.
-TEST(CentredDifference, LeavesAPastBehindThatIsMuchShorter) {
-    const std::vector<double> abrupt{0.01, 1e-12, 0.01, 1e-4, 0.01, 1e-9, 1e-6, 1e-3, 0.01};
-    std::vector<double> gradual; // no step is much longer than the one before
-    for (double dt = 1e-12; dt < 0.02; dt *= 1.5) {
-        gradual.push_back(dt);
-    }
-    for (const std::vector<double>& steps : {abrupt, gradual}) {
-        Complex<double> complex = test::disc();
-        Options<double> options = options_for<double>(test::disc_h);
-        options.integrator = Integrator::centred;
-        options.max_sub_steps = 50; // in place of a test without an end
-        Simulation<double> simulation(complex, options);
-        const Vertex seen{simulation.interface().front()};
-        const Point<double> start = complex.position(seen);
-        const Velocity<double> wind = test::constant<double>(0.5, 0.25);
-        double time = 0;
-        for (const double dt : steps) {
-            const StepReport report = simulation.step(wind, time, dt);
-            time += dt;
-            ASSERT_EQ(report.unreached, 0U) << dt;
-            ASSERT_EQ(report.sub_steps, 1U) << dt;
-        }
-        const Point<double> way = complex.position(seen) - start;
-        EXPECT_NEAR(way.x(), 0.5 * time, 1e-13);
-        EXPECT_NEAR(way.y(), 0.25 * time, 1e-13);
-    }
-}
 
 class Turning : public testing::Test {
 protected:
@@ -126,32 +45,6 @@ protected:
         });
     }
 };
-
-// Turned back without a word, the memory is of the other direction, and the step is off by three
-// times itself; told, it starts anew.
-TEST_F(Turning, ForgetsWhenItIsTold) {
-    std::array<double, 2> error{};
-    for (const bool told : {false, true}) {
-        auto complex = disc(0.05);
-        auto options = options_for<double>(0.05);
-        options.integrator = Integrator::centred;
-        options.interface.coarsening = Coarsening::never;
-        Simulation<double> simulation(complex, options);
-        for (int i = 0; i < 4; ++i) {
-            EXPECT_EQ(simulation.step(turn(1), 0.05 * i, 0.05).unreached, 0U);
-        }
-        if (told) {
-            simulation.forget();
-        }
-        for (int i = 4; i < 8; ++i) {
-            EXPECT_EQ(simulation.step(turn(-1), 0.05 * i, 0.05).unreached, 0U);
-        }
-        EXPECT_EQ(validate(complex).problem, "");
-        error[told ? 1 : 0] = farthest_from_circle(complex, simulation);
-    }
-    EXPECT_GT(error[0], 1e-3);
-    EXPECT_LT(error[1], 2e-5);
-}
 
 TEST_F(Turning, TheMemoryCostsNothingWhereNobodyAsksForIt) {
     auto complex = disc(0.05);

@@ -4,10 +4,10 @@
 #pragma once
 
 #include "dsc/base/enum_table.h"
-#include "dsc/motion/integrator.h"
 #include "dsc/motion/interpolation.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/passes/options.h"
+#include "scenes/integrator_choice.h"
 
 #include <array>
 #include <cstdint>
@@ -220,7 +220,7 @@ struct Row {
     Told told = Told::positions;
     Sizes sizes = Sizes::uniform;
     Rule topology = Rule::keep;
-    Integrator integrator = Integrator::euler;
+    scenes::IntegratorChoice integrator = scenes::IntegratorChoice::euler;
     Insertion insertion = Insertion::linear;
     Coarsening coarsening = Coarsening::deviation;
     Outline outline = Outline::round;

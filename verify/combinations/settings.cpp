@@ -40,7 +40,7 @@ test::ChangingOptions<Real> options_of(const Row& row, const Scene& scene, int h
     const Real h = static_cast<Real>(scene.h);
     options.edge_length = h;
     options.sizes = sizes_of<Real>(row, scene, half);
-    options.integrator = row.integrator;
+    scenes::choose_integrator(options, row.integrator);
     options.insertion = row.insertion;
     options.interface.coarsening = row.coarsening;
     options.interface.corner_degrees = row.outline == Outline::loose_corners ? 180 : 40;

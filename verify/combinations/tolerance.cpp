@@ -150,7 +150,9 @@ bool has_method_error(const Row& row) {
 Point<double> by_method(const Row& row, const Scene& scene, std::span<const double> times,
                         const Point<double>& start) {
     using P = Point<double>;
-    const Integrator method = row.told == Told::motion ? Integrator::rk4 : row.integrator;
+    using scenes::IntegratorChoice;
+    const IntegratorChoice method =
+        row.told == Told::motion ? IntegratorChoice::rk4 : row.integrator;
     const auto& v = scene.velocity;
     P p = start;
     P way(0, 0);
@@ -163,16 +165,16 @@ Point<double> by_method(const Row& row, const Scene& scene, std::span<const doub
         const P second = v(P(p + dt / 2 * first), middle);
         P next = dt * second;
         switch (method) {
-        case Integrator::euler: next = dt * first; break;
-        case Integrator::midpoint: break;
-        case Integrator::centred:
+        case IntegratorChoice::euler: next = dt * first; break;
+        case IntegratorChoice::midpoint: break;
+        case IntegratorChoice::centred:
             if (dt_before > 0) {
                 const double ratio = dt / dt_before;
                 next = (1 + ratio) * dt * first - ratio * ratio * way;
             }
             break;
-        case Integrator::rk4:
-        case Integrator::adaptive: {
+        case IntegratorChoice::rk4:
+        case IntegratorChoice::adaptive: {
             const P third = v(P(p + dt / 2 * second), middle);
             const P fourth = v(P(p + dt * third), t + dt);
             next = dt / 6 * (first + 2 * second + 2 * third + fourth);

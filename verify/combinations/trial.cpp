@@ -127,7 +127,8 @@ template <class Real>
 void compare_shapes(const Row& row, const Scene& scene, const Outcome<Real>& outcome,
                     Findings& findings) {
     const std::vector<double> asked(outcome.asked.begin(), outcome.asked.end());
-    const bool is_euler = row.integrator == Integrator::euler && row.told != Told::motion;
+    const bool is_euler =
+        row.integrator == scenes::IntegratorChoice::euler && row.told != Told::motion;
     const std::vector<double>& times = is_euler ? asked : outcome.times;
     const auto by_integrator = [&](const Point<double>& p) {
         return by_method(row, scene, times, p);

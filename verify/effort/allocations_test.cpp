@@ -8,6 +8,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/queries/validate.h"
+#include "thesis/centred_difference.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ std::vector<Choice> choices() {
     return {
         {"default", [](auto&) {}, false, true},
         {"euler", [](auto& o) { o.integrator = Integrator::euler; }},
-        {"centred", [](auto& o) { o.integrator = Integrator::centred; }},
+        {"centred", [](auto& o) { o.custom_integrator = centred_difference<double>(); }},
         {"midpoint", [](auto& o) { o.integrator = Integrator::midpoint; }},
         {"adaptive", [](auto& o) { o.integrator = Integrator::adaptive; }},
         {"length", [](auto& o) { o.interface.coarsening = Coarsening::length; }},

@@ -103,7 +103,8 @@ Watch<Real>::Watch(Complex<Real>& complex, const Options<Real>& options, const W
       stage_(std::make_shared<WatchingStage<Real>>(watch.domain, sighting_)),
       simulation_(complex, options, std::move(executor)) {
     simulation_.add_stage(stage_);
-    expect(result_, options.integrator == Integrator::rk4, "the watch only knows RK4");
+    expect(result_, options.integrator == Integrator::rk4 && !options.custom_integrator,
+           "the watch only knows RK4");
     look();
 }
 

@@ -6,6 +6,7 @@
 #include "support/submesh_executor_testing.h"
 
 #include "dsc/queries/hash.h"
+#include "scenes/integrator_choice.h"
 #include "thesis/copy_executor.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,8 @@
 
 namespace dsc::interface_flow_parallel_test {
 namespace {
+
+using scenes::IntegratorChoice;
 
 constexpr double h = 0.02;
 const int course = test::steps_or_fewer(12); // in steps
@@ -90,11 +93,11 @@ const MakeExecutor sequential = [](auto& complex, const auto& options, std::uint
 };
 
 TEST(InterfaceFlowParallel, TheSameBitsForAnyNumberOfThreads) {
-    for (const Integrator integrator :
-         {Integrator::rk4, Integrator::adaptive, Integrator::centred}) {
+    for (const IntegratorChoice integrator :
+         {IntegratorChoice::rk4, IntegratorChoice::adaptive, IntegratorChoice::centred}) {
         Options<double> options;
         options.edge_length = h;
-        options.integrator = integrator;
+        scenes::choose_integrator(options, integrator);
         const Outcome alone = run(sequential, mixed, options, 1, course);
         EXPECT_EQ(alone.unreached, 0U);
         for (const Strategy& strategy : strategies()) {
@@ -122,11 +125,12 @@ TEST(InterfaceFlowParallel, AFlowOfPositionsMovesTheSameBitsEitherWay) {
         turn(view.positions.subspan(begin, end - begin), time,
              velocities.subspan(begin, end - begin));
     };
-    for (const Integrator integrator :
-         {Integrator::euler, Integrator::rk4, Integrator::adaptive, Integrator::centred}) {
+    for (const IntegratorChoice integrator :
+         {IntegratorChoice::euler, IntegratorChoice::rk4, IntegratorChoice::adaptive,
+          IntegratorChoice::centred}) {
         Options<double> options;
         options.edge_length = h;
-        options.integrator = integrator;
+        scenes::choose_integrator(options, integrator);
         for (const Strategy& strategy : strategies()) {
             SCOPED_TRACE(strategy.name + ", " + std::string(to_string(integrator)));
             EXPECT_EQ(run(strategy.make, the_same, options, 2, course).hashes,

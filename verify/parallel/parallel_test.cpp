@@ -79,7 +79,8 @@ TEST_P(EveryDivision, GivesTheSameBitsWhateverTheInterfaceIsAskedFor) {
 
 // The memory of an integrator belongs to the vertices, wherever they are.
 TEST_P(EveryDivision, GivesTheSameBitsWithIntegratorsThatRememberAndThatChooseTheStep) {
-    for (const Integrator integrator : {Integrator::centred, Integrator::adaptive}) {
+    using scenes::IntegratorChoice;
+    for (const auto integrator : {IntegratorChoice::centred, IntegratorChoice::adaptive}) {
         for (std::uint64_t seed = 51; seed < 51 + seeds_or_fewer(2); ++seed) {
             Scene scene = scene_of(seed);
             scene.integrator = integrator;

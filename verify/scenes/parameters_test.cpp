@@ -50,13 +50,13 @@ TEST(Parameters, TakeGoodValues) {
     EXPECT_EQ(with("inside", "coarse").inside, Fineness::coarse);
     EXPECT_EQ(with("outside", "coarse").outside, Fineness::coarse);
     EXPECT_EQ(with("ramp", "linear").ramp, Ramp::linear);
-    EXPECT_EQ(with("integrator", "euler").integrator, Integrator::euler);
-    EXPECT_EQ(with("integrator", "midpoint").integrator, Integrator::midpoint);
-    EXPECT_EQ(with("integrator", "rk4").integrator, Integrator::rk4);
+    EXPECT_EQ(with("integrator", "euler").integrator, IntegratorChoice::euler);
+    EXPECT_EQ(with("integrator", "midpoint").integrator, IntegratorChoice::midpoint);
+    EXPECT_EQ(with("integrator", "rk4").integrator, IntegratorChoice::rk4);
     EXPECT_EQ(with("insertion", "linear").insertion, Insertion::linear);
     EXPECT_EQ(with("insertion", "cubic").insertion, Insertion::cubic);
-    EXPECT_EQ(with("integrator", "centred").integrator, Integrator::centred);
-    EXPECT_EQ(with("integrator", "adaptive").integrator, Integrator::adaptive);
+    EXPECT_EQ(with("integrator", "centred").integrator, IntegratorChoice::centred);
+    EXPECT_EQ(with("integrator", "adaptive").integrator, IntegratorChoice::adaptive);
     EXPECT_EQ(with("tolerance", "1e-6").tolerance, 1e-6);
     EXPECT_EQ(with("coarsening", "length").interface.coarsening, Coarsening::length);
     EXPECT_EQ(with("coarsening", "never").interface.coarsening, Coarsening::never);
@@ -182,7 +182,7 @@ void expect_all_choices(const std::string& name, const EnumTable<Enum, n>& table
 }
 
 TEST(Parameters, TakeEachValueOfAnEnum) {
-    expect_all_choices("integrator", integrator_names);
+    expect_all_choices("integrator", integrator_choice_names);
     expect_all_choices("insertion", insertion_names);
     expect_all_choices("coarsening", coarsening_names);
     expect_all_choices("reading", reading_names);

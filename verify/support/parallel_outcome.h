@@ -13,6 +13,7 @@
 #include "dsc/quality/measures.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
+#include "scenes/integrator_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -158,7 +159,7 @@ struct Scene {
     bool data = false;
     double dt = 0.4;                                          ///< in edge lengths at a speed of one
     std::function<void(InterfaceThresholds&)> interface = {}; ///< changes them
-    Integrator integrator = Integrator::rk4;
+    scenes::IntegratorChoice integrator = scenes::IntegratorChoice::rk4;
 };
 
 template <class Real>
@@ -175,7 +176,7 @@ Outcome simulate(const Scene& scene, const MakeExecutor<Real>& make) {
     const Velocity<Real> velocity = flow.velocity<Real>();
     Options<Real> options;
     options.edge_length = static_cast<Real>(scene.h);
-    options.integrator = scene.integrator;
+    scenes::choose_integrator(options, scene.integrator);
     if (scene.interface) {
         scene.interface(options.interface);
     }

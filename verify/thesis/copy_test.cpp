@@ -3,6 +3,7 @@
 // sequential one, with the same bits for any number of threads; nothing that a boundary holds up is
 // lost; an exception in a submesh is passed on and leaves a complex that can continue.
 #include "dsc/complex/gather.h"
+#include "thesis/centred_difference.h"
 #include "thesis/copy_executor.h"
 
 #include "support/copy_testing.h"
@@ -64,7 +65,7 @@ const int steps = test::steps_or_fewer(12);
 
 template <class Real>
 Outcome simulate(std::uint64_t seed, const CopyOptions* copy,
-                 Integrator integrator = Integrator::rk4) {
+                 std::shared_ptr<const CustomIntegrator<Real>> integrator = nullptr) {
     constexpr double h = 0.025;
     Dice dice(seed);
     auto complex = seed % 3 == 0 ? test::random_patches<Real>(dice, h, 12)
@@ -73,7 +74,7 @@ Outcome simulate(std::uint64_t seed, const CopyOptions* copy,
     const Velocity<Real> velocity = flow.velocity<Real>();
     Options<Real> options;
     options.edge_length = static_cast<Real>(h);
-    options.integrator = integrator;
+    options.custom_integrator = std::move(integrator);
     std::unique_ptr<CopyExecutor<Real>> executor;
     const CopyExecutor<Real>* seen = nullptr;
     if (copy != nullptr) {
@@ -131,16 +132,16 @@ TEST(CopyExecutor, GivesTheSameBitsInFloat) {
 // whatever its id.
 TEST(CopyExecutor, TakesTheMemoryOfVerticesAlong) {
     const CopyOptions one_thread{.submeshes = 4};
-    const Outcome one = simulate<double>(2, &one_thread, Integrator::centred);
+    const Outcome one = simulate<double>(2, &one_thread, centred_difference<double>());
     for (const std::uint32_t threads : {2U, 3U}) {
         const CopyOptions copy{.submeshes = 4, .threads = threads};
-        EXPECT_EQ(simulate<double>(2, &copy, Integrator::centred).hashes, one.hashes);
+        EXPECT_EQ(simulate<double>(2, &copy, centred_difference<double>()).hashes, one.hashes);
     }
 
     auto complex = test::disc_complex<double>(0.05);
     Options<double> options;
     options.edge_length = 0.05;
-    options.integrator = Integrator::centred;
+    options.custom_integrator = centred_difference<double>();
     auto simulation = in_copies(complex, options, {.submeshes = 4, .threads = 2});
     const Point<double> centre(0.5, 0.5);
     const Velocity<double> turn = [&](std::span<const Point<double>> positions, double,
@@ -168,11 +169,14 @@ TEST(CopyExecutor, ShowsPassesTheMemoryOfTheSubmesh) {
     auto complex = test::disc_complex<double>(0.05);
     Options<double> options;
     options.edge_length = 0.05;
-    options.integrator = Integrator::centred;
+    options.custom_integrator = centred_difference<double>();
     int seen = 0;
     auto algorithm = default_algorithm<double>();
     algorithm.motion.push_back({"looking", [&](Work<double>& work) {
-                                    EXPECT_EQ(work.past, &past_of(work.complex));
+                                    const auto& past = past_of(work.complex);
+                                    for (const std::uint32_t v : work.interface) {
+                                        EXPECT_EQ(past[Vertex{v}].dt, 0.05);
+                                    }
                                     ++seen;
                                 }});
     Simulation<double> simulation(complex, options,

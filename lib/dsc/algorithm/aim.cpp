@@ -6,6 +6,16 @@
 
 namespace dsc {
 
+namespace {
+
+template <class Real>
+IntegratorStep<Real> step_of(Work<Real>& work) {
+    Aim<Real>& aim = work.aim;
+    return {work.complex, work.interface, aim.positions, aim.targets, aim.held, aim.dt};
+}
+
+} // namespace
+
 template <class Real>
 AimReport<Real>& AimReport<Real>::operator+=(const AimReport& other) {
     fastest = std::max(fastest, other.fastest);
@@ -54,15 +64,13 @@ Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real 
         return {};
     }
     aim.dt = dt;
-    if (work.past != nullptr) {
-        aim.scratch.past.resize(work.interface.size());
-        for (std::size_t i = 0; i < work.interface.size(); ++i) {
-            aim.scratch.past[i] = (*work.past)[Vertex{work.interface[i]}];
-        }
-    }
     Reach<Real> reach;
-    reach.error = integrate<Real>(work.options.integrator, velocity, aim.positions, time, dt,
-                                  aim.targets, aim.scratch);
+    if (const auto& custom = work.options.custom_integrator) {
+        reach.error = custom->integrate(step_of(work), velocity, time, aim.scratch);
+    } else {
+        reach.error = integrate<Real>(work.options.integrator, velocity, aim.positions, time, dt,
+                                      aim.targets, aim.scratch);
+    }
     Real farthest = 0;
     for (std::size_t i = 0; i < aim.targets.size(); ++i) {
         const Real squared = (aim.targets[i] - aim.positions[i]).squaredNorm();
@@ -73,31 +81,15 @@ Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real 
 }
 
 template <class Real>
-VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex) {
-    static const std::string name = "dsc.past";
-    if (complex.attributes.contains(name)) {
-        return complex.attributes.template get<Vertex, Past<Real>>(name);
-    }
-    // A new vertex has no past.
-    return complex.attributes.template add<Vertex>(
-        name, Past<Real>{},
-        [](const Past<Real>&, const Past<Real>&, double) { return Past<Real>{}; });
-}
-
-template <class Real>
 std::uint64_t collect_movers(Work<Real>& work) {
     const Aim<Real>& aim = work.aim;
+    if (work.options.custom_integrator && !work.interface.empty()) {
+        work.options.custom_integrator->accept(step_of(work));
+    }
     std::uint64_t held = 0;
     for (std::size_t i = 0; i < work.interface.size(); ++i) {
         const std::uint32_t v = work.interface[i];
         const Point<Real>& target = aim.targets[i];
-        if (work.past != nullptr) {
-            const Point<Real> way = target - aim.positions[i];
-            const bool is_known = aim.held[i] == 0 && way.allFinite();
-            Past<Real>& past = (*work.past)[Vertex{v}];
-            const Real growth = past.serves(aim.dt) ? past.growth_after(aim.dt) : Real(1);
-            past = is_known ? Past<Real>{way, aim.dt, growth} : Past<Real>{};
-        }
         if (aim.held[i] != 0 || work.complex.is_locked(Vertex{v})) {
             continue;
         }
@@ -114,7 +106,6 @@ std::uint64_t collect_movers(Work<Real>& work) {
     template struct AimReport<Real>;                                                               \
     template AimReport<Real> find_velocities(Work<Real>&, const Velocity<Real>&, Real);            \
     template Reach<Real> find_targets(Work<Real>&, const Velocity<Real>&, Real, Real);             \
-    template VertexAttribute<Past<Real>>& past_of(Complex<Real>&);                                 \
     template std::uint64_t collect_movers(Work<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

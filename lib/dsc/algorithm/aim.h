@@ -45,7 +45,7 @@ template <class Real>
 Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt);
 
 /// Puts the vertices that have to move into `work.movers`; returns how many are held because their
-/// target is not finite. Locked vertices stay. Updates the memory of `Integrator::centred`.
+/// target is not finite. Locked vertices stay. A custom integrator is told which targets these are.
 template <class Real>
 std::uint64_t collect_movers(Work<Real>& work);
 

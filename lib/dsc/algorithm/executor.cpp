@@ -98,9 +98,6 @@ template <class Real>
 void Executor<Real>::set_options(const Options<Real>& options) {
     const bool relists = options.carried_phases != options_.carried_phases;
     options_ = options;
-    for (Work<Real>* work : works_) {
-        work->find_past();
-    }
     if (relists) {
         list_interface();
     }
@@ -136,7 +133,6 @@ void Executor<Real>::absorb(std::span<const Edit> edits) {
             work->active.clear();
             work->resized.clear(); // all is measured anew
             work->deferred.clear();
-            work->find_past();
         }
         forget_ids();
         clear_stamps(complex_);

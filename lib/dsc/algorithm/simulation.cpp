@@ -23,6 +23,7 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
     : complex_(complex), claim_(complex.in_use), options_(options), executor_(std::move(executor)),
       reading_(complex.journal), absorbed_(complex.journal.records.size()) {
     check_options(options);
+    begin_integrator();
     if (executor_) {
         executor_->set_options(completed());
     } else {
@@ -42,9 +43,11 @@ void Simulation<Real>::set_options(const Options<Real>& options) {
     for (const auto& stage : stages_) {
         stage->check(complex_, options);
     }
-    const bool is_another = options.integrator != options_.integrator;
+    const bool is_another = options.integrator != options_.integrator ||
+                            options.custom_integrator != options_.custom_integrator;
     const bool was_uniform = options_.sizes.is_uniform();
     options_ = options;
+    begin_integrator();
     executor_->set_options(completed());
     for (const auto& stage : stages_) {
         stage->begin(complex_, options);
@@ -56,6 +59,13 @@ void Simulation<Real>::set_options(const Options<Real>& options) {
         executor_->resize(out_of_size(complex_, options_)); // if all are of one length now
     }
     measure(0);
+}
+
+template <class Real>
+void Simulation<Real>::begin_integrator() {
+    if (options_.custom_integrator) {
+        options_.custom_integrator->begin(complex_);
+    }
 }
 
 // Where no longest edge is given, the extent of the mesh is the bound: without an interface,
@@ -146,9 +156,10 @@ void Simulation<Real>::absorb(By by, Real time) {
     tell(edits);
     executor_->absorb(edits);
     const auto after = edits_after_renumbering(edits);
-    if (after.size() != edits.size()) {
+    if (after.size() != edits.size()) { // attributes may be others
+        begin_integrator();
         for (const auto& stage : stages_) {
-            stage->begin(complex_, options_); // attributes may be others
+            stage->begin(complex_, options_);
         }
         measure(time);
     }
@@ -159,10 +170,8 @@ void Simulation<Real>::absorb(By by, Real time) {
         mark_corners(complex_, on_interface(complex_, changed), options_.interface.corner_degrees);
     }
     // Between other phases a vertex goes on in another way: its last step no longer counts.
-    if (options_.integrator == Integrator::centred) {
-        for (const std::uint32_t v : changed) {
-            past_of(complex_)[Vertex{v}] = {};
-        }
+    if (options_.custom_integrator) {
+        options_.custom_integrator->forget(complex_, changed);
     }
     for (const Edit& edit : after) {
         if (edit.kind == EditKind::move && complex_.is_alive(edit.vertex)) {
@@ -213,8 +222,8 @@ std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, std::uint64_t unr
 template <class Real>
 void Simulation<Real>::forget_vertex(Vertex v) {
     complex_.vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_contact);
-    if (options_.integrator == Integrator::centred) {
-        past_of(complex_)[v] = {};
+    if (options_.custom_integrator) {
+        options_.custom_integrator->forget(complex_, std::span<const std::uint32_t>(&v.id, 1));
     }
 }
 
@@ -423,11 +432,8 @@ void Simulation<Real>::find_fastest(const Flow<Real>& flow, Real time, Real dt,
 template <class Real>
 void Simulation<Real>::forget() {
     most_dt_ = std::numeric_limits<Real>::infinity();
-    if (options_.integrator == Integrator::centred) {
-        auto& past = past_of(complex_);
-        for (const std::uint32_t v : moved()) {
-            past[Vertex{v}] = {};
-        }
+    if (options_.custom_integrator) {
+        options_.custom_integrator->forget(complex_, moved());
     }
 }
 

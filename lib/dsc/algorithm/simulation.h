@@ -156,6 +156,7 @@ private:
     void absorb(By by, Real time);
     std::uint64_t run_stages(Real time, Real dt, std::uint64_t unreached, bool has_missed);
     [[nodiscard]] std::vector<std::uint32_t> moved() const;
+    void begin_integrator();
     void forget_vertex(Vertex v);
     [[nodiscard]] Options<Real> completed() const;
     void measure(Real time);

@@ -27,24 +27,6 @@ public:
         advance(scratch_.slope);
     }
 
-    // The polynomial of second order through the last two positions, with the velocity here: for
-    // equal steps the leapfrog x(t + dt) = x(t - dt) + 2 dt v(t).
-    void centred() {
-        const auto& past = scratch_.past;
-        const bool all =
-            std::ranges::all_of(past, [this](const auto& one) { return one.serves(dt_); });
-        if (!all) {
-            midpoint();
-        }
-        for (std::size_t i = 0; i < past.size(); ++i) {
-            if (past[i].serves(dt_)) {
-                const Real ratio = dt_ / past[i].dt;
-                targets_[i] = positions_[i] + (1 + ratio) * dt_ * scratch_.first[i] -
-                              ratio * ratio * past[i].way;
-            }
-        }
-    }
-
     void rk4() {
         auto& sum = scratch_.sum;
         sum.assign(scratch_.first.begin(), scratch_.first.end());
@@ -113,7 +95,6 @@ Real integrate(Integrator integrator, const Velocity<Real>& velocity,
     Stages<Real> stages(velocity, positions, time, dt, targets, scratch);
     switch (integrator) {
     case Integrator::euler: stages.euler(); break;
-    case Integrator::centred: stages.centred(); break;
     case Integrator::midpoint: stages.midpoint(); break;
     case Integrator::rk4: stages.rk4(); break;
     case Integrator::adaptive: return stages.adaptive();

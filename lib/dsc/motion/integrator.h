@@ -3,11 +3,9 @@
 // evaluated in one call, so that a field pays its overhead once and can use all lanes.
 #pragma once
 
-#include "dsc/base/archive.h"
 #include "dsc/base/enum_table.h"
 #include "dsc/base/types.h"
 
-#include <algorithm>
 #include <functional>
 #include <span>
 #include <string_view>
@@ -24,8 +22,6 @@ using Velocity = std::function<void(std::span<const Point<Real>> positions, Real
 /// How targets are found from velocities.
 enum class Integrator : std::uint8_t {
     euler,    ///< first order, one evaluation a step
-    centred,  ///< the centred difference (thesis, section 9.4): second order, one
-              ///< evaluation, a memory
     midpoint, ///< second order, two evaluations
     rk4,      ///< fourth order, four evaluations
     adaptive, ///< rk4 with an estimate of its error, from which the step is chosen; five. It
@@ -33,41 +29,14 @@ enum class Integrator : std::uint8_t {
 };
 
 inline constexpr std::array integrator_names{
-    Named{Integrator::euler, "euler"},       Named{Integrator::centred, "centred"},
-    Named{Integrator::midpoint, "midpoint"}, Named{Integrator::rk4, "rk4"},
+    Named{Integrator::euler, "euler"},
+    Named{Integrator::midpoint, "midpoint"},
+    Named{Integrator::rk4, "rk4"},
     Named{Integrator::adaptive, "adaptive"},
 };
 
 [[nodiscard]] constexpr std::string_view to_string(Integrator integrator) {
     return name_in(integrator_names, integrator);
-}
-
-/// An error of the past, if only its rounding, enters the next step multiplied by the square of the
-/// ratio of both steps. Steps may become this many times longer before the past is left behind: two
-/// digits of it are lost by then.
-inline constexpr double most_growth = 10;
-
-/// What `centred` remembers of a vertex: its last step.
-template <class Real>
-struct Past {
-    Point<Real> way = Point<Real>::Zero(); ///< to its last target
-    Real dt = 0;                           ///< in this time; 0: it has no past yet
-    /// The length of that step by that of the shortest since the vertex had no past, at least.
-    Real growth = 1;
-
-    /// `growth` at the end of a step of this length.
-    [[nodiscard]] Real growth_after(Real next_dt) const {
-        return std::max(growth * (next_dt / dt), Real(1));
-    }
-    /// Whether the next step may be built on this one.
-    [[nodiscard]] bool serves(Real next_dt) const {
-        return dt > 0 && growth_after(next_dt) <= static_cast<Real>(most_growth);
-    }
-};
-
-template <class Real>
-void archive(Archive& archive, Past<Real>& past) {
-    archive(past.way, past.dt, past.growth);
 }
 
 /// Arrays that an integrator needs; kept from step to step so that nothing is allocated.
@@ -77,15 +46,11 @@ struct IntegratorScratch {
     std::vector<Point<Real>> stage; ///< positions of a stage
     std::vector<Point<Real>> slope; ///< velocities of a stage
     std::vector<Point<Real>> sum;   ///< of the weighted velocities
-    std::vector<Past<Real>> past;   ///< of `centred`
 };
 
 /// targets[i] = where positions[i] is at time + dt. `scratch.first` must hold the velocities at
-/// (positions, time), which the driver needs to choose its sub-step; for `centred`,
-/// `scratch.past` must hold the last steps; vertices without a past, or whose steps have become
-/// more than `most_growth` times longer since they had none, take a midpoint step.
-/// Returns the largest finite estimate of the error of this step, a length; 0 for all methods
-/// except `adaptive`. O(n).
+/// (positions, time), which the driver needs to choose its sub-step. Returns the largest finite
+/// estimate of the error of this step, a length; 0 for all methods except `adaptive`. O(n).
 template <class Real>
 Real integrate(Integrator integrator, const Velocity<Real>& velocity,
                std::span<const Point<Real>> positions, Real time, Real dt,

@@ -111,8 +111,7 @@ template <class Real>
 ///
 /// Explicit integrators limit the step of a flow that smooths, which the limit by speed does not
 /// see: where v = -curvature * normal, dt * 4 / l^2 must stay below 2 (euler, midpoint) or 2.78
-/// (rk4, adaptive), with l the shortest edge, `shortest * edge_length` of the options; the centred
-/// difference is unstable for any step.
+/// (rk4, adaptive), with l the shortest edge, `shortest * edge_length` of the options.
 template <class Real>
 using InterfaceFlow =
     std::function<void(const InterfaceView<Real>& view, std::size_t begin, std::size_t end,

@@ -5,11 +5,12 @@
 #pragma once
 
 #include "dsc/base/enum_table.h"
-#include "dsc/motion/integrator.h"
+#include "dsc/motion/custom_integrator.h"
 #include "dsc/motion/interpolation.h"
 #include "dsc/sizes/options.h"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace dsc {
@@ -89,8 +90,10 @@ struct Options {
     std::vector<Phase> carried_phases = {};
 
     Integrator integrator = Integrator::rk4; ///< how targets are found from velocities
-    double tolerance = 1e-4;                ///< of `adaptive`: error of a sub-step, in edge lengths
-    Insertion insertion = Insertion::cubic; ///< where new interface vertices go
+    double tolerance = 1e-4; ///< of `adaptive`: error of a sub-step, in edge lengths
+    /// Replaces `integrator` if set.
+    std::shared_ptr<const CustomIntegrator<Real>> custom_integrator = {};
+    Insertion insertion = Insertion::cubic;          ///< where new interface vertices go
     InsertionFunction<Real> insertion_function = {}; ///< replaces `insertion` if set
 
     /// Not 0: process the interface in a different order in each step.

@@ -23,20 +23,13 @@ struct Aim {
     Real dt = 0;                        ///< the time in which the targets are to be reached
 };
 
-/// The attribute in which `Integrator::centred` keeps the last step of each vertex; created if
-/// there is none yet.
-template <class Real>
-VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex);
-
 /// What one submesh holds while a step runs.
 template <class Real>
 struct Work {
     /// Refers to both: the executor that owns the work keeps a copy of the options.
     Work(Complex<Real>& complex_in, const Options<Real>& options_in)
         : complex(complex_in),
-          options(options_in), submesh{complex_in, Region{}, complex_in.ids, log} {
-        find_past();
-    }
+          options(options_in), submesh{complex_in, Region{}, complex_in.ids, log} {}
     ~Work() = default;
     Work(const Work&) = delete;
     Work& operator=(const Work&) = delete;
@@ -47,7 +40,6 @@ struct Work {
     const Options<Real>& options;                ///< those of the simulation
     EditLog log;                                 ///< the edits made here
     Submesh<Real> submesh;                       ///< notes in `log`
-    VertexAttribute<Past<Real>>* past = nullptr; ///< of `Integrator::centred`; null for all others
 
     std::vector<std::uint32_t> interface; ///< interface vertices, roughly in the order of the curve
     Aim<Real> aim;                        ///< of the interface vertices
@@ -87,10 +79,6 @@ struct Work {
             record.stamp = epoch;
             active.push_back(vertex);
         }
-    }
-    /// To be called when the options have changed.
-    void find_past() {
-        past = options.integrator == Integrator::centred ? &past_of(complex) : nullptr;
     }
 };
 

@@ -65,11 +65,11 @@ reference::Options reference_options(const Parameters& parameters) {
                                          ? &reference::cubic_point
                                          : &reference::linear_point;
     switch (parameters.integrator) {
-    case Integrator::euler: options.integrator = reference::Integrator::euler; break;
-    case Integrator::midpoint: options.integrator = reference::Integrator::midpoint; break;
-    case Integrator::rk4: options.integrator = reference::Integrator::rk4; break;
-    case Integrator::centred:
-    case Integrator::adaptive:
+    case IntegratorChoice::euler: options.integrator = reference::Integrator::euler; break;
+    case IntegratorChoice::midpoint: options.integrator = reference::Integrator::midpoint; break;
+    case IntegratorChoice::rk4: options.integrator = reference::Integrator::rk4; break;
+    case IntegratorChoice::centred:
+    case IntegratorChoice::adaptive:
         throw not_in_reference("--set integrator", to_string(parameters.integrator));
     }
     if (parameters.interface.reading != Reading::chords) {

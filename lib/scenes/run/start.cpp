@@ -64,7 +64,7 @@ Options<Real> scene_options(const Parameters& parameters) {
     Options<Real> options;
     options.edge_length = static_cast<Real>(parameters.h);
     options.sizes.growth = parameters.grade;
-    options.integrator = parameters.integrator;
+    choose_integrator(options, parameters.integrator);
     options.tolerance = parameters.tolerance;
     options.insertion = parameters.insertion;
     options.interface = parameters.interface;

@@ -221,9 +221,8 @@ private:
                     .y = y,
                     .lost = film,
                     .taken = {one, other}};
-        event.area = (static_cast<double>(doubled_area(complex_, t)) +
-                      static_cast<double>(doubled_area(complex_, u))) /
-                     2;
+        const auto other_area = static_cast<double>(doubled_area(complex_, u));
+        event.area = (static_cast<double>(doubled_area(complex_, t)) + other_area) / 2;
         close(t, one);
         close(u, other);
         for (const Triangle end : {t, u}) {

@@ -9,7 +9,8 @@
 int main() {
     const std::vector<dsc::Shape> shapes{{{{0.2, 0.3}, {0.6, 0.3}, {0.6, 0.7}, {0.2, 0.7}}, 1}};
     auto complex = dsc::initial_complex<double>({{0, 0}, {1, 1}}, shapes, {.edge_length = 0.05});
-    const dsc::Options<double> options{.edge_length = 0.05};
+    const dsc::Options<double> options{.edge_length = 0.05,
+                                       .custom_integrator = dsc::centred_difference<double>()};
     dsc::Simulation<double> simulation(
         complex, options, dsc::make_executor(complex, options, {}, dsc::thesis_algorithm(options)));
     const dsc::Velocity<double> to_the_right = [](auto, double, auto velocities) {

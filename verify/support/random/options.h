@@ -6,6 +6,7 @@
 #include "scene.h"
 
 #include "dsc/passes/options.h"
+#include "scenes/integrator_choice.h"
 #include "topology/options.h"
 
 #include <algorithm>
@@ -59,7 +60,8 @@ template <class Real>
 Options<Real> draw_options(Dice& dice, double h, std::ostream& words) {
     Options<Real> options;
     options.edge_length = static_cast<Real>(h);
-    options.integrator = dice.one_of(integrator_names);
+    const auto integrator = dice.one_of(scenes::integrator_choice_names);
+    scenes::choose_integrator(options, integrator);
     options.insertion = dice.one_of(insertion_names);
     options.tolerance = std::pow(10.0, dice.in(-7.0, -1.0));
     options.interface = draw_interface(dice, words);
@@ -78,7 +80,7 @@ Options<Real> draw_options(Dice& dice, double h, std::ostream& words) {
     if (dice.chance(0.3)) {
         options.shuffle_seed = 17;
     }
-    words << ", " << to_string(options.integrator) << " tolerance " << options.tolerance << ", "
+    words << ", " << to_string(integrator) << " tolerance " << options.tolerance << ", "
           << to_string(options.insertion) << ", sub-step " << options.sub_step << ", passes "
           << options.max_passes << " idle " << options.max_idle_passes << ", shuffle "
           << options.shuffle_seed;

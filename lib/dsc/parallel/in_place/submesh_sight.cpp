@@ -29,7 +29,6 @@ AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const Flow<Real>& flow, Real
     if (!joined_) {
         joined_ = std::make_unique<Joined>(complex_, options_);
     }
-    joined_->work.find_past();
     join_interface();
     joined_->sight.look(joined_->work, joined_->ends, [this](const auto& run) {
         aiming_.run(pool_, threads_, submeshes_.assignment, run);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The integrators that a scene can be run with: those of the core, and the thesis's own.
+#pragma once
+
+#include "dsc/passes/options.h"
+#include "thesis/centred_difference.h"
+
+#include <cstdint>
+
+namespace dsc::scenes {
+
+enum class IntegratorChoice : std::uint8_t { euler, centred, midpoint, rk4, adaptive };
+
+inline constexpr std::array integrator_choice_names{
+    Named{IntegratorChoice::euler, "euler"},       Named{IntegratorChoice::centred, "centred"},
+    Named{IntegratorChoice::midpoint, "midpoint"}, Named{IntegratorChoice::rk4, "rk4"},
+    Named{IntegratorChoice::adaptive, "adaptive"},
+};
+
+[[nodiscard]] constexpr std::string_view to_string(IntegratorChoice choice) {
+    return name_in(integrator_choice_names, choice);
+}
+
+/// Has the options use that integrator.
+template <class Real>
+void choose_integrator(Options<Real>& options, IntegratorChoice choice) {
+    if (choice == IntegratorChoice::centred) {
+        options.custom_integrator = centred_difference<Real>();
+    } else {
+        options.custom_integrator = nullptr;
+        options.integrator = value_in(integrator_names, to_string(choice)).value();
+    }
+}
+
+} // namespace dsc::scenes

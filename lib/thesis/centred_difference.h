@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The centred difference (thesis, section 9.4): an integrator of second order that needs one
+// evaluation of the velocity, because it remembers the last step of each vertex.
+#pragma once
+
+#include "dsc/motion/custom_integrator.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace dsc {
+
+/// An error of the past, if only its rounding, enters the next step multiplied by the square of the
+/// ratio of both steps. Steps may become this many times longer before the past is left behind: two
+/// digits of it are lost by then.
+inline constexpr double most_growth = 10;
+
+/// The last step of a vertex.
+template <class Real>
+struct Past {
+    Point<Real> way = Point<Real>::Zero(); ///< to its last target
+    Real dt = 0;                           ///< in this time; 0: it has no past yet
+    /// The length of that step by that of the shortest since the vertex had no past, at least.
+    Real growth = 1;
+
+    /// `growth` at the end of a step of this length.
+    [[nodiscard]] Real growth_after(Real next_dt) const {
+        return std::max(growth * (next_dt / dt), Real(1));
+    }
+    /// Whether the next step may be built on this one.
+    [[nodiscard]] bool serves(Real next_dt) const {
+        return dt > 0 && growth_after(next_dt) <= static_cast<Real>(most_growth);
+    }
+};
+
+template <class Real>
+void archive(Archive& archive, Past<Real>& past) {
+    archive(past.way, past.dt, past.growth);
+}
+
+/// The attribute "thesis.past" of the complex, made if there is none yet. A new vertex has no past.
+template <class Real>
+VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex);
+
+/// The integrator, for `Options::custom_integrator`. Vertices without a past, or whose steps have
+/// become more than `most_growth` times longer since they had none, take a midpoint step.
+/// Unstable for any step in flows that smooth the interface. Returns the same object each time:
+/// options that are made anew do not make a simulation forget.
+template <class Real>
+[[nodiscard]] std::shared_ptr<const CustomIntegrator<Real>> centred_difference();
+
+} // namespace dsc
