@@ -53,7 +53,8 @@ public:
     virtual void accept(const IntegratorStep<Real>& step) const { (void)step; }
 
     /// The vertices start afresh: the flow has changed abruptly (`Simulation::forget`), another
-    /// integrator was used before, or the application or a stage has moved them.
+    /// integrator was used before, or the application or a stage has moved them or changed the
+    /// phases beside them. Some may have vanished.
     virtual void forget(Complex<Real>& complex, std::span<const std::uint32_t> vertices) const {
         (void)complex, (void)vertices;
     }
