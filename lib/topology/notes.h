@@ -144,16 +144,18 @@ template <class Real>
 /// The two edges of a curve at a vertex, as vectors along it.
 template <class Real>
 struct Bend {
+    /// From one point through the next one to the last.
     Bend(Real from_x, Real from_y, Real x, Real y, Real to_x, Real to_y)
         : in_x(x - from_x), in_y(y - from_y), out_x(to_x - x), out_y(to_y - y) {}
+    /// At the centre of a ring.
     Bend(const Ring<Real>& ring, const Spokes& spokes)
         : Bend(ring.link_x(spokes.first), ring.link_y(spokes.first), ring.x0, ring.y0,
                ring.link_x(spokes.second), ring.link_y(spokes.second)) {}
 
-    Real in_x;
-    Real in_y;
-    Real out_x;
-    Real out_y;
+    Real in_x;  ///< to the vertex
+    Real in_y;  ///< as in_x
+    Real out_x; ///< from the vertex
+    Real out_y; ///< as out_x
 };
 
 /// Whether the interface turns by more than 45 degrees between two edges: the angle from which an

@@ -205,7 +205,7 @@ HardResult float_offset_case() {
     const Place place{.offset = 1e5, .h = 0.005};
     expect_input_error(
         result, [&] { (void)scene_of<float>(place.domain(), place.outlines(), place.h); },
-        "below what coordinates of this size resolve");
+        "what coordinates of this size resolve");
     result.happened = "refused by a typed error";
     return result;
 }
@@ -216,7 +216,7 @@ HardResult double_offset_case() {
     const Place place{.offset = 1e15};
     expect_input_error(
         result, [&] { (void)scene_of<double>(place.domain(), place.outlines(), place.h); },
-        "below what coordinates of this size resolve");
+        "what coordinates of this size resolve");
     result.happened = "refused by a typed error";
     return result;
 }
@@ -229,7 +229,7 @@ HardResult float_outline_case() {
         {{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}, {0.75 - 1e-9, 0.75}}};
     expect_input_error(
         result, [&] { (void)scene_of<float>(unit_square, outline, 0.05); },
-        "vertices collide when rounded");
+        "points collide when rounded");
     const auto in_float = [](double x, double y) {
         return Point<float>(static_cast<float>(1e5 + x), static_cast<float>(y));
     };

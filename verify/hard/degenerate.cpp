@@ -94,7 +94,7 @@ HardResult thin_box_case() {
     const std::vector<Outline> needle{{{0.2, 0.5}, {0.8, 0.5}, {0.8, 0.5 + width}}};
     expect_input_error(
         result, [&] { (void)scene_of<double>(unit_square, needle, 0.05); },
-        "edge length is larger than the shape");
+        "an edge length of at most");
     result.happened = "refused by a typed error; the same needle at an angle is taken";
     return result;
 }

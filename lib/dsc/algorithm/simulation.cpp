@@ -165,13 +165,13 @@ void Simulation<Real>::absorb(By by, Real time) {
     }
     // A new interface edge of the application may make a sharp turn, which is a corner from now on;
     // the sharp turn at the end of a seam is not.
-    const std::vector<std::uint32_t> changed = interface_changes(after);
     if (by == By::application) {
-        mark_corners(complex_, on_interface(complex_, changed), options_.interface.corner_degrees);
+        mark_corners(complex_, on_interface(complex_, interface_changes(after)),
+                     options_.interface.corner_degrees);
     }
     // Between other phases a vertex goes on in another way: its last step no longer counts.
     if (options_.custom_integrator) {
-        options_.custom_integrator->forget(complex_, changed);
+        options_.custom_integrator->forget(complex_, interface_changes(after));
     }
     for (const Edit& edit : after) {
         if (edit.kind == EditKind::move && complex_.is_alive(edit.vertex)) {
