@@ -54,7 +54,7 @@ bool AttributeSet::has_fields() const {
     });
 }
 
-AttributeBase* AttributeSet::find(const std::string& name) const {
+AttributeBase* AttributeSet::find(std::string_view name) const {
     for (const auto& attribute : list_) {
         if (attribute->name() == name) {
             return attribute.get();
@@ -63,7 +63,7 @@ AttributeBase* AttributeSet::find(const std::string& name) const {
     return nullptr;
 }
 
-AttributeBase& AttributeSet::find_or_throw(const std::string& name) const {
+AttributeBase& AttributeSet::find_or_throw(std::string_view name) const {
     AttributeBase* const found = find(name);
     if (found == nullptr) {
         refuse(name, "no such attribute");
@@ -71,7 +71,7 @@ AttributeBase& AttributeSet::find_or_throw(const std::string& name) const {
     return *found;
 }
 
-void AttributeSet::remove(const std::string& name) {
+void AttributeSet::remove(std::string_view name) {
     --counts_[index(find_or_throw(name).kind())];
     std::erase_if(list_, [&](const auto& attribute) { return attribute->name() == name; });
 }
@@ -167,11 +167,11 @@ void AttributeSet::archive(Archive& archive) {
     }
 }
 
-void AttributeSet::refuse(const std::string& name, const char* problem) {
+void AttributeSet::refuse(std::string_view name, const char* problem) {
     throw InputError(
         {.what = problem,
          .where = "attribute",
-         .value = "'" + name + "'",
+         .value = "'" + std::string(name) + "'",
          .allowed = "the name, kind and type of one that exists, or a new name to add"});
 }
 

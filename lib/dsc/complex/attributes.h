@@ -6,6 +6,8 @@
 #include "dsc/complex/attribute.h"
 
 #include <array>
+#include <string>
+#include <string_view>
 
 namespace dsc {
 
@@ -43,25 +45,25 @@ public:
     }
 
     /// Whether there is an attribute of that name, of any kind.
-    [[nodiscard]] bool contains(const std::string& name) const { return find(name) != nullptr; }
+    [[nodiscard]] bool contains(std::string_view name) const { return find(name) != nullptr; }
     /// The attribute of that name, kind and type, `get<Vertex, double>("heat")`; throws InputError
     /// if there is none.
     template <SimplexHandle Simplex, class T>
-    [[nodiscard]] Attribute<T, Simplex>& get(const std::string& name) {
+    [[nodiscard]] Attribute<T, Simplex>& get(std::string_view name) {
         return cast<Attribute<T, Simplex>>(name, kind_of<Simplex>);
     }
     /// The same, to be read.
     template <SimplexHandle Simplex, class T>
-    [[nodiscard]] const Attribute<T, Simplex>& get(const std::string& name) const {
+    [[nodiscard]] const Attribute<T, Simplex>& get(std::string_view name) const {
         return cast<Attribute<T, Simplex>>(name, kind_of<Simplex>);
     }
     /// The attribute of that name and class; throws InputError if there is none.
     template <std::derived_from<AttributeBase> Own>
-    [[nodiscard]] Own& get(const std::string& name) {
+    [[nodiscard]] Own& get(std::string_view name) {
         return cast<Own>(name, find_or_throw(name).kind());
     }
     /// Removes the attribute of that name. Throws InputError if there is none.
-    void remove(const std::string& name);
+    void remove(std::string_view name);
 
     /// Whether there are no attributes.
     [[nodiscard]] bool empty() const { return list_.empty(); }
@@ -155,7 +157,7 @@ private:
         tell(kind, [&](AttributeBase& each) { each.reset(to); });
     }
     template <class Class>
-    [[nodiscard]] Class& cast(const std::string& name, SimplexKind kind) const {
+    [[nodiscard]] Class& cast(std::string_view name, SimplexKind kind) const {
         AttributeBase& found = find_or_throw(name);
         auto* const typed = dynamic_cast<Class*>(&found);
         if (typed == nullptr) {
@@ -165,9 +167,9 @@ private:
         return *typed;
     }
     void insert(std::unique_ptr<AttributeBase> attribute);
-    [[nodiscard]] AttributeBase* find(const std::string& name) const;
-    [[nodiscard]] AttributeBase& find_or_throw(const std::string& name) const;
-    [[noreturn]] static void refuse(const std::string& name, const char* problem);
+    [[nodiscard]] AttributeBase* find(std::string_view name) const;
+    [[nodiscard]] AttributeBase& find_or_throw(std::string_view name) const;
+    [[noreturn]] static void refuse(std::string_view name, const char* problem);
 
     std::vector<std::unique_ptr<AttributeBase>> list_;
     std::array<std::uint32_t, 3> counts_{}; ///< by kind

@@ -312,8 +312,11 @@ private:
                                    [this](Vertex v) { return is_seam(v.id); });
     }
 
-    // Asked for a notch that no event has made.
-    [[nodiscard]] bool may_close(Triangle t) const {
+    // Asked for a notch that no event has made. All of a small piece is no notch: it vanishes.
+    [[nodiscard]] bool may_close(Triangle t) {
+        if (is_small_piece(t)) {
+            return false;
+        }
         std::array<Corner, 3> sheets{};
         (void)sheets_of(complex_, t, sheets);
         const Point<double> place = centroid(complex_, t).template cast<double>();
@@ -323,6 +326,15 @@ private:
                     .x = place.x(),
                     .y = place.y(),
                     .thickness = static_cast<double>(thickness(complex_, t))});
+    }
+
+    [[nodiscard]] bool is_small_piece(Triangle start) {
+        gather_piece(complex_, start, piece_);
+        Real doubled = 0;
+        for (const Triangle t : piece_) {
+            doubled += doubled_area(complex_, t);
+        }
+        return piece_.size() <= most_of_piece && doubled / 2 < least_area(work_);
     }
 
     // Closes a triangle that has only one open side left: it goes to the phase beyond its longest
