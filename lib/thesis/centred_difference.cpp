@@ -2,21 +2,17 @@
 #include "thesis/centred_difference.h"
 
 #include <cstddef>
-#include <string>
 
 namespace dsc {
 
 namespace {
 
-const std::string& name_of_past() {
-    static const std::string name = "thesis.past";
-    return name;
-}
+constexpr const char* name_of_past = "thesis.past";
 
 /// The attribute where it is known to be there: several threads may ask at once.
 template <class Real>
 VertexAttribute<Past<Real>>& known_past(Complex<Real>& complex) {
-    return complex.attributes.template get<Vertex, Past<Real>>(name_of_past());
+    return complex.attributes.template get<Vertex, Past<Real>>(name_of_past);
 }
 
 template <class Real>
@@ -30,15 +26,21 @@ public:
                    IntegratorScratch<Real>& scratch) const override {
         const auto& pasts = known_past(step.complex);
         const Real dt = step.dt;
-        const bool all = std::ranges::all_of(
-            step.vertices, [&](std::uint32_t v) { return pasts[Vertex{v}].serves(dt); });
+        const auto serves = [&](std::size_t i) {
+            const Past<Real>& past = pasts[Vertex{step.vertices[i]}];
+            return past.serves(dt) && past.leads_to(scratch.first[i]);
+        };
+        bool all = true;
+        for (std::size_t i = 0; i < step.vertices.size() && all; ++i) {
+            all = serves(i);
+        }
         if (!all) {
             dsc::integrate<Real>(Integrator::midpoint, velocity, step.positions, time, dt,
                                  step.targets, scratch);
         }
         for (std::size_t i = 0; i < step.vertices.size(); ++i) {
-            const Past<Real>& past = pasts[Vertex{step.vertices[i]}];
-            if (past.serves(dt)) {
+            if (serves(i)) {
+                const Past<Real>& past = pasts[Vertex{step.vertices[i]}];
                 const Real ratio = dt / past.dt;
                 step.targets[i] = step.positions[i] + (1 + ratio) * dt * scratch.first[i] -
                                   ratio * ratio * past.way;
@@ -70,11 +72,11 @@ public:
 
 template <class Real>
 VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex) {
-    if (complex.attributes.contains(name_of_past())) {
+    if (complex.attributes.contains(name_of_past)) {
         return known_past(complex);
     }
     return complex.attributes.template add<Vertex>(
-        name_of_past(), Past<Real>{},
+        name_of_past, Past<Real>{},
         [](const Past<Real>&, const Past<Real>&, double) { return Past<Real>{}; });
 }
 

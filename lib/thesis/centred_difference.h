@@ -15,6 +15,11 @@ namespace dsc {
 /// digits of it are lost by then.
 inline constexpr double most_growth = 10;
 
+/// Cosine of the largest angle between a step and the velocity after it. Where the velocity turns
+/// by more, it jumps, as at the tip where two growing discs have met: a step that is built on the
+/// last one goes to the other side of the tip there, and the next one back.
+inline constexpr double least_cosine = 0.5;
+
 /// The last step of a vertex.
 template <class Real>
 struct Past {
@@ -27,9 +32,13 @@ struct Past {
     [[nodiscard]] Real growth_after(Real next_dt) const {
         return std::max(growth * (next_dt / dt), Real(1));
     }
-    /// Whether the next step may be built on this one.
+    /// Whether a next step of this length may be built on this one.
     [[nodiscard]] bool serves(Real next_dt) const {
         return dt > 0 && growth_after(next_dt) <= static_cast<Real>(most_growth);
+    }
+    /// Whether this velocity may come after that step.
+    [[nodiscard]] bool leads_to(const Point<Real>& velocity) const {
+        return way.dot(velocity) >= static_cast<Real>(least_cosine) * way.norm() * velocity.norm();
     }
 };
 
@@ -43,7 +52,8 @@ template <class Real>
 VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex);
 
 /// The integrator, for `Options::custom_integrator`. Vertices without a past, or whose steps have
-/// become more than `most_growth` times longer since they had none, take a midpoint step.
+/// become more than `most_growth` times longer since they had none, or whose velocity jumps, take a
+/// midpoint step.
 /// Unstable for any step in flows that smooth the interface. Returns the same object each time:
 /// options that are made anew do not make a simulation forget.
 template <class Real>

@@ -213,7 +213,7 @@ Cover cover_features(std::size_t strength, std::uint64_t seed, std::size_t most_
 }
 
 std::span<const std::string_view> found_rows() {
-    static constexpr std::array<std::string_view, 24> list{
+    static constexpr std::array<std::string_view, 25> list{
         // A star waited for a vertex that went half of its way in each pass because the star
         // waited.
         "motion=turn integrator=rk4 outline=loose_corners way=cells inside=carried",
@@ -265,12 +265,15 @@ std::span<const std::string_view> found_rows() {
         // The end of a curve was held up by the next vertices of the curve.
         "place=by_wall motion=grow told=seeing sizes=graded topology=change coarsening=never",
         "place=pair phases=junctions motion=grow told=seeing topology=change turned=mirrored",
-        // What a film along a wall had just become was taken for the end of a seam, and changed hands
+        // What a film along a wall had just become was taken for the end of a seam, and changed
+        // hands
         // again.
         "place=by_wall phases=junctions motion=down topology=wide integrator=rk4 way=cells",
         // A notch whose sides hold up each other closed beside seams alone.
         "place=by_wall phases=nested motion=grow told=seeing sizes=graded topology=wide "
         "way=counting precision=float turned=three_quarters data=field",
+        // At the tip where two discs have met, each step went to the other side.
+        "place=pair motion=grow told=seeing topology=change integrator=centred turned=quarter",
     };
     return list;
 }

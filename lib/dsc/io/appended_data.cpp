@@ -38,7 +38,7 @@ std::string compressed(const char* bytes, std::size_t size) {
 std::size_t AppendedData::add_bytes(const char* bytes, std::size_t size) {
     const std::size_t offset = text_.size();
     std::vector<std::uint64_t> sizes{(size + vtk_block_size - 1) / vtk_block_size, vtk_block_size,
-                                      size % vtk_block_size};
+                                     size % vtk_block_size};
     std::string blocks;
     for (std::size_t at = 0; at < size; at += vtk_block_size) {
         const std::string block = compressed(bytes + at, std::min(vtk_block_size, size - at));

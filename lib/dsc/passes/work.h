@@ -36,10 +36,10 @@ struct Work {
     Work(Work&&) = delete;
     Work& operator=(Work&&) = delete;
 
-    Complex<Real>& complex;                      ///< the complex that is worked on
-    const Options<Real>& options;                ///< those of the simulation
-    EditLog log;                                 ///< the edits made here
-    Submesh<Real> submesh;                       ///< notes in `log`
+    Complex<Real>& complex;       ///< the complex that is worked on
+    const Options<Real>& options; ///< those of the simulation
+    EditLog log;                  ///< the edits made here
+    Submesh<Real> submesh;        ///< notes in `log`
 
     std::vector<std::uint32_t> interface; ///< interface vertices, roughly in the order of the curve
     Aim<Real> aim;                        ///< of the interface vertices

@@ -165,8 +165,7 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
     for (const bool is_ahead : {true, false}) {
         const Corner one = is_ahead ? chord.sheet : chord.ray.opposite;
         const Corner other = is_ahead ? chord.ray.opposite : chord.sheet;
-        const Way<Real> way =
-            way_along(work, one, other, static_cast<Real>(beside_end) * contact);
+        const Way<Real> way = way_along(work, one, other, static_cast<Real>(beside_end) * contact);
         const double distances = way.arrives ? static_cast<double>(way.length / contact)
                                              : std::numeric_limits<double>::infinity();
         (distances < filament_end ? connection.is_near : connection.is_far) = true;

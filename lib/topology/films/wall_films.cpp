@@ -276,8 +276,7 @@ private:
             const Point<Real> foot = from + share * along;
             if (std::min(share, 1 - share) > static_cast<Real>(near_foot) &&
                 orientation<Real>(from, foot, at(complex_.vertex(prev(wall)))) == 0) {
-                return edge_split(Submesh(complex_), wall, foot).verdict ==
-                       Verdict::legal;
+                return edge_split(Submesh(complex_), wall, foot).verdict == Verdict::legal;
             }
         }
         return false;

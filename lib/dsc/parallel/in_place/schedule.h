@@ -69,8 +69,8 @@ public:
 
     /// Calls `run(task)` once for each, on so many threads of the pool (fewer if it has fewer).
     /// Where one has thrown, the tasks that wait for it do not begin, the others do: so what has
-    /// been done does not depend on threads. The exception of the first of them is rethrown when all
-    /// have ended. No allocation if the graph has not grown.
+    /// been done does not depend on threads. The exception of the first of them is rethrown when
+    /// all have ended. No allocation if the graph has not grown.
     void run(ThreadPool& pool, std::uint32_t threads, Assignment assignment,
              FunctionRef<void(std::size_t task)> run);
 
