@@ -298,11 +298,12 @@ private:
         std::vector<Sheet> sheets;
         for (std::span<WallChord<Real>> rest = run; !rest.empty();) {
             const Phase taker = phase_beyond(complex_, rest.front().sheet);
-            const auto others = std::ranges::stable_partition(rest, [&](const auto& chord) {
-                return phase_beyond(complex_, chord.sheet) == taker;
-            });
-            const std::span part = rest.first(rest.size() - others.size());
-            rest = rest.last(others.size());
+            const auto others =
+                std::stable_partition(rest.begin(), rest.end(), [&](const auto& chord) {
+                    return phase_beyond(complex_, chord.sheet) == taker;
+                });
+            const std::span part(rest.begin(), others);
+            rest = {others, rest.end()};
             const auto& thinnest = *std::ranges::min_element(
                 part, {}, [](const WallChord<Real>& chord) { return chord.ray.thickness; });
             const Event event{.kind = kind,

@@ -36,33 +36,8 @@ public:
           limits_are_fixed_(sizes_.is_uniform() && work.options.per_phase.empty()),
           limits_(limits(exterior_phase, work.options.edge_length)) {}
 
-    void run() {
-        activate_resized(work_);
-        // Vertices created on the way are appended and visited as well: splits halve lengths, so
-        // this terminates; the bound is for thresholds that contradict each other.
-        const std::size_t bound = 8 * work_.active.size() + 64;
-        for (std::size_t i = 0; i < work_.active.size() && i < bound; ++i) {
-            visit(work_.active[i]);
-        }
-        work_.active.clear();
-    }
-
-private:
-    using Limits = StarLimits<Real>;
-    Limits limits(Phase phase, Real length) const {
-        return star_limits(work_.options, phase, length);
-    }
-
-    bool gather_star(std::uint32_t v) {
-        const bool gathered = gather(complex_, work_.submesh.region, v, ring_);
-        if (!ring_.owned) {
-            work_.deferred.star(v);
-        }
-        return gathered && ring_.owned;
-    }
-
-    // A vertex that has been removed has no star. Its id may be in use again elsewhere, so its
-    // position is checked before anything else.
+    // Updates the star of a vertex. A vertex that has been removed has none. Its id may be in use
+    // again elsewhere, so its position is checked before anything else.
     void visit(std::uint32_t v) {
         Real length = 0; // the target, followed once in a visit
         for (int turn = 0; turn < max_turns; ++turn) {
@@ -117,6 +92,20 @@ private:
             }
             return;
         }
+    }
+
+private:
+    using Limits = StarLimits<Real>;
+    Limits limits(Phase phase, Real length) const {
+        return star_limits(work_.options, phase, length);
+    }
+
+    bool gather_star(std::uint32_t v) {
+        const bool gathered = gather(complex_, work_.submesh.region, v, ring_);
+        if (!ring_.owned) {
+            work_.deferred.star(v);
+        }
+        return gathered && ring_.owned;
     }
 
     // --- flips --------------------------------------------------------------------------------
@@ -391,7 +380,15 @@ private:
 
 template <class Real>
 void update_mesh(Work<Real>& work) {
-    MeshUpdate<Real>(work).run();
+    MeshUpdate<Real> update(work);
+    activate_resized(work);
+    // Vertices created on the way are appended and visited as well: splits halve lengths, so this
+    // terminates; the bound is for thresholds that contradict each other.
+    const std::size_t bound = 8 * work.active.size() + 64;
+    for (std::size_t i = 0; i < work.active.size() && i < bound; ++i) {
+        update.visit(work.active[i]);
+    }
+    work.active.clear();
 }
 
 template void update_mesh(Work<double>&);
