@@ -68,11 +68,17 @@ void keep_worse(Distance& kept, const Distance& other) {
     }
 }
 
+// Euler's method, which grows what it turns.
+bool goes_by_euler(const Row& row) {
+    return row.integrator == scenes::IntegratorChoice::euler && row.told != Told::motion;
+}
+
 // The inside of a carried phase that moves as a rigid body is the same points, moved. The mesh has
 // settled by half time if edges are all of one length; after that a vertex is made or smoothed only
 // where the curve is kept up.
 bool has_rigid_inside(const Row& row, const Scene& scene) {
-    const bool is_rigid = row.motion == Motion::rest || row.motion == Motion::turn ||
+    const bool is_rigid = row.motion == Motion::rest ||
+                          (row.motion == Motion::turn && !goes_by_euler(row)) ||
                           (is_translation(row.motion) && !scene.meets);
     return row.inside == Inside::carried && is_rigid && row.sizes == Sizes::uniform &&
            row.interruption != Interruption::edited &&
@@ -127,8 +133,7 @@ template <class Real>
 void compare_shapes(const Row& row, const Scene& scene, const Outcome<Real>& outcome,
                     Findings& findings) {
     const std::vector<double> asked(outcome.asked.begin(), outcome.asked.end());
-    const bool is_euler =
-        row.integrator == scenes::IntegratorChoice::euler && row.told != Told::motion;
+    const bool is_euler = goes_by_euler(row);
     const std::vector<double>& times = is_euler ? asked : outcome.times;
     const auto by_integrator = [&](const Point<double>& p) {
         return by_method(row, scene, times, p);
