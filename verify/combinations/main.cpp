@@ -156,11 +156,15 @@ Values cut_down(Values values, const std::string& kind, const Settings& settings
     return values;
 }
 
-void tell(const Values& values, const Result& result) {
+void tell(const Values& values, const Result& result, double fineness) {
     for (const std::string& problem : result.problems) {
         std::cout << "  " << problem << '\n';
     }
-    std::cout << "  dsc_combinations --row '" << words_of(values) << "'\n" << std::flush;
+    std::cout << "  dsc_combinations --row '" << words_of(values) << "'";
+    if (fineness != 1) {
+        std::cout << " --fineness " << fineness;
+    }
+    std::cout << '\n' << std::flush;
 }
 
 int run_one(const Settings& settings) {
@@ -202,12 +206,12 @@ std::size_t run_rows(const std::vector<Values>& rows, const Settings& settings) 
             }
             ++failed;
             std::cout << "a row fails:\n";
-            tell(rows[i], result);
+            tell(rows[i], result, settings.fineness);
             if (settings.cuts_down) {
                 const Values few = cut_down(rows[i], kind_of(result), settings);
                 if (few != rows[i]) {
                     std::cout << "  cut down:\n";
-                    tell(few, Child(few, settings).wait());
+                    tell(few, Child(few, settings).wait(), settings.fineness);
                 }
             }
         }

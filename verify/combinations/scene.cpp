@@ -326,6 +326,10 @@ void set_motion(Scene& scene, const Row& row, const Shape& shape) {
             meet(scene, shape.radius, shape.centre.y() - near);
             scene.meets_wall = true;
             scene.runs_into_wall = row.inside == Inside::carried;
+        } else if (row.place == Place::layer && row.phases == Phases::junctions) {
+            // The curve below the layer shortens from its end on the wall: its last vertex is
+            // collapsed before it runs into the wall, unless a step is longer than short edges.
+            scene.runs_into_wall = near / scene.steps > InterfaceThresholds{}.shortest * shape.h;
         }
         break;
     case Motion::turn: turn(scene); break;
