@@ -5,9 +5,13 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-usage: bench/run.sh [--quick] [Google Benchmark options]
-  --quick  leaves out meshes of 80,000 triangles and more, fine edges, the hard cases, and some flows
-           and scenes
+usage: bench/run.sh [--quick] [--suite FILE] [--only WHAT] [Google Benchmark options]
+  --quick       leaves out meshes of 80,000 triangles and more, fine edges, the hard cases, and some
+                flows and scenes
+  --suite FILE  measures this suite alone and draws S(n) and U(n): report/suites has the result and
+                the pictures, called as the file is; `dsc_bench --help` shows a suite
+  --only WHAT   nothing else: speedup (of the suite bench/suites/speedup.toml unless one is given),
+                precision, hard or gallery; earlier results stay as they are
 Other options go to dsc_bench after our own and win over them, e.g. --benchmark_filter=flip.
 Installs missing Debian packages as root or through sudo. DSC_JOBS sets the number of build jobs,
 PYTHON the interpreter for the plots.
@@ -15,8 +19,16 @@ Exit code: 0 done, 1 something failed, 2 bad usage or nothing was run.
 USAGE
 }
 
+# refuse WHAT VALUE ALLOWED: bad usage, before anything has been done.
+refuse() {
+    printf "%s: %s: got '%s'; allowed: %s\n" "$0" "$@" >&2
+    exit 2
+}
+
 quick=false
 list_only=false
+suite=
+only=
 # Left out, because they take minutes and say nothing that smaller ones or other scenes do not: the
 # fine swirl, four circles at 2.8 million triangles, there all strategies that do not follow the
 # interface, copies of large meshes in more than one scene, and what options cost.
@@ -25,8 +37,20 @@ large='^option/|380000|four_circles.*(2800000|copy.*280000/)|(fixed|counting|act
 bench_options=(--benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true
     --benchmark_repetitions=3 --benchmark_min_time=0.05)
 user_options=()
-for argument in "$@"; do
-    case $argument in
+flags='^--(v|benchmark_(list_tests|filter|min_time|min_warmup_time|repetitions|format|color|context'
+flags+='|time_unit|counters_tabular|enable_random_interleaving|(report|display)_aggregates_only))(=.*)?$'
+while [[ $# -gt 0 ]]; do
+    case $1 in
+        --suite=* | --only=*) set -- "${1%%=*}" "${1#*=}" "${@:2}" ; continue ;;
+        --suite | --only)
+            [[ $# -gt 1 ]] || refuse "a value is missing" "$1" "$1 and a value"
+            if [[ $1 == --suite ]]; then
+                suite=$(realpath -e -- "$2" 2>/dev/null) || refuse "--suite" "$2" "a file that exists"
+            else
+                only=$2
+            fi
+            shift
+            ;;
         --quick)
             quick=true
             bench_options+=(--benchmark_min_time=0.02)
@@ -34,19 +58,25 @@ for argument in "$@"; do
             ;;
         -h | --help) usage; exit 0 ;;
         --benchmark_out=* | --benchmark_out_format=*)
-            printf '%s: %s: the report needs the result where it looks for it; %s\n' "$0" \
-                "$argument" "for another file run build/release/bench/dsc_bench" >&2
-            exit 2
+            refuse "the report needs the result where it looks for it" "$1" \
+                "another file by build/release/bench/dsc_bench $1"
             ;;
-        --benchmark_list_tests | --benchmark_list_tests=true)
-            list_only=true
-            user_options+=("$argument")
+        *)
+            [[ $1 =~ $flags ]] || refuse "unknown option" "$1" "those of --help"
+            [[ ! $1 =~ ^--benchmark_list_tests(=true)?$ ]] || list_only=true
+            user_options+=("$1")
             ;;
-        *) user_options+=("$argument") ;;
     esac
+    shift
 done
-
-bench_options+=("--benchmark_filter=-$large") # the last one counts, which may be the user's
+only=${only:-${suite:+speedup}}
+case $only in
+    "" | speedup | precision | hard | gallery) ;;
+    *) refuse "--only" "$only" "speedup, precision, hard or gallery" ;;
+esac
+if [[ -n $suite && $only != speedup ]]; then
+    refuse "--suite" "$suite with --only $only" "--only speedup, or none"
+fi
 
 # shellcheck source=verify/setup.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/../verify/setup.sh"
@@ -59,6 +89,12 @@ hard=build/release/verify/dsc_hard
 gate=build/release/verify/dsc_verify
 scene=build/release/lib/scenes/dsc_scene
 cores=$(env -u OMP_NUM_THREADS nproc)
+if [[ $only == speedup ]]; then
+    suite=${suite:-$project_root/bench/suites/speedup.toml}
+    bench_options+=("--suite=$suite")
+else
+    bench_options+=("--benchmark_filter=-$large") # the last one counts, which may be the user's
+fi
 failed=()
 
 # Prints how many cores were at work in the last second. The load average would still count the
@@ -91,9 +127,10 @@ await_quiet() {
     fi
 }
 
-# dsc_bench: 0 done, 1 it refused to time a wrong answer (the report says which), 2 bad usage.
+# run_benchmarks RESULT. dsc_bench: 0 done, 1 it refused to time a wrong answer (the report says
+# which), 2 bad usage.
 run_benchmarks() {
-    local result=$report/bench.json code=0
+    local result=$1 code=0
     say "benchmarks"
     # OMP_PROC_BIND would keep the calling thread on one core, which others may need.
     env -u OMP_PROC_BIND "$bench" "${bench_options[@]}" \
@@ -221,6 +258,20 @@ run_hard_cases() {
     tail -n 1 "$report/hard.txt"
 }
 
+# A suite by itself, with its own pictures.
+run_suite() {
+    local name form code=0
+    name=$report/suites/$(basename -s .toml -- "$suite")
+    run_benchmarks "$name.json" || code=$?
+    if [[ $code -ne 0 ]]; then
+        exit "$code"
+    fi
+    for form in svg png pdf; do
+        MPLBACKEND=Agg "$python" plots/speedup.py "$name.json" --out "$name.$form" ||
+            failed+=("pictures of $name.json")
+    done
+}
+
 # The figures of the thesis, which the page shows as a section.
 run_gallery() {
     local options=()
@@ -261,40 +312,63 @@ if $quick; then
     coarse=(--set h=0.02)
 fi
 set_up plain
-targets=(dsc_bench dsc_precision dsc_verify dsc_scene)
-if ! $quick; then
-    targets+=(dsc_hard)
-fi
+case $only in
+    speedup) targets=(dsc_bench) ;;
+    precision) targets=(dsc_precision) ;;
+    hard) targets=(dsc_hard) ;;
+    gallery) targets=(dsc_scene) ;;
+    *)
+        targets=(dsc_bench dsc_precision dsc_verify dsc_scene)
+        $quick || targets+=(dsc_hard)
+        ;;
+esac
 build_preset release --target "${targets[@]}" || exit 1
 if $list_only; then
     exec "$bench" "${bench_options[@]}" "${user_options[@]}"
 fi
-rm -rf "$report" "$frames"
-mkdir -p "$report/scenes" "$frames"
-await_quiet
 
-code=0
-run_benchmarks || code=$?
-if [[ $code -ne 0 ]]; then
-    # Without measurements there is nothing to draw; dsc_bench has said why.
-    exit "$code"
-fi
-run_precision
-say "gate, and the literal method, beside the scenes"
-beside run_gate_and_reference
-if ! $quick; then
-    run_hard_cases
-fi
-run_scenes
-if [[ -f plots/gallery/make.py ]]; then
+run_all() {
+    local code=0
+    # Results of suites that somebody asked for stay.
+    mkdir -p "$report"
+    find "$report" -mindepth 1 -maxdepth 1 ! -name suites -exec rm -rf {} +
+    rm -rf "$frames"
+    mkdir -p "$report/scenes" "$frames"
+    await_quiet
+
+    run_benchmarks "$report/bench.json" || code=$?
+    if [[ $code -ne 0 ]]; then
+        # Without measurements there is nothing to draw; dsc_bench has said why.
+        exit "$code"
+    fi
+    run_precision
+    say "gate, and the literal method, beside the scenes"
+    beside run_gate_and_reference
+    if ! $quick; then
+        run_hard_cases
+    fi
+    run_scenes
     run_gallery
-fi
-await_beside "gate or literal method"
-draw || failed+=("plots")
-rm -rf "$frames"
+    await_beside "gate or literal method"
+    draw || failed+=("plots")
+    rm -rf "$frames"
+}
+
+mkdir -p "$report/suites"
+case $only in
+    speedup) await_quiet; run_suite ;;
+    precision) await_quiet; run_precision ;;
+    hard) run_hard_cases ;;
+    gallery) run_gallery ;;
+    *) run_all ;;
+esac
 
 if [[ ${#failed[@]} -gt 0 ]]; then
     printf 'failed: %s\n' "${failed[@]}"
     exit 1
 fi
-say "report: $project_root/$report/index.html"
+if [[ -n $only ]]; then
+    say "results: $project_root/$report"
+else
+    say "report: $project_root/$report/index.html"
+fi

@@ -1,29 +1,82 @@
 // SPDX-License-Identifier: MIT
-// dsc_bench: Google Benchmark's flags, and nothing else. Exit code 0: done; 1: a benchmark was
-// refused, because its answer is wrong; 2: bad usage, or nothing to run.
+// dsc_bench: measures what a suite lists. Exit code 0: done; 1: a benchmark was refused, because
+// its answer is wrong; 2: bad usage, or nothing to run.
 #include "context.h"
 #include "refusal.h"
 #include "suites.h"
 
+#include "dsc/base/error.h"
+
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <string>
 
-int main(int argc, char** argv) {
-    benchmark::Initialize(&argc, argv);
-    if (argc > 1) {
-        std::fprintf(stderr,
-                     "dsc_bench: unknown argument '%s'; allowed: the flags of Google Benchmark, "
-                     "as --help lists them.\n",
-                     argv[1]);
-        return 2;
+namespace dsc::bench {
+
+namespace {
+
+void print_help() {
+    std::fputs("usage: dsc_bench [--suite FILE] [Google Benchmark options]\n"
+               "  --suite FILE  what is measured, as TOML; without it " DSC_DEFAULT_SUITE "\n"
+               "A suite of your own, of which plots/speedup.py draws S(n) and U(n):\n"
+               "  [[case]]\n"
+               "  scene = \"swirl\"             # or the path of a scene file, from the suite on\n"
+               "  measure = \"run\"             # whole runs; or step, model, option\n"
+               "  h = [0.02, 0.01]            # or triangles = [28000]; else the scene's own h\n"
+               "  strategies = [\"sequential\", \"cells\", \"active\"]\n"
+               "  threads = [1, 2]            # else 1, 2, 4, ... and all cores\n"
+               "  set = { insertion = \"linear\" }\n"
+               "bench/steps/suite.h lists all keys.\n"
+               "Exit code: 0 done, 1 a wrong answer was not timed, 2 bad usage.\n\n",
+               stdout);
+    benchmark::PrintDefaultHelp();
+}
+
+// What Google Benchmark has left of the command line.
+std::string suite_file(int argc, char** argv) {
+    std::optional<std::string> file;
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        const std::string option = "--suite";
+        const bool is_alone = argument == option;
+        if (!is_alone && !argument.starts_with(option + '=')) {
+            throw InputError({.what = "unknown argument",
+                              .where = "command line",
+                              .value = "'" + argument + "'",
+                              .allowed = "--suite FILE, and the flags of Google Benchmark, as "
+                                         "--help lists them"});
+        }
+        if (file || (is_alone && i + 1 == argc)) {
+            throw InputError({.what = "one suite is measured",
+                              .where = option,
+                              .value = file ? "two" : "no file",
+                              .allowed = "--suite FILE, once"});
+        }
+        file = is_alone ? std::string(argv[++i]) : argument.substr(option.size() + 1);
     }
-    dsc::bench::add_context();
-    dsc::bench::register_runs();
-    dsc::bench::register_steps();
-    dsc::bench::register_operations();
-    dsc::bench::register_flows();
-    dsc::bench::register_options();
+    return file.value_or(DSC_DEFAULT_SUITE);
+}
+
+void register_all(const Suite& suite) {
+    for (const Row& row : suite.rows) {
+        row.measure == Measure::run ? register_run(row) : register_step(row);
+    }
+    std::ranges::for_each(suite.comparisons, register_comparison);
+    for (const std::string& name : suite.also) {
+        (name == "operation" ? register_operations
+         : name == "kernel"  ? register_kernels
+                             : register_flows)();
+    }
+}
+
+int run(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv, print_help);
+    const Suite suite = read_suite(suite_file(argc, argv));
+    add_context();
+    register_all(suite);
     if (benchmark::RunSpecifiedBenchmarks() == 0) {
         std::fputs("dsc_bench: --benchmark_filter leaves no benchmark; --benchmark_list_tests "
                    "names all of them.\n",
@@ -31,10 +84,26 @@ int main(int argc, char** argv) {
         return 2;
     }
     benchmark::Shutdown();
-    if (dsc::bench::refusals() > 0) {
+    if (refusals() > 0) {
         std::fprintf(stderr, "dsc_bench: %zu measurements were refused for a wrong answer.\n",
-                     dsc::bench::refusals());
+                     refusals());
         return 1;
     }
     return 0;
+}
+
+} // namespace
+
+} // namespace dsc::bench
+
+int main(int argc, char** argv) {
+    try {
+        return dsc::bench::run(argc, argv);
+    } catch (const dsc::InputError& error) {
+        std::fprintf(stderr, "dsc_bench: %s.\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "dsc_bench: %s\n", error.what());
+        return 1;
+    }
 }

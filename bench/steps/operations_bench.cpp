@@ -291,6 +291,17 @@ void add(const std::string& name, Body body) {
         ->Unit(benchmark::kMicrosecond);
 }
 
+} // namespace
+
+void register_operations() {
+    add("operation/edge_flip", measure_operation<EdgeFlip>);
+    add("operation/edge_split", measure_operation<EdgeSplit>);
+    add("operation/edge_collapse", measure_operation<EdgeCollapse>);
+    add("operation/loop_subdivision", measure_operation<LoopSubdivision>);
+    add("operation/local_retriangulation", measure_operation<LocalRetriangulation>);
+    add("operation/laplacian_smoothing", measure_operation<LaplacianSmoothing>);
+}
+
 void register_kernels() {
     add("kernel/gather_ring", [](benchmark::State& state) {
         measure_kernel(state, gather_all, [](const auto& complex, std::uint64_t corners) {
@@ -318,18 +329,6 @@ void register_kernels() {
             state, [](auto& complex) { return renumber(complex).vertices.size(); },
             [&](const auto& complex, std::size_t) { return mesh_hash(complex) == expected; });
     });
-}
-
-} // namespace
-
-void register_operations() {
-    add("operation/edge_flip", measure_operation<EdgeFlip>);
-    add("operation/edge_split", measure_operation<EdgeSplit>);
-    add("operation/edge_collapse", measure_operation<EdgeCollapse>);
-    add("operation/loop_subdivision", measure_operation<LoopSubdivision>);
-    add("operation/local_retriangulation", measure_operation<LocalRetriangulation>);
-    add("operation/laplacian_smoothing", measure_operation<LaplacianSmoothing>);
-    register_kernels();
 }
 
 } // namespace dsc::bench

@@ -8,7 +8,6 @@
 
 #include "dsc/base/error.h"
 #include "dsc/queries/hash.h"
-#include "scenes/catalogue/catalogue.h"
 #include "scenes/run/start.h"
 
 #include <benchmark/benchmark.h>
@@ -27,14 +26,6 @@ using scenes::Parameters;
 
 constexpr int rounds = 15;
 constexpr int most_steps = 200;
-
-struct OptionCase {
-    std::string name; ///< of the option
-    std::string scene;
-    double h; ///< edge length
-    void (*choose)(Parameters& parameters);
-    bool keeps_bits; ///< the option must not change the result
-};
 
 /// One of the two that are compared: its beginning, and what its steps have taken.
 class Side {
@@ -87,13 +78,9 @@ private:
     std::uint64_t hash_ = 0;
 };
 
-void measure(benchmark::State& state, const OptionCase& c) {
-    const scenes::Scene& scene = scenes::find_scene(c.scene);
-    Parameters parameters = scene.defaults;
-    parameters.h = c.h;
-    Side without(scene, parameters);
-    c.choose(parameters);
-    Side with(scene, parameters);
+void measure(benchmark::State& state, const Comparison& c) {
+    Side without(c.scene, c.without);
+    Side with(c.scene, c.with);
     for (auto _ : state) {
         for (int round = 0; round < rounds; ++round) {
             (round % 2 == 0 ? without : with).run();
@@ -101,7 +88,7 @@ void measure(benchmark::State& state, const OptionCase& c) {
         }
         state.SetIterationTime(with.least());
     }
-    if (c.keeps_bits && with.hash() != without.hash()) {
+    if (c.same_mesh && with.hash() != without.hash()) {
         throw InvariantError("the option changes the mesh");
     }
     std::vector<double> ratios;
@@ -120,27 +107,15 @@ void measure(benchmark::State& state, const OptionCase& c) {
 
 } // namespace
 
-void register_options() {
-    const auto change = [](Parameters& p) { p.topology = Topology::change; };
-    const auto grade = [](Parameters& p) { p.grade = 1.3; };
-    const std::vector<OptionCase> cases{
-        {"topology_change", "single-vortex", 0.01, change, true},
-        {"topology_change", "swirl", 0.01, change, true},
-        {"topology_change", "zalesak", 0.01, change, true},
-        {"topology_change", "translation", 0.01, change, true},
-        {"topology_change", "speedup-four-circles", 0.01, change, true},
-        {"grade_1.3", "swirl", 0.005, grade, false},
-    };
-    for (const OptionCase& c : cases) {
-        benchmark::RegisterBenchmark(("option/" + c.name + "/" + c.scene).c_str(),
-                                     [c](benchmark::State& state) {
-                                         guarded(state,
-                                                 [&c](benchmark::State& one) { measure(one, c); });
-                                     })
-            ->UseManualTime()
-            ->Iterations(1)
-            ->Unit(benchmark::kMillisecond);
-    }
+void register_comparison(const Comparison& comparison) {
+    benchmark::RegisterBenchmark(
+        comparison.name.c_str(),
+        [comparison](benchmark::State& state) {
+            guarded(state, [&](benchmark::State& one) { measure(one, comparison); });
+        })
+        ->UseManualTime()
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
 }
 
 } // namespace dsc::bench

@@ -156,6 +156,93 @@ class Schema(unittest.TestCase):
             self.assertEqual(len(answers), 1, answers)
 
 
+# A scene file beside its suite: a scene of the catalogue with settings of its own.
+SCENE = 'scene = "zalesak"\n[options]\nh = 0.04\nsteps = 12\n'
+SUITE = """[[case]]
+scene = "mine.toml"
+measure = "run"
+h = [0.05, 0.04]
+strategies = ["sequential", "cells", "active"]
+threads = [1, 2]
+area_error = 0.2
+"""
+BAD_SUITES = {
+    "": ("an empty suite",),
+    "[[case]\n": ("suite.toml:1",),
+    "case = 3\n": ("suite.toml:1: case", "got 3", "[[case]]"),
+    '[[case]]\nmeasure = "run"\n': ("suite.toml:1", "scene"),
+    '[[case]]\nscene = "swirrl"\n': ("suite.toml:2", "'swirrl'", "single-vortex"),
+    '[[case]]\nscene = "no/such.toml"\n': ("suite.toml:2", "'no/such.toml'"),
+    '[[case]]\nscene = "suite.toml"\n': ("suite.toml:2", "'case'"),
+    '[[case]]\nscene = "swirl"\nthread = 2\n': ("suite.toml:3", "'thread'", "threads"),
+    '[[case]]\nscene = "swirl"\nthreads = 0\n': ("suite.toml:3", "got 0", "from 1"),
+    '[[case]]\nscene = "swirl"\nthreads = "all"\n': ("suite.toml:3", "'all'", "cores"),
+    '[[case]]\nscene = "swirl"\nh = []\n': ("suite.toml:3", "h"),
+    '[[case]]\nscene = "swirl"\nh = 0.1\ntriangles = 900\n': ("triangles, or h",),
+    '[[case]]\nscene = "swirl"\nname = "a/b"\n': ("suite.toml:3", "'a/b'", "letters"),
+    '[[case]]\nscene = "swirl"\nmeasure = "speed"\n': ("suite.toml:3", "'speed'", "run, step"),
+    '[[case]]\nscene = "swirl"\nat = 0.1\n': ("suite.toml:3", "'at'"),
+    '[[case]]\nscene = "swirl"\nset = { insertion = "cubik" }\n': ("'cubik'", "linear, cubic"),
+    '[[case]]\nscene = "swirl"\nset = { h = 0.1 }\n': ("suite.toml:3", "[case.set] h"),
+    '[[case]]\nscene = "swirl"\nset = { real = "float" }\n': ("'float'", "double"),
+    '[[case]]\nscene = "swirl"\nstrategies = "cels"\n': ("suite.toml:3", "'cels'", "cells"),
+    '[[case]]\nscene = "swirl"\nstrategies = "reference"\n': ("'reference'", "step"),
+    '[[case]]\nscene = "swirl"\nmeasure = "model"\nstrategies = "copy"\n': ("'copy'", "cells"),
+    '[[case]]\nscene = "swirl"\nmeasure = "step"\nset = { steps = 20 }\n': ("40", "at least 80"),
+    '[[case]]\nscene = "zalesak"\nmeasure = "step"\nat = "half"\n': ("zalesak", "a time"),
+    '[[case]]\nscene = "swirl"\nmeasure = "option"\n': ("option = {",),
+    '[[case]]\nscene = "grow-shrink"\n': ("suite.toml:2", "growth", "velocity"),
+    '[[case]]\nscene = ["swirl", "swirl"]\n': ("two rows of one name", "swirl_run/"),
+    '[[case]]\nscene = "swirl"\nrows = [{ threads = 0 }]\n': ("suite.toml:3", "got 0"),
+    'also = ["operations"]\n': ("suite.toml:1: also", "did you mean operation"),
+}
+
+
+class OwnSuite(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.write("mine.toml", SCENE)
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        return path
+
+    def test_a_scene_file_is_measured(self):
+        result = os.path.join(self.folder, "result.json")
+        done = run(f"--suite={self.write('suite.toml', SUITE)}", f"--benchmark_out={result}")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        with open(result, encoding="utf-8") as stream:
+            rows = json.load(stream)["benchmarks"]
+        expected = [f"mine_run/strategy:{strategy}/h:{h}{threads}/between_us:0/iterations:1/manual_time"
+                    for h in ("0.05", "0.04")
+                    for strategy, threads in (("sequential", ""), ("cells", "/threads:1"),
+                                              ("cells", "/threads:2"), ("active", "/threads:1"),
+                                              ("active", "/threads:2"))]
+        self.assertEqual([row["name"] for row in rows], expected)
+        for row in rows:
+            self.assertEqual(masked(row), RUN, row["name"])
+
+    def test_a_wrong_answer_is_not_timed(self):
+        suite = self.write("suite.toml", SUITE.replace("area_error = 0.2", "area_error = 0"))
+        done = run("--suite", suite)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("10 measurements were refused", done.stderr)
+
+    def test_bad_suites_are_refused_with_a_sentence(self):
+        for text, words in BAD_SUITES.items():
+            with self.subTest(suite=text):
+                done = run("--suite", self.write("suite.toml", text), "--benchmark_list_tests")
+                self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                self.assertTrue(done.stderr.startswith("dsc_bench: "), done.stderr)
+                self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+                for word in ("got ", "; allowed: ", *words):
+                    self.assertIn(word, done.stderr)
+
+
 class Usage(unittest.TestCase):
     def assert_refused(self, argument, *words):
         done = run(argument)
@@ -168,6 +255,8 @@ class Usage(unittest.TestCase):
     def test_unknown_arguments_are_refused(self):
         self.assert_refused("--benchmark_speed=9", "--benchmark_speed=9")
         self.assert_refused("swirl", "swirl")
+        self.assert_refused("--suite", "--suite FILE")
+        self.assert_refused("--suite=no/such.toml", "no/such.toml")
 
     def test_a_filter_that_leaves_nothing_is_refused(self):
         self.assert_refused("--benchmark_filter=no_such_row", "--benchmark_filter")
@@ -181,6 +270,19 @@ class Usage(unittest.TestCase):
                      "operation/loop_subdivision", "operation/local_retriangulation",
                      "operation/laplacian_smoothing", "kernel/mesh_hash"):
             self.assertIn(name, done.stdout)
+
+    def test_help_shows_a_suite_that_is_taken(self):
+        done = run("--help")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = [line[2:] for line in done.stdout.splitlines() if line.startswith("  ")]
+        suite = lines[lines.index("[[case]]"):]
+        with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
+            file.write("\n".join(line for line in suite if "=" in line or "[[" in line
+                                 if "benchmark_" not in line and "--v=" not in line))
+            file.flush()
+            listed = run("--suite", file.name, "--benchmark_list_tests")
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        self.assertEqual(len(listed.stdout.splitlines()), 10)
 
 
 if __name__ == "__main__":

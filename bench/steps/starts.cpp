@@ -1,73 +1,105 @@
 // SPDX-License-Identifier: MIT
 #include "starts.h"
 
-#include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "scenes/catalogue/catalogue.h"
-#include "scenes/run/run.h"
+#include "measures/interface_outlines.h"
 #include "scenes/run/start.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
-#include <utility>
+#include <numbers>
 
 namespace dsc::bench {
 
 namespace {
 
-using Starts = std::map<std::pair<std::string, int>, std::unique_ptr<const Start>>;
+constexpr int measured_steps = warm_up_steps + timed_steps;
 
-Starts& starts() {
-    static Starts all;
+std::map<std::string, std::shared_ptr<Start>>& starts() {
+    static std::map<std::string, std::shared_ptr<Start>> all;
     return all;
 }
 
-std::string scene_of(const std::string& family) {
-    if (family == "swirl_step") {
-        return "swirl";
+// How far the area of a polygon with edges of up to 1.4 h on a circle of radius r may be from the
+// circle's, relative: (1.4 h)^2 / (6 r^2) for the chords, and a collapse may move the curve by
+// 0.02 h (InterfaceThresholds), which is 2 * 0.02 h / r if all of them did so.
+double area_limit_of_round(const scenes::Setup& setup, double h) {
+    double radius = 0; // of the smallest shape at the start
+    for (const auto& outline : setup.outlines) {
+        const double r = std::sqrt(scenes::signed_area(outline) / std::numbers::pi);
+        radius = radius == 0 ? r : std::min(radius, r);
     }
-    return family == "four_circles_step" ? "speedup-four-circles" : "speedup-scaling";
+    return 1.4 * 1.4 * h * h / (6 * radius * radius) + 2 * 0.02 * h / radius;
 }
 
-std::unique_ptr<const Start> make_start(const std::string& family, int triangles) {
-    constexpr double way_of_a_step = 0.3; // in edge lengths; both scenes move at speed 1
-    constexpr double short_way_of_a_step = 0.05;
-    constexpr double way_to_the_middle = 0.15;
-    auto start = std::make_unique<Start>();
-    start->family = family;
-    const scenes::Scene& scene = scenes::find_scene(scene_of(family));
-    auto& parameters = start->parameters;
-    parameters = scene.defaults;
-    parameters.h = std::sqrt(4 / (std::sqrt(3.0) * triangles));
-    if (family == "swirl_step") {
-        // The last steps before it turns back: the interface is at its longest.
-        start->setup = scene.prepare(parameters);
-        parameters.dt = start->setup.dt;
-        start->step = *start->setup.half_step - warm_up_steps - timed_steps;
-    } else {
-        // In a coarse mesh as many whole steps would lead out of the domain.
-        const bool is_coarse = triangles < 14000;
-        parameters.dt = (is_coarse ? short_way_of_a_step : way_of_a_step) * parameters.h;
-        const int middle = static_cast<int>(std::lround(way_to_the_middle / parameters.dt));
-        start->step = std::max(0, middle - timed_steps / 2 - warm_up_steps);
-        parameters.steps = start->step + warm_up_steps + timed_steps;
-        start->setup = scene.prepare(parameters);
+void check_motion(const Workload& workload, const scenes::Setup& setup, const std::string& where) {
+    if (setup.sees_interface() || setup.value) {
+        throw InputError({.what = "this scene cannot be measured here",
+                          .where = where,
+                          .value = workload.scene.name + ", with " +
+                                   (setup.curvature ? "curvature"
+                                    : setup.growth  ? "growth"
+                                                    : "a value at its vertices"),
+                          .allowed = "scenes that move by a velocity alone"});
     }
+    if (workload.parameters.real != scenes::RealType::double_precision) {
+        throw InputError({.what = "measurements are in double precision",
+                          .where = where,
+                          .value = "real = 'float'",
+                          .allowed = "double"});
+    }
+}
 
-    Complex<double> complex = scenes::first_complex<double>(start->setup, parameters);
-    const Options<double> options = scenes::scene_options<double>(parameters);
-    Simulation<double> simulation(complex, options);
-    const auto& velocity = start->setup.flow.front().velocity;
-    for (int step = 0; step < start->step; ++step) {
-        const StepReport report = simulation.step(velocity, step * parameters.dt, parameters.dt);
-        if (report.unreached > 0 || report.gave_up != GiveUp::none) {
-            throw InvariantError("a vertex did not arrive on the way to the start, in step " +
-                                 std::to_string(step));
-        }
+// The step before the warm-up.
+int first_step(const Workload& workload, const scenes::Setup& setup, const std::string& where) {
+    if (workload.part == Part::whole) {
+        return 0;
     }
-    start->complex = complex; // a copy has no spare capacity
+    if (workload.part == Part::before_half) {
+        if (!setup.half_step) {
+            throw InputError({.what = "this flow does not turn back",
+                              .where = where,
+                              .value = workload.scene.name + " at \"half\"",
+                              .allowed = "a time"});
+        }
+        return std::max(0, *setup.half_step - measured_steps);
+    }
+    const int middle = workload.part == Part::middle
+                           ? setup.steps / 2
+                           : static_cast<int>(std::lround(workload.around / setup.dt));
+    return std::max(0, middle - timed_steps / 2 - warm_up_steps);
+}
+
+std::shared_ptr<Start> plan(const Workload& workload, const std::string& where) {
+    const scenes::Scene& scene = workload.scene;
+    auto start = std::make_shared<Start>();
+    scenes::Parameters& parameters = start->parameters;
+    parameters = workload.parameters;
+    if (workload.dt_over_h) {
+        parameters.dt = *workload.dt_over_h * parameters.h;
+    }
+    start->setup = scene.prepare(parameters);
+    check_motion(workload, start->setup, where);
+    parameters.dt = start->setup.dt;
+    start->step = first_step(workload, start->setup, where);
+    const int last = start->step + measured_steps;
+    if (workload.part == Part::around && start->setup.steps < last &&
+        !scene.counts_steps_each_way) {
+        parameters.steps = last; // the scene goes on for longer
+        start->setup = scene.prepare(parameters);
+    }
+    if (workload.part != Part::whole && start->setup.steps < last) {
+        throw InputError({.what = "too few steps to measure one",
+                          .where = where,
+                          .value = scene.name + " with " + std::to_string(start->setup.steps),
+                          .allowed = "at least " + std::to_string(last) + ": " +
+                                     std::to_string(warm_up_steps) + " to warm up and " +
+                                     std::to_string(timed_steps) +
+                                     " that are timed; or measure = \"run\""});
+    }
+    start->area_limit =
+        workload.area_error.value_or(area_limit_of_round(start->setup, parameters.h));
     return start;
 }
 
@@ -78,12 +110,42 @@ double mb(const std::vector<Item>& items) {
 
 } // namespace
 
-const Start& start_of(const std::string& family, int triangles) {
-    auto& start = starts()[{family, triangles}];
+std::shared_ptr<Start> start_of(const Workload& workload, const std::string& key,
+                                const std::string& where) {
+    auto& start = starts()[key];
     if (!start) {
-        start = make_start(family, triangles);
+        start = plan(workload, where);
     }
-    return *start;
+    return start;
+}
+
+void make_ready(Start& start) {
+    if (start.complex.triangle_count() > 0) {
+        return;
+    }
+    auto complex = scenes::first_complex<double>(start.setup, start.parameters);
+    const auto options = scenes::scene_options<double>(start.setup, start.parameters);
+    const auto simulation = scenes::make_simulation(
+        complex, options, scenes::topology_options<double>(start.parameters),
+        scenes::Strategy::sequential, {});
+    for (int step = 0; step < start.step; ++step) {
+        const StepReport report = advance(*simulation, start.setup, step);
+        if (report.unreached > 0 || report.gave_up != GiveUp::none) {
+            throw InvariantError("a vertex did not arrive on the way to the start, in step " +
+                                 std::to_string(step));
+        }
+    }
+    start.complex = complex; // a copy has no spare capacity
+}
+
+StepReport advance(Simulation<double>& simulation, const scenes::Setup& setup, int step) {
+    const double time = step * setup.dt;
+    const auto& velocity = scenes::velocity_of_step(setup.flow, time, time + setup.dt);
+    if (step > 0 && setup.flow.size() > 1 &&
+        &velocity != &scenes::velocity_of_step(setup.flow, time - setup.dt, time)) {
+        simulation.forget();
+    }
+    return simulation.step(velocity, time, setup.dt);
 }
 
 double starts_mb() {

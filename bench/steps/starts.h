@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The complexes that step benchmarks start from: a scene of the thesis, section 9.7 that is well
-// under way.
+// Scenes at the step from which they are measured, and the mesh that all strategies start from.
 #pragma once
 
+#include "dsc/algorithm/simulation.h"
 #include "dsc/complex/complex.h"
 #include "scenes/scene.h"
 
-#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 
 namespace dsc::bench {
@@ -17,23 +18,48 @@ inline constexpr int warm_up_steps = 16;
 /// that each measurement contains exactly one.
 inline constexpr int timed_steps = 64;
 
-/// A scene at the time from which all strategies start.
+/// Which steps of a scene are measured.
+enum class Part : std::uint8_t {
+    whole,       ///< all of them
+    middle,      ///< `timed_steps` around the middle of the scene
+    around,      ///< as many around a time
+    before_half, ///< the last ones before a reversing flow turns back
+};
+
+/// A scene at one size, and what is measured of it.
+struct Workload {
+    scenes::Scene scene{};
+    scenes::Parameters parameters{};   ///< with the size and all settings
+    std::optional<double> dt_over_h{}; ///< the time step in edge lengths; none: the scene's own
+    Part part = Part::whole;
+    double around = 0;                  ///< a time, of Part::around
+    std::optional<double> area_error{}; ///< see Start::area_limit; none: that of round shapes
+};
+
+/// A scene at the step from which all strategies start.
 struct Start {
-    std::string family; ///< of the benchmark
     scenes::Parameters parameters;
     scenes::Setup setup;
     int step = 0; ///< done so far
-    Complex<double> complex;
+    /// How far the area may be from the exact one, relative, where that is known.
+    double area_limit = 0;
+    Complex<double> complex; ///< empty until `make_ready`
 };
 
-/// `scaling_step` or `four_circles_step` with about so many triangles in the unit square: h such
-/// that as many equilateral triangles fill it, 0.3 h of way a step, grown sequentially until the
-/// middle of the timed steps lies 0.15 from the beginning (a circle of radius 0.25; 28,000
-/// triangles and about 170 interface vertices as in the thesis). `swirl_step`: the swirl of 2 x 260
-/// steps, up to where it turns back and the interface is longest. Made once, then kept.
-[[nodiscard]] const Start& start_of(const std::string& family, int triangles);
+/// The start of a workload; one for all workloads with the same `key`. `where` is that of the
+/// suite, for errors. Throws InputError for a scene without a velocity, or with fewer steps than
+/// are measured.
+[[nodiscard]] std::shared_ptr<Start> start_of(const Workload& workload, const std::string& key,
+                                              const std::string& where);
 
-/// Memory that all of them hold, in 10^6 bytes.
+/// Makes the complex on the first call: up to its step, the scene is run sequentially. Throws
+/// InvariantError where a vertex does not arrive on the way.
+void make_ready(Start& start);
+
+/// One step of the scene.
+StepReport advance(Simulation<double>& simulation, const scenes::Setup& setup, int step);
+
+/// Memory that the complexes of all starts hold, in 10^6 bytes.
 [[nodiscard]] double starts_mb();
 
 } // namespace dsc::bench

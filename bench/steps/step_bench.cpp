@@ -16,9 +16,8 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 #include <map>
-#include <memory>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -29,43 +28,8 @@ namespace {
 
 using scenes::Strategy;
 
-constexpr int swirl_mesh = 95000;       ///< h a little below 0.005
-constexpr int fine_swirl_mesh = 380000; ///< and a little below 0.0025
-constexpr int small_mesh = 28000; ///< that of the thesis, and the only one for the literal method
-constexpr std::uint32_t slabs = 8;
 constexpr int reference_steps = 3;
 constexpr double reference_area_limit = 0.01;
-
-struct Case {
-    std::string family;
-    int triangles;
-    Strategy strategy;
-    std::uint32_t submeshes = 1;
-    std::uint32_t threads = 1;
-    bool modelled = false; ///< from the tasks' times, for any number of threads
-};
-
-scenes::RunOptions run_options(const Case& c, std::uint32_t threads) {
-    scenes::RunOptions options;
-    options.strategy = c.strategy;
-    options.submeshing.submeshes = c.submeshes;
-    options.submeshing.threads = threads;
-    options.submeshing.always_all_threads = true;
-    return options;
-}
-
-std::string name_of(const Case& c) {
-    std::string name = c.family + "/strategy:" + scenes::to_string(c.strategy) +
-                       "/triangles:" + std::to_string(c.triangles);
-    if (c.strategy != Strategy::sequential && c.strategy != Strategy::reference) {
-        name +=
-            "/submeshes:" + std::to_string(c.submeshes) + "/threads:" + std::to_string(c.threads);
-    }
-    if (c.modelled) {
-        name += "/modelled:1";
-    }
-    return name;
-}
 
 // A working copy with some room to grow, as a mesh under way has it.
 Complex<double> copy_with_room(const Complex<double>& complex) {
@@ -78,24 +42,24 @@ Complex<double> copy_with_room(const Complex<double>& complex) {
 
 /// The result of a strategy, computed once on one thread, checked and kept: every measurement must
 /// give the same bits.
-const Answer& answer_of(const Case& c) {
-    using Key = std::tuple<std::string, int, Strategy, std::uint32_t>;
+const Answer& answer_of(const Row& row) {
+    using Key = std::tuple<const Start*, Strategy, std::uint32_t>;
     static std::map<Key, Answer> answers;
-    const Key key{c.family, c.triangles, c.strategy, c.submeshes};
+    const Start& start = *row.start;
+    const Key key{&start, row.strategy, row.submeshes};
     if (const auto known = answers.find(key); known != answers.end()) {
         return known->second;
     }
-    const Start& start = start_of(c.family, c.triangles);
     Complex<double> complex = copy_with_room(start.complex);
-    const StepRun run = run_steps(start, complex, run_options(c, 1));
+    const StepRun run = run_steps(start, complex, row.options(1));
     const Answer answer = check_answer(start, complex, run,
-                                       start.step + warm_up_steps + timed_steps, area_limit(start));
+                                       start.step + warm_up_steps + timed_steps, start.area_limit);
     return answers.emplace(key, answer).first->second;
 }
 
-/// Medians so far of the literal method, for the ratio: empty where it has not run.
-std::map<std::string, std::vector<double>>& reference_times() {
-    static std::map<std::string, std::vector<double>> times;
+/// Times so far of the literal method, for the ratio: empty where it has not run.
+std::map<const Start*, std::vector<double>>& reference_times() {
+    static std::map<const Start*, std::vector<double>> times;
     return times;
 }
 
@@ -104,7 +68,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-void report(benchmark::State& state, const Case& c, const StepRun& run, const Answer& answer,
+void report(benchmark::State& state, const Row& row, const StepRun& run, const Answer& answer,
             double load) {
     const double us = run.wall_s * 1e6;
     auto& counters = state.counters;
@@ -114,31 +78,33 @@ void report(benchmark::State& state, const Case& c, const StepRun& run, const An
     counters["interface_vertices"] = run.vertex_steps / run.steps;
     counters["triangles"] = static_cast<double>(answer.triangles);
     counters["min_quality"] = answer.min_quality;
-    counters["area_error_rel"] = answer.area_error_rel;
+    if (!std::isnan(answer.area_error_rel)) {
+        counters["area_error_rel"] = answer.area_error_rel;
+    }
     counters["load"] = load;
-    counters["oversubscribed"] = c.threads > core_count() ? 1 : 0;
+    counters["oversubscribed"] = row.threads > core_count() ? 1 : 0;
 }
 
-void measure(benchmark::State& state, const Case& c) {
-    const Start& start = start_of(c.family, c.triangles);
-    const Answer& expected = answer_of(c);
+void measure(benchmark::State& state, const Row& row) {
+    const Start& start = *row.start;
+    const Answer& expected = answer_of(row);
     for (auto _ : state) {
         Complex<double> complex = copy_with_room(start.complex);
         const double load = other_load();
         const PeakMemory memory;
-        const StepRun run = run_steps(start, complex, run_options(c, c.threads));
+        const StepRun run = run_steps(start, complex, row.options(row.threads));
         const double peak_mb = memory.mb() - starts_mb();
         if (run.unreached > 0 || run.gave_up || mesh_hash(complex) != expected.hash) {
             throw InvariantError("the mesh is not that of a run with one thread");
         }
         state.SetIterationTime(run.wall_s);
-        report(state, c, run, expected, load);
+        report(state, row, run, expected, load);
         auto& counters = state.counters;
         counters["peak_memory_mb"] = peak_mb;
         counters["flips_per_step"] = static_cast<double>(run.operations.flips) / run.steps;
         counters["examined_per_step"] = static_cast<double>(run.operations.examined) / run.steps;
-        const auto& reference = reference_times()[c.family];
-        if (c.strategy == Strategy::sequential && c.triangles == small_mesh && !reference.empty()) {
+        const auto& reference = reference_times()[&start];
+        if (row.strategy == Strategy::sequential && !reference.empty()) {
             counters["speedup_vs_reference"] = median(reference) / (run.wall_s * 1e6 / run.steps);
         }
     }
@@ -146,33 +112,33 @@ void measure(benchmark::State& state, const Case& c) {
 
 /// The account of tasks of a strategy on so many threads: the least of all runs so far, at least
 /// `account_runs`.
-const ModelRun& account_of(const Case& c, std::uint32_t threads) {
-    using Key = std::tuple<std::string, int, Strategy, std::uint32_t, std::uint32_t>;
+const ModelRun& account_of(const Row& row, std::uint32_t threads) {
+    using Key = std::tuple<const Start*, Strategy, std::uint32_t, std::uint32_t>;
     constexpr int account_runs = 3;
     static std::map<Key, ModelRun> accounts;
-    ModelRun& account = accounts[{c.family, c.triangles, c.strategy, c.submeshes, threads}];
+    const Start& start = *row.start;
+    ModelRun& account = accounts[{&start, row.strategy, row.submeshes, threads}];
     const int runs = account.steps.empty() ? account_runs : 1;
     for (int i = 0; i < runs; ++i) {
-        const Start& start = start_of(c.family, c.triangles);
         Complex<double> complex = copy_with_room(start.complex);
-        take_least(account, profile_steps(start, complex, run_options(c, threads)));
-        if (mesh_hash(complex) != answer_of(c).hash) {
+        take_least(account, profile_steps(start, complex, row.options(threads)));
+        if (mesh_hash(complex) != answer_of(row).hash) {
             throw InvariantError("the mesh is not that of a run without an account of times");
         }
     }
     return account;
 }
 
-void measure_model(benchmark::State& state, const Case& c) {
+void measure_model(benchmark::State& state, const Row& row) {
     for (auto _ : state) {
         const double load = other_load();
         static const double fork_join = measure_fork_join(core_count());
         static const double bandwidth_of_one = measure_bandwidth(1);
         static const double bandwidth_of_all = measure_bandwidth(core_count());
-        const std::uint32_t at_work = c.threads > 1 ? core_count() : 1;
-        const ModelRun& account = account_of(c, at_work);
+        const std::uint32_t at_work = row.threads > 1 ? core_count() : 1;
+        const ModelRun& account = account_of(row, at_work);
         const double start = std::max(fork_join, measured_start(account, at_work));
-        const ModelTimes times = model(account, c.threads, start);
+        const ModelTimes times = model(account, row.threads, start);
         state.SetIterationTime(times.seconds);
         const auto per_step = [](double seconds) { return seconds * 1e6 / timed_steps; };
         auto& counters = state.counters;
@@ -210,18 +176,17 @@ void measure_model(benchmark::State& state, const Case& c) {
 
 // The literal method needs no warm-up, as it sweeps the whole mesh in each step. It starts where
 // the others have done half of their steps, so that its interface is as long as theirs on average.
-void measure_reference(benchmark::State& state, const Case& c) {
-    const Start& start = start_of(c.family, c.triangles);
+void measure_reference(benchmark::State& state, const Row& row) {
+    const Start& start = *row.start;
     const int first = start.step + warm_up_steps + timed_steps / 2;
-    static std::map<std::string, Complex<double>> half_way;
-    auto& complex = half_way[c.family];
+    static std::map<const Start*, Complex<double>> half_way;
+    auto& complex = half_way[&start];
     if (complex.triangle_count() == 0) {
         complex = start.complex;
-        const Options<double> options = scenes::scene_options<double>(start.parameters);
+        const auto options = scenes::scene_options<double>(start.setup, start.parameters);
         Simulation<double> simulation(complex, options);
         for (int step = start.step; step < first; ++step) {
-            simulation.step(start.setup.flow.front().velocity, step * start.parameters.dt,
-                            start.parameters.dt);
+            advance(simulation, start.setup, step);
         }
     }
     for (auto _ : state) {
@@ -231,98 +196,30 @@ void measure_reference(benchmark::State& state, const Case& c) {
         const Answer answer = check_answer(start, scenes::from_reference(literal), run,
                                            first + reference_steps, reference_area_limit);
         state.SetIterationTime(run.wall_s);
-        report(state, c, run, answer, load);
-        reference_times()[c.family].push_back(run.wall_s * 1e6 / run.steps);
+        report(state, row, run, answer, load);
+        reference_times()[&start].push_back(run.wall_s * 1e6 / run.steps);
     }
 }
 
-void add(const Case& c) {
-    benchmark::RegisterBenchmark(name_of(c).c_str(),
-                                 [c](benchmark::State& state) {
-                                     guarded(state, [&c](benchmark::State& s) {
-                                         if (c.modelled) {
-                                             measure_model(s, c);
-                                         } else if (c.strategy == Strategy::reference) {
-                                             measure_reference(s, c);
+} // namespace
+
+void register_step(const Row& row) {
+    benchmark::RegisterBenchmark(row.name.c_str(),
+                                 [row](benchmark::State& state) {
+                                     guarded(state, [&row](benchmark::State& s) {
+                                         make_ready(*row.start);
+                                         if (row.measure == Measure::model) {
+                                             measure_model(s, row);
+                                         } else if (row.strategy == Strategy::reference) {
+                                             measure_reference(s, row);
                                          } else {
-                                             measure(s, c);
+                                             measure(s, row);
                                          }
                                      });
                                  })
         ->UseManualTime()
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
-}
-
-/// The same number for any number of threads, if possible; 0: as many cells as are worth while.
-std::uint32_t submeshes_of(Strategy strategy, std::uint32_t threads) {
-    if (strategy == Strategy::cells) {
-        return 0;
-    }
-    return std::max(strategy == Strategy::blocks ? 2 * slabs : slabs, threads);
-}
-
-// A cell for each thread, and no more: the least boundary that so many can have.
-void add_few_cells(const std::string& family, int triangles) {
-    for (const std::uint32_t threads : thread_counts()) {
-        add({family, triangles, Strategy::cells, core_count(), threads});
-    }
-}
-
-// The measured thread counts, where the model can be checked, and larger ones.
-void add_modelled(const std::string& family, int triangles, Strategy strategy) {
-    for (const std::uint32_t threads : {1U, 2U, 4U, 8U, 16U, 32U}) {
-        add({family, triangles, strategy, submeshes_of(strategy, threads), threads, true});
-    }
-    if (strategy == Strategy::cells) {
-        // As many cells as threads, which is not the best number for most of them.
-        for (const std::uint32_t threads : {4U, 8U, 16U, 32U}) {
-            add({family, triangles, strategy, threads, threads, true});
-        }
-    }
-}
-
-} // namespace
-
-void register_steps() {
-    for (const char* family : {"scaling_step", "four_circles_step"}) {
-        for (const int triangles : {small_mesh, 280000, 2800000}) {
-            if (triangles == small_mesh) {
-                add({family, triangles, Strategy::reference});
-            }
-            add({family, triangles, Strategy::sequential});
-            for (const Strategy strategy : {Strategy::fixed, Strategy::counting, Strategy::active,
-                                            Strategy::blocks, Strategy::cells}) {
-                for (const std::uint32_t threads : thread_counts()) {
-                    add({family, triangles, strategy, submeshes_of(strategy, threads), threads});
-                }
-            }
-            add_few_cells(family, triangles);
-            if (triangles < 1000000) {
-                // With larger meshes, copying takes seconds per step and shows nothing new.
-                for (const std::uint32_t threads : thread_counts()) {
-                    add({family, triangles, Strategy::copy, slabs, threads});
-                }
-            }
-            for (const Strategy strategy : {Strategy::active, Strategy::cells}) {
-                add_modelled(family, triangles, strategy);
-            }
-        }
-    }
-    // The same scene with less and more to do in a step.
-    for (const int triangles : {1800, 3500, 7000, 14000, small_mesh, 56000, 112000, 280000}) {
-        add({"granularity_step", triangles, Strategy::sequential});
-        for (const std::uint32_t threads : thread_counts()) {
-            add({"granularity_step", triangles, Strategy::cells, 0, threads});
-        }
-    }
-    for (const int triangles : {swirl_mesh, fine_swirl_mesh}) {
-        add({"swirl_step", triangles, Strategy::sequential});
-        for (const std::uint32_t threads : thread_counts()) {
-            add({"swirl_step", triangles, Strategy::cells, 0, threads});
-        }
-        add_modelled("swirl_step", triangles, Strategy::cells);
-    }
 }
 
 } // namespace dsc::bench

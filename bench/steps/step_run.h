@@ -37,17 +37,12 @@ struct Answer {
     std::uint64_t hash = 0;
     std::uint64_t triangles = 0;
     double min_quality = 0;
-    double area_error_rel = 0; ///< to the exact growth
+    double area_error_rel = 0; ///< to the exact shape; NaN where that is not known
 };
 
 /// Measures, and throws InvariantError where the complex is not valid, a triangle is inverted, a
 /// vertex did not arrive or the area is further than `area_limit` from the exact one.
 Answer check_answer(const Start& start, const Complex<double>& complex, const StepRun& run,
                     int step, double area_limit);
-
-/// How far the area of a polygon with edges of up to 1.4 h on a circle of radius r may be from the
-/// circle's, relative: (1.4 h)^2 / (6 r^2) for the chords, and a collapse may move the curve by
-/// 0.02 h (InterfaceThresholds), which is 2 * 0.02 h / r if all of them did so.
-[[nodiscard]] double area_limit(const Start& start);
 
 } // namespace dsc::bench

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Groups the rows of step benchmarks (FAMILY_step/strategy:S/triangles:N/...) into series, and
+"""Groups the rows of step benchmarks (FAMILY_step/strategy:S/triangles:N/...) and of whole runs into
+series, whose sizes are numbers of triangles or edge lengths (h:H), and
 computes S(n) = t_s / t_n and U(n) = S(n) / n (thesis, section 9.7) from medians.
 
 Rows come as two kinds that never mix: `rows` gives what was measured, `modelled` what the
 benchmark program modelled for more threads than the machine has."""
+import math
 import statistics
 from dataclasses import dataclass
 
@@ -40,6 +42,12 @@ class Row:
     @property
     def median(self):
         return statistics.median(self.times)
+
+    @property
+    def size(self):
+        """The size as its name has it, in words."""
+        h = _edge_length(self.measurement)
+        return f"h = {h:g}" if h else f"{style.whole(self.triangles)} triangles"
 
     @property
     def doubtful(self):
@@ -81,7 +89,7 @@ class Point:
 def title(family):
     if family in FAMILY_TITLES:
         return FAMILY_TITLES[family]
-    return family[:-5].replace("_", " ") if family.endswith("_step") else family
+    return family.removesuffix("_step").removesuffix("_run").replace("_", " ")
 
 
 def rows(bench):
@@ -104,10 +112,23 @@ def whole_runs(bench):
     return _labelled(_all(bench, "_run"))
 
 
+def _edge_length(measurement):
+    """That in the name, where it stands for the size, or None."""
+    params = measurement.params if measurement else {}
+    return None if "triangles" in params or "h" not in params else measurement.number("h")
+
+
+def _triangles(measurement):
+    """The size by which rows are compared: strategies differ a little in the triangles that they
+    count, so of a row that is named by its edge length, as many as would fill the unit square."""
+    h = _edge_length(measurement)
+    return round(4 / (math.sqrt(3) * h * h)) if h else measurement.number("triangles")
+
+
 def _all(bench, ending="_step"):
     found = []
     for m in bench.measurements:
-        triangles = m.number("triangles")
+        triangles = _triangles(m)
         if not m.family.endswith(ending) or not m.strategy or not triangles:
             continue
         times = m.step_us()

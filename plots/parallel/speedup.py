@@ -83,6 +83,13 @@ def others(published):
     return found
 
 
+def gather_runs(bench):
+    """A Family for each family of whole runs that has parallel rows."""
+    found = series.speedups(series.whole_runs(bench))
+    return [Family(name, [p for p in found if p.row.family == name], [], [], "", None, [])
+            for name in series.families([p.row for p in found])]
+
+
 def gather(bench, published):
     """A Family for each family of step benchmarks that has parallel rows."""
     measured, modelled = series.rows(bench), series.modelled(bench)
@@ -104,7 +111,7 @@ def gather(bench, published):
 def draw(bench, published):
     """A Picture for each family of step benchmarks that has parallel rows."""
     for family in gather(bench, published):
-        yield _picture(family, bench.context)
+        yield picture(family, bench.context)
 
 
 def _thread_axis(axes, top):
@@ -228,7 +235,7 @@ def _panels(family, column, grid, cores, looks):
         _measured(axes, lines, looks, 0.045 if family.top > WIDE else 0.02,
                   lambda p, s, power=power: s / p.n ** power)
         _modelled(axes, models, looks, lambda p, s, power=power: s / p.n ** power)
-    grid[0][column].set_title(f"{style.whole(size)} triangles, "
+    grid[0][column].set_title(f"{base.size}, "
                               f"$t_s$ = {style.duration(base.median)} a step")
     grid[1][column].set_xlabel("threads $n$")
 
@@ -254,7 +261,8 @@ def _legend(family, looks):
     return handles
 
 
-def _picture(family, context):
+def picture(family, context):
+    """S(n) and U(n) of a family, a column for each size."""
     columns = len(family.sizes)
     width = 3.7 if family.top > WIDE else 3.1
     looks = _looks(family)
@@ -264,8 +272,9 @@ def _picture(family, context):
     grid[0][0].set_ylabel("speed-up  $S(n) = t_s\\,/\\,t_n$")
     grid[1][0].set_ylabel("utilisation  $U(n) = S(n)\\,/\\,n$")
     name = series.title(family.name)
-    style.finish(fig, f"Speed-up: {name}", style.caption_text(
+    title = f"Speed-up: {name}" + (", whole runs" if family.name.endswith("_run") else "")
+    style.finish(fig, title, style.caption_text(
         context, speedup_text.conditions(family)), _legend(family, looks))
-    return style.Picture("speedup_" + name.replace(" ", "_"), f"Speed-up: {name}",
+    return style.Picture("speedup_" + name.replace(" ", "_"), title,
                          speedup_text.plain(family), fig, *speedup_text.table(family),
                          details=speedup_text.sentence(family))

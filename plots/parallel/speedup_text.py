@@ -38,7 +38,7 @@ def plain(family):
     if not within:
         return f"In the {scene}, nothing was measured with several threads and a core for each."
     best = max([p for p in within if not p.doubtful] or within, key=lambda p: p.s)
-    return (f"In the {scene}, a step of {style.whole(best.row.triangles)} triangles takes "
+    return (f"In the {scene}, a step at {best.row.size} takes "
             f"{style.duration(best.base.median)} on one thread and "
             f"{style.duration(best.row.median)} on {best.n}"
             + ("; hollow points are modelled and not measured." if family.models else "."))
@@ -57,8 +57,8 @@ def measured(family):
         best = max([p for p in within if not p.doubtful] or within, key=lambda p: p.s)
         words.append(
             f"In the {series.title(family.name)}, {best.row.label} with {best.n} threads takes "
-            f"{style.duration(best.row.median)} a step at {style.whole(best.row.triangles)} "
-            f"triangles against {style.duration(best.base.median)} sequentially: "
+            f"{style.duration(best.row.median)} a step at {best.row.size} "
+            f"against {style.duration(best.base.median)} sequentially: "
             f"S({best.n}) = {best.s:.2f}, U({best.n}) = {best.u:.2f}")
         same = [p for p in within if p.n == best.n]
         if len(same) > 1:
@@ -99,8 +99,8 @@ def modelled(family):
             words.append(
                 f"the model's S({n}) differs from the measured one by "
                 f"{_span(errors, '{:+.1f} %'.format)}{over} "
-                f"for {worst[0].row.label} at {style.whole(worst[0].row.triangles)} "
-                f"triangles, {worst[0].s:.2f} against {worst[1].s:.2f}")
+                f"for {worst[0].row.label} at {worst[0].row.size}, "
+                f"{worst[0].s:.2f} against {worst[1].s:.2f}")
     if not words:
         words.append("no measured row has more than one thread, so the model could not be checked")
     beyond = [m for m in family.models if m.n > 1 and not beside(m, family.points)]
@@ -120,8 +120,7 @@ def n_last(best):
 
 def _where(models):
     """'cells at 2,800,000 triangles', with every strategy and size once."""
-    places = dict.fromkeys(f"{m.row.label} at {style.whole(m.row.triangles)} triangles"
-                           for m in models)
+    places = dict.fromkeys(f"{m.row.label} at {m.row.size}" for m in models)
     return style.listing(places)
 
 
@@ -156,7 +155,7 @@ def conditions(family):
     return text
 
 
-HEADER = ["triangles", "strategy", "kind", "threads", "submeshes", "t_s a step", "t_n a step",
+HEADER = ["size", "strategy", "kind", "threads", "submeshes", "t_s a step", "t_n a step",
           "S(n)", "S(n) from – to", "U(n)", "t_1 / t_s", "model's error", "thesis t_n",
           "thesis S(n)", "thesis U(n)", ""]
 
@@ -172,7 +171,7 @@ def _row(p, family):
     one = one_thread(p, family.models if model else family.points)
     off = error(p, family.points) if model else None
     theirs = next((t for t in family.thesis if t["n"] == p.n), None)
-    cells = [style.whole(p.row.triangles), p.row.label, "modelled" if model else "measured",
+    cells = [p.row.size, p.row.label, "modelled" if model else "measured",
              str(p.n), str(p.row.submeshes) if p.row.submeshes else "as pay",
              style.duration(p.base.median), style.duration(p.row.median), f"{p.s:.2f}",
              f"{p.low:.2f} – {p.high:.2f}", f"{p.u:.2f}", f"{one:.2f}" if one else "–",
@@ -184,5 +183,5 @@ def _row(p, family):
 
 def _other(o):
     name, kind = o.name.split(", ")
-    return [style.whole(o.triangles) if o.triangles else "–", name, kind, str(o.n), "–", "–", "–",
+    return [f"{style.whole(o.triangles)} triangles" if o.triangles else "–", name, kind, str(o.n), "–", "–", "–",
             f"{o.s:.2f}", "–", f"{o.s / o.n:.2f}", "–", "–", "–", "–", "–", "another program"]

@@ -20,6 +20,7 @@ from tests.test_over_time import OverTime  # noqa: F401
 from tests.test_page import Words  # noqa: F401  (its tests run with these)
 from tests.test_parallel import Parallel  # noqa: F401
 from tests.test_precision import Precision  # noqa: F401
+from tests.test_speedup import SpeedUp  # noqa: F401
 
 
 class Plots(Case):

@@ -88,6 +88,10 @@ const toml::node& TableReader::at(const std::string& key) const {
     return *node;
 }
 
+bool TableReader::is_list(const std::string& key) const { return at(key).is_array(); }
+
+bool TableReader::is_text(const std::string& key) const { return at(key).is_string(); }
+
 std::vector<std::string> TableReader::keys() const {
     std::vector<std::string> names;
     for (const auto& entry : *table_) {

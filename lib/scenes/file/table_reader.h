@@ -37,6 +37,8 @@ public:
         : table_(&table), name_(std::move(name)), file_(&file) {}
 
     [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }
+    [[nodiscard]] bool is_list(const std::string& key) const;
+    [[nodiscard]] bool is_text(const std::string& key) const;
     [[nodiscard]] std::vector<std::string> keys() const;
     [[nodiscard]] const std::filesystem::path& file() const { return *file_; }
     [[nodiscard]] const std::string& name() const { return name_; }

@@ -1,0 +1,538 @@
+// SPDX-License-Identifier: MIT
+#include "suite.h"
+
+#include "context.h"
+
+#include "dsc/base/enum_table.h"
+#include "dsc/base/error.h"
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/digits.h"
+#include "scenes/file/nearest.h"
+#include "scenes/file/scene_file.h"
+#include "scenes/file/table_reader.h"
+#include "scenes/file/text_file.h"
+#include "scenes/run/usage.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace dsc::bench {
+
+namespace {
+
+using scenes::Strategy;
+using scenes::TableReader;
+
+constexpr std::array measure_names{
+    Named{Measure::run, "run"},
+    Named{Measure::step, "step"},
+    Named{Measure::model, "model"},
+    Named{Measure::option, "option"},
+};
+
+constexpr double own_area_error = 0.01; ///< unless a case says otherwise
+constexpr int most_threads = 1024;
+constexpr int most_submeshes = 65536;
+
+/// A size of a case: its name in rows, and the edge length; 0: the scene's own.
+struct Size {
+    std::string name;
+    double h = 0;
+};
+
+/// A [[case]] and one of its `rows`, whose keys win over those of the case.
+class CaseReader {
+public:
+    CaseReader(const TableReader& whole, const TableReader* row) : whole_(&whole), row_(row) {}
+
+    [[nodiscard]] bool has(const std::string& key) const {
+        return whole_->has(key) || (row_ != nullptr && row_->has(key));
+    }
+    /// The table in which the key stands, or that of the row where it stands in neither.
+    [[nodiscard]] const TableReader& of(const std::string& key) const {
+        const bool is_of_row = row_ != nullptr && (row_->has(key) || !whole_->has(key));
+        return is_of_row ? *row_ : *whole_;
+    }
+    [[nodiscard]] bool is_text(const std::string& key) const { return of(key).is_text(key); }
+    [[nodiscard]] bool is_text(const std::string& key, const std::string& text) const {
+        return is_text(key) && of(key).text(key) == text;
+    }
+    [[nodiscard]] std::string where(const std::string& key) const { return of(key).where(key); }
+    [[noreturn]] void refuse(const std::string& key, const std::string& what,
+                             const std::string& allowed) const {
+        of(key).refuse(of(key).has(key) ? key : "", what, allowed);
+    }
+
+private:
+    const TableReader* whole_;
+    const TableReader* row_;
+};
+
+/// The keys of a case that do not depend on its scenes.
+struct Case {
+    const CaseReader* reader = nullptr;
+    std::string name{};
+    Measure measure = Measure::run;
+    std::vector<Size> sizes{};
+    std::vector<Strategy> strategies{};
+    std::vector<std::uint32_t> threads{};
+    std::vector<int> between_us{};
+};
+
+// Calls `what`, which may refuse what stands under a key of the suite: the error names that place.
+template <class What>
+auto at_key(const TableReader& reader, const std::string& key, What what) {
+    try {
+        return what();
+    } catch (const InputError& error) {
+        throw InputError({.what = error.problem(),
+                          .where = reader.where(key),
+                          .value = error.value(),
+                          .allowed = error.allowed()});
+    }
+}
+
+// A list, or a single value that stands for a list of one.
+std::vector<std::string> texts(const CaseReader& reader, const std::string& key) {
+    const TableReader& table = reader.of(key);
+    auto list = reader.is_text(key) ? std::vector{table.text(key)} : table.texts(key);
+    if (list.empty()) {
+        reader.refuse(key, "an empty list", "at least one");
+    }
+    return list;
+}
+
+std::vector<int> integers(const CaseReader& reader, const std::string& key, int low, int high) {
+    const TableReader& table = reader.of(key);
+    auto list = table.is_list(key) ? table.integers(key, low, high)
+                                   : std::vector{table.integer(key, low, high)};
+    if (list.empty()) {
+        reader.refuse(key, "an empty list", "at least one");
+    }
+    return list;
+}
+
+std::vector<double> numbers(const CaseReader& reader, const std::string& key,
+                            scenes::Bounds bounds) {
+    const TableReader& table = reader.of(key);
+    auto list =
+        table.is_list(key) ? table.numbers(key, bounds) : std::vector{table.number(key, bounds)};
+    if (list.empty()) {
+        reader.refuse(key, "an empty list", "at least one");
+    }
+    return list;
+}
+
+std::vector<Size> read_sizes(const CaseReader& reader) {
+    std::vector<Size> sizes;
+    if (reader.has("triangles") && reader.has("h")) {
+        reader.refuse("h", "two kinds of sizes", "triangles, or h");
+    }
+    if (reader.has("triangles")) {
+        for (const int triangles : integers(reader, "triangles", 100, 20'000'000)) {
+            // As many equilateral triangles fill the unit square.
+            sizes.push_back({"triangles:" + std::to_string(triangles),
+                             std::sqrt(4 / (std::sqrt(3.0) * triangles))});
+        }
+    } else if (reader.has("h")) {
+        for (const double h : numbers(reader, "h", {1e-5, 1})) {
+            sizes.push_back({"", h});
+        }
+    } else {
+        sizes.emplace_back();
+    }
+    return sizes;
+}
+
+void check_strategy(const CaseReader& reader, Measure measure, Strategy strategy) {
+    const bool is_good =
+        measure == Measure::step || (measure == Measure::run && strategy != Strategy::reference) ||
+        (measure == Measure::model && scenes::is_parallel(strategy) && strategy != Strategy::copy);
+    if (!is_good) {
+        throw InputError({.what = "this strategy cannot be measured so",
+                          .where = reader.where("strategies"),
+                          .value = "'" + scenes::to_string(strategy) + "' in measure = \"" +
+                                   std::string(name_in(measure_names, measure)) + '"',
+                          .allowed = measure == Measure::run
+                                         ? "any but reference, which measure = \"step\" takes"
+                                         : "those that divide the mesh in place: fixed, counting, "
+                                           "active, blocks, cells"});
+    }
+}
+
+std::vector<Strategy> read_strategies(const CaseReader& reader, Measure measure) {
+    if (!reader.has("strategies")) {
+        return measure == Measure::model ? std::vector{Strategy::cells}
+                                         : std::vector{Strategy::sequential, Strategy::cells};
+    }
+    std::vector<Strategy> strategies;
+    for (const std::string& name : texts(reader, "strategies")) {
+        strategies.push_back(at_key(reader.of("strategies"), "strategies",
+                                    [&] { return scenes::parse_strategy(name); }));
+        check_strategy(reader, measure, strategies.back());
+    }
+    return strategies;
+}
+
+std::vector<std::uint32_t> read_threads(const CaseReader& reader) {
+    if (!reader.has("threads") || reader.is_text("threads", "cores")) {
+        return thread_counts();
+    }
+    if (reader.is_text("threads")) {
+        reader.refuse("threads", "bad value", "whole numbers, or \"cores\"");
+    }
+    std::vector<std::uint32_t> counts;
+    for (const int count : integers(reader, "threads", 1, most_threads)) {
+        counts.push_back(static_cast<std::uint32_t>(count));
+    }
+    return counts;
+}
+
+// 0: chosen during the run.
+std::uint32_t submeshes_of(const Case& c, Strategy strategy, std::uint32_t threads) {
+    const CaseReader& reader = *c.reader;
+    if (!reader.has("submeshes")) {
+        const std::uint32_t own = scenes::submeshes_of(strategy, {});
+        return c.measure == Measure::run || own == 0 ? 0 : std::max(own, threads);
+    }
+    if (reader.is_text("submeshes", "threads")) {
+        return threads;
+    }
+    if (reader.is_text("submeshes", "cores")) {
+        return core_count();
+    }
+    if (reader.is_text("submeshes")) {
+        reader.refuse("submeshes", "bad value", "a whole number, \"threads\" or \"cores\"");
+    }
+    return static_cast<std::uint32_t>(
+        reader.of("submeshes").integer("submeshes", 1, most_submeshes));
+}
+
+scenes::Scene read_scene(const TableReader& reader, const std::string& name) {
+    return at_key(reader, "scene", [&] {
+        if (!scenes::is_scene_file(name)) {
+            return scenes::find_scene(name);
+        }
+        const auto path = reader.file().parent_path() / name;
+        try {
+            return scenes::read_scene_file(path).scene;
+        } catch (const FileError& error) {
+            throw InputError({.what = error.what(),
+                              .where = "scene",
+                              .value = "'" + name + "'",
+                              .allowed = "a scene file whose path begins at the suite"});
+        } catch (const InputError& error) { // the place in the scene file says more
+            throw InputError({.what = error.where() + ": " + error.problem(),
+                              .where = "scene",
+                              .value = error.value(),
+                              .allowed = error.allowed()});
+        }
+    });
+}
+
+void read_settings(const CaseReader& reader, const std::string& key, const scenes::Scene& scene,
+                   scenes::Parameters& parameters) {
+    if (!reader.has(key)) {
+        return;
+    }
+    const TableReader table = reader.of(key).table(key);
+    for (const std::string& name : table.keys()) {
+        if (name == "h") {
+            table.refuse(name, "a size among settings", "h = [...] in the [[case]] itself");
+        }
+        at_key(table, name,
+               [&] { scenes::set_parameter(parameters, scene.keys, name, table.setting(name)); });
+    }
+}
+
+std::optional<double> read_area_error(const CaseReader& reader) {
+    if (!reader.has("area_error")) {
+        return own_area_error;
+    }
+    if (reader.is_text("area_error", "round")) {
+        return std::nullopt;
+    }
+    if (reader.is_text("area_error")) {
+        reader.refuse("area_error", "bad value", "a number, or \"round\"");
+    }
+    return reader.of("area_error").number("area_error", {0, 1});
+}
+
+void read_part(const CaseReader& reader, Measure measure, Workload& workload) {
+    if (measure == Measure::run) {
+        workload.part = Part::whole;
+    } else if (!reader.has("at")) {
+        workload.part = Part::middle;
+    } else if (reader.is_text("at", "half")) {
+        workload.part = Part::before_half;
+    } else if (reader.is_text("at")) {
+        reader.refuse("at", "bad value", "a time, or \"half\"");
+    } else {
+        workload.part = Part::around;
+        workload.around = reader.of("at").number("at", {0, 1e6});
+    }
+}
+
+// Everything that a start depends on, as text: doubles by their bits.
+std::string key_of(const Workload& workload, const std::string& scene) {
+    std::string key = scene;
+    const auto add = [&](const auto& value) {
+        using Value = std::decay_t<decltype(value)>;
+        key += '/';
+        if constexpr (std::is_same_v<Value, std::string>) {
+            key += value;
+        } else if constexpr (std::is_same_v<Value, double>) {
+            key += std::to_string(std::bit_cast<std::uint64_t>(value));
+        } else {
+            key += std::to_string(value);
+        }
+    };
+    for (const scenes::Key& one : scenes::parameter_keys()) {
+        std::visit(add, one.value(workload.parameters));
+    }
+    add(static_cast<int>(workload.part));
+    add(workload.around);
+    add(workload.dt_over_h.value_or(-1));
+    add(workload.area_error.value_or(-1));
+    return key;
+}
+
+std::string name_of(const Case& c, const std::string& size, const Row& row, bool names_submeshes) {
+    std::string name = c.name + (c.measure == Measure::run ? "_run" : "_step") +
+                       "/strategy:" + scenes::to_string(row.strategy) + '/' + size;
+    if (scenes::is_parallel(row.strategy)) {
+        if (names_submeshes) {
+            name += "/submeshes:" + std::to_string(row.submeshes);
+        }
+        name += "/threads:" + std::to_string(row.threads);
+    }
+    if (c.measure == Measure::run) {
+        name += "/between_us:" + std::to_string(row.between_us);
+    }
+    return c.measure == Measure::model ? name + "/modelled:1" : name;
+}
+
+void add_rows(const Case& c, const std::string& size, const scenes::Scene& scene,
+              const std::shared_ptr<Start>& start, Suite& suite) {
+    const bool names_submeshes = c.measure != Measure::run || c.reader->has("submeshes");
+    for (const int between_us : c.between_us) {
+        for (const Strategy strategy : c.strategies) {
+            for (const std::uint32_t threads :
+                 scenes::is_parallel(strategy) ? c.threads : std::vector<std::uint32_t>{1}) {
+                Row row{.measure = c.measure,
+                        .start = start,
+                        .strategy = strategy,
+                        .submeshes = submeshes_of(c, strategy, threads),
+                        .threads = threads,
+                        .between_us = between_us};
+                row.name = name_of(c, size, row, names_submeshes);
+                at_key(c.reader->of("strategies"), "strategies", [&] {
+                    scenes::check_usage(scene, start->setup, start->parameters,
+                                        row.options(threads));
+                });
+                suite.rows.push_back(std::move(row));
+            }
+        }
+    }
+}
+
+void add_comparison(const Case& c, const scenes::Scene& scene, scenes::Parameters without,
+                    Suite& suite) {
+    if (!c.reader->has("option")) {
+        c.reader->refuse("option", "the option that is compared is missing",
+                         "option = { key = value }");
+    }
+    Comparison comparison{.name = "option/" + c.name + '/' + scene.name,
+                          .scene = scene,
+                          .without = without,
+                          .with = without,
+                          .same_mesh = c.reader->of("same_mesh").flag_or(false, "same_mesh")};
+    read_settings(*c.reader, "option", scene, comparison.with);
+    suite.comparisons.push_back(std::move(comparison));
+}
+
+void check_name(const CaseReader& reader, const std::string& name) {
+    if (name.empty() || name.size() > 64 || !std::ranges::all_of(name, [](char ch) {
+            return (ch >= 'a' && ch <= 'z') || (ch >= 'A' && ch <= 'Z') ||
+                   (ch >= '0' && ch <= '9') || ch == '-' || ch == '_' || ch == '.';
+        })) {
+        reader.refuse("name", "bad value", "1 to 64 letters, digits, -, _ and .");
+    }
+}
+
+// One for each scene; empty: that of the scene itself.
+std::vector<std::string> read_names(const CaseReader& reader, std::size_t scenes) {
+    std::vector<std::string> names(scenes);
+    if (!reader.has("name")) {
+        return names;
+    }
+    const std::vector<std::string> given = texts(reader, "name");
+    if (given.size() != 1 && given.size() != scenes) {
+        reader.refuse("name", "not as many names as scenes",
+                      "one, or " + std::to_string(scenes) + " of them");
+    }
+    for (std::size_t i = 0; i < scenes; ++i) {
+        names[i] = given.size() == 1 ? given.front() : given[i];
+        check_name(reader, names[i]);
+    }
+    return names;
+}
+
+Measure read_measure(const CaseReader& reader) {
+    if (!reader.has("measure")) {
+        return Measure::run;
+    }
+    const auto measure = value_in(measure_names, reader.of("measure").text("measure"));
+    if (!measure) {
+        reader.refuse("measure", "unknown measure", names_in(measure_names));
+    }
+    return *measure;
+}
+
+std::vector<std::string> keys_of(Measure measure) {
+    std::vector<std::string> keys{"name", "scene", "measure", "triangles", "h", "set"};
+    const auto add = [&](std::initializer_list<const char*> more) {
+        keys.insert(keys.end(), more.begin(), more.end());
+    };
+    if (measure == Measure::option) {
+        add({"option", "same_mesh"});
+    } else {
+        add({"strategies", "threads", "submeshes", "dt_over_h", "area_error"});
+        add({measure == Measure::run ? "between_us" : "at"});
+    }
+    return keys;
+}
+
+void read_rows(const CaseReader& reader, Suite& suite) {
+    Case c{.reader = &reader, .measure = read_measure(reader)};
+    c.sizes = read_sizes(reader);
+    if (c.measure != Measure::option) {
+        c.strategies = read_strategies(reader, c.measure);
+        c.threads = read_threads(reader);
+    }
+    c.between_us = c.measure == Measure::run && reader.has("between_us")
+                       ? integers(reader, "between_us", 0, 1'000'000)
+                       : std::vector{0};
+    const std::vector<std::string> scenes = texts(reader, "scene");
+    const std::vector<std::string> names = read_names(reader, scenes.size());
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const scenes::Scene scene = read_scene(reader.of("scene"), scenes[i]);
+        c.name = names[i].empty() ? scene.name : names[i];
+        Workload workload{.scene = scene, .parameters = scene.defaults};
+        read_settings(reader, "set", scene, workload.parameters);
+        if (c.measure != Measure::option) {
+            if (reader.has("dt_over_h")) {
+                workload.dt_over_h = reader.of("dt_over_h").number("dt_over_h", {1e-6, 1e3});
+            }
+            workload.area_error = read_area_error(reader);
+            read_part(reader, c.measure, workload);
+        }
+        for (const Size& size : c.sizes) {
+            workload.parameters.h = size.h > 0 ? size.h : workload.parameters.h;
+            if (c.measure == Measure::option) {
+                add_comparison(c, scene, workload.parameters, suite);
+                continue;
+            }
+            const auto start =
+                start_of(workload, key_of(workload, scenes[i]), reader.where("scene"));
+            add_rows(c,
+                     size.name.empty() ? "h:" + scenes::shortest_digits(workload.parameters.h)
+                                       : size.name,
+                     scene, start, suite);
+        }
+    }
+}
+
+void read_case(const TableReader& whole, Suite& suite) {
+    const std::vector<TableReader> rows = whole.tables("rows");
+    if (rows.empty()) {
+        const CaseReader reader(whole, nullptr);
+        whole.allow(keys_of(read_measure(reader)));
+        read_rows(reader, suite);
+        return;
+    }
+    std::vector<std::string> all{"rows"};
+    for (const Named<Measure>& measure : measure_names) {
+        const std::vector<std::string> keys = keys_of(measure.value);
+        all.insert(all.end(), keys.begin(), keys.end());
+    }
+    whole.allow(all);
+    for (const TableReader& row : rows) {
+        const CaseReader reader(whole, &row);
+        row.allow(keys_of(read_measure(reader)));
+        read_rows(reader, suite);
+    }
+}
+
+void check_names(const Suite& suite, const std::filesystem::path& path) {
+    std::set<std::string> names;
+    const auto check = [&](const std::string& name) {
+        if (!names.insert(name).second) {
+            throw InputError({.what = "two rows of one name",
+                              .where = path.string(),
+                              .value = "'" + name + "'",
+                              .allowed = "another name = \"...\" in one of the cases"});
+        }
+    };
+    std::ranges::for_each(suite.rows, check, &Row::name);
+    std::ranges::for_each(suite.comparisons, check, &Comparison::name);
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    try {
+        return scenes::read_text_file(path);
+    } catch (const FileError& error) {
+        throw InputError({.what = error.what(),
+                          .where = "--suite",
+                          .value = "'" + path.string() + "'",
+                          .allowed = "a suite that can be read; bench/suites has some"});
+    }
+}
+
+} // namespace
+
+const std::vector<std::string>& also_names() {
+    static const std::vector<std::string> names{"operation", "kernel", "flow"};
+    return names;
+}
+
+scenes::RunOptions Row::options(std::uint32_t on_threads) const {
+    scenes::RunOptions options;
+    options.strategy = strategy;
+    options.submeshing.submeshes = submeshes;
+    options.submeshing.threads = on_threads;
+    // A run takes as many threads as pay, as that of an application does.
+    options.submeshing.always_all_threads = measure != Measure::run;
+    return options;
+}
+
+Suite read_suite(const std::filesystem::path& path) {
+    const toml::table table = scenes::parse_toml(read_text(path), path);
+    const TableReader top(table, "", path);
+    top.allow({"also", "case"});
+    Suite suite;
+    for (const TableReader& reader : top.tables("case")) {
+        read_case(reader, suite);
+    }
+    if (top.has("also")) {
+        suite.also = top.texts("also");
+        for (const std::string& name : suite.also) {
+            if (std::ranges::find(also_names(), name) == also_names().end()) {
+                top.refuse("also", "unknown rows", scenes::allowed_names(name, also_names()));
+            }
+        }
+    }
+    if (suite.rows.empty() && suite.comparisons.empty() && suite.also.empty()) {
+        throw InputError({.what = "an empty suite",
+                          .where = path.string(),
+                          .value = "no [[case]]",
+                          .allowed = "at least one [[case]]"});
+    }
+    check_names(suite, path);
+    return suite;
+}
+
+} // namespace dsc::bench
