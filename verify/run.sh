@@ -135,7 +135,7 @@ if $quick; then
     with_release=false
 elif $all; then
     install_packages "${guide_packages[@]}" "${browser_packages[@]}" "${reader_packages[@]}" \
-        "${sweep_packages[@]}"
+        "${workflow_packages[@]}"
 fi
 if $with_sanitizers; then
     set_up tsan

@@ -11,11 +11,11 @@ build_packages=(cmake g++ ninja-build git libeigen3-dev libmetis-dev libboost-de
     python3-yaml)
 plot_packages=(python3 python3-matplotlib)
 # For the tests that only `verify/run.sh --all` needs: the reference pages, a browser for the page of
-# the report, programs that read frames, and the workflow engine of bench/sweep.sh.
+# the report, programs that read frames, and the workflow engine of bench/Snakefile.
 guide_packages=(doxygen)
 browser_packages=(chromium chromium-driver python3-selenium)
 reader_packages=(python3-vtk9 python3-meshio)
-sweep_packages=(snakemake)
+workflow_packages=(snakemake)
 # The sanitizer's own runtime is only recommended by clang-14, so it is named.
 tsan_packages=(clang-14 lld-14 libclang-rt-14-dev libomp-14-dev)
 

@@ -77,6 +77,13 @@ int run(int argc, char** argv) {
     const Suite suite = read_suite(suite_file(argc, argv));
     add_context();
     register_all(suite);
+    if (suite.has_results && suite.rows.empty() && suite.comparisons.empty() &&
+        suite.also.empty()) {
+        std::fputs(
+            "dsc_bench: nothing of this suite is timed; bench/Snakefile makes its results.\n",
+            stderr);
+        return 0;
+    }
     if (benchmark::RunSpecifiedBenchmarks() == 0) {
         std::fputs("dsc_bench: --benchmark_filter leaves no benchmark; --benchmark_list_tests "
                    "names all of them.\n",

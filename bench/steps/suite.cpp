@@ -27,15 +27,15 @@ using scenes::Strategy;
 using scenes::TableReader;
 
 constexpr std::array measure_names{
-    Named{Measure::run, "run"},
-    Named{Measure::step, "step"},
-    Named{Measure::model, "model"},
-    Named{Measure::option, "option"},
+    Named{Measure::run, "run"},       Named{Measure::step, "step"},
+    Named{Measure::model, "model"},   Named{Measure::option, "option"},
+    Named{Measure::result, "result"},
 };
 
 constexpr double own_area_error = 0.01; ///< unless a case says otherwise
 constexpr int most_threads = 1024;
 constexpr int most_submeshes = 65536;
+constexpr int most_seed = 1'000'000'000;
 
 /// A size of a case: its name in rows, and the edge length; 0: the scene's own.
 struct Size {
@@ -165,8 +165,9 @@ void check_strategy(const CaseReader& reader, Measure measure, Strategy strategy
 
 std::vector<Strategy> read_strategies(const CaseReader& reader, Measure measure) {
     if (!reader.has("strategies")) {
-        return measure == Measure::model ? std::vector{Strategy::cells}
-                                         : std::vector{Strategy::sequential, Strategy::cells};
+        return measure == Measure::model    ? std::vector{Strategy::cells}
+               : measure == Measure::result ? std::vector{Strategy::sequential}
+                                            : std::vector{Strategy::sequential, Strategy::cells};
     }
     std::vector<Strategy> strategies;
     for (const std::string& name : texts(reader, "strategies")) {
@@ -354,6 +355,24 @@ void add_comparison(const Case& c, const scenes::Scene& scene, scenes::Parameter
     suite.comparisons.push_back(std::move(comparison));
 }
 
+// What dsc_scene would refuse, before the first of many runs.
+void check_results(const Case& c, const Workload& workload) {
+    for (const char* key : {"threads", "submeshes"}) {
+        if (c.reader->has(key) && c.reader->is_text(key)) {
+            c.reader->refuse(key, "bad value", "whole numbers in measure = \"result\"");
+        }
+    }
+    scenes::Parameters parameters = workload.parameters;
+    parameters.dt = workload.dt_over_h ? *workload.dt_over_h * parameters.h : parameters.dt;
+    at_key(c.reader->of("scene"), "scene", [&] {
+        const scenes::Setup setup = workload.scene.prepare(parameters);
+        for (const Strategy strategy : c.strategies) {
+            scenes::check_usage(workload.scene, setup, parameters,
+                                Row{.strategy = strategy}.options(1));
+        }
+    });
+}
+
 void check_name(const CaseReader& reader, const std::string& name) {
     if (name.empty() || name.size() > 64 || !std::ranges::all_of(name, [](char ch) {
             return (ch >= 'a' && ch <= 'z') || (ch >= 'A' && ch <= 'Z') ||
@@ -399,6 +418,8 @@ std::vector<std::string> keys_of(Measure measure) {
     };
     if (measure == Measure::option) {
         add({"option", "same_mesh"});
+    } else if (measure == Measure::result) {
+        add({"strategies", "threads", "submeshes", "dt_over_h", "seeds"});
     } else {
         add({"strategies", "threads", "submeshes", "dt_over_h", "area_error"});
         add({measure == Measure::run ? "between_us" : "at"});
@@ -416,6 +437,10 @@ void read_rows(const CaseReader& reader, Suite& suite) {
     c.between_us = c.measure == Measure::run && reader.has("between_us")
                        ? integers(reader, "between_us", 0, 1'000'000)
                        : std::vector{0};
+    suite.has_results = suite.has_results || c.measure == Measure::result;
+    if (c.measure == Measure::result && reader.has("seeds")) {
+        (void)integers(reader, "seeds", 0, most_seed);
+    }
     const std::vector<std::string> scenes = texts(reader, "scene");
     const std::vector<std::string> names = read_names(reader, scenes.size());
     for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -434,6 +459,10 @@ void read_rows(const CaseReader& reader, Suite& suite) {
             workload.parameters.h = size.h > 0 ? size.h : workload.parameters.h;
             if (c.measure == Measure::option) {
                 add_comparison(c, scene, workload.parameters, suite);
+                continue;
+            }
+            if (c.measure == Measure::result) {
+                check_results(c, workload);
                 continue;
             }
             const auto start =
@@ -525,7 +554,8 @@ Suite read_suite(const std::filesystem::path& path) {
             }
         }
     }
-    if (suite.rows.empty() && suite.comparisons.empty() && suite.also.empty()) {
+    if (suite.rows.empty() && suite.comparisons.empty() && suite.also.empty() &&
+        !suite.has_results) {
         throw InputError({.what = "an empty suite",
                           .where = path.string(),
                           .value = "no [[case]]",

@@ -9,14 +9,15 @@
 //                                        # this file; or a list of scenes
 //     name = "mine"                      # rows are called NAME_MEASURE/...; a list: one for each
 //                                        # scene; unless given, the scene's own
-//     measure = "run"                    # or "step", "model", "option": see Measure
+//     measure = "run"                    # or "step", "model", "option", "result": see Measure
 //     h = [0.01, 0.005]                  # sizes: edge lengths; or triangles = [28000], about so
 //     many
 //                                        # in the unit square; or neither: the scene's own h
 //     set = { insertion = "linear" }     # keys of `dsc_scene run --set`
-//     strategies = ["sequential", "cells"]  # these unless given
+//     strategies = ["sequential", "cells"]  # these unless given; model: cells; result: sequential
 //     threads = [1, 2]                   # of the parallel ones; or "cores", which is 1, 2, 4, ...
 //                                        # and all cores of the machine, and holds unless given
+//                                        # (result: 1 does)
 //     submeshes = 8                      # or "threads" or "cores": as many as there are; else the
 //                                        # strategy's own number, and in a step at least one for
 //                                        # each thread
@@ -29,6 +30,7 @@
 //                                        # "half": those before a flow turns back; else the middle
 //     option = { topology = "change" }   # option: what is compared with the scene without it
 //     same_mesh = true                   # option: it must not change the mesh
+//     seeds = [1, 2, 3]                  # result: a run for each, with this `seed`
 //     rows = [{ measure = "step" }, ...] # the same keys; each is a case of its own with those
 //     above
 //
@@ -50,9 +52,10 @@ enum class Measure : std::uint8_t {
     step,   ///< a step of a scene that is under way, with warm threads
     model,  ///< the same, modelled for any number of threads from the times of tasks
     option, ///< what an option costs in a step
+    result, ///< whole runs that nobody times, for bench/Snakefile alone: each by dsc_scene
 };
 
-/// One row of the result; Measure::option has `Comparison` instead.
+/// One row of the result; Measure::option has `Comparison` instead, Measure::result none.
 struct Row {
     std::string name{};
     Measure measure = Measure::run;
@@ -79,6 +82,7 @@ struct Suite {
     std::vector<Row> rows;
     std::vector<Comparison> comparisons;
     std::vector<std::string> also; ///< of `also_names`
+    bool has_results = false;      ///< a case of Measure::result
 };
 
 /// What `also` may name.

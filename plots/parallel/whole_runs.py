@@ -34,17 +34,18 @@ def _panels(found):
     return dict(sorted(panels.items(), key=lambda item: (order.index(item[0][0]), item[0][1])))
 
 
-def _name(family, triangles, between_them=", "):
-    return f"{series.title(family)}{between_them}{style.size_label(triangles)} triangles"
+def _name(here, between_them=", "):
+    """Of the points of a panel."""
+    return f"{series.title(here[0].row.family)}{between_them}{here[0].row.size}"
 
 
 def plain(found):
     """What the most threads bring without other work, for the page."""
     words = []
-    for (family, triangles), here in _panels(found).items():
+    for here in _panels(found).values():
         most = max(p.n for p in here)
         first = min((p for p in here if p.n == most), key=lambda p: between(p.row))
-        words.append(f"{first.s:.2f} ({_name(family, triangles)})")
+        words.append(f"{first.s:.2f} ({_name(here)})")
     threads = style.counted(max(p.n for p in found), "thread")
     return f"Whole runs on {threads} are so many times as fast as sequential ones: " \
            + style.listing(words) + "."
@@ -53,10 +54,10 @@ def plain(found):
 def sentence(found):
     """The least and the most S(n) over all other work, and how long a run waits to begin."""
     parts = []
-    for (family, triangles), here in _panels(found).items():
+    for here in _panels(found).values():
         for n in sorted({p.n for p in here}):
             values = [p.s for p in here if p.n == n]
-            parts.append(f"{_name(family, triangles)}: S({n}) is {min(values):.2f} to "
+            parts.append(f"{_name(here)}: S({n}) is {min(values):.2f} to "
                          f"{max(values):.2f}")
     begins = [p.row.measurement.counter("construction_us") for p in found]
     return ("; ".join(parts) + ". A simulation is constructed in "
@@ -84,9 +85,9 @@ def _plot(axes, here, places):
 def _picture(found, context):
     panels = _panels(found)
     fig, grid = style.figure(max(7.2, 0.5 + 2.7 * len(panels)), 4.2, 1, len(panels), sharey=True)
-    for axes, ((family, triangles), here) in zip(grid[0], panels.items()):
+    for axes, here in zip(grid[0], panels.values()):
         _plot(axes, here, sorted({between(p.row) for p in here}))
-        axes.set_title(_name(family, triangles, ",\n"), fontsize=9)
+        axes.set_title(_name(here, ",\n"), fontsize=9)
     grid[0][0].set_ylim(0, 1.1 * max(p.high for p in found))
     grid[0][0].set_ylabel("speed-up  $S(n) = t_s\\,/\\,t_n$")
     colour = style.look("cells")[0]
@@ -106,9 +107,9 @@ def _picture(found, context):
 
 
 def _table(found):
-    header = ["scene", "triangles", "other work", "threads", "t_s a step", "t_n a step", "S(n)",
+    header = ["scene", "size", "other work", "threads", "t_s a step", "t_n a step", "S(n)",
               "S(n) from – to", "construction", "first step", ""]
-    rows = [[series.title(p.row.family), style.whole(p.row.triangles),
+    rows = [[series.title(p.row.family), p.row.size,
              style.duration(between(p.row)) if between(p.row) else "none", str(p.n),
              style.duration(p.base.median), style.duration(p.row.median), f"{p.s:.2f}",
              f"{p.low:.2f} – {p.high:.2f}",
