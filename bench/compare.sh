@@ -11,8 +11,8 @@ usage: bench/compare.sh BASE [FILTER] [--pairs N] [--minutes M] [--native] [--no
   BASE         a commit, tag or branch; built in a git worktree of its own in build/compare/base
   FILTER       a regular expression for the runs: swirl, single-vortex, zalesak, drop-and-pool,
                growing-circle
-  --pairs N, --minutes M   each run is made by both until it is decided, so often and so long at most
-               (default 300, 10)
+  --pairs N, --minutes M   runs pairs (base, change) until the ratio is known to the precision below: at most
+               N pairs (default 300), M minutes (default 10)
   --native     tuned for this processor, as the preset release is; valgrind may not know it then
   --no-times   counts alone, which a busy machine does not disturb; --no-counts: times alone
   --growth     in place of all that: how the instructions of a step of the working tree grow from 28
@@ -22,11 +22,10 @@ Both are built by the preset release, but for any processor, and run on one thre
 in time, 2 % in the instructions of steps and one allocation a step (the latter two where valgrind is
 installed); slower is more than half of each. The figure for time is the median of the ratios of pairs;
 pairs are run until its interval of 99.99 % is no wider than 5 % or lies on one side of the limit
-(bench/compare/judgement.py says why). The ratio of the medians is told beside it.
+(bench/compare/judgement.py says why).
 Leaves build/compare/base.json and new.json, which Google Benchmark's compare.py reads as well,
 compare.json with the table, and the worktree, for the next time; `git worktree remove --force
-build/compare/base` removes it. bench/compare/trials.py tries the comparison on steps that are slower by
-known amounts, and on unchanged code.
+build/compare/base` removes it.
 Exit code: 0 not slower, 1 slower or growing with the mesh, 2 bad usage or nothing was measured,
 3 undecided: an interval across the limit stayed too wide.
 USAGE

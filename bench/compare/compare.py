@@ -51,15 +51,12 @@ def judge_times(found):
     for workload, pairs in sorted(found.items()):
         for figure, times in sorted(pairs.times.items()):
             ratio = judgement.median_ratio(times)
-            medians = judgement.ratio_of_medians(times)
             name = f"{workload}/{figure}"
-            columns = (f"{ratio.value:6.3f}  {ratio.low:.3f} to {ratio.high:<6.3f} {len(times):5}   "
-                       f"{medians.value:6.3f}  {medians.low:.3f} to {medians.high:.3f}")
+            columns = f"{ratio.value:6.3f}  {ratio.low:.3f} to {ratio.high:<6.3f} {len(times):5}"
             yield (told(name, columns, ratio.verdict),
                    {"name": name, "pairs": len(times), "verdict": ratio.verdict.value,
                     "value": ratio.value, "low": ratio.low,
-                    "high": ratio.high if ratio.low > 0 else None,
-                    "ratio_of_medians": [medians.value, medians.low, medians.high]})
+                    "high": ratio.high if ratio.low > 0 else None})
 
 
 def parse_arguments():
@@ -152,8 +149,7 @@ def main():
     if not arguments.no_times:
         found = measure(programs, arguments)
         print(f"times, new / base: median of the pairs' ratios and its interval "
-              f"({100 * judgement.CONFIDENCE:g} %), pairs, ratio of the medians and its interval "
-              "(99.9 %, bootstrap)")
+              f"({100 * judgement.CONFIDENCE:g} %), pairs")
         show(judge_times(found))
     if not rows:
         print("nothing was measured", file=sys.stderr)

@@ -27,7 +27,6 @@ caught is 2 % and one allocation a step, and the limits are again in the middle.
 import enum
 import functools
 import math
-import random
 import statistics
 from dataclasses import dataclass
 
@@ -36,7 +35,6 @@ TIME_LIMIT = 1.025
 INSTRUCTIONS_LIMIT = 1.01
 ALLOCATIONS_LIMIT = 0.5  # more of them in a step
 CONFIDENCE = 0.9999  # many figures are judged at once
-RESAMPLES = 2000
 FEWEST_PAIRS = 5
 
 
@@ -98,21 +96,6 @@ def median_ratio(pairs, confidence=CONFIDENCE):
     rank = rank_of_bounds(len(ratios), confidence)
     low, high = (0.0, math.inf) if rank is None else (ratios[rank], ratios[-1 - rank])
     return Ratio(statistics.median(ratios), low, high)
-
-
-def ratio_of_medians(pairs, confidence=0.999, resamples=RESAMPLES, seed=1):
-    """Told beside it: the median of all new times over that of the base's, with a percentile bootstrap of
-    pairs from a fixed seed. The load of a busy machine does not leave this figure."""
-    check(pairs)
-
-    def ratio(some):
-        return (statistics.median(new for _, new in some)
-                / statistics.median(base for base, _ in some))
-
-    source = random.Random(seed)
-    drawn = sorted(ratio(source.choices(pairs, k=len(pairs))) for _ in range(resamples))
-    tail = int((1 - confidence) / 2 * resamples)
-    return Ratio(ratio(pairs), drawn[tail], drawn[-1 - tail])
 
 
 @dataclass(frozen=True)

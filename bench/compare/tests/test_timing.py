@@ -63,14 +63,6 @@ class Coverage(unittest.TestCase):
                         self.assertGreater(held, confidence - 3 * (0.1 * 0.9 / 600) ** 0.5)
                         self.assertLess(held, confidence + (1 - confidence) * 0.9 + 0.02)
 
-    def test_so_does_that_of_the_ratio_of_medians(self):
-        source = random.Random(60)
-        held = 0
-        for _ in range(100):
-            ratio = judgement.ratio_of_medians(so_many_pairs(source, 60, 1.05), 0.95, resamples=300)
-            held += ratio.low <= 1.05 <= ratio.high
-        self.assertGreaterEqual(held, 90)
-
     def test_the_rank_is_that_of_the_sign_test(self):
         """At most 3 heads or 3 tails of 15 tosses have a chance of 3.5 %, 4 of 11.8 %."""
         self.assertEqual(judgement.rank_of_bounds(15, 0.95), 3)
