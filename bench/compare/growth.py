@@ -15,10 +15,12 @@ import dataclasses
 import json
 import math
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
 
+import benchmark_json
 import callgrind
 from workloads import STEP
 
@@ -55,10 +57,7 @@ def fit(points):
     if len({x for x, _ in points}) < 2 or any(x <= 0 or y <= 0 for x, y in points):
         raise ValueError(f"no exponent can be fitted to {points}")
     logs = sorted((math.log(x), math.log(y)) for x, y in points)
-    mean_x = sum(x for x, _ in logs) / len(logs)
-    mean_y = sum(y for _, y in logs) / len(logs)
-    slope = (sum((x - mean_x) * (y - mean_y) for x, y in logs)
-             / sum((x - mean_x) ** 2 for x, _ in logs))
+    slope = statistics.linear_regression(*zip(*logs)).slope
     between = [(b[1] - a[1]) / (b[0] - a[0]) for a, b in zip(logs, logs[1:]) if b[0] > a[0]]
     return Fit(slope, min(between), max(between))
 
@@ -109,11 +108,7 @@ def write(path, rows):
                                      for row in rows],
             "of_step": dataclasses.asdict(of_step(rows)),
             "of_vertex": {**dataclasses.asdict(of_vertex(rows)), "limit": MOST}}
-    part = path + ".part"
-    with open(part, "w", encoding="utf-8") as stream:
-        json.dump(data, stream, indent=1)
-        stream.write("\n")
-    os.replace(part, path)
+    benchmark_json.replace(path, data)
 
 
 def main(argv):

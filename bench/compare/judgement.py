@@ -4,11 +4,9 @@
 Times. Both programs run in pairs, one right after the other and in an order drawn anew for each pair. The
 figure is the median of the pairs' ratios, new over base. Where neighbours make a machine busy, the load
 changes over seconds and minutes: it meets both of a pair and leaves their ratio, whereas medians or
-quartiles of each program by itself wander with it. One program against itself, 143 pairs at a load of 7 to 9
-on two cores, in blocks of 20: the median of ratios had a standard deviation of 0.4 to 1.7 % (0.8 in the
-middle of 18 figures), the ratio of lower quartiles 0.6 to 2.4 %, the mean of ratios 0.9 to 2.3 %, and the
-ratio of medians 1.2 to 6.3 %. CPU time was as good as the median step; the wall time of whole runs had two
-to three times as much noise, and is left out.
+quartiles of each program by itself wander with it. One program against itself, in blocks of 20 pairs at a
+load of 7 to 9 on two cores: the median of ratios had a standard deviation of 0.4 to 1.7 %, the ratio of
+medians 1.2 to 6.3 %. The wall time of whole runs had two to three times as much noise, and is left out.
 
 The interval of that median lies between two order statistics, as in the sign test: with n independent
 ratios, each above their median by the toss of a coin, it takes the k-th from both ends where so few tosses

@@ -75,13 +75,9 @@ void measure_formula(benchmark::State& state, const scenes::FormulaTexts& texts)
 
 void register_flows() {
     const auto add = [](const char* name, const scenes::FormulaTexts& texts) {
-        benchmark::RegisterBenchmark(
-            name,
-            [texts](benchmark::State& state) {
-                guarded(state, [&](benchmark::State& one) { measure_formula(one, texts); });
-            })
-            ->UseManualTime()
-            ->Unit(benchmark::kMicrosecond);
+        add_row(name, [texts](benchmark::State& state) {
+            measure_formula(state, texts);
+        })->Unit(benchmark::kMicrosecond);
     };
     add("flow/swirl_by_products", {.u = "2 * sin(pi*x)^2 * sin(pi*y) * cos(pi*y)",
                                    .v = "-2 * sin(pi*y)^2 * sin(pi*x) * cos(pi*x)"});

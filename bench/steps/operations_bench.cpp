@@ -285,9 +285,7 @@ std::uint64_t gather_all(const Complex<double>& complex) {
 
 template <class Body>
 void add(const std::string& name, Body body) {
-    benchmark::RegisterBenchmark((name + "/triangles:" + std::to_string(ground_triangles)).c_str(),
-                                 [body](benchmark::State& state) { guarded(state, body); })
-        ->UseManualTime()
+    add_row(name + "/triangles:" + std::to_string(ground_triangles), body)
         ->Unit(benchmark::kMicrosecond);
 }
 

@@ -108,14 +108,8 @@ void measure(benchmark::State& state, const Comparison& c) {
 } // namespace
 
 void register_comparison(const Comparison& comparison) {
-    benchmark::RegisterBenchmark(
-        comparison.name.c_str(),
-        [comparison](benchmark::State& state) {
-            guarded(state, [&](benchmark::State& one) { measure(one, comparison); });
-        })
-        ->UseManualTime()
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
+    add_long_row(comparison.name,
+                 [comparison](benchmark::State& state) { measure(state, comparison); });
 }
 
 } // namespace dsc::bench

@@ -27,4 +27,18 @@ void guarded(benchmark::State& state, Body body) {
     }
 }
 
+/// A row that measures its own time; what its body throws is a refusal.
+template <class Body>
+benchmark::internal::Benchmark* add_row(const std::string& name, Body body) {
+    return benchmark::RegisterBenchmark(name.c_str(),
+                                        [body](benchmark::State& state) { guarded(state, body); })
+        ->UseManualTime();
+}
+
+/// The same for a row that does all in one iteration of some milliseconds.
+template <class Body>
+void add_long_row(const std::string& name, Body body) {
+    add_row(name, body)->Iterations(1)->Unit(benchmark::kMillisecond);
+}
+
 } // namespace dsc::bench

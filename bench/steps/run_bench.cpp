@@ -15,9 +15,6 @@
 #include <benchmark/benchmark.h>
 
 #include <chrono>
-#include <cmath>
-#include <map>
-#include <tuple>
 
 namespace dsc::bench {
 
@@ -67,26 +64,17 @@ WholeRun run_whole(const Start& start, Complex<double>& complex, const scenes::R
     return run;
 }
 
-// The result of a strategy, computed once on one thread, checked and kept: it is the run that is
-// not timed, and every measurement must give the same bits.
-const Answer& run_answer_of(const Row& row) {
-    using Key = std::tuple<const Start*, scenes::Strategy, std::uint32_t>;
-    static std::map<Key, Answer> answers;
+// On one thread: it is the run that is not timed.
+Answer run_once(const Row& row) {
     const Start& start = *row.start;
-    const Key key{&start, row.strategy, row.submeshes};
-    if (const auto known = answers.find(key); known != answers.end()) {
-        return known->second;
-    }
     Complex<double> complex = start.complex;
     const WholeRun run = run_whole(start, complex, row.options(1), 0);
-    return answers
-        .emplace(key, check_answer(start, complex, run.steps, run.steps.steps, start.area_limit))
-        .first->second;
+    return check_answer(start, complex, run.steps, run.steps.steps, start.area_limit);
 }
 
 void measure_run(benchmark::State& state, const Row& row) {
     const Start& start = *row.start;
-    const Answer& expected = run_answer_of(row);
+    const Answer& expected = answer_of(row, [&] { return run_once(row); });
     for (auto _ : state) {
         Complex<double> complex = start.complex;
         const double load = other_load();
@@ -95,35 +83,19 @@ void measure_run(benchmark::State& state, const Row& row) {
             throw InvariantError("the mesh is not that of a run with one thread");
         }
         state.SetIterationTime(run.steps_s);
-        auto& counters = state.counters;
-        counters["us_per_step"] = run.steps_s * 1e6 / run.steps.steps;
-        counters["construction_us"] = run.construction_s * 1e6;
-        counters["first_step_us"] = run.first_step_s * 1e6;
-        counters["us_per_vertex_step"] = run.steps_s * 1e6 / run.steps.vertex_steps;
-        counters["interface_vertices"] = run.steps.vertex_steps / run.steps.steps;
-        counters["triangles"] = static_cast<double>(expected.triangles);
-        counters["min_quality"] = expected.min_quality;
-        if (!std::isnan(expected.area_error_rel)) {
-            counters["area_error_rel"] = expected.area_error_rel;
-        }
-        counters["load"] = load;
-        counters["oversubscribed"] = row.threads > core_count() ? 1 : 0;
+        count(state, row, run.steps, run.steps_s, expected, load);
+        state.counters["construction_us"] = run.construction_s * 1e6;
+        state.counters["first_step_us"] = run.first_step_s * 1e6;
     }
 }
 
 } // namespace
 
 void register_run(const Row& row) {
-    benchmark::RegisterBenchmark(row.name.c_str(),
-                                 [row](benchmark::State& state) {
-                                     guarded(state, [&row](benchmark::State& s) {
-                                         make_ready(*row.start);
-                                         measure_run(s, row);
-                                     });
-                                 })
-        ->UseManualTime()
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
+    add_long_row(row.name, [row](benchmark::State& state) {
+        make_ready(*row.start);
+        measure_run(state, row);
+    });
 }
 
 } // namespace dsc::bench

@@ -16,7 +16,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
 #include <tuple>
@@ -40,21 +39,15 @@ Complex<double> copy_with_room(const Complex<double>& complex) {
     return copy;
 }
 
-/// The result of a strategy, computed once on one thread, checked and kept: every measurement must
-/// give the same bits.
-const Answer& answer_of(const Row& row) {
-    using Key = std::tuple<const Start*, Strategy, std::uint32_t>;
-    static std::map<Key, Answer> answers;
-    const Start& start = *row.start;
-    const Key key{&start, row.strategy, row.submeshes};
-    if (const auto known = answers.find(key); known != answers.end()) {
-        return known->second;
-    }
-    Complex<double> complex = copy_with_room(start.complex);
-    const StepRun run = run_steps(start, complex, row.options(1));
-    const Answer answer = check_answer(start, complex, run,
-                                       start.step + warm_up_steps + timed_steps, start.area_limit);
-    return answers.emplace(key, answer).first->second;
+/// The mesh after the steps of a row, on one thread: every measurement must give the same bits.
+const Answer& answer_of_steps(const Row& row) {
+    return answer_of(row, [&row] {
+        const Start& start = *row.start;
+        Complex<double> complex = copy_with_room(start.complex);
+        const StepRun run = run_steps(start, complex, row.options(1));
+        return check_answer(start, complex, run, start.step + warm_up_steps + timed_steps,
+                            start.area_limit);
+    });
 }
 
 /// Times so far of the literal method, for the ratio: empty where it has not run.
@@ -70,24 +63,13 @@ double median(std::vector<double> values) {
 
 void report(benchmark::State& state, const Row& row, const StepRun& run, const Answer& answer,
             double load) {
-    const double us = run.wall_s * 1e6;
-    auto& counters = state.counters;
-    counters["us_per_step"] = us / run.steps;
-    counters["cpu_us_per_step"] = run.cpu_s * 1e6 / run.steps;
-    counters["us_per_vertex_step"] = us / run.vertex_steps;
-    counters["interface_vertices"] = run.vertex_steps / run.steps;
-    counters["triangles"] = static_cast<double>(answer.triangles);
-    counters["min_quality"] = answer.min_quality;
-    if (!std::isnan(answer.area_error_rel)) {
-        counters["area_error_rel"] = answer.area_error_rel;
-    }
-    counters["load"] = load;
-    counters["oversubscribed"] = row.threads > core_count() ? 1 : 0;
+    count(state, row, run, run.wall_s, answer, load);
+    state.counters["cpu_us_per_step"] = run.cpu_s * 1e6 / run.steps;
 }
 
 void measure(benchmark::State& state, const Row& row) {
     const Start& start = *row.start;
-    const Answer& expected = answer_of(row);
+    const Answer& expected = answer_of_steps(row);
     for (auto _ : state) {
         Complex<double> complex = copy_with_room(start.complex);
         const double load = other_load();
@@ -122,7 +104,7 @@ const ModelRun& account_of(const Row& row, std::uint32_t threads) {
     for (int i = 0; i < runs; ++i) {
         Complex<double> complex = copy_with_room(start.complex);
         take_least(account, profile_steps(start, complex, row.options(threads)));
-        if (mesh_hash(complex) != answer_of(row).hash) {
+        if (mesh_hash(complex) != answer_of_steps(row).hash) {
             throw InvariantError("the mesh is not that of a run without an account of times");
         }
     }
@@ -204,22 +186,16 @@ void measure_reference(benchmark::State& state, const Row& row) {
 } // namespace
 
 void register_step(const Row& row) {
-    benchmark::RegisterBenchmark(row.name.c_str(),
-                                 [row](benchmark::State& state) {
-                                     guarded(state, [&row](benchmark::State& s) {
-                                         make_ready(*row.start);
-                                         if (row.measure == Measure::model) {
-                                             measure_model(s, row);
-                                         } else if (row.strategy == Strategy::reference) {
-                                             measure_reference(s, row);
-                                         } else {
-                                             measure(s, row);
-                                         }
-                                     });
-                                 })
-        ->UseManualTime()
-        ->Iterations(1)
-        ->Unit(benchmark::kMillisecond);
+    add_long_row(row.name, [row](benchmark::State& state) {
+        make_ready(*row.start);
+        if (row.measure == Measure::model) {
+            measure_model(state, row);
+        } else if (row.strategy == Strategy::reference) {
+            measure_reference(state, row);
+        } else {
+            measure(state, row);
+        }
+    });
 }
 
 } // namespace dsc::bench

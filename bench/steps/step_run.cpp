@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "step_run.h"
 
+#include "context.h"
+
 #include "dsc/base/error.h"
 #include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
@@ -15,8 +17,10 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace dsc::bench {
@@ -159,6 +163,29 @@ Answer check_answer(const Start& start, const Complex<double>& complex, const St
                              " of the exact one, where " + std::to_string(limit) + " is allowed");
     }
     return answer;
+}
+
+const Answer& answer_of(const Row& row, const std::function<Answer()>& compute) {
+    using Key = std::tuple<const Start*, scenes::Strategy, std::uint32_t>;
+    static std::map<Key, Answer> answers;
+    const Key key{row.start.get(), row.strategy, row.submeshes};
+    const auto known = answers.find(key);
+    return known != answers.end() ? known->second : answers.emplace(key, compute()).first->second;
+}
+
+void count(benchmark::State& state, const Row& row, const StepRun& run, double seconds,
+           const Answer& answer, double load) {
+    auto& counters = state.counters;
+    counters["us_per_step"] = seconds * 1e6 / run.steps;
+    counters["us_per_vertex_step"] = seconds * 1e6 / run.vertex_steps;
+    counters["interface_vertices"] = run.vertex_steps / run.steps;
+    counters["triangles"] = static_cast<double>(answer.triangles);
+    counters["min_quality"] = answer.min_quality;
+    if (!std::isnan(answer.area_error_rel)) {
+        counters["area_error_rel"] = answer.area_error_rel;
+    }
+    counters["load"] = load;
+    counters["oversubscribed"] = row.threads > core_count() ? 1 : 0;
 }
 
 } // namespace dsc::bench

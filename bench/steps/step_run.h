@@ -6,9 +6,12 @@
 #include "model.h"
 #include "reference/algorithm/dsc.h"
 #include "scenes/run/run.h"
-#include "starts.h"
+#include "suite.h"
+
+#include <benchmark/benchmark.h>
 
 #include <cstdint>
+#include <functional>
 
 namespace dsc::bench {
 
@@ -44,5 +47,13 @@ struct Answer {
 /// vertex did not arrive or the area is further than `area_limit` from the exact one.
 Answer check_answer(const Start& start, const Complex<double>& complex, const StepRun& run,
                     int step, double area_limit);
+
+/// The result of a row's strategy: computed on the first call, and kept for all rows that must have
+/// the same bits.
+const Answer& answer_of(const Row& row, const std::function<Answer()>& compute);
+
+/// The counters that all measured rows have. `seconds`: of all steps of the run.
+void count(benchmark::State& state, const Row& row, const StepRun& run, double seconds,
+           const Answer& answer, double load);
 
 } // namespace dsc::bench

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "suite.h"
 
+#include "case_reader.h"
 #include "context.h"
 
 #include "dsc/base/enum_table.h"
 #include "dsc/base/error.h"
-#include "scenes/catalogue/catalogue.h"
 #include "scenes/digits.h"
 #include "scenes/file/nearest.h"
-#include "scenes/file/scene_file.h"
-#include "scenes/file/table_reader.h"
 #include "scenes/file/text_file.h"
 #include "scenes/run/usage.h"
 
@@ -43,34 +41,6 @@ struct Size {
     double h = 0;
 };
 
-/// A [[case]] and one of its `rows`, whose keys win over those of the case.
-class CaseReader {
-public:
-    CaseReader(const TableReader& whole, const TableReader* row) : whole_(&whole), row_(row) {}
-
-    [[nodiscard]] bool has(const std::string& key) const {
-        return whole_->has(key) || (row_ != nullptr && row_->has(key));
-    }
-    /// The table in which the key stands, or that of the row where it stands in neither.
-    [[nodiscard]] const TableReader& of(const std::string& key) const {
-        const bool is_of_row = row_ != nullptr && (row_->has(key) || !whole_->has(key));
-        return is_of_row ? *row_ : *whole_;
-    }
-    [[nodiscard]] bool is_text(const std::string& key) const { return of(key).is_text(key); }
-    [[nodiscard]] bool is_text(const std::string& key, const std::string& text) const {
-        return is_text(key) && of(key).text(key) == text;
-    }
-    [[nodiscard]] std::string where(const std::string& key) const { return of(key).where(key); }
-    [[noreturn]] void refuse(const std::string& key, const std::string& what,
-                             const std::string& allowed) const {
-        of(key).refuse(of(key).has(key) ? key : "", what, allowed);
-    }
-
-private:
-    const TableReader* whole_;
-    const TableReader* row_;
-};
-
 /// The keys of a case that do not depend on its scenes.
 struct Case {
     const CaseReader* reader = nullptr;
@@ -81,50 +51,6 @@ struct Case {
     std::vector<std::uint32_t> threads{};
     std::vector<int> between_us{};
 };
-
-// Calls `what`, which may refuse what stands under a key of the suite: the error names that place.
-template <class What>
-auto at_key(const TableReader& reader, const std::string& key, What what) {
-    try {
-        return what();
-    } catch (const InputError& error) {
-        throw InputError({.what = error.problem(),
-                          .where = reader.where(key),
-                          .value = error.value(),
-                          .allowed = error.allowed()});
-    }
-}
-
-// A list, or a single value that stands for a list of one.
-std::vector<std::string> texts(const CaseReader& reader, const std::string& key) {
-    const TableReader& table = reader.of(key);
-    auto list = reader.is_text(key) ? std::vector{table.text(key)} : table.texts(key);
-    if (list.empty()) {
-        reader.refuse(key, "an empty list", "at least one");
-    }
-    return list;
-}
-
-std::vector<int> integers(const CaseReader& reader, const std::string& key, int low, int high) {
-    const TableReader& table = reader.of(key);
-    auto list = table.is_list(key) ? table.integers(key, low, high)
-                                   : std::vector{table.integer(key, low, high)};
-    if (list.empty()) {
-        reader.refuse(key, "an empty list", "at least one");
-    }
-    return list;
-}
-
-std::vector<double> numbers(const CaseReader& reader, const std::string& key,
-                            scenes::Bounds bounds) {
-    const TableReader& table = reader.of(key);
-    auto list =
-        table.is_list(key) ? table.numbers(key, bounds) : std::vector{table.number(key, bounds)};
-    if (list.empty()) {
-        reader.refuse(key, "an empty list", "at least one");
-    }
-    return list;
-}
 
 std::vector<Size> read_sizes(const CaseReader& reader) {
     std::vector<Size> sizes;
@@ -148,18 +74,18 @@ std::vector<Size> read_sizes(const CaseReader& reader) {
 }
 
 void check_strategy(const CaseReader& reader, Measure measure, Strategy strategy) {
-    const bool is_good =
-        measure == Measure::step || (measure == Measure::run && strategy != Strategy::reference) ||
-        (measure == Measure::model && scenes::is_parallel(strategy) && strategy != Strategy::copy);
-    if (!is_good) {
-        throw InputError({.what = "this strategy cannot be measured so",
-                          .where = reader.where("strategies"),
-                          .value = "'" + scenes::to_string(strategy) + "' in measure = \"" +
-                                   std::string(name_in(measure_names, measure)) + '"',
-                          .allowed = measure == Measure::run
-                                         ? "any but reference, which measure = \"step\" takes"
-                                         : "those that divide the mesh in place: fixed, counting, "
-                                           "active, blocks, cells"});
+    const auto refuse = [&](const char* allowed) {
+        reader.refuse("strategies",
+                      "measure = \"" + std::string(name_in(measure_names, measure)) +
+                          "\" does not take " + scenes::to_string(strategy),
+                      allowed);
+    };
+    if (measure == Measure::run && strategy == Strategy::reference) {
+        refuse("any other, or measure = \"step\"");
+    }
+    if (measure == Measure::model &&
+        (!scenes::is_parallel(strategy) || strategy == Strategy::copy)) {
+        refuse("those that divide the mesh in place: fixed, counting, active, blocks, cells");
     }
 }
 
@@ -210,43 +136,6 @@ std::uint32_t submeshes_of(const Case& c, Strategy strategy, std::uint32_t threa
     }
     return static_cast<std::uint32_t>(
         reader.of("submeshes").integer("submeshes", 1, most_submeshes));
-}
-
-scenes::Scene read_scene(const TableReader& reader, const std::string& name) {
-    return at_key(reader, "scene", [&] {
-        if (!scenes::is_scene_file(name)) {
-            return scenes::find_scene(name);
-        }
-        const auto path = reader.file().parent_path() / name;
-        try {
-            return scenes::read_scene_file(path).scene;
-        } catch (const FileError& error) {
-            throw InputError({.what = error.what(),
-                              .where = "scene",
-                              .value = "'" + name + "'",
-                              .allowed = "a scene file whose path begins at the suite"});
-        } catch (const InputError& error) { // the place in the scene file says more
-            throw InputError({.what = error.where() + ": " + error.problem(),
-                              .where = "scene",
-                              .value = error.value(),
-                              .allowed = error.allowed()});
-        }
-    });
-}
-
-void read_settings(const CaseReader& reader, const std::string& key, const scenes::Scene& scene,
-                   scenes::Parameters& parameters) {
-    if (!reader.has(key)) {
-        return;
-    }
-    const TableReader table = reader.of(key).table(key);
-    for (const std::string& name : table.keys()) {
-        if (name == "h") {
-            table.refuse(name, "a size among settings", "h = [...] in the [[case]] itself");
-        }
-        at_key(table, name,
-               [&] { scenes::set_parameter(parameters, scene.keys, name, table.setting(name)); });
-    }
 }
 
 std::optional<double> read_area_error(const CaseReader& reader) {
@@ -444,7 +333,7 @@ void read_rows(const CaseReader& reader, Suite& suite) {
     const std::vector<std::string> scenes = texts(reader, "scene");
     const std::vector<std::string> names = read_names(reader, scenes.size());
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const scenes::Scene scene = read_scene(reader.of("scene"), scenes[i]);
+        const scenes::Scene scene = read_scene(reader, scenes[i]);
         c.name = names[i].empty() ? scene.name : names[i];
         Workload workload{.scene = scene, .parameters = scene.defaults};
         read_settings(reader, "set", scene, workload.parameters);

@@ -11,6 +11,7 @@ import tempfile
 import unittest
 
 import over_time
+import speedup
 
 from tests.samples import (PLOTS, VTU, Case, bench, faults, hard_cases, mutants, scene, verify)
 from tests.test_over_time import RESULT, SERIES
@@ -75,7 +76,9 @@ class Report(Case):
                 self.assert_refused(["--published", os.path.dirname(path)], "peers.json")
 
 
-class OverTime(unittest.TestCase):
+class OneFile(unittest.TestCase):
+    """Programs that draw one picture of a file."""
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -87,14 +90,14 @@ class OverTime(unittest.TestCase):
             stream.write(data)
         return path
 
-    def assert_refused(self, name, *words):
+    def assert_refused(self, name, *words, program=over_time):
         errors = io.StringIO()
         out = os.path.join(self.folder, "picture.png")
         with contextlib.redirect_stderr(errors):
-            status = over_time.main([*words, "--out", out])
+            status = program.main([*words, "--out", out])
         self.assertEqual(status, 2, errors.getvalue())
         self.assertEqual(errors.getvalue().count("\n"), 1, errors.getvalue())
-        self.assertTrue(errors.getvalue().startswith("over_time.py: "), errors.getvalue())
+        self.assertTrue(errors.getvalue().startswith(f"{program.__name__}.py: "), errors.getvalue())
         self.assertIn(name, errors.getvalue())
         self.assertFalse(os.path.exists(out))
 
@@ -112,6 +115,12 @@ class OverTime(unittest.TestCase):
         for kind, data in {**FOREIGN, "cut": whole[:-1]}.items():
             with self.subTest(kind=kind):
                 self.assert_refused("r.json", series, "--json", self.write("r.json", data))
+
+    def test_benchmarks(self):
+        whole = json.dumps(bench()).encode()
+        for kind, data in {**FOREIGN, "cut": whole[:-1]}.items():
+            with self.subTest(kind=kind):
+                self.assert_refused("b.json", self.write("b.json", data), program=speedup)
 
 
 class Gallery(unittest.TestCase):
