@@ -7,7 +7,6 @@ set -euo pipefail
 usage() {
     cat <<'USAGE'
 usage: bench/compare.sh BASE [FILTER] [--pairs N] [--minutes M] [--native] [--no-times] [--no-counts]
-       bench/compare.sh --growth
   BASE         a commit, tag or branch; built in a git worktree of its own in build/compare/base
   FILTER       a regular expression for the runs: swirl, single-vortex, zalesak, drop-and-pool,
                growing-circle
@@ -15,9 +14,6 @@ usage: bench/compare.sh BASE [FILTER] [--pairs N] [--minutes M] [--native] [--no
                N pairs (default 300), M minutes (default 10)
   --native     tuned for this processor, as the preset release is; valgrind may not know it then
   --no-times   counts alone, which a busy machine does not disturb; --no-counts: times alone
-  --growth     in place of all that: how the instructions of a step of the working tree grow from 28
-               thousand to 2.8 million triangles, which is held to a limit (bench/compare/growth.py says
-               which); build/compare/growth.json; takes ten minutes and 3 GB
 Both are built by the preset release, but for any processor, and run on one thread. To be caught are 5 %
 in time, 2 % in the instructions of steps and one allocation a step (the latter two where valgrind is
 installed); slower is more than half of each. The figure for time is the median of the ratios of pairs;
@@ -26,7 +22,7 @@ pairs are run until its interval of 99.99 % is no wider than 5 % or lies on one 
 Leaves build/compare/base.json and new.json, which Google Benchmark's compare.py reads as well,
 compare.json with the table, and the worktree, for the next time; `git worktree remove --force
 build/compare/base` removes it.
-Exit code: 0 not slower, 1 slower or growing with the mesh, 2 bad usage or nothing was measured,
+Exit code: 0 not slower, 1 slower, 2 bad usage or nothing was measured,
 3 undecided: an interval across the limit stayed too wide.
 USAGE
 }
@@ -34,13 +30,11 @@ USAGE
 base=
 filter=
 native=OFF
-growth=false
 options=()
 while [[ $# -gt 0 ]]; do
     case $1 in
         -h | --help) usage; exit 0 ;;
         --native) native=ON ;;
-        --growth) growth=true ;;
         --no-times | --no-counts) options+=("$1") ;;
         --pairs | --minutes)
             options+=("$1" "${2:?$1: how many?}")
@@ -60,12 +54,7 @@ while [[ $# -gt 0 ]]; do
     esac
     shift
 done
-if $growth; then
-    if [[ -n $base || $native == ON || ${#options[@]} -gt 0 ]]; then
-        usage >&2
-        exit 2
-    fi
-elif [[ -z $base ]]; then
+if [[ -z $base ]]; then
     usage >&2
     exit 2
 fi
@@ -86,11 +75,6 @@ build() {
         quietly cmake --build "$2" --parallel "$jobs" --target dsc_scene ||
         give_up "$1 could not be built"
 }
-
-if $growth; then
-    build . "$project_root/$folder/of_new"
-    exec python3 bench/compare/growth.py --program "$folder/of_new/$program" --out "$folder/growth.json"
-fi
 
 commit=$(git rev-parse --verify --quiet "$base^{commit}") ||
     give_up "no such commit: got '$base'; allowed: a commit, tag or branch of this repository"
