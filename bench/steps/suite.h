@@ -1,38 +1,33 @@
 // SPDX-License-Identifier: MIT
 // A suite: what dsc_bench measures, read from a TOML file. bench/suites has ours.
 //
-//     also = ["operation", "kernel", "flow"]   # rows that need no scene; see suites.h
+//     also = ["operation", "kernel", "flow"]  # rows that need no scene; see suites.h
 //
 //     [[case]]
-//     scene = "swirl"                    # of `dsc_scene list`, or a scene file, whose path begins
-//     at
-//                                        # this file; or a list of scenes
-//     name = "mine"                      # rows are called NAME_MEASURE/...; a list: one for each
-//                                        # scene; unless given, the scene's own
-//     measure = "run"                    # or "step", "model", "option", "result": see Measure
-//     h = [0.01, 0.005]                  # sizes: edge lengths; or triangles = [28000], about so
-//     many
-//                                        # in the unit square; or neither: the scene's own h
-//     set = { insertion = "linear" }     # keys of `dsc_scene run --set`
+//     scene = "swirl"             # of `dsc_scene list`, or a scene file, whose path begins at this
+//                                 # file; or a list of scenes
+//     name = "mine"               # rows are called NAME_MEASURE/...; a list: one for each scene;
+//                                 # unless given, the scene's own
+//     measure = "run"             # or "step", "model", "option", "result": see Measure
+//     h = [0.01, 0.005]           # sizes: edge lengths; or triangles = [28000], about so many in
+//                                 # the unit square; or neither: the scene's own h
+//     set = { insertion = "linear" }        # keys of `dsc_scene run --set`
 //     strategies = ["sequential", "cells"]  # these unless given; model: cells; result: sequential
-//     threads = [1, 2]                   # of the parallel ones; or "cores", which is 1, 2, 4, ...
-//                                        # and all cores of the machine, and holds unless given
-//                                        # (result: 1 does)
-//     submeshes = 8                      # or "threads" or "cores": as many as there are; else the
-//                                        # strategy's own number, and in a step at least one for
-//                                        # each thread
-//     dt_over_h = 0.3                    # the time step in edge lengths
-//     area_error = 0.01                  # no result is timed whose area is further off, relative
-//                                        # (0.01 unless given); "round": what the chords of round
-//                                        # shapes leave out. Not checked where no area is known
-//     between_us = [0, 100]              # run: other work of the application between two steps
-//     at = 0.15                          # step, model: the time around which steps are timed, or
-//                                        # "half": those before a flow turns back; else the middle
-//     option = { topology = "change" }   # option: what is compared with the scene without it
-//     same_mesh = true                   # option: it must not change the mesh
-//     seeds = [1, 2, 3]                  # result: a run for each, with this `seed`
-//     rows = [{ measure = "step" }, ...] # the same keys; each is a case of its own with those
-//     above
+//     threads = [1, 2]            # of the parallel ones; or "cores": 1, 2, 4, ... and all cores of
+//                                 # the machine, which holds unless given; result: 1
+//     submeshes = 8               # or "threads" or "cores": as many as there are; else the
+//                                 # strategy's own number, in a step at least one for each thread
+//     dt_over_h = 0.3             # the time step in edge lengths
+//     area_error = 0.01           # no result is timed whose area is further off, relative (0.01
+//                                 # unless given); "round": what the chords of round shapes leave
+//                                 # out. Not checked where no area is known
+//     between_us = [0, 100]       # run: other work of the application between two steps
+//     at = 0.15                   # step, model: the time around which steps are timed, or "half":
+//                                 # those before a flow turns back; unless given, the middle
+//     option = { topology = "change" }      # option: compared with the scene without it
+//     same_mesh = true            # option: it must not change the mesh
+//     seeds = [1, 2, 3]           # result: a run for each, with this `seed`
+//     rows = [{ measure = "step" }]         # each is a case of its own: its keys and those above
 //
 // Single values may stand for lists of one.
 #pragma once
@@ -65,7 +60,7 @@ struct Row {
     std::uint32_t threads = 1;
     int between_us = 0;
 
-    /// Those of its measurements, on another number of threads if it is given.
+    /// What its runs are asked for, on so many threads.
     [[nodiscard]] scenes::RunOptions options(std::uint32_t on_threads) const;
 };
 
