@@ -15,7 +15,7 @@ scene = "mine.toml"
 area_error = 0.2
 rows = [
     { measure = "run", threads = [1, 2] },
-    { measure = "result", h = [0.06, 0.05], seeds = [1, 2], set = { insertion = "linear" } },
+    { measure = "result", h = [0.06, 0.05], seeds = [1, 2], set = { insertion = "linear" }, strategies = "active", threads = 2 },
 ]
 """
 SCENE = 'scene = "zalesak"\n[options]\nh = 0.05\nsteps = 12\n'
@@ -54,7 +54,9 @@ class BySnakemake(unittest.TestCase):
         results = list((self.out / "results").iterdir())
         self.assertEqual(len(results), 4)
         for path in results:
-            parameters = json.loads(path.read_text(encoding="utf-8"))["parameters"]
+            result = json.loads(path.read_text(encoding="utf-8"))
+            parameters = result["parameters"]
+            self.assertEqual((result["strategy"], result["threads"]), ("active", 2))
             self.assertEqual(parameters["insertion"], "linear")
             self.assertIn(f"h={parameters['h']}_", path.name)
             self.assertIn(f"seed={parameters['seed']}_", path.name)
