@@ -11,7 +11,7 @@ from blocks import commands, is_part_of, without_times
 PROGRAMS = {"dsc_scene": "lib/scenes", "dsc_bench": "bench", "dsc_precision": "bench",
             "dsc_verify": "verify", "dsc_hard": "verify"}
 PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b")  # in a command of the text: FILE, SCENE
-SOURCE_LANGUAGES = ("cpp", "cmake", "toml")
+SOURCE_LANGUAGES = ("cpp", "cmake", "toml", "python")
 COMMAND_LANGUAGES = ("sh", "console")
 ROOMS = ("lib", "verify", "bench", "plots", "reference")
 LONGEST = 300  # seconds: a build without optimisation, on a machine with other work
@@ -21,7 +21,7 @@ def bare(language, lines):
     """A source without the licence and the description at its top."""
     comment = "//" if language == "cpp" else "#"
     first = next((i for i, line in enumerate(lines) if not line.startswith(comment)), len(lines))
-    return lines[first:] if language in ("cpp", "cmake") else lines
+    return lines[first:] if language in ("cpp", "cmake", "python") else lines
 
 
 def sources(page, root):

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "python/arrays.h"
+
+#include <cstring>
+
+namespace dsc::python {
+
+namespace {
+
+static_assert(sizeof(Point<double>) == 2 * sizeof(double));
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+std::string shape_of(const py::array& array) {
+    std::string text = "an array of the shape (";
+    for (py::ssize_t i = 0; i < array.ndim(); ++i) {
+        text += (i == 0 ? "" : ", ") + std::to_string(array.shape(i));
+    }
+    return text + ")";
+}
+
+Doubles rows_of_two(const py::handle& value, const std::string& where, py::ssize_t rows) {
+    const std::string shape =
+        "numbers of the shape (" + (rows < 0 ? std::string("n") : std::to_string(rows)) + ", 2)";
+    // Complex numbers and texts would be cast in silence, or by a warning.
+    const py::array given = py::array::ensure(value);
+    const char kind = given ? given.dtype().kind() : 'O';
+    if (!given || !(kind == 'f' || kind == 'i' || kind == 'u' || kind == 'b')) {
+        PyErr_Clear();
+        throw InputError({.what = "not an array of points",
+                          .where = where,
+                          .value = shown(value),
+                          .allowed = shape});
+    }
+    if (given.ndim() != 2 || given.shape(1) != 2 || (rows >= 0 && given.shape(0) != rows)) {
+        throw InputError({.what = "points of another shape",
+                          .where = where,
+                          .value = shape_of(given),
+                          .allowed = shape});
+    }
+    return Doubles::ensure(given);
+}
+
+} // namespace
+
+std::vector<Point<double>> points_from(const py::handle& value, const std::string& where) {
+    const Doubles rows = rows_of_two(value, where, -1);
+    std::vector<Point<double>> points(static_cast<std::size_t>(rows.shape(0)));
+    std::memcpy(static_cast<void*>(points.data()), rows.data(), points.size() * sizeof(points[0]));
+    return points;
+}
+
+void read_points(const py::handle& value, std::span<Point<double>> points,
+                 const std::string& where) {
+    const Doubles rows = rows_of_two(value, where, static_cast<py::ssize_t>(points.size()));
+    std::memcpy(static_cast<void*>(points.data()), rows.data(), points.size_bytes());
+}
+
+py::array_t<double> array_of(std::span<const Point<double>> points) {
+    py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{2}});
+    std::memcpy(array.mutable_data(), points.data(), points.size_bytes());
+    return array;
+}
+
+py::array frozen(py::array array) {
+    array.attr("flags").attr("writeable") = false;
+    return array;
+}
+
+std::string shown(const py::handle& value) {
+    constexpr std::size_t longest = 60;
+    const auto text = py::repr(value).cast<std::string>();
+    return text.size() <= longest ? text : text.substr(0, longest) + "…";
+}
+
+} // namespace dsc::python

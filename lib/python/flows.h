@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Flows: functions of Python, and the library's own.
+#pragma once
+
+#include "dsc/dsc.h"
+
+#include <pybind11/pybind11.h>
+
+#include <variant>
+
+namespace dsc::python {
+
+namespace py = pybind11;
+
+/// A flow of the library's own.
+struct BuiltIn {
+    std::string name; ///< for its repr
+    std::variant<Velocity<double>, InterfaceMotion<double>> flow;
+};
+
+/// A velocity that calls `function(x, t)` with the positions (n, 2) and takes velocities (n, 2)
+/// from it. It takes the GIL for each call, from whichever thread calls it. What the function
+/// raises comes out of `Simulation::step`; InputError if it returns anything else.
+[[nodiscard]] Velocity<double> velocity_of(const py::function& function);
+
+/// Adds `Flow`, `swirl` and `curvature_flow` to the module.
+void add_flows(py::module_& module);
+
+} // namespace dsc::python

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "python/mesh.h"
+
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <stdexcept>
+
+namespace dsc::python {
+
+using namespace py::literals; // NOLINT: "name"_a
+
+namespace {
+
+/// A piece of the interface, as arrays.
+struct PlacedCurve {
+    py::array points;
+    bool is_closed;
+    Phase left;
+    Phase right;
+};
+
+py::array placed(const Complex<double>& complex, const std::vector<Vertex>& vertices) {
+    std::vector<Point<double>> points;
+    points.reserve(vertices.size());
+    for (const Vertex v : vertices) {
+        points.push_back(complex.position(v));
+    }
+    return array_of(points);
+}
+
+std::vector<PlacedCurve> curves_of(const Mesh& mesh) {
+    std::vector<PlacedCurve> list;
+    for (const InterfaceCurve& curve : interface_curves(mesh.complex())) {
+        list.push_back({placed(mesh.complex(), curve.vertices), curve.is_closed, curve.left,
+                        curve.right == border_phase ? exterior_phase : curve.right});
+    }
+    return list;
+}
+
+std::vector<py::array> outlines_of(const Mesh& mesh, Phase phase) {
+    std::vector<py::array> list;
+    for (const VertexLoop& loop : outlines(mesh.complex(), phase)) {
+        list.push_back(placed(mesh.complex(), loop));
+    }
+    return list;
+}
+
+py::array qualities(const Mesh& mesh) {
+    std::vector<double> list;
+    for (const Triangle t : triangles(mesh.complex())) {
+        list.push_back(quality(mesh.complex(), t));
+    }
+    return array_of<double>(list);
+}
+
+py::dict areas(const Mesh& mesh) {
+    py::dict result;
+    for (const Phase phase : phases(mesh.complex())) {
+        result[py::int_(phase)] = phase_area(mesh.complex(), phase);
+    }
+    return result;
+}
+
+std::string summary(const Mesh& mesh) {
+    const Complex<double>& complex = mesh.complex();
+    std::string names;
+    for (const Phase phase : phases(complex)) {
+        names += (names.empty() ? "" : ", ") + std::to_string(phase);
+    }
+    return "<dsc.Mesh: " + std::to_string(complex.triangle_count()) + " triangles, " +
+           std::to_string(complex.vertex_count()) + " vertices, phases " + names + ">";
+}
+
+// --- the first complex -----------------------------------------------------------------------
+
+// One polygon, or a list of polygons, for each phase.
+std::vector<Shape> shapes_from(const py::dict& given) {
+    std::vector<Shape> shapes;
+    for (const auto& [key, value] : given) {
+        if (!py::isinstance<py::int_>(key)) {
+            throw InputError({.what = "not a phase",
+                              .where = "shapes",
+                              .value = shown(key),
+                              .allowed = "whole numbers from 0"});
+        }
+        const auto phase = key.cast<Phase>();
+        const std::string where = "shapes[" + std::to_string(phase) + "]";
+        const bool is_list =
+            (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) &&
+            py::len(value) > 0 && py::isinstance<py::array>(value[py::int_(0)]);
+        if (!is_list) {
+            shapes.push_back({points_from(value, where), phase});
+            continue;
+        }
+        for (const py::handle& one : value) {
+            shapes.push_back({points_from(one, where), phase});
+        }
+    }
+    return shapes;
+}
+
+std::vector<Curve> curves_from(const py::iterable& given) {
+    std::vector<Curve> curves;
+    for (const py::handle& one : given) {
+        const auto parts = py::reinterpret_borrow<py::sequence>(one);
+        const std::string where = "curves[" + std::to_string(curves.size()) + "]";
+        if (!py::isinstance<py::sequence>(one) || py::len(parts) != 3) {
+            throw InputError({.what = "not a curve",
+                              .where = where,
+                              .value = shown(one),
+                              .allowed = "(points, phase on the left, phase on the right)"});
+        }
+        curves.push_back(
+            {points_from(parts[0], where), parts[1].cast<Phase>(), parts[2].cast<Phase>()});
+    }
+    return curves;
+}
+
+std::shared_ptr<Mesh> make_mesh(const py::handle& domain, const py::dict& shapes,
+                                double edge_length, const py::object& curves, double growth,
+                                double longest) {
+    const std::vector<Point<double>> corners = points_from(domain, "domain");
+    if (corners.size() != 2) {
+        throw InputError({.what = "not a rectangle",
+                          .where = "domain",
+                          .value = std::to_string(corners.size()) + " points",
+                          .allowed = "two: the corner of the smallest coordinates, and the "
+                                     "opposite one"});
+    }
+    const Rectangle rectangle{corners[0], corners[1]};
+    InitialOptions options{.edge_length = edge_length};
+    options.sizes.growth = growth;
+    options.sizes.longest = longest;
+    if (curves.is_none()) {
+        const std::vector<Shape> list = shapes_from(shapes);
+        const py::gil_scoped_release others_run;
+        return std::make_shared<Mesh>(
+            initial_complex<double>(rectangle, std::span<const Shape>(list), options));
+    }
+    if (!shapes.empty()) {
+        throw InputError({.what = "shapes and curves",
+                          .where = "initial_complex",
+                          .value = "both",
+                          .allowed = "either"});
+    }
+    const std::vector<Curve> list = curves_from(curves);
+    const py::gil_scoped_release others_run;
+    return std::make_shared<Mesh>(
+        initial_complex<double>(rectangle, std::span<const Curve>(list), options));
+}
+
+} // namespace
+
+// --- the arrays ------------------------------------------------------------------------------
+
+const Complex<double>& Mesh::complex() const {
+    if (is_busy_) {
+        throw std::runtime_error("a step of this mesh runs: read the mesh after it");
+    }
+    return complex_;
+}
+
+Mesh::Step::Step(Mesh& mesh) : mesh_(mesh) {
+    (void)mesh.complex(); // throws if it is busy
+    mesh.is_busy_ = true;
+    mesh.arrays_.reset();
+}
+
+const Mesh::Arrays& Mesh::arrays() {
+    const Complex<double>& complex = this->complex();
+    if (arrays_) {
+        return *arrays_;
+    }
+    std::vector<std::int32_t> row(complex.vertex_bound(), -1);
+    py::array_t<double> points({static_cast<py::ssize_t>(complex.vertex_count()), py::ssize_t{2}});
+    double* place = points.mutable_data();
+    std::int32_t rows = 0;
+    for (const Vertex v : vertices(complex)) {
+        row[v.id] = rows++;
+        *place++ = complex.vertices[v.id].x;
+        *place++ = complex.vertices[v.id].y;
+    }
+    const auto count = static_cast<py::ssize_t>(complex.triangle_count());
+    py::array_t<std::int32_t> corners({count, py::ssize_t{3}});
+    py::array_t<std::uint32_t> numbers(count);
+    std::int32_t* corner = corners.mutable_data();
+    std::uint32_t* number = numbers.mutable_data();
+    for (const Triangle t : dsc::triangles(complex)) {
+        for (const std::uint32_t v : complex.triangles[t.id].v) {
+            *corner++ = row[v];
+        }
+        *number++ = complex.phase(t);
+    }
+    arrays_ = Arrays{frozen(points), frozen(corners), frozen(numbers)};
+    return *arrays_;
+}
+
+// --- the module ------------------------------------------------------------------------------
+
+void add_mesh(py::module_& module) {
+    py::class_<PlacedCurve>(module, "Curve", "A piece of the interface between two phases.")
+        .def_readonly("points", &PlacedCurve::points, "(n, 2), in order along the curve")
+        .def_readonly("is_closed", &PlacedCurve::is_closed,
+                      "whether the last point is joined to the first")
+        .def_readonly("left", &PlacedCurve::left, "the phase on the left of the way along it")
+        .def_readonly("right", &PlacedCurve::right,
+                      "the phase on the right; 0 at the sides of the domain");
+
+    py::class_<Mesh, std::shared_ptr<Mesh>>(module, "Mesh", R"(
+A triangle mesh whose triangles have phases: a 2D simplicial complex.
+
+Made by `initial_complex`, changed by the steps of a `Simulation`. Arrays are without gaps,
+C-contiguous and not writable; those of before a step stay as they were.
+)")
+        .def_property_readonly("points", &Mesh::points, "Vertices: (n, 2) float64.")
+        .def_property_readonly("triangles", &Mesh::triangles,
+                               "Rows of `points`, counter-clockwise: (m, 3) int32.")
+        .def_property_readonly("phases", &Mesh::phases, "Of each triangle: (m,) uint32.")
+        .def_property_readonly("qualities", &qualities,
+                               "Of each triangle: (m,), from 0 to 1 for an equilateral one.")
+        .def_property_readonly("areas", &areas, "The area of each phase that occurs: a dict.")
+        .def("interface_curves", &curves_of,
+             "The interface as curves, cut where more than two phases meet: a list of `Curve`.")
+        .def(
+            "outlines", &outlines_of, "phase"_a,
+            "Closed loops around a phase, counter-clockwise, clockwise around its holes: a list of "
+            "arrays (n, 2).")
+        .def(
+            "validate", [](const Mesh& mesh) { return validate(mesh.complex()).problem; },
+            "What is wrong with the complex, '' if nothing is. Exact.")
+        .def_property_readonly(
+            "mesh_hash", [](const Mesh& mesh) { return mesh_hash(mesh.complex()); },
+            "A number of 64 bits, equal for equal coordinates and phases, whatever their order.")
+        .def(
+            "write_svg",
+            [](const Mesh& mesh, const std::string& path) { write_svg(mesh.complex(), path); },
+            "path"_a, "Writes a picture.")
+        .def(
+            "write_vtu",
+            [](const Mesh& mesh, const std::string& path) { write_vtu(mesh.complex(), path); },
+            "path"_a, "Writes a file for ParaView.")
+        .def(
+            "copy", [](const Mesh& mesh) { return std::make_shared<Mesh>(mesh); },
+            "A mesh of its own.")
+        .def("__copy__", [](const Mesh& mesh) { return std::make_shared<Mesh>(mesh); })
+        .def("__deepcopy__",
+             [](const Mesh& mesh, const py::dict&) { return std::make_shared<Mesh>(mesh); })
+        .def("__repr__", &summary);
+
+    module.def("initial_complex", &make_mesh, "domain"_a, "shapes"_a = py::dict(), py::kw_only(),
+               "edge_length"_a, "curves"_a = py::none(), "growth"_a = 0.0, "longest"_a = 0.0, R"(
+The mesh that a simulation starts from.
+
+Parameters
+----------
+domain : array_like (2, 2)
+    The lower left corner of a rectangle, and the upper right one.
+shapes : dict
+    For each phase a polygon (n, 2), or a list of polygons. The innermost polygon counts; outside of
+    all the phase is 0.
+edge_length : float
+    The target, in units of the coordinates.
+curves : sequence of (points, left, right), optional
+    In place of shapes: curves from junction to junction with the phases on both sides.
+growth : float
+    How much longer an edge may be than its neighbour towards the interface, above 1, up to 2; 0:
+    all edges have one length.
+longest : float
+    The longest edge where they grow; 0: as long as the domain.
+
+Returns
+-------
+Mesh
+)");
+}
+
+} // namespace dsc::python

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// A complex as Python sees it: dense arrays in place of ids with gaps.
+#pragma once
+
+#include "python/arrays.h"
+
+#include <memory>
+#include <optional>
+
+namespace dsc::python {
+
+/// A complex with its arrays, which are made when somebody asks for them, and kept until the
+/// complex changes. While a step runs the mesh is busy: nobody else may read it.
+class Mesh {
+public:
+    explicit Mesh(Complex<double> complex) : complex_(std::move(complex)) {}
+    Mesh(const Mesh& other) : complex_(other.complex()) {}
+    Mesh& operator=(const Mesh&) = delete;
+    Mesh(Mesh&&) = delete;
+    Mesh& operator=(Mesh&&) = delete;
+    ~Mesh() = default;
+
+    /// Throws std::runtime_error while a step runs.
+    [[nodiscard]] const Complex<double>& complex() const;
+    /// For a simulation of it.
+    [[nodiscard]] Complex<double>& complex_to_step() { return complex_; }
+
+    /// Vertices in the order of their ids, without those that have vanished: (n, 2), frozen.
+    [[nodiscard]] py::array points() { return arrays().points; }
+    /// Rows of `points`, counter-clockwise: (m, 3) of int32, frozen.
+    [[nodiscard]] py::array triangles() { return arrays().triangles; }
+    /// Of each triangle: (m,) of uint32, frozen.
+    [[nodiscard]] py::array phases() { return arrays().phases; }
+
+    /// Marks the mesh as busy for the time of a step, and drops the arrays.
+    class Step {
+    public:
+        /// Throws std::runtime_error if another step runs.
+        explicit Step(Mesh& mesh);
+        ~Step() { mesh_.is_busy_ = false; }
+        Step(const Step&) = delete;
+        Step& operator=(const Step&) = delete;
+        Step(Step&&) = delete;
+        Step& operator=(Step&&) = delete;
+
+    private:
+        Mesh& mesh_;
+    };
+
+private:
+    struct Arrays {
+        py::array points;
+        py::array triangles;
+        py::array phases;
+    };
+    const Arrays& arrays();
+
+    Complex<double> complex_;
+    std::optional<Arrays> arrays_;
+    bool is_busy_ = false;
+};
+
+/// Adds `Mesh`, `Curve` and `initial_complex` to the module.
+void add_mesh(py::module_& module);
+
+} // namespace dsc::python

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The options of a simulation as keyword arguments, in one table: what is set, what is read back,
+// what errors allow and what the help says come from it.
+#pragma once
+
+#include "dsc/dsc.h"
+#include "topology/topology.h"
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+namespace dsc::python {
+
+namespace py = pybind11;
+
+/// All that `Simulation(mesh, **options)` takes.
+struct Choices {
+    Options<double> options;
+    TopologyOptions<double> topology;
+    Parallel parallel;
+    bool is_parallel = false; ///< `threads`, `division` or `submeshes` was given
+};
+
+/// Sets what the keywords name. Throws InputError for an unknown one or a value of another type.
+void apply(Choices& choices, const py::dict& keywords);
+
+/// All values, by name.
+[[nodiscard]] py::dict values_of(const Choices& choices);
+
+/// A line for each option: name, default, what it is.
+[[nodiscard]] std::string option_help();
+
+} // namespace dsc::python
