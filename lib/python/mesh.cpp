@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "python/mesh.h"
 
+#include "python/data.h"
+
 #include <pybind11/stl.h>
 
 #include <cstdint>
@@ -207,13 +209,13 @@ void add_mesh(py::module_& module) {
         .def_readonly("right", &PlacedCurve::right,
                       "the phase on the right; 0 at the sides of the domain");
 
-    py::class_<Mesh, std::shared_ptr<Mesh>>(module, "Mesh", R"(
+    py::class_<Mesh, std::shared_ptr<Mesh>> type(module, "Mesh", R"(
 A triangle mesh whose triangles have phases: a 2D simplicial complex.
 
 Made by `initial_complex`, changed by the steps of a `Simulation`. Arrays are without gaps,
 C-contiguous and not writable; those of before a step stay as they were.
-)")
-        .def_property_readonly("points", &Mesh::points, "Vertices: (n, 2) float64.")
+)");
+    type.def_property_readonly("points", &Mesh::points, "Vertices: (n, 2) float64.")
         .def_property_readonly("triangles", &Mesh::triangles,
                                "Rows of `points`, counter-clockwise: (m, 3) int32.")
         .def_property_readonly("phases", &Mesh::phases, "Of each triangle: (m,) uint32.")
@@ -247,6 +249,8 @@ C-contiguous and not writable; those of before a step stay as they were.
         .def("__deepcopy__",
              [](const Mesh& mesh, const py::dict&) { return std::make_shared<Mesh>(mesh); })
         .def("__repr__", &summary);
+
+    add_data(type);
 
     module.def("initial_complex", &make_mesh, "domain"_a, "shapes"_a = py::dict(), py::kw_only(),
                "edge_length"_a, "curves"_a = py::none(), "growth"_a = 0.0, "longest"_a = 0.0, R"(

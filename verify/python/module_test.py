@@ -126,6 +126,52 @@ class Arrays(unittest.TestCase):
         self.assertEqual(mesh.mesh_hash, other.mesh_hash)
 
 
+class Data(unittest.TestCase):
+    def test_it_follows_the_mesh(self):
+        mesh = disc_mesh()
+        mesh.vertex_data["x"] = mesh.points[:, 0]
+        mesh.vertex_data["place"] = mesh.points
+        mesh.triangle_data["phase"] = mesh.phases
+        shift = 0.05
+        sim = dsc.Simulation(mesh, edge_length=H)
+        report = sim.step(lambda x, t: 0 * x + (shift / H, 0), 0, H)
+        self.assertEqual(report.unreached, 0)
+        self.assertEqual(set(mesh.vertex_data), {"x", "place"})
+        self.assertEqual(len(mesh.triangle_data["phase"]), len(mesh.triangles))
+        self.assertLess(np.abs(mesh.vertex_data["x"] - mesh.points[:, 0]).max(), 2 * shift)
+        self.assertTrue(np.array_equal(mesh.vertex_data["place"][:, 0], mesh.vertex_data["x"]))
+        del mesh.vertex_data["x"]
+        self.assertEqual(list(mesh.vertex_data), ["place"])
+        with self.assertRaises(KeyError):
+            mesh.vertex_data["x"]
+
+    def test_refused(self):
+        mesh = disc_mesh()
+        mesh.vertex_data["one"] = np.zeros(len(mesh.points))
+        for values in (np.zeros(3), 1.0, "text", np.zeros((len(mesh.points), 3))):
+            with self.assertRaisesRegex(dsc.InputError, r"allowed: numbers of the shape \("):
+                mesh.vertex_data["two"] = values
+        for data, values in ((mesh.vertex_data, mesh.points),
+                             (mesh.triangle_data, np.zeros(len(mesh.triangles)))):
+            with self.assertRaisesRegex(dsc.InputError, "one"):
+                data["one"] = values
+
+
+class Scenes(unittest.TestCase):
+    def test_a_result_is_a_dictionary(self):
+        self.assertIn("swirl", dsc.scenes.names())
+        results = [dsc.scenes.run("swirl", h=0.03, steps=2, threads=threads) for threads in (1, 2)]
+        self.assertTrue(results[0]["holds"])
+        self.assertEqual(results[0]["mesh_hash"], results[1]["mesh_hash"])
+        self.assertEqual(results[0]["parameters"]["h"], 0.03)
+
+    def test_refused(self):
+        with self.assertRaisesRegex(ValueError, "unknown key: got 'hh'"):
+            dsc.scenes.run("swirl", hh=0.03)
+        with self.assertRaisesRegex(ValueError, "swril"):
+            dsc.scenes.run("swril")
+
+
 class Refused(unittest.TestCase):
     def setUp(self):
         self.mesh = disc_mesh()

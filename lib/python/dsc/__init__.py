@@ -10,12 +10,17 @@
 >>> round(mesh.areas[1], 12)
 0.16
 """
+from . import scenes
 from ._dsc import (Curve, Event, FileError, Flow, InputError, Mesh, Report, Simulation,
                    curvature_flow, initial_complex)
+from .data import Data
 from .drawing import animate, plot
 
-__all__ = ["Curve", "Event", "FileError", "Flow", "InputError", "Mesh", "Report", "Simulation",
-           "animate", "curvature_flow", "initial_complex", "plot", "run"]
+__all__ = ["Curve", "Data", "Event", "FileError", "Flow", "InputError", "Mesh", "Report", "Simulation",
+           "animate", "curvature_flow", "initial_complex", "plot", "run", "scenes"]
+
+Mesh.vertex_data = property(lambda mesh: Data(mesh, "vertex"), doc="Of vertices: a `Data`.")
+Mesh.triangle_data = property(lambda mesh: Data(mesh, "triangle"), doc="Of triangles: a `Data`.")
 
 
 def run(sim, flow, dt, steps, *, time=None, after=None):
