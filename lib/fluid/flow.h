@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// A fluid that moves the interface of a simulation.
+#pragma once
+
+#include "fluid/area_push.h"
+#include "fluid/convection.h"
+#include "fluid/options.h"
+#include "fluid/solve_report.h"
+
+#include <memory>
+
+namespace dsc {
+
+/// What a step of a fluid did.
+struct FluidStep {
+    StepReport moved;      ///< of the simulation
+    SolveReport solved;    ///< of velocity and pressure
+    double move_s = 0;     ///< seconds for the simulation, with the look-up of velocities
+    double assembly_s = 0; ///< seconds for the copy of the mesh, the numbering and the matrix
+    double solve_s = 0;    ///< seconds for the factorisation and the refinement
+};
+
+/// Incompressible flow of two and more phases, fitted to the interface of a complex, and the
+/// simulation's interface moved by it:
+///
+///     dsc::Fluid fluid(complex, options);
+///     while (fluid.time() < 3) { fluid.step(simulation, 0.01); }
+///
+/// The domain is a rectangle. Velocities are quadratic in each triangle and linear along each edge
+/// between two phases, pressures linear with a jump there: a polygon whose edges balance each other
+/// rests to rounding. A step moves the interface by the velocity extrapolated in time, with the
+/// integrator of the simulation, and then solves for velocity and pressure in the new mesh, with
+/// inertia by particles that are followed back to the last two meshes. Second order in the edge
+/// length and in time; no limit on the time step from tension or from the speed. Stages of the
+/// simulation, such as `TopologyStage`, run as in any other one. The area of each phase is held to
+/// that of the start: the interface moves along its normal, at one speed for each pair of phases,
+/// as fast as brings back what the last step has missed.
+///
+/// A step takes O(n) time, apart from the factorisation: about O(n^1.5). Memory: the factors and
+/// two copies of the mesh. One thread; the same bits each time. Not thread-safe itself.
+class Fluid {
+public:
+    /// At rest, at time 0; for `FluidEquations::stokes` with the velocity that the interface gives.
+    /// The complex must outlive the fluid. Throws InputError if an option is out of range, a phase
+    /// has no properties, or two phases meet without a tension.
+    Fluid(const Complex<double>& complex, FluidOptions options);
+    ~Fluid();
+    Fluid(const Fluid&) = delete;
+    Fluid& operator=(const Fluid&) = delete;
+    Fluid(Fluid&&) = delete;
+    Fluid& operator=(Fluid&&) = delete;
+
+    /// Moves the interface of the simulation, which must be one of the fluid's complex, and finds
+    /// the flow at `time() + dt`. If the simulation gives up, the flow stays as it was: see
+    /// `moved.gave_up`. Throws InputError if dt is not above 0, or phases meet that have no
+    /// tension; SolveError if the equations cannot be solved.
+    FluidStep step(Simulation<double>& simulation, double dt);
+
+    /// Of the last solution.
+    [[nodiscard]] double time() const { return one_->time; }
+    /// Velocity and pressure. Without inertia to start from, the pressure of a fluid at rest at
+    /// time 0 is not known, and given as 0.
+    [[nodiscard]] const FluidField& field() const { return *one_; }
+    [[nodiscard]] const FluidOptions& options() const { return options_; }
+
+private:
+    [[nodiscard]] FluidPast past() const { return {one_.get(), two_.get()}; }
+    void solve_in(FrozenMesh mesh, double time, FluidStep& report);
+
+    const Complex<double>& complex_;
+    FluidOptions options_;
+    std::vector<PhaseArea> areas_;    ///< to be held
+    std::unique_ptr<FluidField> one_; ///< the last solution; null only during construction
+    std::unique_ptr<FluidField> two_; ///< the one before; null at the start
+};
+
+} // namespace dsc

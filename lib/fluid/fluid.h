@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// Incompressible flow of two and more phases, in reading order.
+#pragma once
+
+#include "fluid/options.h"
+
+#include "fluid/frozen_field.h"
+
+#include "fluid/flow.h"
+#include "fluid/measures.h"

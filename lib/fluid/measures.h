@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What is measured of a flow.
+#pragma once
+
+#include "fluid/frozen_field.h"
+#include "fluid/options.h"
+
+namespace dsc {
+
+/// A phase whose outline is read as the cubic through its vertices (`curve_point`), which is fourth
+/// order in their distance where the outline is smooth.
+struct CubicOutline {
+    double length = 0;
+    double area = 0;
+    Point<double> centroid{0.0, 0.0};
+
+    /// The perimeter of the disc of the same area over the length: 1 for a disc.
+    [[nodiscard]] double circularity() const;
+};
+
+/// Of all outlines of the phase together. Meant for phases that do not touch the domain boundary,
+/// whose corners a cubic would cut. O(triangles).
+[[nodiscard]] CubicOutline cubic_outline(const Complex<double>& complex, Phase phase);
+
+/// The mean velocity in a phase; (0, 0) if there is no such phase. O(triangles).
+[[nodiscard]] Point<double> mean_velocity(const FluidField& field, Phase phase);
+
+/// The mean pressure in a phase. O(triangles).
+[[nodiscard]] double mean_pressure(const FluidField& field, Phase phase);
+
+/// The largest speed at a node. O(n).
+[[nodiscard]] double largest_speed(const FluidField& field);
+
+/// Energies, which only viscosity changes.
+struct FluidEnergy {
+    double kinetic = 0;
+    double potential = 0; ///< in gravity, from the origin of coordinates
+    double surface = 0;   ///< tension times length
+
+    [[nodiscard]] double sum() const { return kinetic + potential + surface; }
+};
+[[nodiscard]] FluidEnergy energy(const FluidField& field, const FluidOptions& options);
+
+} // namespace dsc

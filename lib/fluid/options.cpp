@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "fluid/options.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc {
+
+namespace {
+
+bool is_of_pair(const FluidTension& pair, Phase one, Phase other) {
+    return (pair.one == one && pair.other == other) || (pair.one == other && pair.other == one);
+}
+
+std::string name_of_pair(Phase one, Phase other) {
+    return "phases " + to_text(one) + " and " + to_text(other);
+}
+
+void check_phases(const std::vector<FluidPhase>& phases) {
+    for (auto p = phases.begin(); p != phases.end(); ++p) {
+        const std::string name = "phase " + to_text(p->phase);
+        require(std::isfinite(p->density) && p->density >= 0, "density of " + name, p->density,
+                "0 or more");
+        require(std::isfinite(p->viscosity) && p->viscosity > 0, "viscosity of " + name,
+                p->viscosity, "above 0");
+        if (std::any_of(phases.begin(), p,
+                        [&](const FluidPhase& q) { return q.phase == p->phase; })) {
+            throw InputError({.what = "a phase is given twice",
+                              .where = "FluidOptions::phases",
+                              .value = name,
+                              .allowed = "each phase once"});
+        }
+    }
+}
+
+void check_tensions(const FluidOptions& options) {
+    const std::vector<FluidTension>& tensions = options.tensions;
+    for (auto t = tensions.begin(); t != tensions.end(); ++t) {
+        const std::string name = name_of_pair(t->one, t->other);
+        require(std::isfinite(t->tension) && t->tension >= 0, "tension of " + name, t->tension,
+                "0 or more");
+        (void)fluid_of(options, t->one);
+        (void)fluid_of(options, t->other);
+        if (t->one == t->other) {
+            throw InputError({.what = "there is no interface between them",
+                              .where = "FluidOptions::tensions",
+                              .value = name,
+                              .allowed = "two different phases"});
+        }
+        if (std::any_of(tensions.begin(), t, [&](const FluidTension& other) {
+                return is_of_pair(other, t->one, t->other);
+            })) {
+            throw InputError({.what = "a pair is given twice",
+                              .where = "FluidOptions::tensions",
+                              .value = name,
+                              .allowed = "each pair once"});
+        }
+    }
+}
+
+} // namespace
+
+void check_fluid(const FluidOptions& options) {
+    check_phases(options.phases);
+    check_tensions(options);
+    require(std::isfinite(options.gravity.x()), "gravity, x", options.gravity.x(), "finite");
+    require(std::isfinite(options.gravity.y()), "gravity, y", options.gravity.y(), "finite");
+    require(options.implicitness >= 0.5 && options.implicitness <= 1, "implicitness",
+            options.implicitness, "0.5 to 1");
+}
+
+const FluidPhase& fluid_of(const FluidOptions& options, Phase phase) {
+    const auto found = std::ranges::find(options.phases, phase, &FluidPhase::phase);
+    if (found == options.phases.end()) {
+        throw InputError({.what = "a phase has no density and viscosity",
+                          .where = "FluidOptions::phases",
+                          .value = "phase " + to_text(phase),
+                          .allowed = "properties for each phase"});
+    }
+    return *found;
+}
+
+double tension_of(const FluidOptions& options, Phase one, Phase other) {
+    const auto found = std::ranges::find_if(
+        options.tensions, [&](const FluidTension& pair) { return is_of_pair(pair, one, other); });
+    if (found == options.tensions.end()) {
+        throw InputError({.what = "two phases meet, but their interface has no tension",
+                          .where = "FluidOptions::tensions",
+                          .value = name_of_pair(one, other),
+                          .allowed = "a tension, or 0, for each pair that meets"});
+    }
+    return found->tension;
+}
+
+} // namespace dsc

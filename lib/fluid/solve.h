@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Solves for velocities and pressures.
+#pragma once
+
+#include "fluid/assembly.h"
+#include "fluid/solve_report.h"
+
+namespace dsc {
+
+/// The solution by a sparse factorisation and refinement. Throws SolveError if the residual stays
+/// above 1e-9 of the forces. About O(n^1.5).
+[[nodiscard]] Eigen::VectorXd solve(const FluidSystem& system, SolveReport& report);
+
+/// Velocities and pressures from the unknowns.
+[[nodiscard]] FluidField field_of(FrozenMesh mesh, const FluidNumbering& numbers,
+                                  const Eigen::VectorXd& unknowns, double time);
+
+} // namespace dsc
