@@ -48,7 +48,7 @@ fi
 say "counting"
 rm -rf "$folder/html"
 mkdir -p "$folder/html"
-quietly gcovr --root . --filter 'lib/(dsc|geometric_flows|thesis|topology)/' --exclude-throw-branches --exclude-unreachable-branches \
+quietly gcovr --root . --filter 'lib/(dsc|fluid|geometric_flows|thesis|topology)/' --exclude-throw-branches --exclude-unreachable-branches \
     --json "$folder/coverage.json" -j "$jobs" "$folder" ||
     give_up "gcovr could not read the counts in $folder"
 quietly gcovr --root . --add-tracefile "$folder/coverage.json" --html-details \

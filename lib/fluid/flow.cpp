@@ -10,21 +10,28 @@ namespace dsc {
 
 namespace {
 
-// The velocity of the fluid, and on top of it what holds the areas. A submesh may begin anywhere in
-// the view, so that each search begins at a triangle that the vertex alone decides.
-InterfaceFlow<double> flow_of(const FluidPast& past, const std::vector<PhaseArea>& areas,
-                              const std::vector<double>& pushes) {
-    return vertex_flow<double>([past, &areas, &pushes](const InterfaceView<double>& view,
-                                                       std::size_t i, double time) {
-        const std::uint32_t vertex = view.vertices[i].id;
-        const Point<double> velocity = extrapolated_velocity(past, view.positions[i], time, vertex);
-        if (view.is_junction(i) || view.is_on_boundary(i)) {
-            return velocity;
+// Carries the interface with the fluid, by the Runge-Kutta method of order 4, and then holds the
+// areas. Each search for a velocity begins at a triangle that the vertex alone decides.
+InterfaceMotion<double> motion_in(const FluidPast& past, const std::vector<PhaseArea>& areas) {
+    return [past, &areas](const InterfaceView<double>& view, double time, double dt,
+                          std::span<Point<double>> displacements) {
+        const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double at,
+                                              std::span<Point<double>> velocities) {
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+                velocities[i] = extrapolated_velocity(past, positions[i], at, view.vertices[i].id);
+            }
+        };
+        std::vector<Point<double>> targets(view.size());
+        IntegratorScratch<double> scratch;
+        scratch.first.resize(view.size());
+        velocity(view.positions, time, scratch.first);
+        (void)integrate(Integrator::rk4, velocity, view.positions, time, dt,
+                        std::span<Point<double>>(targets), scratch);
+        hold_areas(view, areas, targets);
+        for (std::size_t i = 0; i < view.size(); ++i) {
+            displacements[i] = targets[i] - view.positions[i];
         }
-        const double push =
-            pushes[place_of(areas, view.left[i])] - pushes[place_of(areas, view.right[i])];
-        return Point<double>(velocity + push * normal(view, i));
-    });
+    };
 }
 
 void check_complex(const FrozenMesh& mesh, const FluidOptions& options) {
@@ -34,8 +41,8 @@ void check_complex(const FrozenMesh& mesh, const FluidOptions& options) {
                           .value = "no triangles",
                           .allowed = "a triangulated rectangle"});
     }
-    for (const PhaseArea& phase : phase_areas(mesh)) {
-        (void)fluid_of(options, phase.phase);
+    for (const FrozenTriangle& triangle : mesh.triangles) {
+        (void)fluid_of(options, triangle.phase);
     }
     for (const FrozenEdge& edge : mesh.interface) {
         (void)tension_of(options, edge.left, edge.right);
@@ -52,7 +59,7 @@ Fluid::Fluid(const Complex<double>& complex, FluidOptions options)
     areas_ = phase_areas(mesh);
     if (options_.equations == FluidEquations::stokes) {
         FluidStep report;
-        solve_in(std::move(mesh), 0, report);
+        one_ = solution_in(std::move(mesh), 0, report);
         return;
     }
     FluidField rest{.mesh = std::move(mesh)};
@@ -66,26 +73,34 @@ Fluid::~Fluid() = default;
 FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
     require(std::isfinite(dt) && dt > 0, "dt of a step of a fluid", dt, "above 0");
     FluidStep report;
+    // At rest the velocity says nothing of where it goes: the first step moves by the one that the
+    // old mesh gives for its end.
+    std::unique_ptr<FluidField> guess;
+    FluidPast mover = past();
+    if (options_.equations == FluidEquations::navier_stokes && two_ == nullptr) {
+        guess = solution_in(one_->mesh, time() + dt, report);
+        mover = {guess.get(), one_.get()};
+    }
     Timer timer;
-    const std::vector<double> pushes = area_pushes(one_->mesh, areas_, dt);
-    report.moved = simulation.step(flow_of(past(), areas_, pushes), time(), dt);
+    report.moved = simulation.step(motion_in(mover, areas_), time(), dt);
     report.move_s = timer.lap();
     if (report.moved.gave_up == GiveUp::none) {
-        solve_in(freeze(complex_), time() + dt, report);
+        auto next = solution_in(freeze(complex_), time() + dt, report);
+        two_ = std::exchange(one_, std::move(next));
     }
     return report;
 }
 
-void Fluid::solve_in(FrozenMesh mesh, double time, FluidStep& report) {
+std::unique_ptr<FluidField> Fluid::solution_in(FrozenMesh mesh, double time,
+                                               FluidStep& report) const {
     Timer timer;
     const FluidNumbering numbers = number_unknowns(mesh, options_.walls);
     const FluidSystem system = assemble(mesh, numbers, options_, past(), time);
-    report.assembly_s = timer.lap();
+    report.assembly_s += timer.lap();
     const Eigen::VectorXd unknowns = solve(system, report.solved);
     auto field = std::make_unique<FluidField>(field_of(std::move(mesh), numbers, unknowns, time));
-    report.solve_s = timer.lap();
-    two_ = std::move(one_);
-    one_ = std::move(field);
+    report.solve_s += timer.lap();
+    return field;
 }
 
 } // namespace dsc

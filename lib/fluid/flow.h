@@ -2,8 +2,8 @@
 // A fluid that moves the interface of a simulation.
 #pragma once
 
-#include "fluid/area_push.h"
 #include "fluid/convection.h"
+#include "fluid/held_areas.h"
 #include "fluid/options.h"
 #include "fluid/solve_report.h"
 
@@ -28,13 +28,13 @@ struct FluidStep {
 ///
 /// The domain is a rectangle. Velocities are quadratic in each triangle and linear along each edge
 /// between two phases, pressures linear with a jump there: a polygon whose edges balance each other
-/// rests to rounding. A step moves the interface by the velocity extrapolated in time, with the
-/// integrator of the simulation, and then solves for velocity and pressure in the new mesh, with
+/// rests to rounding. A step moves the interface by the velocity extrapolated in time (whatever the
+/// integrator of the simulation), and then solves for velocity and pressure in the new mesh, with
 /// inertia by particles that are followed back to the last two meshes. Second order in the edge
 /// length and in time; no limit on the time step from tension or from the speed. Stages of the
 /// simulation, such as `TopologyStage`, run as in any other one. The area of each phase is held to
-/// that of the start: the interface moves along its normal, at one speed for each pair of phases,
-/// as fast as brings back what the last step has missed.
+/// that of the start: after each sub-step each curve is moved along its normal by the distance that
+/// brings back what is missing.
 ///
 /// A step takes O(n) time, apart from the factorisation: about O(n^1.5). Memory: the factors and
 /// two copies of the mesh. One thread; the same bits each time. Not thread-safe itself.
@@ -65,7 +65,8 @@ public:
 
 private:
     [[nodiscard]] FluidPast past() const { return {one_.get(), two_.get()}; }
-    void solve_in(FrozenMesh mesh, double time, FluidStep& report);
+    [[nodiscard]] std::unique_ptr<FluidField> solution_in(FrozenMesh mesh, double time,
+                                                          FluidStep& report) const;
 
     const Complex<double>& complex_;
     FluidOptions options_;

@@ -29,7 +29,7 @@ TOKENS = ((" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), ("
           (" * ", " + "))
 NUMBER = re.compile(r"(?<![\w.])(\d+)(?![\w.])")
 # The core, whose rooms are its folders, and the modules, each a room.
-CORE, MODULES = "dsc", ("geometric_flows", "thesis", "topology")
+CORE, MODULES = "dsc", ("fluid", "geometric_flows", "thesis", "topology")
 EQUIVALENT_KEYS = {"file", "code", "changed", "why"}
 
 

@@ -24,6 +24,7 @@ OWN = {
     "algorithm": ["algorithm", "effort"],
     "parallel": ["parallel"],
     "topology": ["topology", "wall_films"],
+    "fluid": ["fluid", "fluid_figures"],
     "geometric_flows": ["geometric_flows", "velocities", "algorithm"],
     "thesis": ["thesis", "copies", "operations", "fuzz", "reference"],
     "io": ["io", "checkpoints"],
@@ -37,7 +38,7 @@ OWN = {
 # Cheap ones first. The hashes notice nearly everything and say nothing about what is wrong, so they
 # are asked last of all tests.
 OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "thesis", "algorithm", "initial",
-          "geometric_flows",
+          "geometric_flows", "fluid", "fluid_figures",
           "sizes", "io", "measures", "geometry", "recipes", "scene_files", "scene_runs",
           "topology", "wall_films", "fuzz", "hard", "reference", "scenes", "parallel", "copies", "velocities",
           "checkpoints", "figures", "hashes", "gate"]

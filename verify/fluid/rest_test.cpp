@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Fluids whose forces are in balance rest to rounding, and their pressures are exact.
+#include "fluid/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace dsc::rest_test {
+namespace {
+
+using fluid_scenes::Tank;
+
+double jump(const Fluid& fluid) {
+    return mean_pressure(fluid.field(), 1) - mean_pressure(fluid.field(), 0);
+}
+
+// The tension over the distance of the edges from the centre: two edges at the angle a pull at
+// their vertex by 2 sin(a / 2) times the tension, and the pressure pushes by its jump times
+// cos(a / 2) times an edge, which is 2 tan(a / 2) times that distance.
+double exact_jump(const Complex<double>& complex, double tension) {
+    const VertexLoop outline = outlines(complex, 1).front();
+    const Point<double> middle = (complex.position(outline[0]) + complex.position(outline[1])) / 2;
+    return tension / (middle - Point<double>(0.5, 0.5)).norm();
+}
+
+TEST(FluidRest, ADropStaysAsItIs) {
+    for (const double h : {0.08, 0.04}) {
+        Tank tank = fluid_scenes::static_drop(h, 25);
+        for (int step = 0; step < 5; ++step) {
+            (void)tank.fluid.step(tank.simulation, 0.01);
+        }
+        EXPECT_LT(largest_speed(tank.fluid.field()), 1e-12) << "edge length " << h;
+        EXPECT_NEAR(jump(tank.fluid) / exact_jump(tank.complex, 25), 1, 1e-12);
+        EXPECT_NEAR(jump(tank.fluid), 100, 70 * h * h) << "a disc";
+        EXPECT_NEAR(cubic_outline(tank.complex, 1).circularity(), 1, 20 * h * h * h * h);
+    }
+}
+
+TEST(FluidRest, AHeavyFluidLiesBelowALightOne) {
+    const std::vector<Curve> curves{{.points = {{0, 0.5}, {1, 0.5}}, .left = 1, .right = 0}};
+    Complex<double> complex =
+        initial_complex<double>({{0, 0}, {1, 1}}, curves, {.edge_length = 0.1});
+    Simulation<double> simulation(complex, {.edge_length = 0.1});
+    FluidOptions options;
+    options.phases = {{.phase = 0, .density = 1000}, {.phase = 1, .density = 1}};
+    options.tensions = {{.tension = 1}};
+    options.gravity = {0, -10};
+    options.walls.left = Wall::slip;
+    Fluid fluid(complex, options);
+    for (int step = 0; step < 3; ++step) {
+        (void)fluid.step(simulation, 0.1);
+    }
+    EXPECT_LT(largest_speed(fluid.field()), 1e-12);
+    const auto pressure = [&](double y) {
+        return pressure_at(fluid.field(), find_spot(fluid.field().mesh, {0.3, y}, 0));
+    };
+    EXPECT_NEAR(pressure(0.1) - pressure(0.4), 1000 * 10 * 0.3, 1e-8);
+    EXPECT_NEAR(pressure(0.6) - pressure(0.9), 1 * 10 * 0.3, 1e-8);
+    EXPECT_NEAR(pressure(0.5 - 1e-9) - pressure(0.5 + 1e-9), 0, 1e-4);
+}
+
+} // namespace
+} // namespace dsc::rest_test

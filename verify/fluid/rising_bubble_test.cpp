@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Case 1 of Hysing's rising bubble, early: the acceleration, the area and the energy.
+#include "fluid/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace dsc::rising_bubble_test {
+namespace {
+
+using fluid_scenes::rising_bubble;
+using fluid_scenes::Tank;
+
+// The rise velocity at time 0.2.
+double rise(double edge_length, double dt) {
+    Tank tank = rising_bubble(edge_length);
+    for (int step = 0; step < std::lround(0.2 / dt); ++step) {
+        (void)tank.fluid.step(tank.simulation, dt);
+    }
+    return mean_velocity(tank.fluid.field(), 1).y();
+}
+
+TEST(FluidRisingBubble, StepsConvergeToSecondOrder) {
+    const double coarse = rise(0.08, 0.04);
+    const double middle = rise(0.08, 0.02);
+    const double fine = rise(0.08, 0.01);
+    EXPECT_GT(std::log2((middle - coarse) / (fine - middle)), 1.7);
+    EXPECT_NEAR(rise(0.04, 0.01), 0.09420, 1e-4) << "that of edges of 0.01 and steps of 0.005";
+}
+
+TEST(FluidRisingBubble, AreaIsKeptAndEnergyOnlyLost) {
+    Tank tank = rising_bubble(0.08);
+    const double area = phase_area(tank.complex, 1);
+    double before = energy(tank.fluid.field(), tank.fluid.options()).sum();
+    for (int step = 0; step < 40; ++step) {
+        const FluidStep report = tank.fluid.step(tank.simulation, 0.02);
+        EXPECT_EQ(report.moved.unreached, 0U);
+        EXPECT_LT(report.solved.residual, 1e-11);
+        EXPECT_TRUE(validate(tank.complex).ok());
+        const double now = energy(tank.fluid.field(), tank.fluid.options()).sum();
+        EXPECT_LT(now, before + 1e-3) << "of 1912, at time " << tank.fluid.time();
+        before = now;
+    }
+    EXPECT_NEAR(phase_area(tank.complex, 1) / area, 1, 1e-12);
+}
+
+// Which thread looks up a velocity changes nothing.
+TEST(FluidRisingBubble, TheSameForAnyNumberOfThreads) {
+    Tank alone = rising_bubble(0.05, {.threads = 1});
+    Tank together = rising_bubble(0.05, {.threads = 2});
+    for (int step = 0; step < 5; ++step) {
+        (void)alone.fluid.step(alone.simulation, 0.02);
+        (void)together.fluid.step(together.simulation, 0.02);
+    }
+    EXPECT_EQ(mesh_hash(alone.complex), mesh_hash(together.complex));
+    EXPECT_EQ(alone.fluid.field().velocity, together.fluid.field().velocity);
+}
+
+} // namespace
+} // namespace dsc::rising_bubble_test
