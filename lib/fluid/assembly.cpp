@@ -166,6 +166,8 @@ FluidSystem assemble(const FrozenMesh& mesh, const FluidNumbering& numbers,
     const auto accelerations = has_inertia ? past_accelerations(mesh, past, time)
                                            : std::vector<std::array<Point<double>, 7>>();
     const double rate = has_inertia ? backward_difference(past, time).now : 0;
+    // A wave of the size of the domain has this squared length, over (2 pi)^2 or so.
+    const double extent = (mesh.domain.high - mesh.domain.low).squaredNorm() / 10;
     Assembler assembler(numbers, mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const FrozenTriangle& triangle = mesh.triangles[t];
@@ -187,7 +189,8 @@ FluidSystem assemble(const FrozenMesh& mesh, const FluidNumbering& numbers,
             }
         }
         assembler.add(mesh, t, element);
-        assembler.add_pressure_scale(t, size / 3 / fluid.viscosity);
+        assembler.add_pressure_scale(t,
+                                     size / 3 / (fluid.viscosity + fluid.density * rate * extent));
     }
     add_tension(assembler, mesh, numbers, options, past, time);
     return assembler.finish();

@@ -14,8 +14,8 @@ struct FluidSystem {
     /// The lower triangle. Every diagonal entry is stored, those of the pressures as 0.
     Eigen::SparseMatrix<double> matrix;
     Eigen::VectorXd forces;
-    /// For each pressure the area that belongs to it over the viscosity there, which is about the
-    /// size of its pivot; 0 for velocities.
+    /// For each pressure about what its pivot is where the pressure varies least, over the whole
+    /// domain: the area that belongs to it over viscosity and inertia. 0 for velocities.
     Eigen::VectorXd pressure_scale;
 };
 
