@@ -49,14 +49,24 @@ void add_stress(Element& element, const Eigen::Matrix<double, 2, 3>& slopes, dou
     element.matrix.bottomLeftCorner<3, 12>() = element.matrix.topRightCorner<12, 3>().transpose();
 }
 
-void add_inertia(Element& element, double mass, double rate) {
+// The mean products of the shape functions.
+Eigen::Matrix<double, 6, 6> mean_products() {
+    Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
     for (const QuadraturePoint& point : points_of_degree_5) {
         const Eigen::Matrix<double, 6, 1> shapes = quadratic_shapes(point.at);
+        for (int j = 0; j < 6; ++j) {
+            products.col(j) += point.weight * shapes[j] * shapes;
+        }
+    }
+    return products;
+}
+
+void add_inertia(Element& element, const Eigen::Matrix<double, 6, 6>& products, double mass_rate) {
+    for (int j = 0; j < 6; ++j) {
         for (int i = 0; i < 6; ++i) {
-            for (int j = 0; j < 6; ++j) {
-                element.matrix.block<2, 2>(2 * i, 2 * j).diagonal().array() +=
-                    mass * point.weight * rate * shapes[i] * shapes[j];
-            }
+            const double inertia = mass_rate * products(i, j);
+            element.matrix(2 * i, 2 * j) += inertia;
+            element.matrix(2 * i + 1, 2 * j + 1) += inertia;
         }
     }
 }
@@ -166,6 +176,7 @@ FluidSystem assemble(const FrozenMesh& mesh, const FluidNumbering& numbers,
     const auto accelerations = has_inertia ? past_accelerations(mesh, past, time)
                                            : std::vector<std::array<Point<double>, 7>>();
     const double rate = has_inertia ? backward_difference(past, time).now : 0;
+    const Eigen::Matrix<double, 6, 6> products = mean_products();
     // A wave of the size of the domain has this squared length, over (2 pi)^2 or so.
     const double extent = (mesh.domain.high - mesh.domain.low).squaredNorm() / 10;
     Assembler assembler(numbers, mesh.triangles.size());
@@ -176,7 +187,7 @@ FluidSystem assemble(const FrozenMesh& mesh, const FluidNumbering& numbers,
         Element element;
         add_stress(element, slopes_of(mesh, triangle, size), size, fluid.viscosity);
         if (has_inertia) {
-            add_inertia(element, size * fluid.density, rate);
+            add_inertia(element, products, size * fluid.density * rate);
         }
         for (std::size_t q = 0; q < points_of_degree_5.size(); ++q) {
             const Point<double> past_part = has_inertia ? accelerations[t][q] : Point<double>(0, 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/solve.h"
 
-#include <Eigen/SparseCholesky>
+#include "fluid/factors.h"
 
 #include <cmath>
 #include <numeric>
@@ -37,13 +37,12 @@ Eigen::VectorXd solve(const FluidSystem& system, SolveReport& report) {
     const Eigen::VectorXd mass = pressure_mass * system.pressure_scale;
     Eigen::SparseMatrix<double> regular = system.matrix;
     regular.diagonal() -= mass;
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower,
-                                Eigen::NaturalOrdering<int>>
-        factors(regular);
+    const SparseFactors factors = factorise(regular);
     Eigen::VectorXd residual = system.forces;
     report.residual = 1;
-    for (int k = 0; k <= most_refinements && factors.info() == Eigen::Success; ++k) {
-        solution += factors.solve(residual);
+    for (int k = 0; k <= most_refinements && factors.has_all_pivots; ++k) {
+        solve_in_place(factors, residual);
+        solution += residual;
         residual = system.forces;
         residual.noalias() -= system.matrix.selfadjointView<Eigen::Lower>() * solution;
         const double before = report.residual;
