@@ -46,15 +46,7 @@ EliminationTree elimination_tree(const Sparse& upper) {
     return tree;
 }
 
-// Two neighbouring fronts become one if that fills in little: a few zeros cost less than moving
-// numbers from front to front.
-bool is_worth_joining(std::size_t columns, std::size_t rows, std::size_t next_columns,
-                      std::size_t next_rows) {
-    const std::size_t zeros = columns * (next_columns + next_rows - rows);
-    const std::size_t all = columns + next_columns;
-    return zeros == 0 || (all <= 48 && 4 * zeros < all * (all + next_rows));
-}
-
+// A column has the same rows as the next one if it has one more of them, and the next is the first.
 std::vector<FrontColumns> cut_into_fronts(const EliminationTree& tree) {
     std::vector<FrontColumns> fronts;
     for (std::uint32_t first = 0; first < tree.parent.size();) {
@@ -62,19 +54,7 @@ std::vector<FrontColumns> cut_into_fronts(const EliminationTree& tree) {
         while (tree.parent[last] == last + 1 && tree.rows[last] == tree.rows[last + 1] + 1) {
             ++last;
         }
-        FrontColumns front{.first = first, .count = last + 1 - first};
-        while (!fronts.empty()) {
-            const FrontColumns& before = fronts.back();
-            const std::uint32_t end = front.first - 1;
-            if (tree.parent[end] != front.first ||
-                !is_worth_joining(before.count, tree.rows[end], front.count, tree.rows[last])) {
-                break;
-            }
-            front.first = before.first;
-            front.count += before.count;
-            fronts.pop_back();
-        }
-        fronts.push_back(front);
+        fronts.push_back({.first = first, .count = last + 1 - first});
         first = last + 1;
     }
     return fronts;
