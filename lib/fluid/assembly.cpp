@@ -21,7 +21,7 @@ struct Element {
 Eigen::Matrix<double, 2, 3> slopes_of(const FrozenMesh& mesh, const FrozenTriangle& t,
                                       double area) {
     Eigen::Matrix<double, 2, 3> slopes;
-    for (int i = 0; i < 3; ++i) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
         const Point<double> side = mesh.nodes[t.nodes[prev_index(static_cast<std::uint32_t>(i))]] -
                                    mesh.nodes[t.nodes[next_index(static_cast<std::uint32_t>(i))]];
         slopes.col(i) = Point<double>(-side.y(), side.x()) / (2 * area);
@@ -35,8 +35,8 @@ void add_stress(Element& element, const Eigen::Matrix<double, 2, 3>& slopes, dou
     for (const QuadraturePoint& point : points_of_degree_2) {
         const Eigen::Matrix<double, 2, 6> gradients = quadratic_gradients(point.at, slopes);
         const double weight = area * point.weight;
-        for (int i = 0; i < 6; ++i) {
-            for (int j = 0; j < 6; ++j) {
+        for (Eigen::Index i = 0; i < 6; ++i) {
+            for (Eigen::Index j = 0; j < 6; ++j) {
                 Eigen::Matrix2d block = gradients.col(j) * gradients.col(i).transpose();
                 block.diagonal().array() += gradients.col(i).dot(gradients.col(j));
                 element.matrix.block<2, 2>(2 * i, 2 * j) += weight * viscosity * block;
@@ -54,7 +54,7 @@ Eigen::Matrix<double, 6, 6> mean_products() {
     Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
     for (const QuadraturePoint& point : points_of_degree_5) {
         const Eigen::Matrix<double, 6, 1> shapes = quadratic_shapes(point.at);
-        for (int j = 0; j < 6; ++j) {
+        for (Eigen::Index j = 0; j < 6; ++j) {
             products.col(j) += point.weight * shapes[j] * shapes;
         }
     }
@@ -62,8 +62,8 @@ Eigen::Matrix<double, 6, 6> mean_products() {
 }
 
 void add_inertia(Element& element, const Eigen::Matrix<double, 6, 6>& products, double mass_rate) {
-    for (int j = 0; j < 6; ++j) {
-        for (int i = 0; i < 6; ++i) {
+    for (Eigen::Index j = 0; j < 6; ++j) {
+        for (Eigen::Index i = 0; i < 6; ++i) {
             const double inertia = mass_rate * products(i, j);
             element.matrix(2 * i, 2 * j) += inertia;
             element.matrix(2 * i + 1, 2 * j + 1) += inertia;
@@ -73,20 +73,20 @@ void add_inertia(Element& element, const Eigen::Matrix<double, 6, 6>& products, 
 
 void add_force(Element& element, const QuadraturePoint& point, const Point<double>& force) {
     const Eigen::Matrix<double, 6, 1> shapes = quadratic_shapes(point.at);
-    for (int i = 0; i < 6; ++i) {
+    for (Eigen::Index i = 0; i < 6; ++i) {
         element.forces.segment<2>(2 * i) += point.weight * shapes[i] * force;
     }
 }
 
 // The velocity in the middle of an edge between phases is the mean of its ends: half of its
 // equations go to each end.
-void tie_middle(Element& element, int i) {
-    const int middle = 2 * (3 + i);
-    for (const int end : {2 * ((i + 1) % 3), 2 * ((i + 2) % 3)}) {
+void tie_middle(Element& element, Eigen::Index i) {
+    const Eigen::Index middle = 2 * (3 + i);
+    for (const Eigen::Index end : {2 * ((i + 1) % 3), 2 * ((i + 2) % 3)}) {
         element.matrix.middleRows<2>(end) += element.matrix.middleRows<2>(middle) / 2;
         element.forces.segment<2>(end) += element.forces.segment<2>(middle) / 2;
     }
-    for (const int end : {2 * ((i + 1) % 3), 2 * ((i + 2) % 3)}) {
+    for (const Eigen::Index end : {2 * ((i + 1) % 3), 2 * ((i + 2) % 3)}) {
         element.matrix.middleCols<2>(end) += element.matrix.middleCols<2>(middle) / 2;
     }
 }
@@ -117,9 +117,9 @@ public:
             unknowns[i++] = numbers_.velocity[node][1];
         }
         unknowns.tail<3>() = Eigen::Map<const Eigen::Vector3i>(numbers_.pressure[t].data());
-        for (int i = 0; i < 15; ++i) {
+        for (Eigen::Index i = 0; i < 15; ++i) {
             add_force(unknowns[i], element.forces[i]);
-            for (int j = 0; j < 15; ++j) {
+            for (Eigen::Index j = 0; j < 15; ++j) {
                 add(unknowns[i], unknowns[j], element.matrix(i, j));
             }
         }
@@ -196,7 +196,7 @@ FluidSystem assemble(const FrozenMesh& mesh, const FluidNumbering& numbers,
         }
         for (const std::uint32_t i : {0U, 1U, 2U}) {
             if (numbers.is_middle_of_phases[triangle.nodes[3 + i]] != 0) {
-                tie_middle(element, static_cast<int>(i));
+                tie_middle(element, i);
             }
         }
         assembler.add(mesh, t, element);

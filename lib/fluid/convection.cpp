@@ -15,12 +15,14 @@ public:
     [[nodiscard]] Point<double> one(const Point<double>& at) { return look(*past_.one, at, one_); }
     [[nodiscard]] Point<double> two(const Point<double>& at) { return look(*past_.two, at, two_); }
     [[nodiscard]] Point<double> extrapolated(const Point<double>& at, double time) {
-        const Point<double> last = one(at);
-        if (past_.two == nullptr) {
-            return last;
+        Point<double> velocity = one(at);
+        if (past_.two != nullptr) {
+            const double share = (time - past_.one->time) / (past_.one->time - past_.two->time);
+            if (share != 0) {
+                velocity += share * (velocity - two(at));
+            }
         }
-        const double share = (time - past_.one->time) / (past_.one->time - past_.two->time);
-        return share == 0 ? last : Point<double>(last + share * (last - two(at)));
+        return velocity;
     }
 
 private:

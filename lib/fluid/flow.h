@@ -58,8 +58,7 @@ public:
 
     /// Of the last solution.
     [[nodiscard]] double time() const { return one_->time; }
-    /// Velocity and pressure. Without inertia to start from, the pressure of a fluid at rest at
-    /// time 0 is not known, and given as 0.
+    /// Velocity and pressure. With inertia, the pressure is 0 until the first step has been made.
     [[nodiscard]] const FluidField& field() const { return *one_; }
     [[nodiscard]] const FluidOptions& options() const { return options_; }
 

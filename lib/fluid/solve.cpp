@@ -14,8 +14,8 @@ namespace {
 // pressures has a factorisation without pivoting in any order (R. J. Vanderbei, "Symmetric
 // quasidefinite matrices", 1995). The second block is zero: this share of its natural size takes
 // its place, and refinement removes the error, by about as many digits a time. A solution takes a
-// twentieth of the time of a factorisation, so that it goes on down to rounding: currents that are
-// not there are then no larger than that.
+// tenth of the time of a factorisation, so that it goes on down to rounding: currents that are not
+// there are then no larger than that.
 constexpr double pressure_mass = 1e-8;
 constexpr double largest_residual = 1e-9; // above it the solution is refused
 constexpr int most_refinements = 12;
