@@ -2,6 +2,7 @@
 #include "model.h"
 
 #include "dsc/base/error.h"
+#include "dsc/parallel/in_place/schedule.h"
 
 #include <algorithm>
 #include <chrono>
@@ -98,10 +99,10 @@ double makespan(const Section& section, std::uint32_t workers, Assignment assign
     return last;
 }
 
-void add_step(ModelRun& run, const SubmeshExecutor<double>& executor, double wall) {
+void add_step(ModelRun& run, const SubmeshView& submeshes, double wall) {
     auto& step = run.steps.emplace_back();
     double inside = 0;
-    for (const SubStepProfile& profile : executor.profile().sub_steps) {
+    for (const SubStepProfile& profile : submeshes.profile.sub_steps) {
         ModelSubStep& sub_step = step.emplace_back();
         sub_step.serial = profile.set_up + profile.hand_over + profile.clean_up;
         sub_step.aim.tasks.add_colour(profile.aim.size());
@@ -110,10 +111,10 @@ void add_step(ModelRun& run, const SubmeshExecutor<double>& executor, double wal
         sub_step.aim.wall = profile.aim_wall;
         sub_step.move.wall = profile.move_wall;
         std::size_t first = 0;
-        for (const Colour& colour : executor.partition().colours) {
+        for (const Colour& colour : submeshes.partition.colours) {
             sub_step.move.tasks.add_colour(colour.regions.size());
             for (std::size_t i = 0; i < colour.regions.size(); ++i) {
-                for (const std::uint32_t earlier : executor.tasks().predecessors(first + i)) {
+                for (const std::uint32_t earlier : submeshes.tasks.predecessors(first + i)) {
                     sub_step.move.tasks.wait_for(first + i, earlier);
                 }
             }

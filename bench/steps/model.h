@@ -11,7 +11,7 @@
 // one serves its own is slower; `measure_bandwidth` says how well it does.
 #pragma once
 
-#include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/parallel/parallel.h"
 
 #include <cstdint>
 #include <vector>
@@ -45,7 +45,7 @@ struct ModelRun {
 };
 
 /// Keeps the account of one step. `wall`: the whole step, in seconds.
-void add_step(ModelRun& run, const SubmeshExecutor<double>& executor, double wall);
+void add_step(ModelRun& run, const SubmeshView& submeshes, double wall);
 
 /// Takes the shorter times of two runs of the same steps. Throws InvariantError where they differ.
 void take_least(ModelRun& run, const ModelRun& other);

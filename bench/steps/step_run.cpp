@@ -4,7 +4,7 @@
 #include "context.h"
 
 #include "dsc/base/error.h"
-#include "dsc/queries/hash.h"
+#include "dsc/parallel/in_place/schedule.h"
 #include "dsc/queries/validate.h"
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"
@@ -92,8 +92,8 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
     scenes::Submeshing submeshing = options.submeshing;
     submeshing.profile = true;
     auto executor = scenes::make_executor(complex, choices, options.strategy, submeshing);
-    const auto* submeshes = dynamic_cast<SubmeshExecutor<double>*>(executor.get());
-    if (submeshes == nullptr) {
+    const Executor<double>& seen = *executor;
+    if (!submeshes_in(seen)) {
         throw InvariantError("this strategy keeps no account of its tasks");
     }
     Simulation<double> simulation(complex, choices, std::move(executor));
@@ -109,7 +109,7 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
         (void)advance(simulation, start.setup, step);
         const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
         if (i >= warm_up_steps) {
-            add_step(run, *submeshes, wall.count());
+            add_step(run, *submeshes_in(seen), wall.count());
         }
     }
     return run;

@@ -4,8 +4,8 @@
 #include "case_reader.h"
 #include "context.h"
 
-#include "dsc/base/enum_table.h"
 #include "dsc/base/error.h"
+#include "dsc/base/types.h"
 #include "scenes/digits.h"
 #include "scenes/file/nearest.h"
 #include "scenes/file/text_file.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "flows/eroded_dumbbell.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 #include "flows/arcs.h"
 #include "flows/two_discs.h"
 

@@ -2,7 +2,7 @@
 #include "flows/exact.h"
 
 #include "dsc/base/error.h"
-#include "dsc/geometry/turn.h"
+#include "dsc/geometry/points.h"
 #include "measures/symmetric_difference.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "flows/junction_solutions.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 #include "flows/arcs.h"
 #include "measures/grains.h"
 

@@ -2,8 +2,7 @@
 #include "geometric_flows/growth.h"
 
 #include "dsc/base/error.h"
-#include "dsc/base/require.h"
-#include "dsc/geometry/turn.h"
+#include "dsc/geometry/points.h"
 
 #include <cmath>
 #include <numbers>

@@ -2,8 +2,8 @@
 // A growing interface as seen from one of its vertices: how it turns there, and which way it moves.
 #pragma once
 
-#include "dsc/complex/spokes.h"
-#include "dsc/geometry/turn.h"
+#include "dsc/complex/gather.h"
+#include "dsc/geometry/points.h"
 #include "geometric_flows/growth.h"
 
 namespace dsc {

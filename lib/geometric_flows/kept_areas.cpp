@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometric_flows/kept_areas.h"
 
-#include "dsc/geometry/turn.h"
+#include "dsc/geometry/points.h"
 
 #include <algorithm>
 #include <numeric>

@@ -3,7 +3,6 @@
 
 #include "dsc/base/error.h"
 #include "dsc/geometry/triangle.h"
-#include "dsc/queries/outlines.h"
 #include "dsc/queries/phases.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "dsc/complex/gather.h"
 #include "dsc/passes/interface/curve.h"
-#include "dsc/queries/outlines.h"
+#include "dsc/queries/phases.h"
 
 namespace dsc::scenes {
 

@@ -16,7 +16,7 @@
 //   curve runs the other way there; a point where it does not is used instead if it is near.
 #include "measures/jaggedness.h"
 
-#include "dsc/geometry/turn.h"
+#include "dsc/geometry/points.h"
 #include "measures/compensated_sum.h"
 #include "measures/segment_tree.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "measures/junctions.h"
 
-#include "dsc/queries/outlines.h"
 #include "dsc/queries/phases.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // is stored in its result under the measure's name: to add a measure, add an entry to the list.
 #pragma once
 
-#include "dsc/base/enum_table.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
 #include "measures/figures.h"
 #include "shapes/outline.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "measures/segment_tree.h"
 
-#include "dsc/geometry/distance.h"
+#include "dsc/geometry/points.h"
 
 #include <algorithm>
 #include <array>

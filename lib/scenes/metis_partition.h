@@ -3,7 +3,7 @@
 // background grid. Built if METIS is installed.
 #pragma once
 
-#include "dsc/parallel/partition/places.h"
+#include "dsc/parallel/partition/partition.h"
 
 namespace dsc::scenes {
 

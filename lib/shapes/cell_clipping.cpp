@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/cell_clipping.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 
 #include <algorithm>
 #include <cmath>

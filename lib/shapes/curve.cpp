@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/curve.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/outline.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 #include "measures/compensated_sum.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/voronoi.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 #include "shapes/voronoi_diagram.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 // evaluation of the velocity, because it remembers the last step of each vertex.
 #pragma once
 
-#include "dsc/motion/custom_integrator.h"
+#include "dsc/motion/integrator.h"
 
 #include <algorithm>
 #include <memory>

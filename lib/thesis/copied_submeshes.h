@@ -3,7 +3,7 @@
 // 6.2, with the counting method of slabbing (thesis, sections 6.3 and 8.5). Each submesh is a
 // complex of its own that holds copies; S_i tells which of its vertices are shared with other
 // submeshes, so that merging neither compares coordinates nor searches. The slabs that run in place
-// (dsc/parallel/partition/slabs.h) need no copies.
+// (dsc/parallel/partition/partition.h) need no copies.
 #pragma once
 
 #include "dsc/complex/complex.h"

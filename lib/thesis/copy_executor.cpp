@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "thesis/copy_executor.h"
 
-#include "dsc/base/require.h"
-#include "dsc/parallel/timer.h"
-#include "dsc/passes/interface/carried.h"
+#include "dsc/base/error.h"
+#include "dsc/parallel/parallel.h"
+#include "dsc/passes/interface/list.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "thesis/local_retriangulation.h"
 
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/geometry/triangle.h"
-#include "dsc/operations/fan.h"
 #include "thesis/ear_clipping.h"
 
 #include <algorithm>

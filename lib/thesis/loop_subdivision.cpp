@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "thesis/loop_subdivision.h"
 
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/fan.h"
 
 namespace dsc {
 

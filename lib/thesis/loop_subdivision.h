@@ -3,7 +3,7 @@
 // edges, and the triangles across them in two.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/submesh.h"
 
 #include <array>

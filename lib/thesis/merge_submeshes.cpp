@@ -3,7 +3,7 @@
 
 #include "thesis/copying.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 
 #include <algorithm>

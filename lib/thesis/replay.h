@@ -3,7 +3,7 @@
 // repeat_edit<double>)`.
 #pragma once
 
-#include "dsc/operations/replay.h"
+#include "dsc/io/replay.h"
 
 namespace dsc {
 

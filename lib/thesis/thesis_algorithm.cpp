@@ -5,7 +5,6 @@
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/smoothing.h"
 #include "dsc/quality/measures.h"
-#include "dsc/quality/ring_quality.h"
 #include "thesis/local_retriangulation.h"
 #include "thesis/loop_subdivision.h"
 

@@ -5,7 +5,7 @@
 // in submeshes unchanged.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "dsc/passes/algorithm.h"
 #include "thesis/selection.h"
 

@@ -2,9 +2,9 @@
 #include "thesis/triangle_collapse.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/operations/fan.h"
 
 #include <algorithm>
 #include <cmath>

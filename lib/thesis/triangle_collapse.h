@@ -3,7 +3,7 @@
 // vanish, and its three vertices become one.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/submesh.h"
 
 #include <optional>

@@ -3,7 +3,6 @@
 // hands, so that none of it vanishes unreported.
 #pragma once
 
-#include "dsc/base/enum_table.h"
 #include "dsc/base/types.h"
 
 #include <functional>

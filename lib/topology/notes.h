@@ -5,8 +5,8 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
-#include "dsc/complex/spokes.h"
-#include "dsc/passes/work.h"
+#include "dsc/complex/gather.h"
+#include "dsc/passes/algorithm.h"
 
 #include <cmath>
 #include <limits>

@@ -2,7 +2,6 @@
 #include "topology/options.h"
 
 #include "dsc/base/error.h"
-#include "dsc/base/require.h"
 
 #include <algorithm>
 #include <cmath>

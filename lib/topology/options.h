@@ -2,7 +2,6 @@
 // Whether the topology of the phases may change, and where (thesis, section 13: merging of phases).
 #pragma once
 
-#include "dsc/base/enum_table.h"
 #include "dsc/base/types.h"
 
 #include <functional>

@@ -6,7 +6,7 @@
 #include "dsc/base/types.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
-#include "dsc/geometry/turn.h"
+#include "dsc/geometry/points.h"
 #include "topology/events.h"
 #include "topology/notes.h"
 #include "topology/options.h"

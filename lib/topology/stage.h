@@ -2,7 +2,7 @@
 // Changes of topology as a stage of a simulation.
 #pragma once
 
-#include "dsc/algorithm/stage.h"
+#include "dsc/algorithm/simulation.h"
 #include "topology/events.h"
 #include "topology/notes.h"
 #include "topology/options.h"

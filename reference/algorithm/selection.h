@@ -4,7 +4,7 @@
 // opposite sign.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "reference/complex/complex.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // Edge split: thesis algorithm 7.6, and the helper operation TriangleSplit, algorithm 7.2.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "reference/complex/complex.h"
 
 #include <optional>

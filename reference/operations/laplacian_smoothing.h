@@ -2,7 +2,7 @@
 // Laplacian smoothing: thesis, section 5.5, equation 6.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "reference/complex/complex.h"
 
 namespace dsc::reference {

@@ -2,7 +2,7 @@
 // Local retriangulation: thesis algorithm 7.5.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "reference/complex/complex.h"
 
 namespace dsc::reference {

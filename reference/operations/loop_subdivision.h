@@ -2,7 +2,7 @@
 // Loop subdivision: thesis algorithm 7.4, and the helper OppositeVertex, algorithm 7.3.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "reference/complex/complex.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 // Triangle collapse: thesis chapter 13, figure 13.1, with the restrictions of section 6.5.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "reference/complex/complex.h"
 
 #include <optional>

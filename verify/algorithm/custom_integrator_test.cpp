@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What an integrator of the application's own is given and told, in all ways to run.
-#include "dsc/motion/custom_integrator.h"
+#include "dsc/motion/integrator.h"
 
 #include "support/courses.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

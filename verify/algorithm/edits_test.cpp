@@ -5,14 +5,13 @@
 #include "support/cut_down.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
-#include "dsc/complex/numbering.h"
+#include "dsc/io/replay.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/replay.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/quality/measures.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 

@@ -11,9 +11,7 @@
 #include "support/topology/changing.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/io/edit_file.h"
-#include "dsc/operations/replay.h"
-#include "dsc/queries/hash.h"
+#include "dsc/io/replay.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

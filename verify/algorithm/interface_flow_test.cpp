@@ -4,7 +4,7 @@
 #include "support/interface_view_testing.h"
 #include "support/simulation_testing.h"
 
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who is next to whom on the interface: loops, holes, junctions, and where the domain ends.
-#include "dsc/algorithm/interface_graph.h"
+#include "dsc/algorithm/interface_sight.h"
 
 #include "support/interface_view_testing.h"
 #include "support/random/scene.h"

@@ -5,7 +5,7 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/base/error.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "scenes/integrator_choice.h"
 
 #include <gtest/gtest.h>

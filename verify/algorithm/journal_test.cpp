@@ -6,9 +6,9 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
+#include "dsc/io/replay.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/replay.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "thesis/centred_difference.h"
 
 #include <gtest/gtest.h>

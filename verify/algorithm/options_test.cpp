@@ -3,9 +3,9 @@
 // interrupted.
 #include "support/courses.h"
 
-#include "dsc/algorithm/run.h"
+#include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "thesis/centred_difference.h"
 
 #include <gtest/gtest.h>

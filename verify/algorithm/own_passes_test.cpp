@@ -9,8 +9,8 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/phases.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

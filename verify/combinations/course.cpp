@@ -5,13 +5,11 @@
 #include "combinations/settings.h"
 #include "support/random/scene.h"
 
-#include "dsc/complex/numbering.h"
-#include "dsc/io/edit_file.h"
+#include "dsc/complex/complex.h"
+#include "dsc/io/replay.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/replay.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 #include "geometric_flows/curvature_flow.h"
 #include "geometric_flows/growth.h"
@@ -272,10 +270,10 @@ private:
             }
         }
         if (seen_ != nullptr) {
-            outcome_.threads = std::max(outcome_.threads, seen_->threads_used());
+            outcome_.threads = std::max(outcome_.threads, seen_->view().threads_used);
             outcome_.submeshes = std::max(
                 outcome_.submeshes,
-                static_cast<std::uint32_t>(seen_->partition().colours.front().regions.size()));
+                static_cast<std::uint32_t>(seen_->view().partition.colours.front().regions.size()));
         }
     }
 

@@ -3,7 +3,7 @@
 // together in some row whose answer is known from its parts.
 #pragma once
 
-#include "dsc/base/enum_table.h"
+#include "dsc/base/types.h"
 #include "dsc/motion/interpolation.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/passes/options.h"

@@ -8,8 +8,8 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/geometry/distance.h"
-#include "dsc/passes/interface/carried.h"
+#include "dsc/geometry/points.h"
+#include "dsc/passes/interface/list.h"
 #include "dsc/queries/phases.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace dsc::combinations {
 namespace {
 
 template <class Real>
-std::vector<scenes::Outline> outlines(const Complex<Real>& complex, Phase phase) {
+std::vector<scenes::Outline> outlines_of(const Complex<Real>& complex, Phase phase) {
     return scenes::interface_outlines(complex, {.phase = phase});
 }
 
@@ -144,9 +144,9 @@ void compare_shapes(const Row& row, const Scene& scene, const Outcome<Real>& out
     const Map exact = is_curved && is_euler ? Map(by_integrator) : scene.exact;
     double error = 0;
     for (Phase phase = 1; phase < scene.phases; ++phase) {
-        const auto first = outlines(outcome.first, phase);
+        const auto first = outlines_of(outcome.first, phase);
         const auto expected = mapped(first, exact);
-        const auto last = outlines(outcome.last, phase);
+        const auto last = outlines_of(outcome.last, phase);
         if (is_curved && !is_euler) {
             for (const Point<double>& p : std::views::join(first)) {
                 error = std::max(error, 2 * (by_integrator(p) - exact(p)).norm() / scene.h);
@@ -179,8 +179,9 @@ template <class Real>
 void expect_away(const Scene& scene, const Outcome<Real>& outcome, Findings& findings) {
     double moved = 0;
     for (Phase phase = 1; phase < scene.phases; ++phase) {
-        const auto first = outlines(outcome.first, phase);
-        const double apart = scenes::symmetric_difference(first, outlines(outcome.middle, phase));
+        const auto first = outlines_of(outcome.first, phase);
+        const double apart =
+            scenes::symmetric_difference(first, outlines_of(outcome.middle, phase));
         moved = std::max(moved, apart / (perimeter(first) * scene.h));
     }
     if (moved < 0.05) {
@@ -192,7 +193,7 @@ template <class Real>
 double interface_length(const Complex<Real>& complex, Phase phases) {
     double length = 0;
     for (Phase phase = 0; phase < phases; ++phase) {
-        length += scenes::perimeter(std::span<const scenes::Outline>(outlines(complex, phase)));
+        length += scenes::perimeter(std::span<const scenes::Outline>(outlines_of(complex, phase)));
     }
     return length;
 }

@@ -10,7 +10,7 @@
 #include "support/ways.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/numbering.h"
+#include "dsc/complex/complex.h"
 #include "dsc/geometry/triangle.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"

@@ -2,8 +2,8 @@
 // Stars at the domain boundary and of too many triangles; numbering about the origin; sums of areas
 // of very different size; what insertion refuses.
 #include "dsc/base/error.h"
+#include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
-#include "dsc/complex/numbering.h"
 #include "dsc/queries/phases.h"
 #include "thesis/insertion_removal.h"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Numbering along the Hilbert curve, and the hash that does not depend on the numbering.
-#include "dsc/complex/numbering.h"
+#include "dsc/complex/complex.h"
 
 #include "support/literal_sets.h"
 #include "support/small_meshes.h"
 
 #include "dsc/base/error.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 #include "thesis/algebra.h"
 #include "thesis/insertion_removal.h"

@@ -5,7 +5,7 @@
 
 #include "support/random/scene.h"
 
-#include "dsc/parallel/partition/places.h"
+#include "dsc/parallel/partition/partition.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/queries/validate.h"

@@ -11,10 +11,9 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
+#include "dsc/io/replay.h"
 #include "dsc/motion/interface_flow.h"
-#include "dsc/operations/replay.h"
 #include "dsc/parallel/parallel.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 #include "geometric_flows/curvature_flow.h"
 

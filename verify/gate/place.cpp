@@ -4,7 +4,7 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/geometry/triangle.h"
-#include "dsc/io/svg.h"
+#include "dsc/io/pictures.h"
 #include "dsc/quality/measures.h"
 #include "measures/hausdorff.h"
 #include "measures/interface_outlines.h"

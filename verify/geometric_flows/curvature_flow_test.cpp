@@ -2,7 +2,7 @@
 // Curvature flow by a solve: closed forms, junctions, walls, areas that are kept, bad input.
 #include "support/simulation_testing.h"
 
-#include "dsc/algorithm/interface_graph.h"
+#include "dsc/algorithm/interface_sight.h"
 #include "dsc/base/error.h"
 #include "geometric_flows/curvature_flow.h"
 #include "topology/stage.h"

@@ -4,7 +4,7 @@
 // at all times where its ends keep their angles.
 #include "support/simulation_testing.h"
 
-#include "dsc/algorithm/interface_graph.h"
+#include "dsc/algorithm/interface_sight.h"
 #include "geometric_flows/curvature_flow.h"
 #include "geometric_flows/curve_network.h"
 

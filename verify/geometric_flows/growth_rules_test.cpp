@@ -4,7 +4,7 @@
 #include "support/topology/growth_testing.h"
 
 #include "dsc/base/error.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

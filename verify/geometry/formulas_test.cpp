@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The formulas of lib/dsc/geometry: distances to segments, turns, the polynomial, circles; and that
 // the roundings in which a formula is kept agree with each other.
-#include "dsc/geometry/distance.h"
-#include "dsc/geometry/lagrange.h"
+#include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/geometry/triangle.h"
-#include "dsc/geometry/turn.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The frame of a box: exact both ways for whatever lies in the box.
-#include "dsc/geometry/frame.h"
+#include "dsc/initial/initial_complex.h"
 
 #include "support/frame_testing.h"
 #include "support/random/scene.h"

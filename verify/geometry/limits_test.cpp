@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formulas where something is zero, or exactly as large as something else.
-#include "dsc/geometry/distance.h"
-#include "dsc/geometry/frame.h"
-#include "dsc/geometry/turn.h"
+#include "dsc/geometry/points.h"
+#include "dsc/initial/initial_complex.h"
 
 #include <gtest/gtest.h>
 

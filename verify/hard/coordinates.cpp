@@ -4,7 +4,7 @@
 #include "scene.h"
 #include "watch.h"
 
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "flows/exact.h"
 #include "flows/velocity.h"
 #include "measures/interface_outlines.h"

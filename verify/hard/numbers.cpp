@@ -5,7 +5,7 @@
 #include "watch.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/geometry/frame.h"
+#include "dsc/initial/initial_complex.h"
 #include "flows/exact.h"
 #include "measures/interface_outlines.h"
 #include "shapes/shapes.h"

@@ -4,7 +4,6 @@
 
 #include "result.h"
 
-#include "dsc/geometry/frame.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/passes/options.h"
 #include "shapes/outline.h"

@@ -7,7 +7,7 @@
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/wall.h"
-#include "dsc/quality/ring_quality.h"
+#include "dsc/quality/measures.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 #include "flows/velocity.h"

@@ -4,7 +4,6 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/build/lattice.h"
 #include "dsc/initial/initial_complex.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"

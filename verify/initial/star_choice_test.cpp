@@ -7,7 +7,7 @@
 #include "dsc/initial/build/star_quality.h"
 #include "dsc/initial/improve/improvement.h"
 #include "dsc/initial/improve/refinement.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include "support/small_meshes.h"
 

@@ -2,8 +2,7 @@
 // Pictures and ParaView files: well-formed, complete, exact, and there whole or not at all.
 #include "dsc/io/appended_data.h"
 #include "dsc/io/part_file.h"
-#include "dsc/io/svg.h"
-#include "dsc/io/vtu.h"
+#include "dsc/io/pictures.h"
 
 #include "support/small_meshes.h"
 #include "support/vtu_testing.h"

@@ -4,8 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/io/appended_data.h"
 #include "dsc/io/part_file.h"
-#include "dsc/io/svg.h"
-#include "dsc/io/vtu.h"
+#include "dsc/io/pictures.h"
 
 #include "support/small_meshes.h"
 

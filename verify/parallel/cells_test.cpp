@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where each partitioner cuts: the work is shared, widths are respected, and a colour is not cut
 // where the one before it was.
-#include "dsc/parallel/partition/partition.h"
+#include "dsc/parallel/partition/cuts.h"
 
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"

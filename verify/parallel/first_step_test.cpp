@@ -111,7 +111,7 @@ TEST(FirstStep, FindsItsThreadsStarted) {
         Growing disc(ways_to_divide(8).front().make(), 3);
         const auto constructed = living_threads();
         (void)disc.simulation->step(disc.grow, 0, Growing::h);
-        EXPECT_EQ(disc.seen->threads_used(), 3U);
+        EXPECT_EQ(disc.seen->view().threads_used, 3U);
         EXPECT_EQ(living_threads(), constructed) << "at first " << at_first;
     }).join();
 }

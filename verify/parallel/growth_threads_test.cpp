@@ -4,7 +4,7 @@
 #include "support/random/scene.h"
 #include "support/topology/growth_testing.h"
 
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "thesis/copy_executor.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "support/random/scene.h"
 #include "support/submesh_executor_testing.h"
 
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "scenes/integrator_choice.h"
 #include "thesis/copy_executor.h"
 

@@ -3,10 +3,7 @@
 #include "dsc/base/error.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
-#include "dsc/parallel/partition/blocks.h"
-#include "dsc/parallel/partition/cells.h"
-#include "dsc/parallel/partition/places.h"
-#include "dsc/parallel/partition/slabs.h"
+#include "dsc/parallel/partition/cuts.h"
 #include "dsc/passes/interface/list.h"
 
 #include "support/random/scene.h"
@@ -120,7 +117,7 @@ TEST_F(OnARow, ASingleSubmeshIsWhatOneAsksFor) {
             complex, options, Parallel{.division = Division::counting, .submeshes = submeshes});
         const auto* seen = dynamic_cast<const SubmeshExecutor<double>*>(executor.get());
         ASSERT_NE(seen, nullptr);
-        EXPECT_EQ(seen->partition().colours.front().regions.size(), submeshes);
+        EXPECT_EQ(seen->view().partition.colours.front().regions.size(), submeshes);
     }
 }
 

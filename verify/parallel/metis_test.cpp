@@ -10,7 +10,6 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +51,7 @@ Outcome run(std::uint32_t threads) {
         const auto report = simulation.step(setup.flow.front().velocity, begin, setup.dt);
         outcome.unreached += report.unreached;
         outcome.submeshes =
-            std::max(outcome.submeshes, parallel.partition().colours.front().regions.size());
+            std::max(outcome.submeshes, parallel.view().partition.colours.front().regions.size());
     }
     EXPECT_EQ(validate(complex).problem, "");
     outcome.hash = mesh_hash(complex);

@@ -41,8 +41,8 @@ Profiled profiled_steps() {
     Profiled profiled;
     for (int step = 0; step < 3; ++step) {
         simulation.step(grow, 0, 0.2);
-        bench::add_step(profiled.run, seen, 1000);
-        for (const SubStepProfile& times : seen.profile().sub_steps) {
+        bench::add_step(profiled.run, seen.view(), 1000);
+        for (const SubStepProfile& times : seen.view().profile.sub_steps) {
             for (const auto* tasks : {&times.aim, &times.move}) {
                 profiled.tasks += static_cast<double>(tasks->size());
                 for (const double seconds : *tasks) {

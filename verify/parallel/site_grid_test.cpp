@@ -6,7 +6,7 @@
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"
 
-#include "dsc/parallel/partition/places.h"
+#include "dsc/parallel/partition/partition.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/quality/measures.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

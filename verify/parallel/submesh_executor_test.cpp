@@ -53,7 +53,7 @@ TEST(SubmeshExecutor, PassesOnWhatAVelocityThrows) {
                     }
                 };
                 EXPECT_THROW((void)disc.simulation->step(faulty, 0, Growing::h), Fault);
-                EXPECT_GE(disc.seen->partition().colours.front().regions.size(), 3U);
+                EXPECT_GE(disc.seen->view().partition.colours.front().regions.size(), 3U);
                 disc.expect_to_go_on();
             }
         }
@@ -90,7 +90,7 @@ TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
                             return region.is_whole();
                         }
                         // Any but the first of them.
-                        const auto& regions = seen->partition().colours.at(colour).regions;
+                        const auto& regions = seen->view().partition.colours.at(colour).regions;
                         return std::any_of(regions.begin() + 1, regions.end(), [&](const auto& r) {
                             return is_same(r.simplest(), region);
                         });
@@ -227,8 +227,8 @@ TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
             std::ranges::fill(velocities, Point<double>(0, 0));
         };
         (void)simulation.step(rest, 0, 1);
-        EXPECT_EQ(seen.partition().colours.front().regions.size(), 4U);
-        return seen.threads_used();
+        EXPECT_EQ(seen.view().partition.colours.front().regions.size(), 4U);
+        return seen.view().threads_used;
     };
     EXPECT_EQ(threads_of(1, 1), 1U);
     EXPECT_EQ(threads_of(3, 1), 3U);
@@ -259,12 +259,12 @@ TEST(SubmeshExecutor, KeepsAccountOfTimesWhereAsked) {
         for (int step = 0; step < 3; ++step) {
             const StepReport report = simulation.step(grow, 0, 0.2);
             ASSERT_GT(report.sub_steps, 1U);
-            ASSERT_EQ(seen.profile().sub_steps.size(), profile ? report.sub_steps : 0U);
-            for (const SubStepProfile& times : seen.profile().sub_steps) {
-                const auto& colours = seen.partition().colours;
+            ASSERT_EQ(seen.view().profile.sub_steps.size(), profile ? report.sub_steps : 0U);
+            for (const SubStepProfile& times : seen.view().profile.sub_steps) {
+                const auto& colours = seen.view().partition.colours;
                 ASSERT_EQ(colours.size(), 2U);
                 EXPECT_EQ(times.aim.size(), colours[0].regions.size());
-                EXPECT_EQ(times.move.size(), seen.tasks().size());
+                EXPECT_EQ(times.move.size(), seen.view().tasks.size());
                 EXPECT_EQ(times.move.size(), colours[0].regions.size() + colours[1].regions.size());
                 EXPECT_EQ(times.motion_passes.size(), default_algorithm<double>().motion.size());
                 double aim = 0;

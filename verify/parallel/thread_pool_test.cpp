@@ -3,7 +3,6 @@
 // threads follows what steps take.
 #include "dsc/parallel/threads/thread_choice.h"
 #include "dsc/parallel/threads/thread_pool.h"
-#include "dsc/parallel/threads/waiting.h"
 
 #include <gtest/gtest.h>
 

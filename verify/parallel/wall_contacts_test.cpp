@@ -6,7 +6,7 @@
 #include "support/ways.h"
 
 #include "dsc/initial/initial_complex.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "geometric_flows/curvature_flow.h"
 #include "geometric_flows/growth_corners.h"
 

@@ -5,10 +5,10 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/numbering.h"
+#include "dsc/complex/complex.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/passes/interface/carried.h"
-#include "dsc/queries/hash.h"
+#include "dsc/passes/interface/list.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "dsc/initial/initial_complex.h"
 #include "dsc/passes/interface/curve.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/quality/ring_quality.h"
+#include "dsc/quality/measures.h"
 
 #include <gtest/gtest.h>
 

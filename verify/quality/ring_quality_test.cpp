@@ -2,11 +2,9 @@
 // What is computed on all lanes of a star at once is what each triangle and each edge says by
 // itself.
 #include "dsc/complex/gather.h"
-#include "dsc/quality/ring_quality.h"
+#include "dsc/quality/measures.h"
 
 #include "support/small_meshes.h"
-
-#include "dsc/quality/measures.h"
 
 #include <gtest/gtest.h>
 

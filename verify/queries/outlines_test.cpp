@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Interface curves and outlines of phases: on grids whose squares have phases, and on random meshes
 // compared with the phases of every triangle.
-#include "dsc/queries/outlines.h"
+#include "dsc/queries/phases.h"
 
 #include "support/random/complex.h"
 #include "support/small_meshes.h"

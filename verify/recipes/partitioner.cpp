@@ -21,11 +21,9 @@ class Halves final : public Partitioner<double> {
 static std::uint64_t hash_after_ten_steps(std::uint32_t threads) {
     auto complex = test::disc_complex<double>(0.03);
     const Options<double> options{.edge_length = 0.03};
-    Simulation<double> simulation(
-        complex, options,
-        std::make_unique<SubmeshExecutor<double>>(complex, options, default_algorithm<double>(),
-                                                  std::make_unique<Halves>(), // the line
-                                                  SubmeshOptions{.threads = threads}));
+    Simulation<double> simulation(complex, options,
+                                  make_executor(complex, options, Parallel{.threads = threads},
+                                                std::make_unique<Halves>())); // the line
     for (int step = 0; step < 10; ++step) {
         simulation.step([](auto p, double, auto v) { std::ranges::copy(p, v.begin()); },
                         0.01 * step, 0.01); // everything grows away from the origin

@@ -6,7 +6,6 @@
 #include "shapes/shapes.h"
 
 #include "dsc/base/error.h"
-#include "dsc/queries/outlines.h"
 #include "dsc/queries/phases.h"
 #include "support/outline_testing.h"
 

@@ -6,7 +6,6 @@
 
 #include "scenes/run/run.h"
 
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 #include "measures/interface_outlines.h"
 

@@ -10,9 +10,9 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/quality/measures.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/phases.h"
-#include "dsc/sizes/field.h"
+#include "dsc/queries/validate.h"
+#include "dsc/sizes/sizes.h"
 
 #include <gtest/gtest.h>
 

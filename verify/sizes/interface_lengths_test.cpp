@@ -5,8 +5,8 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/phases.h"
+#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 

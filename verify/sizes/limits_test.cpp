@@ -2,8 +2,8 @@
 // Targets at the domain boundary, of phases with a single triangle in a star, and the extent of
 // small meshes.
 #include "dsc/complex/gather.h"
-#include "dsc/sizes/field.h"
 #include "dsc/sizes/rule.h"
+#include "dsc/sizes/sizes.h"
 
 #include "support/small_meshes.h"
 

@@ -9,7 +9,7 @@
 
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/sizes/field.h"
+#include "dsc/sizes/sizes.h"
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,11 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/numbering.h"
+#include "dsc/complex/complex.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/phases.h"
-#include "dsc/sizes/field.h"
+#include "dsc/queries/validate.h"
+#include "dsc/sizes/sizes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a value reaches a point across a triangle, and how targets spread over a whole mesh.
-#include "dsc/sizes/field.h"
 #include "dsc/sizes/rule.h"
+#include "dsc/sizes/sizes.h"
 
 #include "support/random/scene.h"
 

@@ -2,7 +2,7 @@
 // A failed run is kept as its first complex and its log, and reduced by leaving out records.
 #pragma once
 
-#include "dsc/operations/replay.h"
+#include "dsc/io/replay.h"
 
 #include <functional>
 #include <utility>

@@ -4,7 +4,7 @@
 // there is one ("dsc::Integrator::rk4"), and as a cast ("(dsc::Integrator)9") if there is none.
 #pragma once
 
-#include "dsc/base/enum_table.h"
+#include "dsc/base/types.h"
 
 #include <cstddef>
 #include <string_view>

@@ -7,7 +7,7 @@
 #include "snapshot.h"
 #include "support/random/complex.h"
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/validate.h"
 #include "reference/algorithm/quality.h"

@@ -2,7 +2,7 @@
 // There and back between the world and a frame.
 #pragma once
 
-#include "dsc/geometry/frame.h"
+#include "dsc/initial/initial_complex.h"
 #include "dsc/motion/integrator.h"
 
 #include <utility>

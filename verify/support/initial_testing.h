@@ -2,8 +2,8 @@
 // What the tests of the initial complex examine: loops of the interface, sizes, phases.
 #pragma once
 
-#include "dsc/base/tolerances.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/geometry/triangle.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/quality/measures.h"
 #include "shapes/outline.h"

@@ -2,7 +2,7 @@
 // The expected contents of a view of the interface, found from the triangles one by one.
 #pragma once
 
-#include "dsc/algorithm/interface_graph.h"
+#include "dsc/algorithm/interface_sight.h"
 #include "dsc/queries/phases.h"
 
 #include <map>

@@ -5,7 +5,7 @@
 
 #include "snapshot.h"
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/queries/validate.h"
 

@@ -11,7 +11,6 @@
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/quality/measures.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 #include "scenes/integrator_choice.h"
 
@@ -214,9 +213,9 @@ Outcome simulate(const Scene& scene, const MakeExecutor<Real>& make) {
         EXPECT_EQ(test::interface_fault(complex, outcome.interfaces.back()), "")
             << outcome.words << ", step " << step;
         if (seen != nullptr) {
-            outcome.most_submeshes =
-                std::max(outcome.most_submeshes, seen->partition().colours.front().regions.size());
-            outcome.most_threads = std::max(outcome.most_threads, seen->threads_used());
+            outcome.most_submeshes = std::max(
+                outcome.most_submeshes, seen->view().partition.colours.front().regions.size());
+            outcome.most_threads = std::max(outcome.most_threads, seen->view().threads_used);
         }
     }
     for (const Triangle t : triangles(complex)) {

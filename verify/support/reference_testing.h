@@ -3,7 +3,7 @@
 // hand, and a square with a circle.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "reference/algorithm/movement.h"
 #include "reference/algorithm/quality.h"
 #include "reference/complex/validate.h"

@@ -8,7 +8,6 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 #include "support/random/scene.h"
 
 #include "dsc/base/error.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,6 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/quality/measures.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

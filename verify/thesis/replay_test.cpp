@@ -4,7 +4,6 @@
 
 #include "support/courses.h"
 
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 #include "thesis/local_retriangulation.h"
 #include "thesis/thesis_algorithm.h"

@@ -6,9 +6,9 @@
 #include "support/small_meshes.h"
 
 #include "dsc/base/error.h"
-#include "dsc/operations/fan.h"
-#include "dsc/operations/replay.h"
-#include "dsc/queries/hash.h"
+#include "dsc/complex/circulate.h"
+#include "dsc/io/replay.h"
+#include "dsc/queries/validate.h"
 #include "thesis/insertion_removal.h"
 #include "thesis/triangle_collapse.h"
 

@@ -10,7 +10,6 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/parallel/parallel.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/locate.h"
 #include "dsc/queries/validate.h"
 #include "geometric_flows/curvature_flow.h"

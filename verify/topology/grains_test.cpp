@@ -8,7 +8,6 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/quality/measures.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/validate.h"
 #include "geometric_flows/curvature_flow.h"
 

@@ -7,8 +7,8 @@
 #include "dsc/base/error.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/quality/measures.h"
-#include "dsc/queries/hash.h"
 #include "dsc/queries/locate.h"
+#include "dsc/queries/validate.h"
 #include "topology/region.h"
 
 namespace dsc::wide_contact_test {

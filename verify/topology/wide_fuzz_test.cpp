@@ -9,7 +9,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/parallel/parallel.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include <atomic>
 #include <string>

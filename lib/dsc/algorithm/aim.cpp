@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/algorithm/aim.h"
+#include "dsc/algorithm/executor.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/executor.h"
 
+#include "dsc/algorithm/interface_sight.h"
 #include "dsc/base/error.h"
-#include "dsc/passes/interface/carried.h"
+#include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/readers.h"
-#include "dsc/passes/work_archive.h"
 
 #include <algorithm>
 #include <utility>
@@ -80,7 +80,7 @@ template <class Real>
 Executor<Real>::Executor(Complex<Real>& complex, const Options<Real>& options,
                          Algorithm<Real> algorithm)
     : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
-      whole_(complex, options_), works_{&whole_} {
+      whole_(complex, options_), works_{&whole_}, sight_(std::make_unique<InterfaceSight<Real>>()) {
     // Stamps of an earlier run must not be mistaken for those of this one.
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
@@ -91,6 +91,9 @@ Executor<Real>::Executor(Complex<Real>& complex, const Options<Real>& options,
     const std::size_t room = 64 + 2 * whole_.interface.size();
     complex.reserve(complex.vertex_bound() + room, complex.triangle_bound() + 2 * room);
 }
+
+template <class Real>
+Executor<Real>::~Executor() = default;
 
 // --- between two steps -------------------------------------------------------------------------
 
@@ -176,8 +179,8 @@ AimReport<Real> Executor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) 
         report = find_velocities(whole_, *velocity, time);
         report.reach = find_targets(whole_, *velocity, time, dt);
     } else {
-        sight_.look(whole_);
-        report = sight_.aim(flow, time, dt);
+        sight_->look(whole_);
+        report = sight_->aim(flow, time, dt);
     }
     progress_ = Progress::aimed;
     return report;
@@ -186,7 +189,7 @@ AimReport<Real> Executor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) 
 template <class Real>
 Reach<Real> Executor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
     return flow.velocity() != nullptr ? find_targets(whole_, *flow.velocity(), time, dt)
-                                      : sight_.aim_again(flow, time, dt);
+                                      : sight_->aim_again(flow, time, dt);
 }
 
 template <class Real>

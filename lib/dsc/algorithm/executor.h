@@ -1,13 +1,41 @@
 // SPDX-License-Identifier: MIT
 // Runs the passes of an algorithm over a complex: in one piece (here), or in submeshes first
-// (dsc/parallel). An application may derive an executor of its own.
+// (dsc/parallel). An application may derive an executor of its own. The functions at the end are
+// the parts of a sub-step, for works of its own.
 #pragma once
 
-#include "dsc/algorithm/aim.h"
-#include "dsc/algorithm/interface_sight.h"
+#include "dsc/motion/interface_flow.h"
 #include "dsc/passes/algorithm.h"
 
+#include <algorithm>
+#include <memory>
+#include <vector>
+
 namespace dsc {
+
+/// How far away the targets are.
+template <class Real>
+struct Reach {
+    Real farthest = 0; ///< the longest distance to a finite target
+    Real error = 0;    ///< the largest error estimate, a length, of an integrator that has one
+
+    Reach& operator+=(const Reach& other) {
+        farthest = std::max(farthest, other.farthest);
+        error = std::max(error, other.error);
+        return *this;
+    }
+};
+
+/// What is known once all targets have been found.
+template <class Real>
+struct AimReport {
+    Real fastest = 0;         ///< the largest finite speed at the start
+    Reach<Real> reach;        ///< of the targets
+    std::uint64_t held = 0;   ///< vertices held because of a velocity that is not finite
+    std::size_t vertices = 0; ///< interface vertices
+
+    AimReport& operator+=(const AimReport& other);
+};
 
 /// The result of a movement.
 struct MoveReport {
@@ -17,6 +45,9 @@ struct MoveReport {
 
     MoveReport& operator+=(const MoveReport& other);
 };
+
+template <class Real>
+class InterfaceSight;
 
 /// Runs the passes over the whole complex, on the calling thread: the sequential DSC of the thesis.
 /// A class derived from it may let submeshes run first; the whole then does what all of them left.
@@ -29,7 +60,7 @@ class Executor {
 public:
     /// Lists the interface and keeps the options, which the simulation has checked. O(mesh).
     Executor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm);
-    virtual ~Executor() = default;
+    virtual ~Executor();
     Executor(const Executor&) = delete;
     Executor& operator=(const Executor&) = delete;
     Executor(Executor&&) = delete;
@@ -125,9 +156,28 @@ protected:
     Progress progress_ = Progress::none;
 
 private:
-    InterfaceSight<Real> sight_;
+    std::unique_ptr<InterfaceSight<Real>> sight_; ///< for flows that see the interface
     std::vector<Edit> edits_; ///< in the order of the sections, and there of `works_`
 };
+
+// --- the parts of a sub-step ---------------------------------------------------------------------
+// Where the interface moves (thesis, algorithm 5.1, line 4), and the movement. The sequential
+// driver runs them for the whole complex at once, the parallel one for each submesh.
+
+/// Finds the velocities of `work.interface` at `time` and stores them in `work.aim`. O(interface
+/// vertices).
+template <class Real>
+AimReport<Real> find_velocities(Work<Real>& work, const Velocity<Real>& velocity, Real time);
+
+/// Finds their targets at time + dt from these velocities. O(interface vertices); called again
+/// whenever the driver changes dt.
+template <class Real>
+Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt);
+
+/// Puts the vertices that have to move into `work.movers`; returns how many are held because their
+/// target is not finite. Locked vertices stay. A custom integrator is told which targets these are.
+template <class Real>
+std::uint64_t collect_movers(Work<Real>& work);
 
 /// True once a vertex has missed its target three times in a row: something is in its way, and
 /// further attempts would be in vain.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/simulation.h"
 
+#include "dsc/algorithm/interface_sight.h"
 #include "dsc/base/error.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/passes/readers.h"
-#include "dsc/sizes/field.h"
+#include "dsc/sizes/sizes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,20 +1,77 @@
 // SPDX-License-Identifier: MIT
-// One time step (thesis, sections 5.6 and 8.10). The sub-step is the outermost loop: no vertex is
-// asked to move more than a fraction of an edge length at a time, and all passes end before the
-// next sub-step begins.
+// One time step (thesis, sections 5.6 and 8.10), the stages between its sub-steps, and a run of
+// several steps. The sub-step is the outermost loop: no vertex is asked to move more than a
+// fraction of an edge length at a time, and all passes end before the next sub-step begins.
 #pragma once
 
 #include "dsc/algorithm/executor.h"
-#include "dsc/algorithm/stage.h"
 #include "dsc/motion/integrator.h"
+#include "dsc/passes/algorithm.h"
 
 #include <atomic>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace dsc {
+
+// --- stages --------------------------------------------------------------------------------------
+// Serial work between two sub-steps, in the whole complex: changes of topology, an implicit solve,
+// remeshing by a criterion of the application. A stage may bring a pass of its own, which runs in
+// the submeshes at the end of the upkeep and notes what the stage has to know, in an attribute:
+// attributes follow operations, renumbering, copies and checkpoints by themselves.
+
+/// What a stage is given.
+template <class Real>
+struct Between {
+    Complex<Real>& complex;                   ///< edits are noted in its journal
+    std::span<const std::uint32_t> interface; ///< the vertices that the flow moves, in any order
+    Real edge_length;                         ///< of the options
+    Real time;                                ///< at the end of the sub-step
+    Real dt;                                  ///< the duration of the sub-step
+    std::uint64_t unreached;                  ///< vertices that did not arrive in it
+};
+
+/// A stage of a simulation. Called by the thread that calls `Simulation::step`; what it throws
+/// comes out of there, and the complex must be valid then. A stage that has to read the edits of
+/// the sub-step adds a listener, which is told before the stage runs.
+template <class Real>
+class Stage {
+public:
+    virtual ~Stage() = default;
+    Stage() = default;
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+    Stage(Stage&&) = delete;
+    Stage& operator=(Stage&&) = delete;
+
+    /// Throws InputError if the stage does not suit the complex or these options. Called before
+    /// `begin`, for all stages of a simulation before anything changes.
+    virtual void check(const Complex<Real>& complex, const Options<Real>& options) const {
+        (void)complex, (void)options;
+    }
+    /// Called when the stage is added, whenever the options have changed, and after the application
+    /// has renumbered or replaced the complex: attributes may be others then.
+    virtual void begin(Complex<Real>& complex, const Options<Real>& options) {
+        (void)complex, (void)options;
+    }
+    /// The last pass of the upkeep, once a sub-step. Asked for when the stage is added.
+    [[nodiscard]] virtual std::optional<Pass<Real>> pass() { return {}; }
+    /// Called after each sub-step. Edits are absorbed after the call, and told to the listeners;
+    /// vertices that did not arrive in the sub-step then try again.
+    virtual void run(const Between<Real>& between) = 0;
+    /// Called after the edits are absorbed, for listeners of the stage's own.
+    virtual void tell() {}
+    /// Writes what the stage carries from one step to the next, or reads it back; see
+    /// `Simulation::archive`. Attributes of the complex are archived with the complex.
+    virtual void archive(Archive& archive) { (void)archive; }
+};
+
+// --- a step --------------------------------------------------------------------------------------
 
 /// Why a step ended before its time.
 enum class GiveUp : std::uint8_t {
@@ -181,5 +238,64 @@ private:
     const std::atomic<bool>* interrupted_ = nullptr;
     Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
 };
+
+// --- a run: several steps on end, with a word to the application after each of them
+// ---------------
+
+/// Steps of equal length.
+struct RunPlan {
+    double begin = 0; ///< time of the first step
+    double dt = 0;    ///< of each step
+    int steps = 0;    ///< how many
+};
+
+/// What is known after a step.
+struct Progress {
+    int step = 0;             ///< 1 for the first
+    int steps = 0;            ///< of the plan
+    double time = 0;          ///< at its end
+    const StepReport& report; ///< of the step; valid during the call
+};
+
+/// Called after each step, by the thread that runs them; false: no more steps.
+using ProgressFunction = std::function<bool(const Progress& progress)>;
+
+/// Sums over the steps of a run.
+struct RunReport {
+    int steps = 0;                 ///< done
+    OperationCounts operations;    ///< of all steps
+    std::uint64_t sub_steps = 0;   ///< of all steps
+    std::uint64_t unreached = 0;   ///< of all steps: see `StepReport`
+    std::uint64_t held = 0;        ///< of all steps: see `StepReport`
+    GiveUp gave_up = GiveUp::none; ///< of the last step
+    double reached = 0;            ///< time at the end
+};
+
+/// Runs the steps, until one gives up, the function returns false, or all are done. `flow` is
+/// anything that `Simulation::step` takes. The time of a step is multiplied, not summed, so that
+/// the last one ends where the plan ends. What the flow or the function throws comes out, and
+/// leaves a valid complex.
+template <class Real, class AnyFlow>
+RunReport run(Simulation<Real>& simulation, const AnyFlow& flow, const RunPlan& plan,
+              const ProgressFunction& tell = {}) {
+    RunReport sum;
+    sum.reached = plan.begin;
+    for (int step = 1; step <= plan.steps && sum.gave_up == GiveUp::none; ++step) {
+        const double time = plan.begin + (step - 1) * plan.dt;
+        const StepReport report =
+            simulation.step(flow, static_cast<Real>(time), static_cast<Real>(plan.dt));
+        ++sum.steps;
+        sum.operations += report.operations;
+        sum.sub_steps += report.sub_steps;
+        sum.unreached += report.unreached;
+        sum.held += report.held;
+        sum.gave_up = report.gave_up;
+        sum.reached = report.gave_up == GiveUp::none ? plan.begin + step * plan.dt : report.reached;
+        if (tell && !tell({step, plan.steps, sum.reached, report})) {
+            break;
+        }
+    }
+    return sum;
+}
 
 } // namespace dsc

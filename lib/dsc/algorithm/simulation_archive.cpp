@@ -2,7 +2,7 @@
 // What a simulation carries from one step to the next, as bytes.
 #include "dsc/algorithm/simulation.h"
 
-#include "dsc/complex/complex_archive.h"
+#include "dsc/complex/complex.h"
 #include "dsc/queries/validate.h"
 
 namespace dsc {

@@ -13,7 +13,6 @@
 
 #include "dsc/base/archive.h"
 #include "dsc/base/types.h"
-#include "dsc/complex/corner.h"
 
 #include <concepts>
 #include <functional>

@@ -8,11 +8,11 @@
 
 #include "dsc/base/types.h"
 #include "dsc/complex/attributes.h"
-#include "dsc/complex/corner.h"
 #include "dsc/complex/edit_log.h"
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -117,8 +117,7 @@ public:
         return static_cast<std::uint32_t>(triangles.size());
     }
 
-    // --- what is alive
-    // ----------------------------------------------------------------------------
+    // --- what is alive ------------------------------------------------------------------------
     /// Whether the handle names a living vertex. O(1).
     [[nodiscard]] bool is_alive(Vertex v) const {
         return v.id < vertices.size() && (vertices[v.id].flags & vertex_dead) == 0;
@@ -249,5 +248,50 @@ template <class Real>
 Complex<Real> make_complex(std::span<const Point<Real>> points,
                            std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::span<const Phase> phases);
+
+// --- numbering along a space-filling curve -------------------------------------------------------
+// The order in memory matters more than any layout: 2.5 ns per triangle in good order against 60 ns
+// in random order, at 2.8 million triangles. D. Hilbert, "Ueber die stetige Abbildung einer Linie
+// auf ein Flaechenstueck" (1891); the bitwise walk through the curve is that of H. S. Warren,
+// "Hacker's Delight", chapter 16.
+
+/// The distance along the Hilbert curve of order 32 through the 2^32 x 2^32 grid. Cells that follow
+/// each other on the curve share a side.
+[[nodiscard]] std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y);
+
+/// The new id of each old one; no_id if the old id was free.
+struct Renumbering {
+    std::vector<std::uint32_t> vertices;  ///< by old vertex id
+    std::vector<std::uint32_t> triangles; ///< by old triangle id; the border, 0, stays
+};
+
+/// Renumbers vertices along a Hilbert curve by their positions, triangles by the smallest of their
+/// new vertices, and drops the free ids. Unused vertices stay. A triangle keeps its corners 0, 1,
+/// 2; attributes are permuted with their simplices. All earlier handles and corners become invalid.
+/// The new order depends on the old one only where vertices coincide or triangles begin at another
+/// of their corners. O(n log n); works in place, with 16 extra bytes per vertex and 8 per triangle
+/// (and the copy of one attribute at a time). Noted in the journal: a simulation of this complex
+/// adopts the new ids before its next step; must not be called during a step. Throws InputError if
+/// submeshes hold ids of the complex and nothing reads its journal.
+template <class Real>
+Renumbering renumber(Complex<Real>& complex);
+
+// --- as bytes ------------------------------------------------------------------------------------
+
+/// Writes a complex exactly as it is, or reads it back into one that has the same attributes: ids,
+/// free ids in their order, flags, the entries of the attributes, and the edits that nobody has
+/// read yet. What was there before is gone. Throws FileError for one of the other scalar type, or
+/// with other attributes. Whether what was read is a complex is for `validate` to say. O(n).
+template <class Real>
+void archive(Archive& archive, Complex<Real>& complex);
+
+void archive(Archive& archive, Edit& edit);
+void archive(Archive& archive, OperationCounts& counts);
+void archive(Archive& archive, IdPool& pool);
+
+/// Refuses a list with an id that no vertex of the complex has, dead or alive. O(list).
+template <class Real>
+void expect_vertices(const Archive& archive, const Complex<Real>& complex,
+                     std::span<const std::uint32_t> list);
 
 } // namespace dsc

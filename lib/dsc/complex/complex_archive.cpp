@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/complex/complex_archive.h"
+#include "dsc/complex/complex.h"
 
 #include <algorithm>
 #include <string>

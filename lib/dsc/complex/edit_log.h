@@ -8,7 +8,6 @@
 #pragma once
 
 #include "dsc/base/types.h"
-#include "dsc/complex/corner.h"
 
 #include <array>
 #include <cstdint>

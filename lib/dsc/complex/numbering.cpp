@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/complex/numbering.h"
+#include "dsc/complex/complex.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"

@@ -9,9 +9,20 @@
 
 #include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
-#include "dsc/complex/resample.h"
-#include "dsc/geometry/distance.h"
+#include "dsc/geometry/points.h"
 #include "dsc/geometry/triangle.h"
+
+namespace dsc {
+
+/// Gives the fields at `v`, the vertex attributes that sample the plane, the values at `place`, a
+/// point of its star: linear in the triangle that holds it. To be called before `v` moves; other
+/// attributes are not touched. `with_interface`: the interface moves `v`, not smoothing, and fields
+/// that the interface carries keep their values. O(degree).
+template <class Real>
+void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
+                     bool with_interface);
+
+} // namespace dsc
 
 namespace dsc::rewire {
 

@@ -4,7 +4,6 @@
 // predicates" (1997), gives the error bounds of the filters.
 #pragma once
 
-#include "dsc/base/tolerances.h"
 #include "dsc/base/types.h"
 
 #include <algorithm>
@@ -19,6 +18,15 @@ int orientation(double ax, double ay, double bx, double by, double cx, double cy
 int in_circle(double ax, double ay, double bx, double by, double cx, double cy, double dx,
               double dy);
 } // namespace exact
+
+/// Rounding bound of a doubled area computed from differences of coordinates, relative to the sum
+/// of the magnitudes of its two products: a doubled area of a larger magnitude has the right sign.
+/// (3 + 16 eps) eps with eps = 2^-53 (Shewchuk 1997), and 2^-24 for float.
+template <class Real>
+inline constexpr Real area_bound = Real(3.3306690738754716e-16);
+/// `area_bound` for float.
+template <>
+inline constexpr float area_bound<float> = 1.7881411e-7F;
 
 /// Products below this may have lost bits to underflow, which the bound does not cover.
 inline constexpr double underflow_guard = 1e-280;

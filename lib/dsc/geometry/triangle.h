@@ -6,8 +6,7 @@
 // overflow where the area does not; the one exception says so.
 #pragma once
 
-#include "dsc/base/tolerances.h"
-#include "dsc/geometry/distance.h"
+#include "dsc/geometry/points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +22,24 @@ template <class Real>
 
 // --- the quality of equation 4, 2 / sqrt 3 sin(smallest angle), in three roundings ---------------
 // The smallest angle lies between the two longest edges: doubled area = longest * middle * sine.
+
+/// The smallest target edge length of a simulation.
+///
+/// The squared quality divides products of six lengths. They keep full precision for triangles of
+/// a quality above 1e-4 while h^6 is at least 1e8 times the smallest normal number, and edges of up
+/// to 16 h do not overflow while h^6 is at most 1e-8 times the largest. A scene of another size is
+/// run in the coordinates of a `Frame`.
+template <class Real>
+inline constexpr double least_edge_length = 1e-50;
+/// `least_edge_length` for float.
+template <>
+inline constexpr double least_edge_length<float> = 1e-5;
+/// The largest target edge length of a simulation; the reasons are those above.
+template <class Real>
+inline constexpr double most_edge_length = 1e50;
+/// `most_edge_length` for float.
+template <>
+inline constexpr double most_edge_length<float> = 1e5;
 
 /// The squared sine of the smallest angle, with the sign of the area: one quotient of products
 /// of six lengths, made for loops over all lanes of a star; lengths must lie between
@@ -103,11 +120,20 @@ template <class Real>
     return a + Point<Real>(ac.y() * bb - ab.y() * cc, ab.x() * cc - ac.x() * bb) / d;
 }
 
-// --- the edge between two triangles
-// --------------------------------------------------------------- The Delaunay condition (thesis,
-// section 4.2) without square roots: the angles opposite to the edge add up to at most pi, up to a
-// slack that keeps cocircular points from flipping back and forth. `in_circle` and
-// `certainly_in_circle` of predicates.h test the same condition without slack.
+// --- the edge between two triangles --------------------------------------------------------------
+// The Delaunay condition (thesis, section 4.2) without square roots: the angles opposite to the
+// edge add up to at most pi, up to a slack that keeps cocircular points from flipping back and
+// forth. `in_circle` and `certainly_in_circle` of predicates.h test the same condition without
+// slack.
+
+/// Relative slack of the Delaunay test: an edge is flipped only where the sine of the sum of its
+/// opposite angles is below -slack times the size of its two terms, so that cocircular points do
+/// not flip back and forth. Rounding is some 1e-15 (float: 1e-6) of that size.
+template <class Real>
+inline constexpr Real delaunay_slack = Real(1e-7);
+/// `delaunay_slack` for float.
+template <>
+inline constexpr float delaunay_slack<float> = 1e-4F;
 
 /// The sine of the sum of the two angles opposite to an edge, plus the slack: the edge is Delaunay
 /// where it is not negative. The angles are given by multiples of their sine and cosine (a cross

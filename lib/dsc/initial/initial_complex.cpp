@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/initial_complex.h"
 
-#include "dsc/complex/numbering.h"
+#include "dsc/base/error.h"
+#include "dsc/complex/complex.h"
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/interface.h"
 #include "dsc/initial/build/phases.h"
 #include "dsc/initial/improve/improvement.h"
 #include "dsc/initial/input/input_check.h"
+
+#include <cmath>
 
 namespace dsc {
 
@@ -56,6 +59,29 @@ Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& op
 
 } // namespace
 
+Frame choose_frame(const Point<double>& low, const Point<double>& high) {
+    const Point<double> sides = high - low;
+    const double size = sides.maxCoeff();
+    constexpr double least = 1e-290;
+    if (!low.allFinite() || !(sides.minCoeff() > 0) || !(size >= least && size <= 1 / least)) {
+        throw InputError(
+            {.what = "not a box that has a frame",
+             .where = "choose_frame",
+             .value = "a larger side of " + to_text(size),
+             .allowed = "low below high, finite, and a larger side of 1e-290 to 1e290"});
+    }
+    Frame frame;
+    frame.unit = std::ldexp(1.0, std::ilogb(size));
+    for (int axis = 0; axis < 2; ++axis) {
+        if (low[axis] >= size) {
+            frame.origin[axis] = low[axis];
+        } else if (high[axis] <= -size) {
+            frame.origin[axis] = high[axis];
+        }
+    }
+    return frame;
+}
+
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
                               const InitialOptions& options) {
@@ -70,13 +96,13 @@ Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> cu
                        initial::Protection::lens);
 }
 
-template Complex<double> initial_complex(const Rectangle&, std::span<const Shape>,
-                                         const InitialOptions&);
-template Complex<float> initial_complex(const Rectangle&, std::span<const Shape>,
-                                        const InitialOptions&);
-template Complex<double> initial_complex(const Rectangle&, std::span<const Curve>,
-                                         const InitialOptions&);
-template Complex<float> initial_complex(const Rectangle&, std::span<const Curve>,
-                                        const InitialOptions&);
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template Complex<Real> initial_complex(const Rectangle&, std::span<const Shape>,               \
+                                           const InitialOptions&);                                 \
+    template Complex<Real> initial_complex(const Rectangle&, std::span<const Curve>,               \
+                                           const InitialOptions&);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
 
 } // namespace dsc

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
-#include "dsc/sizes/options.h"
+#include "dsc/sizes/sizes.h"
 
 #include <initializer_list>
 #include <span>
@@ -36,6 +36,29 @@ struct Rectangle {
     Point<double> low{0.0, 0.0};  ///< the corner of the smallest coordinates
     Point<double> high{1.0, 1.0}; ///< the corner of the largest coordinates
 };
+
+// --- the frame -----------------------------------------------------------------------------------
+// The units in which a scene is run whose coordinates are very large, very small, or far from the
+// origin: the passes of the algorithm multiply up to six lengths, so that doubles would run out of
+// exponents from about 1e-50 and 1e50 on, and out of digits far away. The application gives the
+// library coordinates of a frame, and lengths and velocities divided by its unit:
+//
+//     world = origin + unit * coordinate
+
+/// Where coordinates begin, and how long 1 is.
+struct Frame {
+    Point<double> origin{0.0, 0.0}; ///< in world coordinates
+    double unit = 1;                ///< in world coordinates; a power of two: dividing is exact
+};
+
+/// The frame in which the larger side of the box from `low` to `high` is 1 to 2 long. An axis on
+/// which the box lies at least its own size away from zero is shifted by its end next to zero; the
+/// difference of two such coordinates is exact (P. H. Sterbenz, "Floating-point computation",
+/// 1974). Throws InputError where a coordinate is not finite, the box is empty, or its size lies
+/// beyond 1e-290 to 1e290.
+[[nodiscard]] Frame choose_frame(const Point<double>& low, const Point<double>& high);
+
+// --- the complex ---------------------------------------------------------------------------------
 
 /// How fine the first complex is, and how much it is improved.
 struct InitialOptions {
@@ -91,14 +114,5 @@ Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Sha
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> curves,
                               const InitialOptions& options = {});
-
-extern template Complex<double> initial_complex(const Rectangle&, std::span<const Shape>,
-                                                const InitialOptions&);
-extern template Complex<float> initial_complex(const Rectangle&, std::span<const Shape>,
-                                               const InitialOptions&);
-extern template Complex<double> initial_complex(const Rectangle&, std::span<const Curve>,
-                                                const InitialOptions&);
-extern template Complex<float> initial_complex(const Rectangle&, std::span<const Curve>,
-                                               const InitialOptions&);
 
 } // namespace dsc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/io/svg.h"
+#include "dsc/io/pictures.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/io/part_file.h"
 #include "dsc/queries/phases.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/io/vtu.h"
+#include "dsc/io/pictures.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // From a velocity field to target positions (thesis, section 5.1, equation 5). All vertices are
-// evaluated in one call, so that a field pays its overhead once and can use all lanes.
+// evaluated in one call, so that a field pays its overhead once and can use all lanes. An
+// application may have an integrator of its own: with a memory, with an estimate of its error, or
+// of another order.
 #pragma once
 
-#include "dsc/base/enum_table.h"
 #include "dsc/base/types.h"
+#include "dsc/complex/complex.h"
 
 #include <functional>
 #include <span>
@@ -55,5 +57,55 @@ template <class Real>
 Real integrate(Integrator integrator, const Velocity<Real>& velocity,
                std::span<const Point<Real>> positions, Real time, Real dt,
                std::span<Point<Real>> targets, IntegratorScratch<Real>& scratch);
+
+/// Interface vertices in one sub-step; entry i of each array belongs to the same vertex.
+template <class Real>
+struct IntegratorStep {
+    Complex<Real>& complex;                  ///< its attributes hold what is remembered of vertices
+    std::span<const std::uint32_t> vertices; ///< those of one submesh
+    std::span<const Point<Real>> positions;  ///< at the start
+    std::span<Point<Real>> targets;          ///< at the end
+    std::span<const std::uint8_t> held; ///< not 0: the velocity is not finite, the vertex stays
+    Real dt;                            ///< the duration
+};
+
+/// Takes the place of `Options::integrator`. An integrator itself does not change: what it
+/// remembers of a vertex belongs in an attribute, which follows operations, renumbering, copies and
+/// checkpoints by itself. One object can serve several simulations.
+template <class Real>
+class CustomIntegrator {
+public:
+    virtual ~CustomIntegrator() = default;
+    CustomIntegrator() = default;
+    CustomIntegrator(const CustomIntegrator&) = delete;
+    CustomIntegrator& operator=(const CustomIntegrator&) = delete;
+    CustomIntegrator(CustomIntegrator&&) = delete;
+    CustomIntegrator& operator=(CustomIntegrator&&) = delete;
+
+    /// Makes the attributes that the complex does not have yet. Called when the simulation is made,
+    /// whenever its options have changed, and after the application has renumbered or replaced the
+    /// complex.
+    virtual void begin(Complex<Real>& complex) const { (void)complex; }
+
+    /// Writes all `step.targets`: where `step.positions` are at time + step.dt. `scratch.first`
+    /// holds the velocities at `time`, 0 for held vertices. Returns the largest finite estimate of
+    /// the error, a length, by which `Options::tolerance` chooses the sub-steps; 0 if there is
+    /// none. Called again whenever dt changes; from several threads at once, for different
+    /// vertices: only what belongs to these may be written, so that the result is the same to the
+    /// bit for any number of threads. Not called for a motion of the whole interface.
+    virtual Real integrate(const IntegratorStep<Real>& step, const Velocity<Real>& velocity,
+                           Real time, IntegratorScratch<Real>& scratch) const = 0;
+
+    /// The vertices are about to move to these targets, once a sub-step, however the targets were
+    /// found. From several threads at once as well.
+    virtual void accept(const IntegratorStep<Real>& step) const { (void)step; }
+
+    /// The vertices start afresh: the flow has changed abruptly (`Simulation::forget`), another
+    /// integrator was used before, or the application or a stage has moved them or changed the
+    /// phases beside them. Some may have vanished.
+    virtual void forget(Complex<Real>& complex, std::span<const std::uint32_t> vertices) const {
+        (void)complex, (void)vertices;
+    }
+};
 
 } // namespace dsc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/motion/interface_flow.h"
 
-#include "dsc/geometry/turn.h"
+#include "dsc/geometry/points.h"
 
 #include "dsc/motion/interpolation.h"
 

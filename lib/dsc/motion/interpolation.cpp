@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/motion/interpolation.h"
 
-#include "dsc/geometry/distance.h"
-#include "dsc/geometry/lagrange.h"
+#include "dsc/geometry/points.h"
 
 #include <array>
 

@@ -4,7 +4,6 @@
 // neighbours by chord length keeps the curve.
 #pragma once
 
-#include "dsc/base/enum_table.h"
 #include "dsc/base/types.h"
 
 #include <functional>

@@ -4,15 +4,19 @@
 // per triangle.
 #pragma once
 
-#include "dsc/base/tolerances.h"
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
+#include "dsc/complex/gather.h"
 #include "dsc/complex/rewire.h"
-#include "dsc/complex/ring.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/quality/ring_quality.h"
+#include "dsc/quality/measures.h"
 
 namespace dsc {
+
+/// A move leaves each triangle an altitude of at least this share of the base that does not move...
+inline constexpr double altitude_floor = 0.02;
+/// ...or, if its altitude was lower than that before the move, this share of that altitude.
+inline constexpr double altitude_keep = 0.5;
 
 /// The largest fraction in [0, 1] of the way to (x, y) for which every star triangle keeps an
 /// altitude of `altitude_floor` times its base, or `altitude_keep` of what it has; 0 where the way

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/operations/edge_collapse.h"
 
+#include "dsc/complex/circulate.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/operations/fan.h"
 
 namespace dsc {
 
@@ -122,11 +122,12 @@ Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring
     return Verdict::legal;
 }
 
-template Verdict star_collapse_guard(const Complex<double>&, const Ring<double>&, std::uint32_t);
-template Verdict star_collapse_guard(const Complex<float>&, const Ring<float>&, std::uint32_t);
-template Verdict edge_collapse_guard(const Complex<double>&, const Region&, Corner,
-                                     rewire::Vanishing, JunctionRule);
-template Verdict edge_collapse_guard(const Complex<float>&, const Region&, Corner,
-                                     rewire::Vanishing, JunctionRule);
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template Verdict star_collapse_guard(const Complex<Real>&, const Ring<Real>&, std::uint32_t);  \
+    template Verdict edge_collapse_guard(const Complex<Real>&, const Region&, Corner,              \
+                                         rewire::Vanishing, JunctionRule);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
 
 } // namespace dsc

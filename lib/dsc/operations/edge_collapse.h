@@ -2,9 +2,9 @@
 // Edge collapse (thesis, sections 4.2 and 7.5): an edge shrinks to one of its ends.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
+#include "dsc/complex/gather.h"
 #include "dsc/complex/rewire.h"
-#include "dsc/complex/ring.h"
 #include "dsc/complex/submesh.h"
 
 #include <utility>

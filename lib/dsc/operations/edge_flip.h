@@ -2,7 +2,7 @@
 // Edge flip (thesis, sections 4.2 and 7.1): the other diagonal of the two triangles at an edge.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"

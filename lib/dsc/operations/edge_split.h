@@ -3,10 +3,10 @@
 // cut in two.
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/submesh.h"
-#include "dsc/geometry/distance.h"
+#include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
 
 namespace dsc {

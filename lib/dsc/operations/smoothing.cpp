@@ -2,12 +2,11 @@
 #include "dsc/operations/smoothing.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
-#include "dsc/geometry/lagrange.h"
+#include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/geometry/triangle.h"
-#include "dsc/geometry/turn.h"
-#include "dsc/operations/fan.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 // angle).
 #pragma once
 
-#include "dsc/base/verdict.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/submesh.h"
 
 namespace dsc {

@@ -2,9 +2,7 @@
 #include "dsc/parallel/parallel.h"
 
 #include "dsc/parallel/in_place/submesh_executor.h"
-#include "dsc/parallel/partition/blocks.h"
-#include "dsc/parallel/partition/cells.h"
-#include "dsc/parallel/partition/slabs.h"
+#include "dsc/parallel/partition/partition.h"
 
 #include <array>
 #include <type_traits>
@@ -23,25 +21,6 @@ PartitionOptions with_submeshes(PartitionOptions options, const Parallel& parall
     return options;
 }
 
-template <class Real>
-std::unique_ptr<Executor<Real>> in_place(Complex<Real>& complex, const Options<Real>& options,
-                                         const Parallel& parallel, Algorithm<Real> algorithm,
-                                         std::unique_ptr<Partitioner<Real>> partitioner) {
-    SubmeshOptions submeshes;
-    submeshes.threads = parallel.threads;
-    submeshes.assignment = parallel.assignment;
-    submeshes.profile = parallel.profile;
-    if (parallel.awake_us) {
-        submeshes.awake = std::chrono::microseconds(*parallel.awake_us);
-    }
-    if (parallel.always_all_threads) {
-        submeshes.vertices_per_thread = 1;
-        submeshes.adapts_threads = false;
-    }
-    return std::make_unique<SubmeshExecutor<Real>>(complex, options, std::move(algorithm),
-                                                   std::move(partitioner), submeshes);
-}
-
 template <class Real, Slabbing slabbing>
 std::unique_ptr<Executor<Real>> slabs(Complex<Real>& complex, const Options<Real>& options,
                                       const Parallel& parallel, Algorithm<Real> algorithm) {
@@ -49,24 +28,27 @@ std::unique_ptr<Executor<Real>> slabs(Complex<Real>& complex, const Options<Real
     slabs.slabbing = slabbing;
     slabs.degrees = parallel.degrees;
     slabs.follow_shape = parallel.follow_shape;
-    return in_place<Real>(complex, options, parallel, std::move(algorithm),
-                          std::make_unique<SlabPartitioner<Real>>(slabs));
+    return make_executor<Real>(complex, options, parallel,
+                               std::make_unique<SlabPartitioner<Real>>(slabs),
+                               std::move(algorithm));
 }
 
 template <class Real>
 std::unique_ptr<Executor<Real>> blocks(Complex<Real>& complex, const Options<Real>& options,
                                        const Parallel& parallel, Algorithm<Real> algorithm) {
-    return in_place<Real>(
-        complex, options, parallel, std::move(algorithm),
-        std::make_unique<BlockPartitioner<Real>>(with_submeshes(BlockOptions{}, parallel)));
+    return make_executor<Real>(
+        complex, options, parallel,
+        std::make_unique<BlockPartitioner<Real>>(with_submeshes(BlockOptions{}, parallel)),
+        std::move(algorithm));
 }
 
 template <class Real>
 std::unique_ptr<Executor<Real>> cells(Complex<Real>& complex, const Options<Real>& options,
                                       const Parallel& parallel, Algorithm<Real> algorithm) {
-    return in_place<Real>(
-        complex, options, parallel, std::move(algorithm),
-        std::make_unique<CellPartitioner<Real>>(with_submeshes(CellOptions{}, parallel)));
+    return make_executor<Real>(
+        complex, options, parallel,
+        std::make_unique<CellPartitioner<Real>>(with_submeshes(CellOptions{}, parallel)),
+        std::move(algorithm));
 }
 
 } // namespace
@@ -108,6 +90,33 @@ std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Opti
     }
 }
 
+template <class Real>
+std::unique_ptr<Executor<Real>>
+make_executor(Complex<Real>& complex, const Options<Real>& options, const Parallel& parallel,
+              std::type_identity_t<std::unique_ptr<Partitioner<Real>>> partitioner,
+              Algorithm<Real> algorithm) {
+    complex.in_use.expect_free(); // before an executor takes ids that the other one counts
+    SubmeshOptions submeshes;
+    submeshes.threads = parallel.threads;
+    submeshes.assignment = parallel.assignment;
+    submeshes.profile = parallel.profile;
+    if (parallel.awake_us) {
+        submeshes.awake = std::chrono::microseconds(*parallel.awake_us);
+    }
+    if (parallel.always_all_threads) {
+        submeshes.vertices_per_thread = 1;
+        submeshes.adapts_threads = false;
+    }
+    return std::make_unique<SubmeshExecutor<Real>>(complex, options, std::move(algorithm),
+                                                   std::move(partitioner), submeshes);
+}
+
+template <class Real>
+std::optional<SubmeshView> submeshes_in(const Executor<Real>& executor) {
+    const auto* const in_place = dynamic_cast<const SubmeshExecutor<Real>*>(&executor);
+    return in_place == nullptr ? std::nullopt : std::optional(in_place->view());
+}
+
 // Declared with the simulation, defined here: nothing in the lower layers knows of threads.
 template <class Real>
 Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& options,
@@ -117,6 +126,10 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::unique_ptr<Executor<Real>> make_executor(Complex<Real>&, const Options<Real>&,   \
                                                            const Parallel&, Algorithm<Real>);      \
+    template std::unique_ptr<Executor<Real>> make_executor(                                        \
+        Complex<Real>&, const Options<Real>&, const Parallel&, std::unique_ptr<Partitioner<Real>>, \
+        Algorithm<Real>);                                                                          \
+    template std::optional<SubmeshView> submeshes_in(const Executor<Real>&);                       \
     template Simulation<Real>::Simulation(Complex<Real>&, const Options<Real>&, const Parallel&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

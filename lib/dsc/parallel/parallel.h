@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Parallel DSC in one line: `Simulation simulation(complex, options, Parallel{.threads = 2})`.
+// Parallel DSC in one line: `Simulation simulation(complex, options, Parallel{.threads = 2})`. And
+// where the time of a step went, task by task: for the breakdown, for the picture of submeshes by
+// their work, and for the model of more threads than the machine has.
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/parallel/in_place/schedule.h"
+#include "dsc/base/types.h"
+#include "dsc/parallel/partition/partition.h"
 
+#include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace dsc {
 
@@ -49,6 +56,21 @@ inline constexpr Division Division::active{detail::active_division};
 inline constexpr Division Division::blocks{detail::blocks_division};
 inline constexpr Division Division::cells{detail::cells_division};
 
+/// Which thread runs which task.
+enum class Assignment : std::uint8_t {
+    fixed, ///< each thread always has the same share of each colour: static assignment
+    queue, ///< the same, but an idle thread takes over tasks that nobody has begun
+};
+
+inline constexpr std::array assignment_names{
+    Named{Assignment::fixed, "fixed"},
+    Named{Assignment::queue, "queue"},
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Assignment assignment) {
+    return name_in(assignment_names, assignment);
+}
+
 /// The result depends on the division, the number of submeshes and the direction, and on nothing
 /// else here.
 struct Parallel {
@@ -59,11 +81,11 @@ struct Parallel {
     double degrees = 0;                  ///< slabs are cut across this direction, from the x axis
     bool follow_shape = false;       ///< slabs are cut across the direction of the shape instead
     bool always_all_threads = false; ///< also if there is too little to do for them, or no gain
-    /// Microseconds that threads wait awake between two steps before they sleep; nothing:
-    /// `default_awake_time()`.
+    /// Microseconds that threads wait awake between two steps before they sleep. Nothing: 2000, or
+    /// 0 if the environment variable OMP_WAIT_POLICY is `passive`.
     std::optional<std::uint32_t> awake_us = std::nullopt;
     Assignment assignment = Assignment::queue; ///< which thread runs which submesh
-    bool profile = false;                      ///< measure times (in_place/step_profile.h)
+    bool profile = false;                      ///< measure times: see `SubmeshView`
 };
 
 /// Makes an executor for either precision.
@@ -95,5 +117,104 @@ template <class Real>
 [[nodiscard]] std::unique_ptr<Executor<Real>>
 make_executor(Complex<Real>& complex, const Options<Real>& options, const Parallel& parallel,
               Algorithm<Real> algorithm = default_algorithm<Real>());
+/// The same with a partitioner of your own, which takes the place of `parallel.division`.
+template <class Real>
+[[nodiscard]] std::unique_ptr<Executor<Real>>
+make_executor(Complex<Real>& complex, const Options<Real>& options, const Parallel& parallel,
+              std::type_identity_t<std::unique_ptr<Partitioner<Real>>> partitioner,
+              Algorithm<Real> algorithm = default_algorithm<Real>());
+
+// --- what can be seen of a step ------------------------------------------------------------------
+
+/// Tasks and their dependences, in an order in which each comes after those it waits for.
+class TaskGraph {
+public:
+    /// Forgets all tasks.
+    void clear();
+    /// Adds one colour of so many tasks; returns the number of the first.
+    std::size_t add_colour(std::size_t tasks);
+    /// `task` waits for `earlier`, which has a smaller number. To be called in the order of `task`.
+    void wait_for(std::size_t task, std::size_t earlier);
+
+    /// The number of tasks.
+    [[nodiscard]] std::size_t size() const { return shares_.size(); }
+    /// The tasks that this one waits for.
+    [[nodiscard]] std::span<const std::uint32_t> predecessors(std::size_t task) const;
+    /// The thread, out of `threads`, to which this task is assigned first.
+    [[nodiscard]] std::uint32_t home_of(std::size_t task, std::uint32_t threads) const {
+        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(shares_[task].rank) * threads /
+                                          shares_[task].of);
+    }
+
+private:
+    struct Share { // which of how many tasks of its colour
+        std::uint32_t rank;
+        std::uint32_t of;
+    };
+    std::vector<Share> shares_;
+    std::vector<std::uint32_t> first_predecessor_; // into predecessors_
+    std::vector<std::uint32_t> predecessors_;
+};
+
+/// Seconds of a steady clock. On one thread of an idle machine that is the time of the task itself.
+struct SubStepProfile {
+    // Serial parts.
+    double set_up = 0;    ///< cuts, lists and ids, before anything runs
+    double hand_over = 0; ///< vertices that left their submesh
+    double clean_up = 0;  ///< what all colours left, and updating the lists
+    // By task.
+    std::vector<double> aim;  ///< upkeep, velocities and targets: the first colour's submeshes
+    std::vector<double> move; ///< movement and mesh update: all submeshes of all colours
+    // Sums over submeshes.
+    double upkeep = 0;                 ///< of the interface
+    double velocities = 0;             ///< finding them, and the targets
+    std::vector<double> motion_passes; ///< one entry for each motion pass, first colour
+    double later_colours = 0;          ///< movement and mesh update of the colours after the first
+    // Wall time of the two parallel sections.
+    double aim_wall = 0;  ///< upkeep, velocities and targets
+    double move_wall = 0; ///< movement and mesh update
+};
+
+/// All sub-steps of one step.
+struct StepProfile {
+    std::vector<SubStepProfile> sub_steps; ///< in their order
+    double serial_outside = 0;             ///< the rest of the step: the driver's own
+};
+
+/// What an executor in submeshes shows. All of it changes with the next step.
+struct SubmeshView {
+    const Partition& partition; ///< in force
+    const TaskGraph& tasks;     ///< which waits for which: task i of `SubStepProfile::move`
+    const StepProfile& profile; ///< of the last step, if `Parallel::profile` is set
+    std::uint32_t threads_used; ///< by the last step
+};
+
+/// Of an executor that `make_executor` has made; nothing for one that has no submeshes of this
+/// kind. O(1).
+template <class Real>
+[[nodiscard]] std::optional<SubmeshView> submeshes_in(const Executor<Real>& executor);
+
+/// Seconds from call to call. Switched off, it reads no clock and returns 0.
+class Timer {
+public:
+    /// Starts, unless it is switched off.
+    explicit Timer(bool on = true) : on_(on) {
+        if (on_) {
+            last_ = std::chrono::steady_clock::now();
+        }
+    }
+    /// Seconds since the last call, or since construction.
+    double lap() {
+        if (!on_) {
+            return 0;
+        }
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+private:
+    bool on_;
+    std::chrono::steady_clock::time_point last_;
+};
 
 } // namespace dsc

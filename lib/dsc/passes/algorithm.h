@@ -1,16 +1,165 @@
 // SPDX-License-Identifier: MIT
-// Algorithm 5.1 of the thesis as a list of passes. An application replaces, removes or adds passes
-// without touching the drivers; both drivers run the same list, on the whole complex or on each
-// submesh.
+// Algorithm 5.1 of the thesis as a list of passes, and what a pass works on. An application
+// replaces, removes or adds passes without touching the drivers; both drivers run the same list: on
+// the whole complex, or on each submesh.
 #pragma once
 
-#include "dsc/passes/work.h"
+#include "dsc/base/types.h"
+#include "dsc/complex/complex.h"
+#include "dsc/complex/gather.h"
+#include "dsc/complex/submesh.h"
+#include "dsc/passes/options.h"
 
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace dsc {
+
+/// A vertex that is moving to its target.
+template <class Real>
+struct Mover {
+    std::uint32_t vertex; ///< its id
+    Real x;               ///< target
+    Real y;
+};
+
+/// What is left to be done.
+enum class DeferredKind : std::uint8_t {
+    star,    ///< a star that must be looked at
+    mover,   ///< a vertex that has yet to reach its target
+    upkeep,  ///< an interface vertex at which the interface may have to be split or collapsed
+    listing, ///< an interface vertex that lies in another submesh now, whose list it belongs to
+};
+
+/// One entry of the queue.
+template <class Real>
+struct Deferred {
+    /// The route of an entry that no submesh takes: it is left to what runs after all of them.
+    static constexpr std::uint32_t nowhere = 0xffffffffU;
+
+    std::uint32_t vertex;          ///< the vertex concerned
+    std::uint32_t route = nowhere; ///< number of the submesh that takes it
+    Real x = 0;                    ///< target of a mover
+    Real y = 0;
+    DeferredKind kind; ///< what is to be done there
+
+    /// The vertex and its target; only of the kind `mover`.
+    [[nodiscard]] Mover<Real> mover() const { return {vertex, x, y}; }
+};
+
+/// Not safe for several threads: each submesh has one of its own, and others read it when the
+/// submesh has ended.
+template <class Real>
+struct DeferredQueue {
+    std::vector<Deferred<Real>> entries; ///< in the order in which they were put off
+    std::size_t routed = 0;              ///< entries before this one have their route
+
+    /// Puts off a look at the star of `v`. Amortised O(1), as are the next three.
+    void star(std::uint32_t v) { put(v, DeferredKind::star); }
+    /// Puts off the interface upkeep at `v`.
+    void upkeep(std::uint32_t v) { put(v, DeferredKind::upkeep); }
+    /// Leaves `v` to the interface list of the submesh that owns it now.
+    void listing(std::uint32_t v) { put(v, DeferredKind::listing); }
+    /// Puts off a movement.
+    void mover(const Mover<Real>& m) {
+        entries.push_back({.vertex = m.vertex, .x = m.x, .y = m.y, .kind = DeferredKind::mover});
+    }
+    /// Empties the queue and keeps its memory.
+    void clear() {
+        entries.clear();
+        routed = 0;
+    }
+
+private:
+    void put(std::uint32_t v, DeferredKind kind) { entries.push_back({.vertex = v, .kind = kind}); }
+};
+
+/// Where the vertices of `Work::interface` are, and where they should move; one entry for each.
+template <class Real>
+struct Aim {
+    std::vector<Point<Real>> positions; ///< now
+    std::vector<Point<Real>> targets;   ///< at the end of the sub-step
+    std::vector<std::uint8_t> held;     ///< not 0: the velocity is not finite, the vertex stays
+    IntegratorScratch<Real> scratch;    ///< `first`: the velocities
+    Real dt = 0;                        ///< the time in which the targets are to be reached
+};
+
+/// What one submesh holds while a step runs, and a pass works on: the interface vertices that lie
+/// in it, the active set (the vertices whose star changed), the log of its edits, and what it
+/// leaves to another submesh. The sequential driver has one, the parallel driver one for each
+/// submesh. Nothing here grows with the mesh.
+template <class Real>
+struct Work {
+    /// Refers to both: the executor that owns the work keeps a copy of the options.
+    Work(Complex<Real>& complex_in, const Options<Real>& options_in)
+        : complex(complex_in),
+          options(options_in), submesh{complex_in, Region{}, complex_in.ids, log} {}
+    ~Work() = default;
+    Work(const Work&) = delete;
+    Work& operator=(const Work&) = delete;
+    Work(Work&&) = delete;
+    Work& operator=(Work&&) = delete;
+
+    Complex<Real>& complex;       ///< the complex that is worked on
+    const Options<Real>& options; ///< those of the simulation
+    EditLog log;                  ///< the edits made here
+    Submesh<Real> submesh;        ///< notes in `log`
+
+    std::vector<std::uint32_t> interface; ///< interface vertices, roughly in the order of the curve
+    Aim<Real> aim;                        ///< of the interface vertices
+    std::vector<Mover<Real>> movers;      ///< vertices that have not reached their target yet
+    std::vector<std::uint32_t> active;    ///< vertices whose star must be looked at; no duplicates
+    std::uint32_t epoch = 0;              ///< a vertex with this stamp is in `active` already
+    /// Vertices to be looked at in the next mesh update because the target length of edges changes
+    /// there, or because vertices had yet to arrive (waiting.h); with duplicates.
+    std::vector<std::uint32_t> resized;
+
+    Real time = 0; ///< at the start of the sub-step
+    /// What the sub-step is expected to last; it may become shorter or, if the flow turns out to be
+    /// slower than in the last one, longer.
+    Real dt = 0;
+
+    /// What the submesh boundary kept this submesh from doing: left to another colour (the
+    /// submeshes that run at another time).
+    DeferredQueue<Real> deferred;
+
+    /// Changes of the interface by passes of an application: see `run_pass`.
+    std::vector<std::uint32_t> changed_interface;
+
+    std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
+    std::size_t arrived = 0;    ///< movers of these that reached their targets
+
+    // Scratch, kept so that nothing is allocated from step to step.
+    Ring<Real> ring;                           ///< the star under examination
+    Ring<Real> other_ring;                     ///< and a second one
+    std::vector<Corner> suspects;              ///< edges to be tested for the Delaunay condition
+    std::vector<std::uint32_t> interface_next; ///< of the interface list, while it is rebuilt
+    std::vector<std::uint32_t> changed;        ///< on the interface, by the pass that was run last
+
+    /// Puts a vertex into the active set, unless it is there already.
+    void activate(std::uint32_t vertex) {
+        auto& record = complex.vertices[vertex];
+        if (record.stamp != epoch) {
+            record.stamp = epoch;
+            active.push_back(vertex);
+        }
+    }
+};
+
+/// The interface, the active set and what else waits for the next step; everything else of a work
+/// is scratch, or empty between two steps. To be called after the complex has been read: throws
+/// FileError for an id that it does not have.
+template <class Real>
+void archive(Archive& archive, Work<Real>& work) {
+    archive(work.interface, work.active, work.resized, work.epoch, work.time, work.dt);
+    for (const auto* list : {&work.interface, &work.active, &work.resized}) {
+        expect_vertices<Real>(archive, work.complex, *list);
+    }
+    for (const std::uint32_t v : work.interface) {
+        archive.expect(work.complex.is_alive(Vertex{v}), "lists a vertex that does not live");
+    }
+}
 
 /// One pass over the work of one submesh: candidates, guard, edit. It edits with the operations of
 /// lib/dsc/operations and `work.submesh`, which refuse what the submesh does not own, and it must

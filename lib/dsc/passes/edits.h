@@ -7,7 +7,7 @@
 
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/passes/work.h"
+#include "dsc/passes/algorithm.h"
 
 namespace dsc {
 

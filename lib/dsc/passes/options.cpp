@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/options.h"
 
-#include "dsc/base/require.h"
-#include "dsc/base/tolerances.h"
+#include "dsc/base/error.h"
+#include "dsc/geometry/triangle.h"
 
 #include <cmath>
 

@@ -4,10 +4,10 @@
 // 4 of the thesis (0 to 1).
 #pragma once
 
-#include "dsc/base/enum_table.h"
-#include "dsc/motion/custom_integrator.h"
+#include "dsc/base/types.h"
+#include "dsc/motion/integrator.h"
 #include "dsc/motion/interpolation.h"
-#include "dsc/sizes/options.h"
+#include "dsc/sizes/sizes.h"
 
 #include <algorithm>
 #include <memory>

@@ -3,7 +3,7 @@
 
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/gather.h"
-#include "dsc/passes/interface/carried.h"
+#include "dsc/passes/interface/list.h"
 #include "dsc/queries/phases.h"
 
 #include <algorithm>

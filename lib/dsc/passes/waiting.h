@@ -4,7 +4,7 @@
 // it is left to a later colour or pass.
 #pragma once
 
-#include "dsc/passes/work.h"
+#include "dsc/passes/algorithm.h"
 
 #include <algorithm>
 

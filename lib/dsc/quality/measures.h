@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Quality measures (thesis, section 4.3) of the simplices of a complex. geometry/triangle.h has
-// them for points, with their ranges.
+// Quality measures (thesis, section 4.3): of the simplices of a complex, and of a vertex's star on
+// all lanes at once. geometry/triangle.h has them for points, with their ranges. Of a star the
+// measure is equation 4 squared, so that no square root is taken, and negative where a triangle is
+// inverted.
 #pragma once
 
 #include "dsc/complex/complex.h"
-#include "dsc/geometry/distance.h"
+#include "dsc/complex/gather.h"
+#include "dsc/geometry/points.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/geometry/triangle.h"
+
+#include <cmath>
+#include <limits>
 
 namespace dsc {
 
@@ -32,6 +39,211 @@ bool is_delaunay(const Complex<Real>& complex, Corner corner) {
                              complex.position(Vertex{complex.vertex(next(corner))}),
                              complex.position(Vertex{complex.vertex(complex.twin(corner))}),
                              complex.position(Vertex{complex.vertex(prev(corner))}));
+}
+
+// --- of a star -----------------------------------------------------------------------------------
+
+/// The smallest signed squared quality of the ring's triangles with the centre at (px, py).
+template <class Real>
+Real worst_quality_squared(const Ring<Real>& ring, Real px, Real py) {
+    Real worst = std::numeric_limits<Real>::max();
+    const std::uint32_t n = ring.padded();
+    const Real* x = ring.x.data();
+    const Real* y = ring.y.data();
+    const Real* x_next = ring.x_next.data();
+    const Real* y_next = ring.y_next.data();
+#pragma omp simd reduction(min : worst)
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Real ax = x[i] - px;
+        const Real ay = y[i] - py;
+        const Real bx = x_next[i] - px;
+        const Real by = y_next[i] - py;
+        const Real cx = bx - ax;
+        const Real cy = by - ay;
+        const Real area2 = ax * by - ay * bx;
+        const Real aa = ax * ax + ay * ay;
+        const Real bb = bx * bx + by * by;
+        const Real cc = cx * cx + cy * cy;
+        worst = std::min(worst, sine_squared_of_lanes<Real>(area2, aa, bb, cc));
+    }
+    return worst * Real(4.0 / 3.0);
+}
+
+/// The same after a collapse of the centre into link vertex i: its two triangles vanish, the others
+/// take link vertex i for the centre. Only for closed rings of at least four triangles.
+template <class Real>
+Real worst_quality_squared_after_collapse(const Ring<Real>& ring, std::uint32_t i) {
+    const std::uint32_t n = ring.size;
+    const std::uint32_t lanes = ring.padded();
+    const Real* x = ring.x.data();
+    const Real* y = ring.y.data();
+    const Real* x_next = ring.x_next.data();
+    const Real* y_next = ring.y_next.data();
+    const Real px = x[i];
+    const Real py = y[i];
+    alignas(64) std::array<Real, Ring<Real>::room> sines_squared;
+    Real* sine_squared = sines_squared.data();
+#pragma omp simd
+    for (std::uint32_t j = 0; j < lanes; ++j) {
+        const Real ax = x[j] - px;
+        const Real ay = y[j] - py;
+        const Real bx = x_next[j] - px;
+        const Real by = y_next[j] - py;
+        const Real cx = bx - ax;
+        const Real cy = by - ay;
+        const Real area2 = ax * by - ay * bx;
+        const Real aa = ax * ax + ay * ay;
+        const Real bb = bx * bx + by * by;
+        const Real cc = cx * cx + cy * cy;
+        sine_squared[j] = sine_squared_of_lanes<Real>(area2, aa, bb, cc);
+    }
+    constexpr Real harmless = std::numeric_limits<Real>::max();
+    sine_squared[i] = harmless;
+    sine_squared[i == 0 ? n - 1 : i - 1] = harmless;
+    Real worst = harmless;
+    for (std::uint32_t j = 0; j < n; ++j) {
+        worst = std::min(worst, sine_squared[j]);
+    }
+    return worst == harmless ? worst : worst * Real(4.0 / 3.0);
+}
+
+/// True if every triangle with the centre at (px, py) is certainly positive; false sends the caller
+/// to the exact predicate.
+template <class Real>
+bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
+    Real least = std::numeric_limits<Real>::max();
+    Real scale = std::numeric_limits<Real>::max();
+    const std::uint32_t n = ring.padded();
+    const Real* x = ring.x.data();
+    const Real* y = ring.y.data();
+    const Real* x_next = ring.x_next.data();
+    const Real* y_next = ring.y_next.data();
+#pragma omp simd reduction(min : least) reduction(min : scale)
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Real left = (x[i] - px) * (y_next[i] - py);
+        const Real right = (y[i] - py) * (x_next[i] - px);
+        const Real size = std::abs(left) + std::abs(right);
+        least = std::min(least, (left - right) - area_bound<Real> * size);
+        scale = std::min(scale, size);
+    }
+    // Below this, products may have lost bits to underflow.
+    constexpr Real guard = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
+    // A minimum ignores NaN. So a centre that is NaN, or so far away that products overflow and
+    // their difference is NaN, is refused here.
+    constexpr Real far = sizeof(Real) == sizeof(double) ? Real(1e150) : Real(1e18);
+    return least > 0 && scale > guard && std::abs(px) < far && std::abs(py) < far;
+}
+
+/// The figures of a star that a mesh update needs, computed in one loop.
+template <class Real>
+struct StarReport {
+    Real delaunay; ///< below 0: a spoke fails the Delaunay test by more than the slack
+    Real longest;  ///< squared length of the longest spoke
+    Real shortest; ///< squared length of the shortest spoke
+    Real quality;  ///< as `worst_quality_squared`
+};
+
+/// The Delaunay margin of a spoke from its end and the two next to it in the link, relative to the
+/// centre: the angles opposite to the spoke lie at the previous and at the next vertex.
+template <class Real>
+[[nodiscard]] Real spoke_margin(Real x, Real y, Real x_next, Real y_next, Real x_previous,
+                                Real y_previous) {
+    return delaunay_margin<Real>(x * y_next - y * x_next,
+                                 x_next * (x_next - x) + y_next * (y_next - y),
+                                 x_previous * y - y_previous * x,
+                                 -(x_previous * (x - x_previous) + y_previous * (y - y_previous)));
+}
+
+/// The Delaunay margin of each spoke of a star, as `delaunay_margin`: below 0 where a spoke fails
+/// the test by more than the slack. Spoke 0 of an open ring never fails.
+template <class Real>
+using SpokeMargins = std::array<Real, Ring<Real>::room>;
+
+/// Examines the star: Delaunay test of the spokes (the angles opposite to one add up to at most pi;
+/// constrained spokes are treated like others), their lengths, the worst quality. Also writes the
+/// margin of each spoke. O(degree).
+template <class Real>
+StarReport<Real> examine(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
+    constexpr Real most = std::numeric_limits<Real>::max();
+    Real delaunay = 0;
+    Real longest = 0;
+    Real shortest = most;
+    Real worst = most;
+    const std::uint32_t n = ring.padded();
+    const Real* x = ring.x.data();
+    const Real* y = ring.y.data();
+    const Real* x_next = ring.x_next.data();
+    const Real* y_next = ring.y_next.data();
+    const Real* x_previous = ring.x_previous.data();
+    const Real* y_previous = ring.y_previous.data();
+    const Real px = ring.x0;
+    const Real py = ring.y0;
+    Real* margin = margins.data();
+#pragma omp simd reduction(min : delaunay, shortest, worst) reduction(max : longest)
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Real ax = x[i] - px;
+        const Real ay = y[i] - py;
+        const Real bx = x_next[i] - px;
+        const Real by = y_next[i] - py;
+        const Real ex = x_previous[i] - px;
+        const Real ey = y_previous[i] - py;
+        const Real cx = bx - ax;
+        const Real cy = by - ay;
+        const Real area = ax * by - ay * bx;
+        const Real found = spoke_margin<Real>(ax, ay, bx, by, ex, ey);
+        margin[i] = found;
+        delaunay = std::min(delaunay, found);
+        const Real aa = ax * ax + ay * ay;
+        const Real bb = bx * bx + by * by;
+        const Real cc = cx * cx + cy * cy;
+        longest = std::max(longest, aa);
+        shortest = std::min(shortest, aa);
+        worst = std::min(worst, sine_squared_of_lanes<Real>(area, aa, bb, cc));
+    }
+    if (!ring.closed) {
+        const Real ax = ring.link_x(ring.size) - px;
+        const Real ay = ring.link_y(ring.size) - py;
+        longest = std::max(longest, ax * ax + ay * ay);
+        shortest = std::min(shortest, ax * ax + ay * ay);
+    }
+    return {delaunay, longest, shortest, worst * Real(4.0 / 3.0)};
+}
+
+/// The same without the margins.
+template <class Real>
+StarReport<Real> examine(const Ring<Real>& ring) {
+    SpokeMargins<Real> margins;
+    return examine(ring, margins);
+}
+
+/// The Delaunay test of the spokes alone: writes their margins, and returns the lowest one, at most
+/// 0. O(degree).
+template <class Real>
+Real examine_spokes(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
+    Real lowest = 0;
+    const std::uint32_t n = ring.padded();
+    const Real* x = ring.x.data();
+    const Real* y = ring.y.data();
+    const Real* x_next = ring.x_next.data();
+    const Real* y_next = ring.y_next.data();
+    const Real* x_previous = ring.x_previous.data();
+    const Real* y_previous = ring.y_previous.data();
+    const Real px = ring.x0;
+    const Real py = ring.y0;
+    Real* margin = margins.data();
+#pragma omp simd reduction(min : lowest)
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Real ax = x[i] - px;
+        const Real ay = y[i] - py;
+        const Real bx = x_next[i] - px;
+        const Real by = y_next[i] - py;
+        const Real ex = x_previous[i] - px;
+        const Real ey = y_previous[i] - py;
+        const Real found = spoke_margin<Real>(ax, ay, bx, by, ex, ey);
+        margin[i] = found;
+        lowest = std::min(lowest, found);
+    }
+    return lowest;
 }
 
 } // namespace dsc

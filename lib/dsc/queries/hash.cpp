@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 
 #include "dsc/complex/ranges.h"
 

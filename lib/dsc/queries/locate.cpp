@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/queries/locate.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/walk.h"

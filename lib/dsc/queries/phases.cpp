@@ -4,7 +4,6 @@
 #include "dsc/base/types.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/geometry/triangle.h"
-#include "dsc/queries/outlines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +117,109 @@ Components components(const Complex<Real>& complex) {
     return result;
 }
 
+namespace {
+
+// The interface as half-edges that have the larger phase on their left.
+template <class Real>
+class Interface {
+public:
+    explicit Interface(const Complex<Real>& complex)
+        : complex_(complex), done_(4 * std::size_t{complex.triangle_bound()}, 0) {}
+
+    [[nodiscard]] bool is_edge(Corner c) const {
+        const Phase inside = complex_.phase_at(c);
+        const Phase across = complex_.phase_at(complex_.twin(c));
+        return across == border_phase ? inside != exterior_phase : inside > across;
+    }
+    [[nodiscard]] bool is_done(Corner c) const { return done_[c] != 0; }
+
+    InterfaceCurve take_curve(Corner c) {
+        InterfaceCurve curve;
+        const Corner begin = find_begin(c, curve.is_closed);
+        curve.left = complex_.phase_at(begin);
+        curve.right = complex_.phase_at(complex_.twin(begin));
+        for (Corner at = begin; at != no_id; at = following(at)) {
+            if (is_done(at)) {
+                return curve; // closed
+            }
+            done_[at] = 1;
+            curve.vertices.push_back(Vertex{complex_.vertex(next(at))});
+            c = at;
+        }
+        curve.vertices.push_back(Vertex{complex_.vertex(prev(c))});
+        return curve;
+    }
+
+private:
+    // The edges of the phase on the left, whatever is on their other side.
+    [[nodiscard]] auto around(Phase left) const {
+        return [this, left](Corner c) { return complex_.phase_at(complex_.twin(c)) != left; };
+    }
+
+    // Back to the first half-edge of the curve, or all the way around to `c`.
+    [[nodiscard]] Corner find_begin(Corner c, bool& is_closed) const {
+        Corner begin = c;
+        while (true) {
+            const Corner before = previous_along(complex_, begin, around(complex_.phase_at(begin)));
+            if (!goes_on(before, begin)) {
+                return begin;
+            }
+            if (before == c) {
+                is_closed = true;
+                return c;
+            }
+            begin = before;
+        }
+    }
+    [[nodiscard]] Corner following(Corner c) const {
+        const Corner after = next_along(complex_, c, around(complex_.phase_at(c)));
+        return goes_on(c, after) ? after : no_id;
+    }
+    // Whether these two are the only interface edges at the vertex where the first one ends and the
+    // second one starts. On the left there is nothing between them. So either both are edges of the
+    // domain boundary, or turning from the other side of the second one leads to the first one
+    // without meeting another phase or the border.
+    [[nodiscard]] bool goes_on(Corner before, Corner after) const {
+        Corner beyond = complex_.twin(after);
+        const Corner wanted = complex_.twin(before);
+        if (is_border(beyond) || is_border(wanted)) {
+            return is_border(beyond) && is_border(wanted);
+        }
+        const Phase right = complex_.phase_at(beyond);
+        while (true) {
+            // The half-edge of `beyond` ends at the vertex; the next one of its triangle leaves it.
+            beyond = next(beyond);
+            if (beyond == wanted) {
+                return true;
+            }
+            beyond = complex_.twin(beyond);
+            if (complex_.phase_at(beyond) != right) {
+                return false;
+            }
+        }
+    }
+
+    const Complex<Real>& complex_;
+    std::vector<std::uint8_t> done_;
+};
+
+} // namespace
+
+template <class Real>
+std::vector<InterfaceCurve> interface_curves(const Complex<Real>& complex) {
+    std::vector<InterfaceCurve> curves;
+    Interface<Real> interface(complex);
+    for (const Triangle t : triangles(complex)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t.id, i);
+            if (!interface.is_done(c) && interface.is_edge(c)) {
+                curves.push_back(interface.take_curve(c));
+            }
+        }
+    }
+    return curves;
+}
+
 #define DSC_INSTANTIATE_SIMPLEX(Real, Simplex)                                                     \
     template bool is_boundary(const Complex<Real>&, Simplex);                                      \
     template bool is_interface(const Complex<Real>&, Simplex);
@@ -127,7 +229,8 @@ Components components(const Complex<Real>& complex) {
     template Components components(const Complex<Real>&);                                          \
     DSC_INSTANTIATE_SIMPLEX(Real, Vertex)                                                          \
     DSC_INSTANTIATE_SIMPLEX(Real, Edge)                                                            \
-    DSC_INSTANTIATE_SIMPLEX(Real, Triangle)
+    DSC_INSTANTIATE_SIMPLEX(Real, Triangle)                                                        \
+    template std::vector<InterfaceCurve> interface_curves(const Complex<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/queries/validate.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/queries/outlines.h"
 #include "dsc/queries/phases.h"
 
 #include <algorithm>

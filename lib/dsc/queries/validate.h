@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is this a simplicial complex (thesis, chapter 3), and a manifold (section 3.2)? Checks everything
-// that can be wrong, with exact predicates, and names the first bad element. It may be called on
-// arbitrary data: broken links neither crash it nor trap it in a loop.
+// Is this a simplicial complex (thesis, chapter 3), and a manifold (section 3.2)? And is it the
+// same mesh as another one, bit for bit?
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -28,17 +27,27 @@ struct ValidationReport {
     [[nodiscard]] bool ok() const { return problem.empty(); }
 };
 
-/// Checks, in this order: the border triangle; the size of the attributes; the vertices (finite,
-/// corner at itself); the triangles (vertices alive and distinct, phase not reserved, links
-/// symmetric and with the same vertices at both sides, orientation > 0); the free ids; every vertex
-/// a disc or half disc that goes around it once; the Euler characteristic; and that the boundary
-/// nowhere meets itself and no component covers another. Together these say that no two simplices
-/// overlap anywhere. O(n + b log b), and O(b^2) at worst for b boundary edges.
+/// Checks everything that can be wrong, with exact predicates. It may be called on arbitrary data:
+/// broken links neither crash it nor trap it in a loop. In this order: the border triangle; the
+/// size of the attributes; the vertices (finite, corner at itself); the triangles (vertices alive
+/// and distinct, phase not reserved, links symmetric and with the same vertices at both sides,
+/// orientation > 0); the free ids; every vertex a disc or half disc that goes around it once; the
+/// Euler characteristic; and that the boundary nowhere meets itself and no component covers
+/// another. Together these say that no two simplices overlap anywhere. O(n + b log b), and O(b^2)
+/// at worst for b boundary edges.
 template <class Real>
 [[nodiscard]] ValidationReport validate(const Complex<Real>& complex);
 
 /// Throws InvariantError with the problem reported if the complex is not valid.
 template <class Real>
 void validate_or_throw(const Complex<Real>& complex);
+
+/// A fingerprint of the mesh: a 64-bit hash of the living triangles: the coordinates of their
+/// corners, bit by bit, and their phases. Independent of ids, of the order of triangles and of
+/// which corner comes first; the order of corners (orientation) counts; -0.0 counts as 0.
+/// Coordinates are hashed as doubles: a float complex and its double copy agree. Unused vertices,
+/// attributes and locks do not count. O(n).
+template <class Real>
+[[nodiscard]] std::uint64_t mesh_hash(const Complex<Real>& complex);
 
 } // namespace dsc

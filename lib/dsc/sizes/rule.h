@@ -4,8 +4,8 @@
 // straight front (R. Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", 1998).
 #pragma once
 
-#include "dsc/complex/ring.h"
-#include "dsc/sizes/field.h"
+#include "dsc/complex/gather.h"
+#include "dsc/sizes/sizes.h"
 
 #include <algorithm>
 #include <cmath>

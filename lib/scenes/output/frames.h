@@ -4,7 +4,7 @@
 
 #include "dsc/base/archive.h"
 #include "dsc/complex/complex.h"
-#include "dsc/io/vtu.h"
+#include "dsc/io/pictures.h"
 #include "scenes/output/pictures.h"
 #include "topology/events.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/output/outlines_file.h"
 
-#include "dsc/queries/outlines.h"
 #include "dsc/queries/phases.h"
 
 #include <nlohmann/json.hpp>

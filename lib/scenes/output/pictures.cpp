@@ -3,7 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/io/svg.h"
+#include "dsc/io/pictures.h"
 #include "dsc/quality/measures.h"
 #include "scenes/digits.h"
 

@@ -2,9 +2,9 @@
 // A frame as a picture: what the triangles are coloured by, and what is drawn on them.
 #pragma once
 
-#include "dsc/base/enum_table.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
-#include "dsc/io/vtu.h"
+#include "dsc/io/pictures.h"
 #include "topology/events.h"
 
 #include <set>

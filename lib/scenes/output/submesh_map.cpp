@@ -29,10 +29,9 @@ std::string kind_of(const Region& region) {
 
 } // namespace
 
-template <class Real>
-void write_submesh_map(const SubmeshExecutor<Real>& executor, const std::string& path) {
+void write_submesh_map(const SubmeshView& submeshes, const std::string& path) {
     std::vector<double> work;
-    for (const SubStepProfile& profile : executor.profile().sub_steps) {
+    for (const SubStepProfile& profile : submeshes.profile.sub_steps) {
         work.resize(std::max(work.size(), profile.move.size()), 0.0);
         for (std::size_t i = 0; i < profile.move.size(); ++i) {
             work[i] += profile.move[i] + (i < profile.aim.size() ? profile.aim[i] : 0.0);
@@ -40,7 +39,7 @@ void write_submesh_map(const SubmeshExecutor<Real>& executor, const std::string&
     }
     Json colours = Json::array();
     std::size_t number_of = 0;
-    for (const Colour& colour : executor.partition().colours) {
+    for (const Colour& colour : submeshes.partition.colours) {
         Json regions = Json::array();
         for (const Region& region : colour.regions) {
             const double seconds = number_of < work.size() ? work[number_of] : 0.0;
@@ -57,8 +56,5 @@ void write_submesh_map(const SubmeshExecutor<Real>& executor, const std::string&
     }
     write_file(path, Json{{"colours", std::move(colours)}}.dump(1) + "\n");
 }
-
-template void write_submesh_map(const SubmeshExecutor<double>&, const std::string&);
-template void write_submesh_map(const SubmeshExecutor<float>&, const std::string&);
 
 } // namespace dsc::scenes

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/io/edit_file.h"
-#include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/io/replay.h"
+#include "dsc/parallel/parallel.h"
 #include "dsc/queries/phases.h"
 #include "geometric_flows/growth.h"
 #include "geometric_flows/growth_corners.h"
@@ -78,7 +78,7 @@ public:
         }
         auto executor = make_executor(complex_, options_, run.strategy, submeshing,
                                       algorithm ? &*algorithm : nullptr);
-        submeshes_ = dynamic_cast<const SubmeshExecutor<Real>*>(executor.get());
+        executor_ = executor.get();
         if (run.strategy == Strategy::copy) { // always all that have a submesh to work on
             threads_of_copies_ =
                 std::min(submeshing.threads, submeshes_of(run.strategy, submeshing));
@@ -142,18 +142,19 @@ public:
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
     /// Threads that the last step used.
     [[nodiscard]] std::uint32_t threads_used() const {
-        return submeshes_ != nullptr ? submeshes_->threads_used() : threads_of_copies_;
+        const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);
+        return submeshes ? submeshes->threads_used : threads_of_copies_;
     }
     /// To be called before a step after which there is a frame...
     void begin_frame() { begin_displacements(complex_); }
     /// ...for its arrays. `velocity`: null where the flow is none.
     std::vector<VtuArray> end_frame(const Velocity* velocity, double time, double dt) {
+        const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);
         FrameView<Real> view{.time = static_cast<Real>(time),
                              .dt = static_cast<Real>(dt),
                              .edge_length = options_.edge_length,
                              .is_uniform = options_.sizes.is_uniform(),
-                             .partition =
-                                 submeshes_ == nullptr ? nullptr : &submeshes_->partition()};
+                             .partition = submeshes ? &submeshes->partition : nullptr};
         dsc::Velocity<Real> field;
         if (velocity != nullptr) {
             field = velocity_in<Real>(*velocity);
@@ -165,8 +166,9 @@ public:
     }
     /// The submeshes as a file next to a frame, if there are any.
     void map_submeshes(const std::string& frame) const {
-        if (submeshes_ != nullptr && !submeshes_->partition().colours.empty() && !frame.empty()) {
-            write_submesh_map(*submeshes_,
+        const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);
+        if (submeshes && !submeshes->partition.colours.empty() && !frame.empty()) {
+            write_submesh_map(*submeshes,
                               std::filesystem::path(frame).replace_extension("submeshes.json"));
         }
     }
@@ -222,9 +224,9 @@ private:
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
     std::shared_ptr<TopologyStage<Real>> topology_; ///< null where the topology is kept
-    const SubmeshExecutor<Real>* submeshes_ = nullptr;
-    std::uint32_t threads_of_copies_ = 1; ///< of the strategy that copies submeshes
-    const Velocity* leg_ = nullptr;       ///< the velocity of the previous step
+    const Executor<Real>* executor_ = nullptr;      // of the simulation
+    std::uint32_t threads_of_copies_ = 1;           ///< of the strategy that copies submeshes
+    const Velocity* leg_ = nullptr;                 ///< the velocity of the previous step
     InterfaceMotion<Real> by_curvature_;
     std::optional<EditFile> edits_;
     std::uint64_t vertex_steps_ = 0;

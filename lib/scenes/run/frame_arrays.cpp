@@ -2,7 +2,7 @@
 #include "scenes/run/frame_arrays.h"
 
 #include "dsc/complex/ranges.h"
-#include "dsc/sizes/field.h"
+#include "dsc/sizes/sizes.h"
 
 #include <algorithm>
 

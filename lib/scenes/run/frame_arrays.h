@@ -3,7 +3,7 @@
 // submesh a triangle lies in.
 #pragma once
 
-#include "dsc/io/vtu.h"
+#include "dsc/io/pictures.h"
 #include "dsc/motion/integrator.h"
 #include "dsc/parallel/partition/partition.h"
 

@@ -2,7 +2,7 @@
 #include "scenes/run/run.h"
 
 #include "dsc/base/error.h"
-#include "dsc/queries/hash.h"
+#include "dsc/queries/validate.h"
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"
 #include "scenes/output/outlines_file.h"

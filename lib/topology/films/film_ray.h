@@ -3,7 +3,7 @@
 // from triangle to triangle, to where that phase ends.
 #pragma once
 
-#include "dsc/geometry/turn.h"
+#include "dsc/geometry/points.h"
 #include "topology/region.h"
 
 namespace dsc {

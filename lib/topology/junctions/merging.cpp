@@ -4,7 +4,7 @@
 #include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_collapse.h"
-#include "dsc/quality/ring_quality.h"
+#include "dsc/quality/measures.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "topology/junctions/opening.h"
 
-#include "dsc/geometry/turn.h"
+#include "dsc/geometry/points.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 

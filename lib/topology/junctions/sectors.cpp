@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "topology/junctions/sectors.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 #include "dsc/geometry/predicates.h"
 
 #include <cmath>

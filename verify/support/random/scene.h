@@ -5,7 +5,7 @@
 
 #include "support/environment.h"
 
-#include "dsc/base/enum_table.h"
+#include "dsc/base/types.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/motion/integrator.h"

@@ -6,10 +6,7 @@
 #include "scene.h"
 
 #include "dsc/parallel/in_place/submesh_executor.h"
-#include "dsc/parallel/partition/blocks.h"
-#include "dsc/parallel/partition/cells.h"
-#include "dsc/parallel/partition/places.h"
-#include "dsc/parallel/partition/slabs.h"
+#include "dsc/parallel/partition/partition.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
 

@@ -9,8 +9,7 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/quality/measures.h"
-#include "dsc/queries/hash.h"
-#include "dsc/queries/outlines.h"
+#include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
-#include "dsc/geometry/distance.h"
+#include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/star_quality.h"

@@ -6,7 +6,7 @@
 #include "dsc/initial/build/star_quality.h"
 #include "dsc/initial/improve/relaxation.h"
 #include "dsc/initial/rounding.h"
-#include "dsc/quality/ring_quality.h"
+#include "dsc/quality/measures.h"
 #include "dsc/sizes/rule.h"
 
 #include <algorithm>

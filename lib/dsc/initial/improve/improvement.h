@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dsc/initial/improve/refinement.h"
-#include "dsc/sizes/options.h"
+#include "dsc/sizes/sizes.h"
 
 #include <span>
 

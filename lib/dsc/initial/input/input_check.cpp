@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/input/input_check.h"
 
-#include "dsc/base/require.h"
-#include "dsc/geometry/distance.h"
+#include "dsc/base/error.h"
+#include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/initial/input/contacts.h"
 #include "dsc/initial/rounding.h"

@@ -18,7 +18,7 @@ inline constexpr double most_triangles = 5e8;
 /// The interface may be cut into so many pieces.
 inline constexpr double most_pieces = most_triangles / 4;
 /// Qualities compare products of four lengths, and quotients of these: they must stay within the
-/// range of doubles. A simulation asks for more: `least_edge_length` in base/tolerances.h.
+/// range of doubles. A simulation asks for more: `least_edge_length` in triangle.h.
 inline constexpr double least_initial_edge_length = 1e-100;
 /// An edge length must span so many steps of the scalar at the largest coordinate.
 inline constexpr double least_steps = 64;

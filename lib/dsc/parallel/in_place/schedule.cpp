@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/in_place/schedule.h"
 
-#include "dsc/parallel/threads/waiting.h"
+#include "dsc/parallel/threads/thread_pool.h"
 
 #include <algorithm>
 #include <exception>

@@ -2,8 +2,8 @@
 // What the executor carries from one step to the next: the partition, when it was made, and each
 // submesh with its list, its active set and the ids that it holds.
 #include "dsc/parallel/in_place/submesh_part.h"
-#include "dsc/parallel/partition/partition_archive.h"
-#include "dsc/passes/work_archive.h"
+#include "dsc/parallel/partition/partition.h"
+#include "dsc/passes/algorithm.h"
 
 namespace dsc {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/in_place/submesh_part.h"
 
-#include "dsc/base/require.h"
-#include "dsc/passes/interface/carried.h"
+#include "dsc/base/error.h"
 #include "dsc/passes/interface/list.h"
 
 #include <algorithm>

@@ -8,11 +8,10 @@
 
 #include "dsc/algorithm/executor.h"
 #include "dsc/parallel/in_place/schedule.h"
-#include "dsc/parallel/in_place/step_profile.h"
+#include "dsc/parallel/parallel.h"
 #include "dsc/parallel/partition/partition.h"
 #include "dsc/parallel/threads/thread_choice.h"
 #include "dsc/parallel/threads/thread_pool.h"
-#include "dsc/parallel/timer.h"
 
 namespace dsc {
 
@@ -55,14 +54,10 @@ public:
     void end_step() override;
     void archive(Archive& archive) override;
 
-    /// The partition in force, for drawing.
-    [[nodiscard]] const Partition& partition() const { return partition_; }
-    /// Which task waits for which: task i of `SubStepProfile::move`.
-    [[nodiscard]] const TaskGraph& tasks() const { return moving_.tasks; }
-    /// Of the last step, if `SubmeshOptions::profile` is set.
-    [[nodiscard]] const StepProfile& profile() const { return profile_; }
-    /// Threads that the last step used.
-    [[nodiscard]] std::uint32_t threads_used() const { return threads_; }
+    /// The partition in force, and how the last step went in it.
+    [[nodiscard]] SubmeshView view() const {
+        return {partition_, moving_.tasks, profile_, threads_};
+    }
 
 protected:
     [[nodiscard]] Work<Real>& home_of(std::uint32_t vertex) override;

@@ -3,8 +3,8 @@
 // interface of all submeshes.
 #pragma once
 
+#include "dsc/algorithm/interface_sight.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
-#include "dsc/parallel/timer.h"
 
 namespace dsc {
 

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The interface for submeshing (thesis, section 6): the way in which the mesh is divided is one
-// object, which an application can replace. A partition has colours (thesis, section 6.1); the
-// regions of one colour are disjoint and run at the same time; what the boundaries of one colour
-// kept from being done is handed to the next, and what all of them left is done serially.
+// object, which an application can replace; and the library's ways. A partition has colours
+// (thesis, section 6.1); the regions of one colour are disjoint and run at the same time; what the
+// boundaries of one colour kept from being done is handed to the next, and what all of them left is
+// done serially.
 #pragma once
 
+#include "dsc/base/types.h"
 #include "dsc/complex/submesh.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace dsc {
@@ -98,5 +102,190 @@ public:
     /// What it remembers from one division to the next (base/archive.h); nothing by default.
     virtual void archive(Archive& /*archive*/) {}
 };
+
+/// Throws InputError for a region that an application's function or a list of labels defines: there
+/// are no bytes for either.
+void archive(Archive& archive, Region& region);
+void archive(Archive& archive, Colour& colour);
+void archive(Archive& archive, Partition& partition);
+inline void archive(Archive& archive, PartitionStatus& status) {
+    std::uint64_t vertices = status.interface_vertices;
+    archive(status.step, status.steps_since_all, vertices);
+    status.interface_vertices = static_cast<std::size_t>(vertices);
+}
+
+// --- slabs ---------------------------------------------------------------------------------------
+// The slabbing method (thesis, sections 6.3 and 8.5) in place: a slab is an interval of positions
+// along a direction; nothing is copied. First red slabs, then black ones shifted by half a slab, of
+// which the first and the last form one submesh.
+
+/// How the cuts between slabs are chosen.
+enum class Slabbing : std::uint8_t {
+    fixed,    ///< equal widths (thesis, section 6.3)
+    counting, ///< equal numbers of triangles (the same section), sampled in a large mesh
+    active,   ///< equal shares of the work that was done
+};
+
+inline constexpr std::array slabbing_names{
+    Named{Slabbing::fixed, "fixed"},
+    Named{Slabbing::counting, "counting"},
+    Named{Slabbing::active, "active"},
+};
+
+[[nodiscard]] constexpr std::string_view to_string(Slabbing slabbing) {
+    return name_in(slabbing_names, slabbing);
+}
+
+/// How slabs are cut.
+struct SlabOptions {
+    Slabbing slabbing = Slabbing::counting; ///< by what the cuts are chosen
+    std::uint32_t submeshes = 8; ///< how many red slabs; independent of the number of threads
+    /// The slabs are cut across this direction, in degrees from the x axis; follow_shape: across
+    /// the direction in which the interface extends farthest.
+    double degrees = 0;
+    bool follow_shape = false; ///< cuts across the direction of the shape, in place of `degrees`
+    /// In edge lengths. Thinner slabs would be locked completely, so there are fewer slabs instead.
+    double least_width = 8;
+    std::uint32_t recut = 64; ///< steps between two choices of the cuts
+};
+
+/// The colour of slabs along the normal: slab i is [cuts[i], cuts[i + 1]), and the outer cuts are
+/// infinite. `round`: the first and the last form one submesh.
+Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_y, bool round);
+
+/// Slabs of two colours.
+template <class Real>
+class SlabPartitioner final : public Partitioner<Real> {
+public:
+    /// Throws InputError if the options make no sense.
+    explicit SlabPartitioner(const SlabOptions& options);
+    /// Both colours every `recut` steps.
+    [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
+    void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
+    void archive(Archive& archive) override { archive(extent_of_, low_, high_, corners_); }
+
+private:
+    void find_extent(const Complex<Real>& complex, const Point<double>& normal);
+
+    SlabOptions options_;
+    Point<double> extent_of_ = Point<double>::Zero(); // the normal that these belong to
+    double low_ = 0;
+    double high_ = 0;
+    std::vector<Point<double>> corners_; // of the domain's hull; of `follow_shape` alone
+};
+
+// --- blocks --------------------------------------------------------------------------------------
+// The mesh cut in two directions (thesis, section 6). With two colours, the points where a cut of
+// one family crosses one of the other would always be locked by one colour or the other; blocks
+// take three colours, each shifted by a third, and no point lies near the boundaries of all three.
+
+/// How blocks are cut.
+struct BlockOptions {
+    std::uint32_t submeshes = 16; ///< of the first colour; rounded down to a square number
+    double least_width = 8;       ///< in edge lengths
+    std::uint32_t recut = 64;     ///< steps between two choices of the cuts
+};
+
+/// Blocks of equal width in both directions, over the extent of the interface.
+template <class Real>
+class BlockPartitioner final : public Partitioner<Real> {
+public:
+    /// Throws InputError if the options make no sense.
+    explicit BlockPartitioner(const BlockOptions& options);
+    /// All colours every `recut` steps.
+    [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
+    void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
+
+private:
+    BlockOptions options_;
+};
+
+// --- cells ---------------------------------------------------------------------------------------
+// They follow the interface: the plane is halved repeatedly, each time where few interface vertices
+// lie, until each cell has its share of them. What lies near the cuts goes to cells of a second
+// colour, cut in the same way from these vertices alone, so that its cuts run where the first
+// colour left nothing; what lies near the cuts of both goes to a third. The work is at the
+// interface, and so are the cells, whereas slabs over the whole mesh are mostly empty.
+
+/// How cells are cut.
+struct CellOptions {
+    /// Cells of the first colour; 0: as many as pay off, by the length of the interface. Fewer if
+    /// they would be too small.
+    std::uint32_t submeshes = 0;
+    std::uint32_t least_vertices = 20; ///< smaller cells are not worth their boundaries
+    double least_width = 6;            ///< in edge lengths
+    double band = 4;          ///< in edge lengths: vertices nearer to a cut go to the second colour
+    std::uint32_t recut = 32; ///< steps between two divisions of the first colour
+    std::uint32_t recut_later = 16; ///< and of the later ones
+};
+
+/// A place where there is work.
+struct Site {
+    double x; ///< in units of the domain
+    double y;
+    float weight; ///< its share of the work, in any unit
+};
+
+/// Cells of equal shares of the interface's work.
+template <class Real>
+class CellPartitioner final : public Partitioner<Real> {
+public:
+    /// Throws InputError if the options make no sense.
+    explicit CellPartitioner(const CellOptions& options);
+    /// The first colour every `recut` steps, the later ones every `recut_later`.
+    [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
+    void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
+
+private:
+    CellOptions options_;
+    std::vector<Site> sites_;
+};
+
+// --- a function of the application ---------------------------------------------------------------
+// It divides the plane, not the vertices, so that it stays valid while vertices are created,
+// deleted and moved. Voronoi regions (thesis, section 6) are such a function.
+
+/// One colour: `number_of(x, y)` is below `submeshes`, always the same for the same place, and safe
+/// to call from several threads. Two submeshes of one colour may touch; a colour's boundaries
+/// should lie away from those of the colours before it.
+struct PlaceColour {
+    /// The number of the submesh that holds a place.
+    std::function<std::uint32_t(double x, double y)> number_of;
+    std::uint32_t submeshes = 1; ///< how many there are
+};
+
+/// Called at construction of the executor, and then every `recut` steps: gets the interface,
+/// returns the colours.
+template <class Real>
+using PlaceFunction = std::function<std::vector<PlaceColour>(const PartitionInput<Real>& input)>;
+
+/// Divides by the function of the application.
+template <class Real>
+class PlacePartitioner final : public Partitioner<Real> {
+public:
+    /// Calls the function every `recut` steps.
+    explicit PlacePartitioner(PlaceFunction<Real> function, std::uint32_t recut = 64);
+    /// All colours every `recut` steps.
+    [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
+    /// Throws InputError if the function returns no colour, or one without a submesh.
+    void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
+
+private:
+    PlaceFunction<Real> function_;
+    std::uint32_t recut_;
+    std::vector<PlaceColour> colours_; // regions point to these
+};
+
+/// Voronoi regions of points (thesis, section 6): the submesh of a place is the number of the
+/// nearest point, the lower number in a tie. O(1) expected per look-up.
+PlaceColour voronoi_colour(std::vector<Point<double>> sites);
+
+/// The same for sites that are chosen by the interface: k-means of its vertices (Lloyd's algorithm,
+/// `rounds` times, from vertices evenly spread along the list). These are the "springs" of the
+/// thesis, section 6, which even out the submeshes. The second colour's sites lie in the middle
+/// between neighbouring sites of the first.
+template <class Real>
+std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input, std::uint32_t submeshes,
+                                         int rounds = 8);
 
 } // namespace dsc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/partition/partition_archive.h"
+#include "dsc/parallel/partition/partition.h"
 
 #include "dsc/base/error.h"
 
@@ -18,6 +18,8 @@ void archive(Archive& archive, Region& region) {
     archive(region.normal_x, region.normal_y, region.low, region.high, region.side_low,
             region.side_high, region.label);
 }
+
+void archive(Archive& archive, Colour& colour) { archive(colour.regions); }
 
 void archive(Archive& archive, Partition& partition) {
     archive(partition.colours);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/partition/places.h"
+#include "dsc/parallel/partition/partition.h"
 
 #include "dsc/base/error.h"
 #include "dsc/parallel/partition/site_grid.h"

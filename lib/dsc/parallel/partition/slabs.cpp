@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/partition/slabs.h"
+#include "dsc/parallel/partition/cuts.h"
 
-#include "dsc/base/require.h"
+#include "dsc/base/error.h"
 
 #include <algorithm>
 #include <cmath>

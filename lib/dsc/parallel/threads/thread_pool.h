@@ -6,16 +6,71 @@
 // done, whoever did it.
 #pragma once
 
-#include "dsc/base/function_ref.h"
-
 #include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <memory>
 #include <thread>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace dsc {
+
+template <class Signature>
+class FunctionRef;
+
+/// Two words that refer to a function object; unlike std::function it never allocates, and does not
+/// keep the object alive.
+template <class Result, class... Arguments>
+class FunctionRef<Result(Arguments...)> {
+public:
+    /// Refers to `function`, which has to outlive it.
+    template <class Function>
+    requires(!std::is_same_v<std::remove_cvref_t<Function>, FunctionRef> &&
+             std::is_object_v<std::remove_reference_t<Function>>)
+        FunctionRef(Function&& function) // NOLINT: implicit, so that any function object fits
+        : object_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
+          call_([](void* object, Arguments... arguments) -> Result {
+              return (*static_cast<std::remove_reference_t<Function>*>(object))(
+                  std::forward<Arguments>(arguments)...);
+          }) {}
+
+    /// Calls the function object.
+    Result operator()(Arguments... arguments) const {
+        return call_(object_, std::forward<Arguments>(arguments)...);
+    }
+
+private:
+    void* object_;
+    Result (*call_)(void*, Arguments...);
+};
+
+/// Tells the core that this is a loop that waits.
+inline void pause_briefly() {
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#endif
+}
+
+/// The turns of a loop that waits: brief pauses at first, since a task takes tens of microseconds;
+/// then the core is given to any other thread that wants it.
+class WaitingTurns {
+public:
+    void wait() {
+        constexpr int turns_before_yield = 2000;
+        if (turns_ < turns_before_yield) {
+            ++turns_;
+            pause_briefly();
+        } else {
+            std::this_thread::yield();
+        }
+    }
+    void start_over() { turns_ = 0; }
+
+private:
+    int turns_ = 0;
+};
 
 /// How long workers wait awake for the next section before they sleep, if nothing else is said: 2
 /// milliseconds; nothing if the environment variable OMP_WAIT_POLICY is `passive`, as on machines

@@ -5,10 +5,8 @@
 
 #include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
-#include "dsc/complex/ring.h"
-#include "dsc/complex/spokes.h"
-#include "dsc/geometry/distance.h"
-#include "dsc/geometry/turn.h"
+#include "dsc/complex/gather.h"
+#include "dsc/geometry/points.h"
 #include "dsc/motion/interpolation.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "dsc/passes/edits.h"
 #include "dsc/passes/interface/curve.h"
 #include "dsc/passes/wall.h"
-#include "dsc/quality/ring_quality.h"
+#include "dsc/quality/measures.h"
 #include "dsc/sizes/rule.h"
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 // Only owned stars are read and written: the result does not depend on the threads.
 #pragma once
 
-#include "dsc/passes/mesh/star_limits.h"
-#include "dsc/passes/work.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/mesh/star.h"
 #include "dsc/sizes/rule.h"
 
 #include <cmath>

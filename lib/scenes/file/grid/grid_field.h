@@ -5,7 +5,7 @@
 
 #include "flows/velocity.h"
 
-#include "dsc/base/enum_table.h"
+#include "dsc/base/types.h"
 #include "dsc/initial/initial_complex.h"
 
 #include <memory>

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
-// New values of fields, the vertex attributes that sample the plane, where a vertex moves (thesis,
-// section 5.5: "new values will have to be created").
-#pragma once
-
 #include "dsc/complex/circulate.h"
+#include "dsc/complex/rewire.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace dsc {
 
-/// Gives the fields at `v` the values at `place`, a point of its star: linear in the triangle that
-/// holds it. To be called before `v` moves; other attributes are not touched. `with_interface`: the
-/// interface moves `v`, not smoothing, and fields that the interface carries keep their values.
-/// O(degree).
 template <class Real>
-[[gnu::noinline]] void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
-                                       bool with_interface) {
+void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
+                     bool with_interface) {
     if (!complex.attributes.has_fields()) {
         return;
     }
@@ -59,5 +52,8 @@ template <class Real>
     }
     complex.attributes.move_fields(v.id, best_b.id, static_cast<double>(share_b), with_interface);
 }
+
+template void resample_fields(Complex<double>&, Vertex, const Point<double>&, bool);
+template void resample_fields(Complex<float>&, Vertex, const Point<float>&, bool);
 
 } // namespace dsc

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/operations/replay.h"
+#include "dsc/io/replay.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/numbering.h"
+#include "dsc/complex/complex.h"
 #include "dsc/complex/rewire.h"
 
 #include <algorithm>

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// What the mesh update asks of a star: the thresholds of its phase, at the target length of edges
+// there; the edges to be split where triangles are needles; and what a collapse would leave behind.
+#pragma once
+
+#include "dsc/complex/complex.h"
+#include "dsc/complex/gather.h"
+#include "dsc/passes/options.h"
+#include "dsc/quality/measures.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+/// All squared, as stars are examined.
+template <class Real>
+struct StarLimits {
+    Real collapse; ///< quality
+    Real smooth;   ///< quality
+    Real longest;  ///< length
+    Real shortest; ///< length
+    Real crowded;  ///< length
+};
+
+/// The limits at a vertex with this target, inside a phase. O(1).
+template <class Real>
+StarLimits<Real> star_limits(const Options<Real>& options, Phase phase, Real length) {
+    const PhaseThresholds& t = options.thresholds(phase);
+    const auto square = [](Real value) { return value * value; };
+    // The target grows along an edge that leads away from the interface: at the middle of one as
+    // long as the threshold allows it is longer by this factor. Measured against the shorter target
+    // of its ends alone, edges would be split and collapsed twice as often as they need.
+    const double growth = options.sizes.growth > 0 ? options.sizes.growth : 1;
+    const double stretch = 1 + 0.5 * t.longest * (growth - 1);
+    return {square(static_cast<Real>(t.collapse_quality)),
+            square(static_cast<Real>(t.smooth_quality)),
+            square(static_cast<Real>(t.longest * stretch) * length),
+            square(static_cast<Real>(t.shortest) * length),
+            square(static_cast<Real>(t.crowded) * length)};
+}
+
+/// Whether the lengths of the spokes call for an edit.
+template <class Real>
+bool is_out_of_size(const StarReport<Real>& star, const StarLimits<Real>& limits) {
+    return star.longest > limits.longest || star.shortest < limits.shortest ||
+           star.longest < limits.crowded;
+}
+
+/// A spoke to be split; `no_id` if there is none.
+struct NeedleSpoke {
+    std::uint32_t spoke = no_id;
+    std::uint32_t base = no_id; ///< the spoke beside it that is the short interface edge
+};
+
+/// The longest spoke beside an interface edge of the star that is longer than the edge by more than
+/// the grading, whose square is given. O(degree).
+template <class Real>
+NeedleSpoke needle_spoke(const Ring<Real>& ring, Real grading_squared) {
+    Real longest = 0;
+    NeedleSpoke found;
+    const auto length = [&ring](std::uint32_t i) {
+        const Real dx = ring.link_x(i) - ring.x0;
+        const Real dy = ring.link_y(i) - ring.y0;
+        return dx * dx + dy * dy;
+    };
+    const auto look_at = [&](std::uint32_t i, std::uint32_t beside, Real allowed) {
+        const Real squared = length(i);
+        if (squared > allowed && squared > longest && !ring.is_constrained(i)) {
+            longest = squared;
+            found = {i, beside};
+        }
+    };
+    const std::uint32_t n = ring.link_size();
+    for (std::uint32_t i = 0; i < n; ++i) {
+        if (ring.is_constrained(i) && ring.phase_before(i) != border_phase &&
+            ring.phase_after(i) != border_phase) {
+            const Real allowed = grading_squared * length(i);
+            if (i > 0 || ring.closed) {
+                look_at(i > 0 ? i - 1 : n - 1, i, allowed);
+            }
+            if (i + 1 < n || ring.closed) {
+                look_at(i + 1 < n ? i + 1 : 0, i, allowed);
+            }
+        }
+    }
+    return found;
+}
+
+/// The longest edge, squared, from link vertex i to the others: that of its triangles after the
+/// centre has gone there. O(degree).
+template <class Real>
+Real longest_after_collapse(const Ring<Real>& ring, std::uint32_t i) {
+    Real longest = 0;
+    for (std::uint32_t j = 0; j < ring.size; ++j) {
+        const Real dx = ring.x[j] - ring.x[i];
+        const Real dy = ring.y[j] - ring.y[i];
+        longest = std::max(longest, dx * dx + dy * dy);
+    }
+    return longest;
+}
+
+/// Whether no needle beside an interface edge would be split again at once, with the star's
+/// triangles at link vertex i. `grading_squared`: how much longer than that edge an edge may be,
+/// squared; 0: without a limit. The ring must be closed. O(degree).
+template <class Real>
+bool keeps_grading(const Complex<Real>& complex, const Ring<Real>& ring, Real grading_squared,
+                   std::uint32_t i) {
+    if (grading_squared == 0) {
+        return true;
+    }
+    const std::uint32_t n = ring.size;
+    const auto squared = [](Real dx, Real dy) { return dx * dx + dy * dy; };
+    for (std::uint32_t j = 0; j < n; ++j) {
+        const Phase across = complex.phase_at(complex.twin(ring.corner[j]));
+        if (across == ring.phase[j] || across == border_phase) {
+            continue;
+        }
+        // The apex over this edge: i, or beyond it where i is one of its ends.
+        const std::uint32_t end = j + 1 == n ? 0 : j + 1;
+        const std::uint32_t apex = i == j     ? (end + 1 == n ? 0 : end + 1)
+                                   : i == end ? (j == 0 ? n - 1 : j - 1)
+                                              : i;
+        // Some slack, so that a collapse and a split do not take turns.
+        const Real allowed = Real(0.8) * grading_squared *
+                             squared(ring.x_next[j] - ring.x[j], ring.y_next[j] - ring.y[j]);
+        if (squared(ring.x[apex] - ring.x[j], ring.y[apex] - ring.y[j]) > allowed ||
+            squared(ring.x[apex] - ring.x[end], ring.y[apex] - ring.y[end]) > allowed) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace dsc
