@@ -15,7 +15,6 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/smoothing.h"
 #include "dsc/queries/validate.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/run/clock.h"
@@ -23,6 +22,7 @@
 #include "scenes/run/start.h"
 #include "thesis/local_retriangulation.h"
 #include "thesis/loop_subdivision.h"
+#include "thesis/smoothing.h"
 
 #include <benchmark/benchmark.h>
 

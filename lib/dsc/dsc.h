@@ -25,7 +25,6 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/smoothing.h"
 
 #include "dsc/quality/measures.h"
 

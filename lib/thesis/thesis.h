@@ -11,6 +11,7 @@
 #include "thesis/local_retriangulation.h"
 #include "thesis/loop_subdivision.h"
 #include "thesis/replay.h"
+#include "thesis/smoothing.h"
 #include "thesis/triangle_collapse.h"
 
 #include "thesis/centred_difference.h"
@@ -19,3 +20,4 @@
 
 #include "thesis/copied_submeshes.h"
 #include "thesis/copy_executor.h"
+#include "thesis/voronoi.h"

@@ -3,10 +3,10 @@
 
 #include "dsc/complex/gather.h"
 #include "dsc/operations/edge_flip.h"
-#include "dsc/operations/smoothing.h"
 #include "dsc/quality/measures.h"
 #include "thesis/local_retriangulation.h"
 #include "thesis/loop_subdivision.h"
+#include "thesis/smoothing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,12 +14,12 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/smoothing.h"
 #include "dsc/queries/validate.h"
 #include "thesis/insertion_removal.h"
 #include "thesis/local_retriangulation.h"
 #include "thesis/loop_subdivision.h"
 #include "thesis/replay.h"
+#include "thesis/smoothing.h"
 #include "thesis/triangle_collapse.h"
 
 #include <algorithm>

@@ -11,10 +11,10 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/smoothing.h"
 #include "dsc/queries/phases.h"
 #include "thesis/local_retriangulation.h"
 #include "thesis/loop_subdivision.h"
+#include "thesis/smoothing.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "support/small_meshes.h"
 
 #include "dsc/base/error.h"
-#include "dsc/operations/smoothing.h"
+#include "thesis/smoothing.h"
 
 #include <gtest/gtest.h>
 

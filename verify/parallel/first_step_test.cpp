@@ -2,6 +2,7 @@
 // The first step costs as much as the others: the work that grows with the size of the mesh
 // (dividing it, making room for ids, starting threads) is done at construction.
 #include "support/submesh_executor_testing.h"
+#include "thesis/voronoi.h"
 
 #include <filesystem>
 #include <iterator>

@@ -8,6 +8,7 @@
 
 #include "support/random/scene.h"
 #include "support/small_meshes.h"
+#include "thesis/voronoi.h"
 
 #include <gtest/gtest.h>
 

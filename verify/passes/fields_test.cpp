@@ -4,8 +4,8 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/complex/ranges.h"
-#include "dsc/operations/smoothing.h"
 #include "dsc/queries/phases.h"
+#include "thesis/smoothing.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/operations/smoothing.h"
 #include "reference/operations/edge_collapse.h"
 #include "reference/operations/edge_flip.h"
 #include "reference/operations/edge_split.h"
@@ -15,6 +14,7 @@
 #include "reference/operations/loop_subdivision.h"
 #include "thesis/local_retriangulation.h"
 #include "thesis/loop_subdivision.h"
+#include "thesis/smoothing.h"
 
 #include <gtest/gtest.h>
 

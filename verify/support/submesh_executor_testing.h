@@ -9,6 +9,7 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/queries/validate.h"
+#include "thesis/voronoi.h"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include "dsc/parallel/partition/partition.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
+#include "thesis/voronoi.h"
 
 #include <array>
 #include <memory>

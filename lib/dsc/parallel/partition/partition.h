@@ -243,7 +243,7 @@ private:
 
 // --- a function of the application ---------------------------------------------------------------
 // It divides the plane, not the vertices, so that it stays valid while vertices are created,
-// deleted and moved. Voronoi regions (thesis, section 6) are such a function.
+// deleted and moved. Voronoi regions (thesis, section 6) are such a function: see lib/thesis.
 
 /// One colour: `number_of(x, y)` is below `submeshes`, always the same for the same place, and safe
 /// to call from several threads. Two submeshes of one colour may touch; a colour's boundaries
@@ -275,17 +275,5 @@ private:
     std::uint32_t recut_;
     std::vector<PlaceColour> colours_; // regions point to these
 };
-
-/// Voronoi regions of points (thesis, section 6): the submesh of a place is the number of the
-/// nearest point, the lower number in a tie. O(1) expected per look-up.
-PlaceColour voronoi_colour(std::vector<Point<double>> sites);
-
-/// The same for sites that are chosen by the interface: k-means of its vertices (Lloyd's algorithm,
-/// `rounds` times, from vertices evenly spread along the list). These are the "springs" of the
-/// thesis, section 6, which even out the submeshes. The second colour's sites lie in the middle
-/// between neighbouring sites of the first.
-template <class Real>
-std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input, std::uint32_t submeshes,
-                                         int rounds = 8);
 
 } // namespace dsc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/partition/site_grid.h"
+#include "thesis/site_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/operations/smoothing.h"
+#include "thesis/smoothing.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
