@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 
 namespace dsc::interface_stages_test {
 namespace {
@@ -165,6 +166,44 @@ TEST(InterfaceStages, AFlowOfPositionsMovesTheSameBitsEitherWay) {
             EXPECT_EQ(first.sub_steps, second.sub_steps);
             EXPECT_EQ(first.error, second.error);
             ASSERT_EQ(mesh_hash(one), mesh_hash(other)) << name;
+        }
+    }
+}
+
+// Four calls a sub-step where there are four stages, whatever the number of submeshes.
+TEST(InterfaceStages, AVelocityForAllAtOnceMovesTheSameBitsInOneCallAStage) {
+    const Velocity<double> turn = test::pointwise<double>([](const Point<double>& p, double time) {
+        return Point<double>(std::sin(3 * p.y()) + time, std::cos(4 * p.x()));
+    });
+    const auto caller = std::this_thread::get_id();
+    int calls = 0;
+    const VelocityAtOnce<double> at_once{
+        [&](std::span<const Point<double>> positions, double time, auto velocities) {
+            EXPECT_EQ(std::this_thread::get_id(), caller);
+            ++calls;
+            turn(positions, time, velocities);
+        }};
+    constexpr Parallel in_four{.threads = 2, .submeshes = 4, .always_all_threads = true};
+    for (const auto& [integrator, name] : scenes::integrator_choice_names) {
+        for (const bool carries : {false, true}) {
+            auto one = test::disc_complex<double>(coarse);
+            auto other = test::disc_complex<double>(coarse);
+            auto options = options_for<double>(coarse);
+            scenes::choose_integrator(options, integrator);
+            options.carried_phases.assign(carries ? 1 : 0, Phase{1});
+            Simulation<double> in_parts(one, options, in_four);
+            Simulation<double> together(other, options, in_four);
+            for (int step = 0; step < 8; ++step) {
+                calls = 0;
+                const auto first = in_parts.step(turn, 0.02 * step, 0.02);
+                const auto second = together.step(at_once, 0.02 * step, 0.02);
+                EXPECT_EQ(first.sub_steps, second.sub_steps);
+                EXPECT_EQ(first.error, second.error);
+                if (integrator == scenes::IntegratorChoice::rk4 && first.sub_steps == 1) {
+                    EXPECT_LE(calls, 2 * 4 + 1); // twice where dt had to be shorter
+                }
+                ASSERT_EQ(mesh_hash(one), mesh_hash(other)) << name;
+            }
         }
     }
 }

@@ -169,6 +169,11 @@ public:
     StepReport step(const Velocity<Real>& velocity, Real time, Real dt) {
         return step_along(velocity, time, dt);
     }
+    /// The same with a velocity that is called for all of the interface at once
+    /// (motion/interface_flow.h).
+    StepReport step(const VelocityAtOnce<Real>& at_once, Real time, Real dt) {
+        return step_along(at_once, time, dt);
+    }
     /// The same with a flow that sees the interface (motion/interface_flow.h).
     StepReport step(const InterfaceFlow<Real>& flow, Real time, Real dt) {
         return step_along(flow, time, dt);

@@ -148,6 +148,14 @@ template <class Real>
 using InterfaceMotion = std::function<void(const InterfaceView<Real>& view, Real time, Real dt,
                                            std::span<Point<Real>> displacements)>;
 
+/// A velocity that is called once in each stage of the integrator, with all interface vertices of
+/// all submeshes, by the thread that calls `Simulation::step`: for a function that costs much to
+/// call, such as one of an interpreter. The result is that of the plain velocity, to the bit.
+template <class Real>
+struct VelocityAtOnce {
+    Velocity<Real> velocity; ///< of positions and time
+};
+
 /// Any kind of flow, as the driver hands it to an executor. Refers to the function, and costs
 /// nothing to copy.
 template <class Real>
@@ -155,10 +163,15 @@ class Flow {
 public:
     /// A function of positions and time.
     Flow(const Velocity<Real>& velocity) : velocity_(&velocity) {} // NOLINT: all are flows
+    /// The same, called for all of the interface at once.
+    Flow(const VelocityAtOnce<Real>& at_once) // NOLINT: the same
+        : velocity_(&at_once.velocity), needs_all_(true) {}
     /// A velocity that sees the interface.
-    Flow(const InterfaceFlow<Real>& along_curves) : seeing_(&along_curves) {} // NOLINT: the same
+    Flow(const InterfaceFlow<Real>& along_curves) // NOLINT: the same
+        : seeing_(&along_curves), needs_all_(true) {}
     /// A motion of the whole interface.
-    Flow(const InterfaceMotion<Real>& motion) : motion_(&motion) {} // NOLINT: the same
+    Flow(const InterfaceMotion<Real>& motion) // NOLINT: the same
+        : motion_(&motion), needs_all_(true) {}
 
     /// The function of positions and time; null where the flow sees the interface.
     [[nodiscard]] const Velocity<Real>* velocity() const { return velocity_; }
@@ -167,10 +180,14 @@ public:
     /// The motion of the whole interface; null for the two other kinds.
     [[nodiscard]] const InterfaceMotion<Real>* motion() const { return motion_; }
 
+    /// Whether all of the interface has to be at the same stage when it is asked.
+    [[nodiscard]] bool needs_all() const { return needs_all_; }
+
 private:
     const Velocity<Real>* velocity_ = nullptr;
     const InterfaceFlow<Real>* seeing_ = nullptr;
     const InterfaceMotion<Real>* motion_ = nullptr;
+    bool needs_all_ = false;
 };
 
 } // namespace dsc

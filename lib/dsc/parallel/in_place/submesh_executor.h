@@ -97,8 +97,8 @@ private:
     void put_back();
     void expect_pools(const Archive& archive) const; // submesh_archive.cpp
     // Flows that see the interface: submesh_sight.cpp.
-    AimReport<Real> aim_by_sight(const Flow<Real>& flow, Real time, Real dt);
-    Reach<Real> aim_again_by_sight(const Flow<Real>& flow, Real time, Real dt);
+    AimReport<Real> aim_together(const Flow<Real>& flow, Real time, Real dt);
+    Reach<Real> aim_again_together(const Flow<Real>& flow, Real time, Real dt);
     void join_interface();
     void hand_out_aims();
     [[nodiscard]] std::size_t owner_of(std::uint32_t vertex, std::size_t hint = 0) const;

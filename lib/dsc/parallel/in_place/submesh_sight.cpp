@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Aiming by a flow that sees the interface: whenever it is asked, the interface vertices of all
-// submeshes have to be at the same stage, so they are integrated together. The flow itself is
-// evaluated submesh by submesh, in parallel; a motion of the whole interface is evaluated once.
+// Aiming by a flow that needs all of the interface: whenever it is asked, the interface vertices of
+// all submeshes have to be at the same stage, so they are integrated together. A flow that sees the
+// interface is evaluated submesh by submesh, in parallel; a velocity that is called for all at once
+// and a motion of the whole interface once.
 #include "dsc/parallel/in_place/submesh_part.h"
 
 namespace dsc {
@@ -25,11 +26,17 @@ void SubmeshExecutor<Real>::join_interface() {
 }
 
 template <class Real>
-AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const Flow<Real>& flow, Real time, Real dt) {
+AimReport<Real> SubmeshExecutor<Real>::aim_together(const Flow<Real>& flow, Real time, Real dt) {
     if (!joined_) {
         joined_ = std::make_unique<Joined>(complex_, options_);
     }
     join_interface();
+    if (const Velocity<Real>* velocity = flow.velocity()) {
+        AimReport<Real> report = find_velocities(joined_->work, *velocity, time);
+        report.reach = find_targets(joined_->work, *velocity, time, dt);
+        hand_out_aims();
+        return report;
+    }
     joined_->sight.look(joined_->work, joined_->ends, [this](const auto& run) {
         aiming_.run(pool_, threads_, submeshes_.assignment, run);
         run(first_colour_); // those in no submesh: few
@@ -40,8 +47,10 @@ AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const Flow<Real>& flow, Real
 }
 
 template <class Real>
-Reach<Real> SubmeshExecutor<Real>::aim_again_by_sight(const Flow<Real>& flow, Real time, Real dt) {
-    const Reach<Real> reach = joined_->sight.aim_again(flow, time, dt);
+Reach<Real> SubmeshExecutor<Real>::aim_again_together(const Flow<Real>& flow, Real time, Real dt) {
+    const Reach<Real> reach = flow.velocity() != nullptr
+                                  ? find_targets(joined_->work, *flow.velocity(), time, dt)
+                                  : joined_->sight.aim_again(flow, time, dt);
     hand_out_aims();
     return reach;
 }
@@ -68,8 +77,8 @@ void SubmeshExecutor<Real>::hand_out_aims() {
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template AimReport<Real> SubmeshExecutor<Real>::aim_by_sight(const Flow<Real>&, Real, Real);   \
-    template Reach<Real> SubmeshExecutor<Real>::aim_again_by_sight(const Flow<Real>&, Real, Real);
+    template AimReport<Real> SubmeshExecutor<Real>::aim_together(const Flow<Real>&, Real, Real);   \
+    template Reach<Real> SubmeshExecutor<Real>::aim_again_together(const Flow<Real>&, Real, Real);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

@@ -61,12 +61,12 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Re
     }
     part.upkeep_s += timer.lap();
     if (pass + 1 >= algorithm_.upkeep.size()) {
-        if (const Velocity<Real>* velocity = flow.velocity()) {
-            part.aimed = find_velocities(work, *velocity, time);
-            part.aimed.reach = find_targets(work, *velocity, time, dt);
-        } else {
+        if (flow.needs_all()) {
             part.aimed = {};
             part.forget_aims(); // until the whole interface can be seen
+        } else {
+            part.aimed = find_velocities(work, *flow.velocity(), time);
+            part.aimed.reach = find_targets(work, *flow.velocity(), time, dt);
         }
         part.velocities_s = timer.lap();
         part.aim_s = part.upkeep_s + part.velocities_s;
@@ -168,8 +168,8 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     }
     report += hand_over(flow, time, dt);
     this->collect_edits();
-    if (flow.velocity() == nullptr) {
-        report = aim_by_sight(flow, time, dt);
+    if (flow.needs_all()) {
+        report = aim_together(flow, time, dt);
     }
     if (submeshes_.profile) {
         SubStepProfile& profile = profile_.sub_steps.emplace_back();
@@ -234,7 +234,7 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     unlist(gone);
     std::erase_if(whole_.interface,
                   [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
-    if (flow.velocity() == nullptr) {
+    if (flow.needs_all()) {
         return {};
     }
     AimReport<Real> report = find_velocities(whole_, *flow.velocity(), time);
@@ -279,8 +279,8 @@ Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, 
     if (parts_.empty()) {
         return Executor<Real>::aim_again(flow, time, dt);
     }
-    if (flow.velocity() == nullptr) {
-        return aim_again_by_sight(flow, time, dt);
+    if (flow.needs_all()) {
+        return aim_again_together(flow, time, dt);
     }
     const Velocity<Real>& velocity = *flow.velocity();
     aiming_.run(pool_, threads_, submeshes_.assignment, [&](std::size_t i) {
