@@ -11,17 +11,17 @@ namespace dsc::python {
 
 using namespace py::literals; // NOLINT: "name"_a
 
-Velocity<double> velocity_of(const py::function& function) {
+VelocityAtOnce<double> velocity_of(const py::function& function) {
     // Copies of the velocity are made and dropped without the GIL.
     const std::shared_ptr<py::function> shared(new py::function(function), [](py::function* last) {
         const py::gil_scoped_acquire gil;
         delete last; // NOLINT: the deleter of a shared_ptr
     });
-    return [shared](std::span<const Point<double>> positions, double time,
-                    std::span<Point<double>> velocities) {
+    return {[shared](std::span<const Point<double>> positions, double time,
+                     std::span<Point<double>> velocities) {
         const py::gil_scoped_acquire gil;
         read_points((*shared)(array_of(positions), time), velocities, "what the velocity returns");
-    };
+    }};
 }
 
 void add_flows(py::module_& module) {

@@ -18,10 +18,10 @@ struct BuiltIn {
     std::variant<Velocity<double>, InterfaceMotion<double>> flow;
 };
 
-/// A velocity that calls `function(x, t)` with the positions (n, 2) and takes velocities (n, 2)
-/// from it. It takes the GIL for each call, from whichever thread calls it. What the function
-/// raises comes out of `Simulation::step`; InputError if it returns anything else.
-[[nodiscard]] Velocity<double> velocity_of(const py::function& function);
+/// A velocity that calls `function(x, t)` with the positions (n, 2) of all interface vertices and
+/// takes velocities (n, 2) from it, with the GIL. What the function raises comes out of
+/// `Simulation::step`; InputError if it returns anything else.
+[[nodiscard]] VelocityAtOnce<double> velocity_of(const py::function& function);
 
 /// Adds `Flow`, `swirl` and `curvature_flow` to the module.
 void add_flows(py::module_& module);

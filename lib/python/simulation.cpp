@@ -157,9 +157,8 @@ Parameters
 ----------
 flow : callable or Flow
     A function of positions (n, 2) and the time, which returns velocities (n, 2). It is called once
-    for each submesh in each stage of the integrator; the result does not depend on threads if a
-    velocity depends on its own position and the time alone. What it raises comes out of `step`; the
-    mesh is valid then, and has not arrived yet.
+    in each stage of the integrator, for all vertices of the interface, by the thread that called
+    `step`. What it raises comes out of `step`; the mesh is valid then, and has not arrived yet.
 time, dt : float
 
 Returns
