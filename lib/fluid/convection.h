@@ -18,10 +18,12 @@ struct FluidPast {
 /// now * u(time) + one * u(one's time) + two * u(two's time): second order in the duration of the
 /// steps, which may differ; first order without a `two`.
 struct BackwardDifference {
-    double now = 0;
-    double one = 0;
-    double two = 0;
+    double now = 0; ///< 1 / time
+    double one = 0; ///< 1 / time
+    double two = 0; ///< 1 / time; 0 if there is no such solution
 };
+
+/// Its weights at a time after the past. O(1).
 [[nodiscard]] BackwardDifference backward_difference(const FluidPast& past, double time);
 
 /// The velocity at a place, constant in time if there is one field, else extrapolated from both.

@@ -60,6 +60,7 @@ public:
     [[nodiscard]] double time() const { return one_->time; }
     /// Velocity and pressure. With inertia, the pressure is 0 until the first step has been made.
     [[nodiscard]] const FluidField& field() const { return *one_; }
+    /// Those of all steps.
     [[nodiscard]] const FluidOptions& options() const { return options_; }
 
 private:

@@ -59,8 +59,8 @@ struct Spot {
 
 /// A solution at one time. Reading is thread-safe.
 struct FluidField {
-    FrozenMesh mesh;
-    double time = 0;
+    FrozenMesh mesh; ///< in which it was found
+    double time = 0; ///< of the solution
     /// By node; linear along each interface edge, quadratic elsewhere.
     std::vector<Point<double>> velocity = {};
     /// By triangle, at its vertices: linear, continuous in each phase, with a jump where phases
@@ -68,7 +68,9 @@ struct FluidField {
     std::vector<std::array<double, 3>> pressure = {};
 };
 
+/// The velocity at a spot of the field's mesh. O(1).
 [[nodiscard]] Point<double> velocity_at(const FluidField& field, const Spot& spot);
+/// The pressure there, of the phase of the spot's triangle. O(1).
 [[nodiscard]] double pressure_at(const FluidField& field, const Spot& spot);
 
 } // namespace dsc

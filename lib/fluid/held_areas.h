@@ -8,8 +8,8 @@ namespace dsc {
 
 /// An area that a phase has to have.
 struct PhaseArea {
-    Phase phase = exterior_phase;
-    double area = 0;
+    Phase phase = exterior_phase; ///< which one
+    double area = 0;              ///< in squared units of the domain
 };
 
 /// The areas of all phases but the exterior one, ascending by phase. O(n).

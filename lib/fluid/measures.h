@@ -10,9 +10,9 @@ namespace dsc {
 /// A phase whose outline is read as the cubic through its vertices (`curve_point`), which is fourth
 /// order in their distance where the outline is smooth.
 struct CubicOutline {
-    double length = 0;
-    double area = 0;
-    Point<double> centroid{0.0, 0.0};
+    double length = 0;                ///< of all outlines
+    double area = 0;                  ///< inside them
+    Point<double> centroid{0.0, 0.0}; ///< of the area
 
     /// The perimeter of the disc of the same area over the length: 1 for a disc.
     [[nodiscard]] double circularity() const;
@@ -33,12 +33,15 @@ struct CubicOutline {
 
 /// Energies, which only viscosity changes.
 struct FluidEnergy {
-    double kinetic = 0;
+    double kinetic = 0;   ///< of all phases
     double potential = 0; ///< in gravity, from the origin of coordinates
     double surface = 0;   ///< tension times length
 
+    /// All of it.
     [[nodiscard]] double sum() const { return kinetic + potential + surface; }
 };
+
+/// The energies of a solution; masses per area and forces per length, as in `FluidOptions`. O(n).
 [[nodiscard]] FluidEnergy energy(const FluidField& field, const FluidOptions& options);
 
 } // namespace dsc

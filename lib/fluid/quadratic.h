@@ -38,8 +38,8 @@ quadratic_gradients(const Barycentric& at, const Eigen::Matrix<double, 2, 3>& sl
 
 /// A point of a quadrature rule; the weights of a rule add up to 1.
 struct QuadraturePoint {
-    Barycentric at;
-    double weight;
+    Barycentric at; ///< where
+    double weight;  ///< its share
 };
 
 /// Exact for polynomials of degree 2: products of two gradients, and of a gradient and a linear
