@@ -32,10 +32,10 @@ VertexAttribute<Note>& notes_of(Complex<Real>& complex) {
 }
 
 template <class Real>
-VertexAttribute<Point<Real>>& places_of(Complex<Real>& complex) {
+VertexAttribute<NotedPlace<Real>>& places_of(Complex<Real>& complex) {
     return complex.attributes.contains(places_name)
-               ? complex.attributes.template get<Vertex, Point<Real>>(places_name)
-               : complex.attributes.template add<Vertex>(places_name, Point<Real>(0, 0));
+               ? complex.attributes.template get<Vertex, NotedPlace<Real>>(places_name)
+               : complex.attributes.template add<Vertex>(places_name, NotedPlace<Real>{});
 }
 
 template <class Real>
@@ -151,7 +151,7 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
     }
     Complex<Real>& complex = work.complex;
     VertexAttribute<Note>& notes = notes_of(complex);
-    VertexAttribute<Point<Real>>& places = places_of(complex);
+    VertexAttribute<NotedPlace<Real>>& places = places_of(complex);
     for (const std::uint32_t v : work.interface) {
         const auto& record = complex.vertices[v];
         if ((record.flags & vertex_dead) == 0) {
@@ -171,8 +171,8 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
 
 template VertexAttribute<Note>& notes_of(Complex<double>&);
 template VertexAttribute<Note>& notes_of(Complex<float>&);
-template VertexAttribute<Point<double>>& places_of(Complex<double>&);
-template VertexAttribute<Point<float>>& places_of(Complex<float>&);
+template VertexAttribute<NotedPlace<double>>& places_of(Complex<double>&);
+template VertexAttribute<NotedPlace<float>>& places_of(Complex<float>&);
 template bool has_notes(const Complex<double>&);
 template bool has_notes(const Complex<float>&);
 template void begin_notes(Complex<double>&);

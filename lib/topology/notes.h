@@ -36,6 +36,19 @@ struct Note {
 /// The bytes of a note.
 inline void archive(Archive& archive, Note& note) { archive(note.round, note.what); }
 
+/// Where a vertex was. Of a type of its own: points are data of the application, which files show.
+template <class Real>
+struct NotedPlace {
+    Real x = 0; ///< in units of the domain
+    Real y = 0; ///< in units of the domain
+};
+
+/// The bytes of a place.
+template <class Real>
+void archive(Archive& archive, NotedPlace<Real>& place) {
+    archive(place.x, place.y);
+}
+
 /// Whether the complex has an attribute of notes. O(1).
 template <class Real>
 [[nodiscard]] bool has_notes(const Complex<Real>& complex);
@@ -45,7 +58,7 @@ template <class Real>
 [[nodiscard]] VertexAttribute<Note>& notes_of(Complex<Real>& complex);
 /// Where the vertices that were noted last were before the sub-step. As `notes_of`.
 template <class Real>
-[[nodiscard]] VertexAttribute<Point<Real>>& places_of(Complex<Real>& complex);
+[[nodiscard]] VertexAttribute<NotedPlace<Real>>& places_of(Complex<Real>& complex);
 /// Forgets all notes, as of an earlier simulation, and notes which vertices are on the domain
 /// boundary. O(n).
 template <class Real>

@@ -77,12 +77,12 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
     suspects_.clear();
     for (const std::uint32_t v : between.interface) {
         if (const std::uint32_t bits = what(v); bits != 0) {
-            const Point<Real>& place = (*places_)[Vertex{v}];
+            const NotedPlace<Real>& place = (*places_)[Vertex{v}];
             // What is in the way of a vertex may have come to face it since.
             const bool is_facing = (bits & noted_facing) != 0 ||
                                    (between.complex.vertices[v].flags & vertex_contact) != 0;
-            suspects_.push_back({.x = place.x(),
-                                 .y = place.y(),
+            suspects_.push_back({.x = place.x,
+                                 .y = place.y,
                                  .vertex = v,
                                  .is_thin = (bits & noted_thin) != 0,
                                  .is_facing = is_facing,

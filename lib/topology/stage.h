@@ -50,7 +50,7 @@ private:
     TopologyOptions<Real> options_;
     Complex<Real>* complex_ = nullptr; ///< of the simulation; null before there is one
     VertexAttribute<Note>* notes_ = nullptr;
-    VertexAttribute<Point<Real>>* places_ = nullptr;
+    VertexAttribute<NotedPlace<Real>>* places_ = nullptr;
     Real edge_length_ = 0;
     Notability<Real> notable_;
     std::uint32_t round_ = 2;             ///< of the next sub-step; a vertex without a note has 0

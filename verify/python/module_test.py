@@ -65,6 +65,7 @@ class Steps(unittest.TestCase):
         dsc.run(sim, lambda x, t: np.c_[np.sign(0.5 - x[:, 0]), 0 * x[:, 1]], H / 2, 8,
                 after=lambda sim, report: events.extend(report.events))
         self.assertIn("merge", {event.kind for event in events})
+        self.assertEqual(list(mesh.vertex_data), [])  # what the library notes is nobody's data
         self.assertEqual(len(mesh.outlines(1)), 1)
 
     def test_nothing_is_kept_alive(self):
