@@ -4,7 +4,7 @@
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 
-#include <array>
+#include <algorithm>
 
 namespace dsc {
 
@@ -27,7 +27,8 @@ VertexAttribute<Note>& notes_of(Complex<Real>& complex) {
     }
     return complex.attributes.template add<Vertex>(
         notes_name, Note{}, [](const Note& one, const Note& other, double) {
-            return Note{.what = one.what & other.what & noted_wall};
+            return Note{.round = std::min(one.round, other.round),
+                        .what = one.what & other.what & noted_wall};
         });
 }
 
@@ -60,15 +61,15 @@ namespace {
 // The star of one vertex, as the upkeep has left it.
 template <class Real>
 std::uint32_t look_at(const Complex<Real>& complex, const VertexAttribute<Note>& notes,
-                      const Notability<Real>& what, std::uint32_t round, const Ring<Real>& ring) {
-    const Spokes spokes = interface_spokes(ring);
+                      const Notability<Real>& what, std::uint32_t round, const Ring<Real>& ring,
+                      const Spokes& spokes) {
     if (spokes.count == 0) {
         return 0;
     }
     // All of an owned star is listed here: nobody else writes to its notes. Of any other nothing is
-    // known, except that it may face a sheet.
-    const bool is_beside_wall = ring.owned && faces_wall(complex, ring);
-    const bool may_face = !ring.owned || is_beside_wall || may_face_a_sheet(notes, round, ring);
+    // known, except that it may face a sheet. Vertices on the domain boundary count as noted.
+    const bool may_face = !ring.owned || may_face_a_sheet(notes, round, ring);
+    const bool is_beside_wall = ring.owned && may_face && faces_wall(complex, ring);
     // Which of the stars that face no sheet are thin matters once something else has changed: they
     // are looked at then.
     const bool is_thin = !may_face || has_thin_triangle(ring, what.contact * what.contact);
@@ -83,66 +84,26 @@ std::uint32_t look_at(const Complex<Real>& complex, const VertexAttribute<Note>&
            (is_notable ? noted_sharp : 0U) | (is_junction ? noted_junction : 0U);
 }
 
-// Nearly all stars have nothing to tell: two edges of the interface that hardly turn, no domain
-// boundary, and no second sheet. That is seen without gathering them. False where anything is
-// otherwise, or the star is not owned as a whole.
+// That the vertex is of the interface, and where.
 template <class Real>
-bool is_plain(const Work<Real>& work, const VertexAttribute<Note>& notes, Real curvature,
-              std::uint32_t round, std::uint32_t v) {
-    const Complex<Real>& complex = work.complex;
-    const Region& region = work.submesh.region;
-    const Corner start = complex.vertices[v].corner;
-    if (start == no_id || !owns(complex, region, v)) {
-        return false;
-    }
-    std::array<std::uint32_t, 2> ends{}; // of the interface's edges
-    std::uint32_t edges = 0;
-    std::uint32_t w = no_id;
-    Phase phase = 0;
-    bool was_noted = false;
-    bool is_round = false;
-    // Enters each triangle through the edge opposite to `entrance`, counter-clockwise, and ends
-    // with the first one once more.
-    const Corner first = prev(start);
-    Corner entrance = first;
-    for (std::uint32_t i = 0; i <= Ring<Real>::capacity && !is_round; ++i) {
-        const TriangleRecord& triangle = complex.triangles[triangle_of(entrance)];
-        const std::uint32_t exit = prev_index(index_of(entrance));
-        w = triangle.v[exit];
-        if (is_border(triangle.n[next_index(index_of(entrance))]) || !owns(complex, region, w)) {
-            return false;
-        }
-        const bool is_noted_now = is_noted(notes[Vertex{w}], round);
-        if (i > 0) {
-            if (is_noted_now && was_noted) {
-                return false;
-            }
-            if (triangle.phase != phase) {
-                if (edges == 2) {
-                    return false;
-                }
-                ends[edges++] = w;
-            }
-            is_round = entrance == first;
-        }
-        was_noted = is_noted_now;
-        phase = triangle.phase;
-        entrance = triangle.n[exit];
-        if (is_border(entrance)) {
-            return false;
-        }
-    }
-    if (!is_round || edges != 2) {
-        return false;
-    }
-    const auto& from = complex.vertices[ends[0]];
-    const auto& at = complex.vertices[v];
-    const auto& to = complex.vertices[ends[1]];
-    const Bend<Real> bend(from.x, from.y, at.x, at.y, to.x, to.y);
-    return !turns_sharply(bend) && !turns_tightly(bend, curvature);
+Note& note_vertex(const Complex<Real>& complex, std::uint32_t v, std::uint32_t round,
+                  const Notebook<Real>& book) {
+    Note& note = (*book.notes)[Vertex{v}];
+    const bool is_first =
+        note.round == round ? (note.what & noted_first) != 0 : round - note.round > 1;
+    note = {round, (note.what & noted_for_ever) | (is_first ? noted_first : 0U)};
+    (*book.places)[Vertex{v}] = {complex.vertices[v].x, complex.vertices[v].y};
+    return note;
 }
 
 } // namespace
+
+template <class Real>
+void note_star(const Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes,
+               const Notability<Real>& what, std::uint32_t round, const Notebook<Real>& book) {
+    const std::uint32_t seen = look_at(work.complex, *book.notes, what, round, ring, spokes);
+    note_vertex(work.complex, ring.vertex, round, book).what |= seen | noted_star;
+}
 
 template <class Real>
 void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t round) {
@@ -150,21 +111,29 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
         return;
     }
     Complex<Real>& complex = work.complex;
-    VertexAttribute<Note>& notes = notes_of(complex);
-    VertexAttribute<NotedPlace<Real>>& places = places_of(complex);
+    const Notebook<Real> book{&notes_of(complex), &places_of(complex)};
+    VertexAttribute<Note>& notes = *book.notes;
+    // First that they are there, which their neighbours' stars are looked at for.
+    std::vector<std::uint32_t>& left = work.interface_next; // scratch of the upkeep
+    left.clear();
+    bool has_first = false;
     for (const std::uint32_t v : work.interface) {
-        const auto& record = complex.vertices[v];
-        if ((record.flags & vertex_dead) == 0) {
-            places[Vertex{v}] = {record.x, record.y};
-            notes[Vertex{v}] = {round, notes[Vertex{v}].what & noted_for_ever};
+        if (!complex.is_alive(Vertex{v})) {
+            continue;
         }
+        const bool is_noted = notes[Vertex{v}].round == round &&
+                              (notes[Vertex{v}].what & noted_star) != 0 &&
+                              complex.vertices[v].stamp != work.epoch;
+        if (!is_noted) {
+            note_vertex(complex, v, round, book);
+            left.push_back(v);
+        }
+        has_first = has_first || (notes[Vertex{v}].what & noted_first) != 0;
     }
-    for (const std::uint32_t v : work.interface) {
-        if (is_plain(work, notes, what.curvature, round, v)) {
-            notes[Vertex{v}].what |= noted_thin; // as far as is known: see look_at
-        } else if (complex.is_alive(Vertex{v}) &&
-                   gather(complex, work.submesh.region, v, work.ring)) {
-            notes[Vertex{v}].what |= look_at(complex, notes, what, round, work.ring);
+    // Stars that were noted before such a vertex may face it.
+    for (const std::uint32_t v : has_first ? work.interface : left) {
+        if (complex.is_alive(Vertex{v}) && gather(complex, work.submesh.region, v, work.ring)) {
+            note_star(work, work.ring, interface_spokes(work.ring), what, round, book);
         }
     }
 }
@@ -177,6 +146,10 @@ template bool has_notes(const Complex<double>&);
 template bool has_notes(const Complex<float>&);
 template void begin_notes(Complex<double>&);
 template void begin_notes(Complex<float>&);
+template void note_star(const Work<double>&, const Ring<double>&, const Spokes&,
+                        const Notability<double>&, std::uint32_t, const Notebook<double>&);
+template void note_star(const Work<float>&, const Ring<float>&, const Spokes&,
+                        const Notability<float>&, std::uint32_t, const Notebook<float>&);
 template void note_stars(Work<double>&, const Notability<double>&, std::uint32_t);
 template void note_stars(Work<float>&, const Notability<float>&, std::uint32_t);
 

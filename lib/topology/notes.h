@@ -23,7 +23,10 @@ enum Notable : std::uint32_t {
     /// Two sheets of the interface met at the vertex in this sub-step or an earlier one: see
     /// films.h.
     noted_seam = 16U,
-    noted_wall = 32U, ///< the vertex lies on the domain boundary, along which a film may lie
+    noted_wall = 32U,  ///< the vertex lies on the domain boundary, along which a film may lie
+    noted_first = 64U, ///< there was no note of it in the round before
+    noted_star = 128U, ///< its star has been looked at in this round
+    noted_of_star = noted_thin | noted_facing | noted_sharp | noted_junction,
     noted_for_ever = noted_seam | noted_wall, ///< kept from round to round
 };
 
@@ -52,8 +55,9 @@ void archive(Archive& archive, NotedPlace<Real>& place) {
 /// Whether the complex has an attribute of notes. O(1).
 template <class Real>
 [[nodiscard]] bool has_notes(const Complex<Real>& complex);
-/// The notes of a complex, which are made if there are none yet. A new vertex has none, except that
-/// between two on the domain boundary it counts as one of those. O(1), or O(n) for new ones.
+/// The notes of a complex, which are made if there are none yet. A new vertex between two that are
+/// noted counts as noted, and between two on the domain boundary as one of those. O(1), or O(n) for
+/// new ones.
 template <class Real>
 [[nodiscard]] VertexAttribute<Note>& notes_of(Complex<Real>& complex);
 /// Where the vertices that were noted last were before the sub-step. As `notes_of`.
@@ -78,8 +82,22 @@ template <class Real>
     return std::sqrt(std::numbers::pi_v<Real> / least_area) / 2;
 }
 
-/// Notes the interface vertices of a work: a pass without edits. Each entry has one writer, the
-/// work that lists the vertex. O(their degrees).
+/// Where the notes of a complex are written. Each entry has one writer, the work that lists the
+/// vertex.
+template <class Real>
+struct Notebook {
+    VertexAttribute<Note>* notes;
+    VertexAttribute<NotedPlace<Real>>* places;
+};
+
+/// Notes the star of one interface vertex, which has just been gathered. O(degree).
+template <class Real>
+void note_star(const Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes,
+               const Notability<Real>& what, std::uint32_t round, const Notebook<Real>& book);
+
+/// Notes the interface vertices of a work: a pass without edits. Leaves out those whose star has
+/// been noted in this round and has not changed since. O(interface vertices of the work), and the
+/// degrees of those that are noted here.
 template <class Real>
 void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t round);
 

@@ -53,7 +53,12 @@ void TopologyStage<Real>::settle() {
 template <class Real>
 std::optional<Pass<Real>> TopologyStage<Real>::pass() {
     return Pass<Real>{"notes for the topology",
-                      [this](Work<Real>& work) { note_stars(work, notable_, round_); }, true};
+                      [this](Work<Real>& work) { note_stars(work, notable_, round_); }, true,
+                      [this](Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes) {
+                          if (notable_.contact > 0) {
+                              note_star(work, ring, spokes, notable_, round_, {notes_, places_});
+                          }
+                      }};
 }
 
 template <class Real>
@@ -64,7 +69,7 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
     }
     const auto what = [&](std::uint32_t v) {
         const Note note = (*notes_)[Vertex{v}];
-        return note.round == round ? note.what & ~std::uint32_t{noted_for_ever} : 0U;
+        return note.round == round ? note.what & noted_of_star : 0U;
     };
     // Films that are wider than triangles show are looked for from everywhere.
     const bool is_notable = is_wide(notable_.contact, edge_length_) ||

@@ -36,12 +36,19 @@ std::set<std::uint32_t> at_thin_triangles(const Complex<double>& complex, double
     return found;
 }
 
-// Two discs with a film between them that is thin and stays so, carried across all cuts.
-void expect_all_noted(Complex<double>& complex, Executor<double>& executor) {
+// Two discs with a film between them that is thin and stays so, carried across all cuts. Stars are
+// noted where the upkeep shows them, or all of them afterwards.
+void expect_all_noted(Complex<double>& complex, Executor<double>& executor, bool are_shown) {
     constexpr Notability<double> notable{.contact = default_contact * h, .curvature = 1e9};
     std::uint32_t round = 1;
-    executor.add_upkeep(
-        {"notes", [&](Work<double>& work) { note_stars(work, notable, round); }, true});
+    Pass<double> pass{"notes", [&](Work<double>& work) { note_stars(work, notable, round); }, true};
+    const Notebook<double> book{&notes_of(complex), &places_of(complex)};
+    if (are_shown) {
+        pass.watch = [&](Work<double>& work, const Ring<double>& ring, const Spokes& spokes) {
+            note_star(work, ring, spokes, notable, round, book);
+        };
+    }
+    executor.add_upkeep(pass);
     const Velocity<double> carry = [](auto positions, double, auto velocities) {
         for (std::size_t i = 0; i < positions.size(); ++i) {
             velocities[i] = {1, 0.3};
@@ -72,11 +79,13 @@ Complex<double> thin_film() {
 }
 
 TEST(Suspects, AreAllThatAreThinSequentially) {
-    auto complex = thin_film();
-    auto thin = options();
-    thin.interface.coarsening = Coarsening::never;
-    Executor<double> executor(complex, thin, default_algorithm<double>());
-    expect_all_noted(complex, executor);
+    for (const bool are_shown : {false, true}) {
+        auto complex = thin_film();
+        auto thin = options();
+        thin.interface.coarsening = Coarsening::never;
+        Executor<double> executor(complex, thin, default_algorithm<double>());
+        expect_all_noted(complex, executor, are_shown);
+    }
 }
 
 TEST(Suspects, AreAllThatAreThinInSubmeshes) {
@@ -87,7 +96,7 @@ TEST(Suspects, AreAllThatAreThinInSubmeshes) {
         const auto executor = make_executor(
             complex, thin,
             Parallel{.division = division, .submeshes = 6, .always_all_threads = true});
-        expect_all_noted(complex, *executor);
+        expect_all_noted(complex, *executor, division == Division::cells);
     }
 }
 

@@ -86,6 +86,7 @@ Executor<Real>::Executor(Complex<Real>& complex, const Options<Real>& options,
         epoch_ = std::max(epoch_, vertex.stamp);
     }
     whole_.epoch = new_stamp();
+    whole_.upkeep = algorithm_.upkeep;
     whole_.interface = collect_moved(complex, options_);
     // The first splits should not copy the whole mesh to make room for a few ids.
     const std::size_t room = 64 + 2 * whole_.interface.size();
@@ -113,6 +114,14 @@ void Executor<Real>::list_interface() {
     }
     for (const std::uint32_t v : collect_moved(complex_, options_)) {
         home_of(v).interface.push_back(v);
+    }
+}
+
+template <class Real>
+void Executor<Real>::add_upkeep(const Pass<Real>& pass) {
+    algorithm_.upkeep.push_back(pass);
+    for (Work<Real>* work : works_) {
+        work->upkeep = algorithm_.upkeep;
     }
 }
 

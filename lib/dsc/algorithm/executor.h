@@ -70,7 +70,7 @@ public:
     /// Replaces all options by ones that have been checked. O(mesh) if other phases are carried.
     void set_options(const Options<Real>& options);
     /// Appends a pass to the upkeep: what a stage has to see before anything moves.
-    void add_upkeep(const Pass<Real>& pass) { algorithm_.upkeep.push_back(pass); }
+    void add_upkeep(const Pass<Real>& pass);
     /// Whether records of edits are kept from now on, for `take_edits`.
     void keep_edits(bool keep);
     /// Vertices that the next mesh update has to look at, because their edges or the targets of

@@ -5,9 +5,11 @@ namespace dsc {
 
 template <class Real>
 Algorithm<Real> default_algorithm() {
-    return {.upkeep = {{"interface upkeep", &upkeep_interface<Real>, true}},
-            .motion = {{"movement", &move_vertices<Real>, true},
-                       {"mesh update", &update_mesh<Real>, true}}};
+    Algorithm<Real> algorithm;
+    algorithm.upkeep.push_back({"interface upkeep", &upkeep_interface<Real>, true});
+    algorithm.motion.push_back({"movement", &move_vertices<Real>, true});
+    algorithm.motion.push_back({"mesh update", &update_mesh<Real>, true});
+    return algorithm;
 }
 
 template Algorithm<double> default_algorithm();

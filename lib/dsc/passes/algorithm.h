@@ -11,6 +11,7 @@
 #include "dsc/passes/options.h"
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,9 @@ struct Aim {
     Real dt = 0;                        ///< the time in which the targets are to be reached
 };
 
+template <class Real>
+struct Pass;
+
 /// What one submesh holds while a step runs, and a pass works on: the interface vertices that lie
 /// in it, the active set (the vertices whose star changed), the log of its edits, and what it
 /// leaves to another submesh. The sequential driver has one, the parallel driver one for each
@@ -127,6 +131,9 @@ struct Work {
     /// Changes of the interface by passes of an application: see `run_pass`.
     std::vector<std::uint32_t> changed_interface;
 
+    /// The executor's passes of upkeep: those with a `watch` are shown stars by the first one.
+    std::span<const Pass<Real>> upkeep;
+
     std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
     std::size_t arrived = 0;    ///< movers of these that reached their targets
 
@@ -161,6 +168,13 @@ void archive(Archive& archive, Work<Real>& work) {
     }
 }
 
+/// Shown each star of an interface vertex that the interface upkeep has gathered, that the submesh
+/// owns as a whole, and that is left as it is: a pass need not gather it again then. The centre of
+/// a star that changes later in the upkeep is in the active set. Must not edit the complex.
+template <class Real>
+using StarWatch =
+    std::function<void(Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes)>;
+
 /// One pass over the work of one submesh: candidates, guard, edit. It edits with the operations of
 /// lib/dsc/operations and `work.submesh`, which refuse what the submesh does not own, and it must
 /// not keep state between calls. Later passes visit the vertices whose stars it changed, and the
@@ -172,6 +186,8 @@ struct Pass {
     /// True for a pass that keeps the active set and the interface list up to date itself, with the
     /// functions of edits.h; its log is then not read.
     bool attends = false;
+    /// Of a pass that comes after the interface upkeep.
+    StarWatch<Real> watch = {};
 };
 
 /// The passes of a step, in their order.

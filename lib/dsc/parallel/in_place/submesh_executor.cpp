@@ -183,6 +183,7 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
     for (const Colour& colour : partition_.colours) {
         for (std::size_t i = 0; i < colour.regions.size() && works_.size() < wanted; ++i) {
             Part& part = *parts_[works_.size()];
+            part.work.upkeep = algorithm_.upkeep;
             part.work.submesh.region = colour.regions[i].simplest();
             part.work.submesh.pool = colour.regions[i].is_whole() ? &complex_.ids : &part.pool;
             if (works_.size() >= kept) {

@@ -93,8 +93,16 @@ private:
                 work_.interface_next.push_back(v);
             }
         } else if (!(should_collapse(ring, spokes) && try_collapse(ring, spokes)) &&
-                   !(wants_wall_upkeep(ring) && keep_wall(v, ring))) {
-            refine(v, ring, spokes);
+                   !(wants_wall_upkeep(ring) && keep_wall(v, ring)) && !refine(v, ring, spokes)) {
+            show(ring, spokes);
+        }
+    }
+
+    void show(const Ring<Real>& ring, const Spokes& spokes) {
+        for (const Pass<Real>& pass : work_.upkeep) {
+            if (pass.watch) {
+                pass.watch(work_, ring, spokes);
+            }
         }
     }
 
@@ -304,8 +312,8 @@ private:
     }
 
     // Splits at most one edge, because the ring is stale then; the other edges of a junction wait
-    // for the next step.
-    void refine(std::uint32_t v, Ring<Real>& ring, const Spokes& spokes) {
+    // for the next step. True if it has.
+    bool refine(std::uint32_t v, Ring<Real>& ring, const Spokes& spokes) {
         newest_ = no_id;
         if (const std::uint32_t i = long_spoke(ring, spokes);
             i != no_id && !split(v, ring, spokes, i)) {
@@ -315,6 +323,7 @@ private:
         if (newest_ != no_id) {
             work_.interface_next.push_back(newest_);
         }
+        return newest_ != no_id;
     }
 
     bool split(std::uint32_t v, const Ring<Real>& ring, const Spokes& spokes, std::uint32_t i) {
