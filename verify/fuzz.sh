@@ -8,36 +8,21 @@ usage() {
     cat <<'USAGE'
 usage: verify/fuzz.sh [--no-build] [TARGET|all] [SECONDS] [libFuzzer options]
        verify/fuzz.sh --turn HASH [SECONDS] [libFuzzer options]
-       verify/fuzz.sh --build | --total
+       verify/fuzz.sh --build
   TARGET    a folder of verify/fuzz/corpus; all (the default): one after the other
   SECONDS   of search in each, 60 unless given
   --turn    side by side in the two targets whose turn it is at a commit, others at another, with the
             program of the preset asan, which has to be built; see build/asan/search for what it found
-  --total   the sums of all searches so far, by target
   --build   builds the program and searches nothing; --no-build searches with the program as it is
-New inputs are kept in build/fuzz/search/TARGET/inputs, findings beside them with the sentence of how to
-run them again, and a line for each search in build/fuzz/search/searches.txt. Installs missing Debian
-packages as root or through sudo. DSC_JOBS sets the number of jobs of the build, DSC_FUZZ_SEARCH another
-folder in place of build/fuzz/search.
+New inputs are kept in build/fuzz/search/TARGET/inputs, and findings beside them. Installs missing Debian
+packages as root or through sudo. DSC_JOBS sets the number of jobs of the build.
 Exit code: 0 nothing was found, 1 something was, 2 nothing was run.
 USAGE
 }
 
-search=${DSC_FUZZ_SEARCH:-build/fuzz/search}
+search=build/fuzz/search
 program=build/fuzz/verify/fuzz/dsc_fuzz
 made_by="verify/fuzz.sh --build"
-
-print_total() {
-    awk 'BEGIN { printf "%-12s %8s %12s %14s %8s %8s\n", "target", "searches", "inputs",
-                        "operations", "CPU h", "findings" }
-         !/^#/ { n[$1] += 1; i[$1] += $2; o[$1] += $3; c[$1] += $4; f[$1] += $8 }
-         END { for (t in n) { row(t, n[t], i[t], o[t], c[t], f[t]); N += n[t]; I += i[t]; O += o[t]
-                              C += c[t]; F += f[t] }
-               row("all", N, I, O, C, F) }
-         function row(t, n, i, o, c, f) {
-             printf "%-12s %8d %12d %14d %8.2f %8d\n", t, n, i, o, c / 3600, f }' \
-        "$search/searches.txt"
-}
 
 if [[ ${1-} == -h || ${1-} == --help ]]; then
     usage
@@ -46,12 +31,6 @@ fi
 
 # shellcheck source=verify/setup.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
-
-if [[ ${1-} == --total ]]; then
-    [[ -f $search/searches.txt ]] || give_up "there has been no search yet"
-    print_total
-    exit 0
-fi
 
 with_build=true
 turn=
@@ -66,7 +45,7 @@ elif [[ ${1-} == --turn ]]; then
     with_build=false
     program=build/asan/verify/fuzz/dsc_fuzz
     made_by="cmake --preset asan && cmake --build --preset asan"
-    search=${DSC_FUZZ_SEARCH:-build/asan/search}
+    search=build/asan/search
     shift # what follows the hash is as behind a target
 fi
 build_only=false
@@ -111,14 +90,9 @@ export ASAN_OPTIONS="${symbolizer:+external_symbolizer_path=$symbolizer:}detect_
 export UBSAN_OPTIONS="${symbolizer:+external_symbolizer_path=$symbolizer:}print_stacktrace=1"
 export OMP_WAIT_POLICY=passive
 
-# The number that libFuzzer's last line of progress has behind a word.
-last_after() { # last_after WORD LOG
-    grep -o " $1 [0-9]*" "$2" | tail -n 1 | grep -o '[0-9]*$' || echo 0
-}
-
 search_in() { # search_in TARGET: fails if something was found
     local folder=$search/$1 options=()
-    local log=$folder/log.txt before after cpu inputs operations findings
+    local log=$folder/log.txt before findings inputs
     mkdir -p "$folder/inputs" "$folder/findings"
     if [[ -f verify/fuzz/dictionaries/$1.txt ]]; then
         options+=("-dict=verify/fuzz/dictionaries/$1.txt")
@@ -127,29 +101,17 @@ search_in() { # search_in TARGET: fails if something was found
     if [[ $1 == scene_file ]]; then
         corpora+=(lib/scenes/examples)
     fi
-    rm -f "$folder/tally.txt"
     before=$(find "$folder/findings" -type f | wc -l)
     say "searching in $1 for $seconds s"
     # No input may take ten seconds or a gigabyte: that is a finding too. These are seconds of the clock;
     # on a busy machine, a later -timeout=60 counts.
-    TIMEFORMAT='%U %S'
     options+=(-max_total_time="$seconds" -timeout=10 -report_slow_units=1000 -rss_limit_mb=2048
         -malloc_limit_mb=1024 -print_final_stats=1 -artifact_prefix="$folder/findings/"
         "${fuzzer_options[@]}")
-    cpu=$({ time DSC_FUZZ_TARGET=$1 DSC_FUZZ_TALLY=$folder/tally.txt \
-        "$program" "${options[@]}" "${corpora[@]}" >"$log" 2>&1 || true; } 2>&1)
-    cpu=$(awk '{ print $1 + $2 }' <<<"$cpu")
-    after=$(find "$folder/findings" -type f | wc -l)
-    findings=$((after - before))
-    # A search that hangs or is out of memory ends without a tally.
-    read -r inputs operations < <(cat "$folder/tally.txt" 2>/dev/null || echo 0 0)
-    local seed coverage features
-    seed=$(grep -o 'Seed: [0-9]*' "$log" | grep -o '[0-9]*$' || echo unknown)
-    coverage=$(last_after cov: "$log")
-    features=$(last_after ft: "$log")
-    echo "$1 $inputs $operations $cpu $seed $coverage $features $findings" >>"$search/searches.txt"
-    echo "$1: $inputs inputs, $operations operations in $cpu s of CPU time; seed $seed;" \
-        "$coverage edges of the program covered, $features features; findings: $findings"
+    DSC_FUZZ_TARGET=$1 "$program" "${options[@]}" "${corpora[@]}" >"$log" 2>&1 || true
+    findings=$(($(find "$folder/findings" -type f | wc -l) - before))
+    inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+    echo "$1: ${inputs:=0} inputs, findings: $findings;$(grep -o ' cov: [0-9]*' "$log" | tail -n 1 || true)"
     if [[ $findings -gt 0 || $inputs -eq 0 ]]; then
         grep -m 1 -A 12 -E 'finding:|ERROR:|runtime error:' "$log" || tail -n 5 "$log"
     fi
@@ -163,12 +125,6 @@ search_in() { # search_in TARGET: fails if something was found
     fi
     [[ $findings -eq 0 && $inputs -gt 0 ]]
 }
-
-mkdir -p "$search"
-if [[ ! -f $search/searches.txt ]]; then
-    echo "# target inputs operations CPU_s seed edges_covered features findings" \
-        >"$search/searches.txt"
-fi
 
 found=0
 if [[ -n $turn ]]; then

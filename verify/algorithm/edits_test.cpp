@@ -2,7 +2,6 @@
 // Edits in and out of a simulation: listeners, replay, and what the application does between steps
 // and in passes of its own.
 #include "support/courses.h"
-#include "support/cut_down.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/complex.h"
@@ -57,16 +56,6 @@ Heard hear(const Course& way, int steps, Integrator integrator = Integrator::rk4
     }
     heard.hash = mesh_hash(complex);
     return heard;
-}
-
-TEST_P(EditsInPlace, AreReplayedToTheSameBits) {
-    const Heard heard = hear(GetParam(), 25);
-    Complex<double> complex = disc();
-    const ReplayReport report = replay<double>(complex, heard.edits);
-    EXPECT_EQ(report.skipped, 0U);
-    EXPECT_EQ(report.done, heard.edits.size());
-    EXPECT_EQ(mesh_hash(complex), heard.hash);
-    EXPECT_EQ(validate(complex).problem, "");
 }
 
 TEST_P(EditsInPlace, AreAsManyAsTheCountsSay) {
@@ -193,23 +182,6 @@ TEST(EditLogs, WithACollapseOfAnotherVertexAreSkipped) {
     again = first;
     EXPECT_EQ(replay<double>(again, std::span(&collapse, 1)).skipped, 1U);
     EXPECT_EQ(mesh_hash(again), mesh_hash(first));
-}
-
-TEST(EditLogs, AreCutDownToThoseThatFail) {
-    const Heard heard = hear({"sequential", {}}, 4);
-    // What fails: a certain vertex is somewhere else than in the beginning.
-    const Complex<double> first = disc();
-    const auto moved = std::ranges::find(heard.edits, EditKind::move, &Edit::kind);
-    ASSERT_NE(moved, heard.edits.end());
-    const Vertex v = moved->vertex;
-    const auto fails = [&](const Complex<double>& complex) {
-        return complex.is_alive(v) && complex.position(v) != first.position(v);
-    };
-    const std::vector<Edit> few = cut_down<double>(first, heard.edits, fails);
-    ASSERT_EQ(few.size(), 1U);
-    EXPECT_EQ(few.front().vertex, v);
-    EXPECT_EQ(cut_down<double>(first, heard.edits, [](const auto&) { return false; }).size(),
-              heard.edits.size());
 }
 
 // --- in --------------------------------------------------------------------------------------

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flows that see the interface, in steps: growth along the normal, curvature flow, one phase that
-// moves; and what a flow is shown in the stages of an integrator.
+// Flows that see the interface, in steps: growth along the normal, and one phase that moves.
 #include "support/interface_view_testing.h"
 #include "support/simulation_testing.h"
 
@@ -24,11 +23,6 @@ using test::options_for;
 
 const InterfaceFlow<double> growth = vertex_flow<double>(
     [](const auto& view, std::size_t i, double) { return dsc::normal(view, i); });
-
-const InterfaceFlow<double> curvature_flow =
-    vertex_flow<double>([](const auto& view, std::size_t i, double) -> Point<double> {
-        return -dsc::curvature(view, i) * dsc::normal(view, i);
-    });
 
 const InterfaceFlow<double> only_phase_1 =
     vertex_flow<double>([](const auto& view, std::size_t i, double) {
@@ -55,50 +49,6 @@ TEST(InterfaceFlow, ACircleGrowsAlongItsNormalToSecondOrder) {
                                        error_of_growth(0.01)};
     EXPECT_LT(errors[2], 2e-5);
     EXPECT_GT(std::log2(errors[0] / errors[2]) / 2, 1.8)
-        << errors[0] << ", " << errors[1] << ", " << errors[2];
-}
-
-std::vector<Point<double>> ellipse_points(double a, double b, double h) {
-    const int n = static_cast<int>(std::ceil(2 * pi * std::max(a, b) / h));
-    std::vector<Point<double>> points = test::circle_points({0, 0}, 1, n);
-    for (auto& p : points) {
-        p = Point<double>(0.5 + a * p.x(), 0.5 + b * p.y());
-    }
-    return points;
-}
-
-// By how much the rate at which the area falls differs from 2 pi, the rate for any closed curve.
-double error_of_curvature_flow(double a, double b, double h) {
-    const std::vector<Shape> shapes{{ellipse_points(a, b, h), 1}};
-    auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-    const auto options = options_for<double>(h);
-    Simulation<double> simulation(complex, options);
-    constexpr double duration = 0.01;
-    const double shortest = options.interface.shortest * h;
-    const int steps = static_cast<int>(std::ceil(duration / (0.6 * shortest * shortest)));
-    const double before = phase_area(complex, 1);
-    for (int step = 0; step < steps; ++step) {
-        EXPECT_EQ(simulation.step(curvature_flow, 0, duration / steps).unreached, 0U);
-    }
-    expect_sound(complex, simulation);
-    return std::abs((before - phase_area(complex, 1)) / duration - 2 * pi);
-}
-
-TEST(InterfaceFlow, CurvatureFlowTakesTwoPiOfAreaPerTimeFromACircle) {
-    const std::array<double, 3> errors{error_of_curvature_flow(0.3, 0.3, 0.04),
-                                       error_of_curvature_flow(0.3, 0.3, 0.02),
-                                       error_of_curvature_flow(0.3, 0.3, 0.01)};
-    EXPECT_LT(errors[2], 0.01 * 2 * pi);
-    EXPECT_GT(std::log2(errors[0] / errors[2]) / 2, 1.7)
-        << errors[0] << ", " << errors[1] << ", " << errors[2];
-}
-
-TEST(InterfaceFlow, CurvatureFlowTakesTwoPiOfAreaPerTimeFromAnEllipse) {
-    const std::array<double, 3> errors{error_of_curvature_flow(0.35, 0.2, 0.04),
-                                       error_of_curvature_flow(0.35, 0.2, 0.02),
-                                       error_of_curvature_flow(0.35, 0.2, 0.01)};
-    EXPECT_LT(errors[2], 0.01 * 2 * pi);
-    EXPECT_GT(std::log2(errors[0] / errors[2]) / 2, 1.7)
         << errors[0] << ", " << errors[1] << ", " << errors[2];
 }
 

@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -29,30 +28,6 @@ InterfaceMotion<double> translation(double x, double y) {
             way = dt * Point<double>(x, y);
         }
     };
-}
-
-TEST(InterfaceMotion, MovesAsFarAsAVelocityWithAnyIntegrator) {
-    for (const auto& [integrator, name] : scenes::integrator_choice_names) {
-        SCOPED_TRACE(name);
-        auto complex = disc_complex<double>(coarse);
-        auto options = options_for<double>(coarse);
-        scenes::choose_integrator(options, integrator);
-        Simulation<double> simulation(complex, options);
-        const double area = phase_area(complex, 1);
-        for (int step = 0; step < 4; ++step) {
-            const StepReport report = simulation.step(translation(0.5, 0.25), 0, 0.1);
-            EXPECT_EQ(report.unreached, 0U);
-            EXPECT_EQ(report.sub_steps, 2U); // of at most 0.6 edge lengths
-        }
-        expect_sound(complex, simulation);
-        EXPECT_NEAR(phase_area(complex, 1), area, 1e-14);
-        const auto where = simulation.interface();
-        Point<double> low(1, 1);
-        for (const std::uint32_t v : where) {
-            low = low.cwiseMin(complex.position(Vertex{v}));
-        }
-        EXPECT_NEAR(low.x(), 0.5 - 0.25 + 0.2, 1e-3);
-    }
 }
 
 // Once for each sub-step, and once more where the driver finds that the step must be divided.

@@ -68,8 +68,9 @@ test::ChangingOptions<Real> draw_all_options(Dice& dice, double h) {
     test::ChangingOptions<Real> options{test::draw_options<Real>(dice, h, words)};
     options.max_sub_steps = 20;
     test::draw_topology(dice, false, h, options.topology, words);
-    if (dice.chance(0.1)) {
-        options.topology.contact *= 4; // wider than triangles can show
+    if (dice.chance(0.2)) {
+        // Up to eight edges; where a phase is too small for it, the stage refuses.
+        options.topology.contact *= static_cast<Real>(dice.in(2.0, 12.0));
     }
     if (dice.chance(0.2)) {
         options.topology.energy = [](Phase one, Phase other) { return 1.0 + 0.3 * (one + other); };
