@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The README and the guide say what is so: their programs are those that tests compile, their
-commands run and print what is shown, the files they name exist. Each check is tried on faults."""
+commands run and print what is shown, the files they name exist."""
 import filecmp
 import json
 import os
@@ -10,7 +10,7 @@ import tempfile
 import unittest
 
 import check
-from blocks import Block, Page, read_page
+from blocks import read_page
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BUILD = os.environ["DSC_BUILD"]
@@ -107,76 +107,6 @@ class Pages(unittest.TestCase):
         for file in FILES:
             with self.subTest(file=file):
                 self.check(check.commands_in_text(read(file), file, scratch_folder(self)))
-
-
-class Faults(unittest.TestCase):
-    """What is wrong is found."""
-
-    def block(self, language, *text, mark=""):
-        return Page(blocks=[Block("page.md", 1, language, list(text), mark)])
-
-    def test_a_program_that_differs(self):
-        mark = "from verify/install/main.cpp"
-        line = "    dsc::Options<double> options;"
-        self.assertEqual(check.sources(self.block("cpp", line, mark=mark), ROOT), [])
-        for wrong in (line.replace("double", "float"), "int there_is_no_such_line;"):
-            self.assertEqual(len(check.sources(self.block("cpp", wrong, mark=mark), ROOT)), 1)
-        # The lines are there, but not one after the other.
-        apart = ["    options.edge_length = 0.01;", "    std::uint64_t unreached = 0;"]
-        self.assertEqual(len(check.sources(self.block("cpp", *apart, mark=mark), ROOT)), 1)
-        apart.insert(1, "// ...")
-        self.assertEqual(check.sources(self.block("cpp", *apart, mark=mark), ROOT), [])
-
-    def test_a_program_without_a_source(self):
-        self.assertEqual(len(check.sources(self.block("cpp", "int i;"), ROOT)), 1)
-        page = self.block("cpp", "int i;", mark="from verify/no/such.cpp")
-        self.assertEqual(len(check.sources(page, ROOT)), 1)
-
-    def test_a_command_that_fails_or_prints_something_else(self):
-        folder = scratch_folder(self)
-        run = "$ dsc_scene run speedup-four-circles --set h=0.05 --set steps=2"
-        right = "  inverted 0, unreached 0"
-        self.assertEqual(check.shown_commands(self.block("console", run, right), folder), [])
-        for page in (self.block("console", run.replace("h=", "w="), right),
-                     self.block("console", run, right.replace("0", "1")),
-                     self.block("sh", "dsc_scene run no-such-scene"),
-                     self.block("sh", "dsc_scene run swirl", mark="run with --set steps=none"),
-                     self.block("sh", "dsc_scene list", mark="never run")):
-            self.assertEqual(len(check.shown_commands(page, folder)), 1)
-
-    def test_times_do_not_matter(self):
-        folder = scratch_folder(self)
-        for shown, wrong in (("took 3.25 s, 17 us", 0), ("took 3.25 m, 17 us", 1)):
-            page = self.block("console", "$ echo took 1.5 s, 2 us", shown)
-            self.assertEqual(len(check.shown_commands(page, folder)), wrong)
-
-    def test_a_command_in_the_text(self):
-        folder = scratch_folder(self)
-        for text, wrong in (("`dsc_scene run speedup-four-circles --set h=0.05`", 0),
-                            ("`dsc_scene run speedup-four-circles --set h=fine`", 1),
-                            ("`dsc_scene show swirl`", 1), ("`dsc_scene run SCENE`", 0),
-                            ("`dsc_verify run inverted`", 0), ("`dsc_verify run inverse`", 1),
-                            ("`dsc_scene run zalesak --set h=0.05` | `... --set reading=cube`", 1)):
-            page = read_page("page.md", text)
-            self.assertEqual(len(check.commands_in_text(page, "page.md", folder)), wrong, text)
-
-    def test_a_file_that_is_not_there(self):
-        for text, wrong in (("`lib/dsc/dsc.h` and [it](README.md)", 0), ("`lib/dsc/no.h`", 1),
-                            ("![a picture](plots/no.png)", 1)):
-            page = read_page("page.md", text)
-            self.assertEqual(len(check.paths(page, "page.md", ROOT)), wrong, text)
-
-    def test_a_room_that_looks_down(self):
-        rows = ("| `lib/dsc/base` | |", "| `lib/dsc/geometry` | |")
-        for order, is_wrong in ((rows, False), (rows[::-1], True)):
-            page = read_page("page.md", "\n".join(order))
-            self.assertEqual(bool(check.rooms(page, "page.md", ROOT)), is_wrong)
-
-    def test_a_recipe_without_its_line(self):
-        row = "| a scene | `verify/recipes/scene.cpp` | `scenes.push_back({})` |"
-        for line, wrong in (("turning_star()", 0), ("...", 0), ("standing_star()", 1)):
-            page = read_page("page.md", row.format(line))
-            self.assertEqual(len(check.recipes(page, "page.md", ROOT)), wrong, line)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The interface along the domain boundary, by every strategy; and its parts checked by hand.
+// The parts of what is done to the interface along the domain boundary, checked by hand.
 #include "hard/scene.h"
 #include "hard/watch.h"
-#include "support/ways.h"
 
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
@@ -20,45 +19,6 @@ namespace {
 constexpr int columns = 40;
 constexpr double h = 2.0 / columns;
 const Rectangle domain{{0, 0}, {2, 1}};
-
-hard::Scene<double> strip(double left, double right) {
-    return hard::grid_scene(domain, columns, columns / 2, [=](const Point<double>& p) {
-        return p.x() > left && p.x() < right ? Phase{1} : exterior_phase;
-    });
-}
-
-class Wall : public testing::TestWithParam<test::Way> {};
-
-TEST_P(Wall, StripSlidesFromOneEndToTheOther) {
-    auto scene = strip(0.2, 0.5);
-    hard::HardResult result;
-    hard::Watch<double> watch(scene.complex, scene.options, {.domain = domain}, result,
-                              test::executor_of(GetParam(), scene.complex, scene.options));
-    // 24 edges to the right: the walls before the strip vanish, and reappear behind it.
-    constexpr int steps = 60;
-    watch.run(scenes::Translation{{1.2, 0}}, 0, 1.0 / steps, steps);
-    hard::expect_sound(result, hard::Targets::reachable);
-    EXPECT_TRUE(result.holds()) << result.failures.front();
-    const scenes::Outline exact{{1.4, 0}, {1.7, 0}, {1.7, 1}, {1.4, 1}};
-    EXPECT_LT(hard::shape_error(scene.complex, 1, exact), 1e-12);
-    EXPECT_NEAR(hard::domain_area(scene.complex), 2, 1e-13);
-    std::uint32_t on_wall = 0;
-    for (const Vertex v : vertices(scene.complex)) {
-        if (is_boundary(scene.complex, v)) {
-            ++on_wall;
-            const Point<double> p = scene.complex.position(v);
-            EXPECT_TRUE(p.x() == 0 || p.x() == 2 || p.y() == 0 || p.y() == 1) << v.id;
-        }
-    }
-    // 120 at the start; edges between 0.4 and 1.6 h.
-    EXPECT_GT(on_wall, 75U);
-    EXPECT_LT(on_wall, 240U);
-}
-
-INSTANTIATE_TEST_SUITE_P(Strategies, Wall,
-                         testing::Values(std::nullopt, Division::active, Division::blocks,
-                                         Division::cells),
-                         [](const auto& one) { return test::name_of(one.param); });
 
 TEST(WallMeeting, AnInterfaceThatMeetsTheWallIsNotInterpolatedAlongIt) {
     // The strip's wall is an interface as well, and turns into its side by only 35 degrees: a cubic

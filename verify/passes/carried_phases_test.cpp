@@ -79,22 +79,6 @@ TEST_P(CarriedPhase, KeepsItsTrianglesInARigidMotion) {
     }
 }
 
-TEST_P(CarriedPhase, GivesTheSameBitsForAnyNumberOfThreads) {
-    std::array<std::vector<std::uint64_t>, 2> hashes;
-    for (const std::uint32_t threads : {1U, 2U}) {
-        Complex<double> complex = disc_to_carry();
-        Course course = GetParam();
-        course.threads = threads;
-        auto simulation = make_simulation(complex, carrying(), course);
-        for (int step = 0; step < 20; ++step) {
-            simulation->step(test::swirl, 0.01 * step, 0.01);
-            hashes[threads - 1].push_back(mesh_hash(complex));
-        }
-        EXPECT_EQ(validate(complex).problem, "");
-    }
-    EXPECT_EQ(hashes[0], hashes[1]);
-}
-
 // Vertices that are inserted inside move from then on; those that were removed do no harm. In a
 // field that is linear in the place every vertex knows where it has to be.
 TEST_P(CarriedPhase, MovesTheVerticesThatAreNewInside) {

@@ -135,28 +135,5 @@ TEST(Foam, KeepsTheAreasOfItsBubblesAndComesTo120Degrees) {
     EXPECT_LT(result.junctions.worst_deviation_deg, 1);
 }
 
-TEST(DropAndPool, TheDropIsAbsorbedInEveryStrategy) {
-    for (const Strategy strategy : all_strategies()) {
-        if (strategy == Strategy::reference) {
-            continue;
-        }
-        SCOPED_TRACE(to_string(strategy));
-        const Scene& scene = find_scene("drop-and-pool");
-        RunOptions options;
-        options.strategy = strategy;
-        const RunResult result = run_scene(scene, scene.defaults, options);
-        expect_sound(result);
-        EXPECT_EQ(count(result, EventKind::merge), 1U);
-        EXPECT_EQ(count(result, EventKind::split), 0U);
-        ASSERT_EQ(result.phases.phases.size(), 2U);
-        for (const PhaseFigures& phase : result.phases.phases) {
-            EXPECT_EQ(phase.components, 1U);
-            EXPECT_EQ(phase.holes, 0U);
-        }
-        EXPECT_LT(number(*result.half, "sd_rel"), 1e-4);
-        EXPECT_LT(number(result.last, "sd_rel"), 5e-4);
-    }
-}
-
 } // namespace
 } // namespace dsc::scenes::network_scenes_test

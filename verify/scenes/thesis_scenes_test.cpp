@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the thesis shows of its scenes (sections 9.1, 9.2, 9.5 and 9.8), held to numbers: a phase
-// that moves as a body, a circle that stays round, a value that is left behind, and triangles whose
+// What the thesis shows of its scenes (sections 9.2, 9.5 and 9.8), held to numbers: a circle that stays round, a value that is left behind, and triangles whose
 // size depends on the phase or the place.
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/file/scene_file.h"
@@ -37,43 +36,6 @@ RunResult run_with(const std::string& name, std::initializer_list<const char*> s
     RunResult result = run_scene(scene, with_settings(scene, settings), options);
     EXPECT_TRUE(result.holds()) << name;
     return result;
-}
-
-// --- section 9.1 --------------------------------------------------------------------------------
-
-TEST(TranslationPhase, ChangesNothingInsideInAnyStrategy) {
-    for (const Strategy strategy : all_strategies()) {
-        if (strategy == Strategy::reference) {
-            continue;
-        }
-        for (const char* h : {"h=0.0525", "h=0.03"}) {
-            SCOPED_TRACE(std::string(to_string(strategy)) + ", " + h);
-            RunOptions options;
-            options.strategy = strategy;
-            options.submeshing.submeshes = 4;
-            const RunResult result = run_with("translation-phase", {h}, options);
-            ASSERT_TRUE(result.carried.has_value());
-            EXPECT_GT(result.carried->triangles, 40U);
-            EXPECT_EQ(result.carried->operations, 0U);
-            EXPECT_EQ(result.carried->triangles_changed, 0U);
-            EXPECT_LT(result.carried->edge_change, 1e-12);
-            EXPECT_GT(result.operations.at("flips"), 0U); // outside
-        }
-    }
-}
-
-// The watch sees what the inside of a mesh that is not carried goes through.
-TEST(TranslationPhase, IsWatchedByWhatNoticesEveryOperation) {
-    Scene scene = find_scene("translation-phase");
-    scene.prepare = [prepare = scene.prepare](const Parameters& p) {
-        scenes::Setup setup = prepare(p);
-        setup.thresholds = {{}, {.smooth_quality = 0.95, .longest = 0.9, .shortest = 0.3}};
-        return setup;
-    };
-    const RunResult result = run_scene(scene, scene.defaults, {});
-    EXPECT_GT(result.carried->triangles_changed, 0U);
-    EXPECT_GT(result.carried->operations, 0U);
-    EXPECT_GT(result.carried->edge_change, 1e-3);
 }
 
 // --- section 9.2 --------------------------------------------------------------------------------

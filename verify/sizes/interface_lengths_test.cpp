@@ -108,21 +108,6 @@ TEST_P(InterfaceLengths, FollowTheTime) {
     EXPECT_GT(edges_at(2), 0.9 * fine);
 }
 
-TEST_P(InterfaceLengths, GiveTheSameBitsForAnyNumberOfThreads) {
-    std::array<std::vector<std::uint64_t>, 2> hashes;
-    for (const std::uint32_t threads : {1U, 2U}) {
-        Complex<double> complex = test::disc_complex<double>(finest, middle, 0.1);
-        Course course = GetParam();
-        course.threads = threads;
-        auto simulation = make_simulation(complex, by_place(), course);
-        for (int step = 0; step < 25; ++step) {
-            simulation->step(test::swirl, 0.01 * step, 0.01);
-            hashes[threads - 1].push_back(mesh_hash(complex));
-        }
-    }
-    EXPECT_EQ(hashes[0], hashes[1]);
-}
-
 // A target that is the edge length everywhere is none.
 TEST_P(InterfaceLengths, OfTheEdgeLengthChangeNothing) {
     std::array<std::uint64_t, 2> hashes{};

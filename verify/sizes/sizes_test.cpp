@@ -94,23 +94,6 @@ TEST_P(GradedMesh, TargetsAreThoseOfTheMeshAsItIs) {
     EXPECT_LT(sum / complex.vertex_count(), 0.1);
 }
 
-TEST_P(GradedMesh, GivesTheSameBitsForAnyNumberOfThreads) {
-    std::vector<std::uint64_t> hashes;
-    for (const std::uint32_t threads : {1U, 2U}) {
-        Complex<double> complex = small_disc();
-        Course course = GetParam();
-        course.threads = threads;
-        auto simulation = make_simulation(complex, graded(), course);
-        for (int step = 0; step < 40; ++step) {
-            simulation->step(swirl, 0.01 * step, 0.01);
-            hashes.push_back(mesh_hash(complex));
-        }
-    }
-    for (std::size_t i = 0; i < 40; ++i) {
-        EXPECT_EQ(hashes[i], hashes[i + 40]) << "step " << i;
-    }
-}
-
 // Fine triangles follow the interface and are not left behind.
 TEST_P(GradedMesh, CoarsensWhatTheInterfaceLeavesBehind) {
     Complex<double> complex = test::disc_complex<double>(h, {0.25, 0.3}, 0.1);
@@ -198,19 +181,6 @@ TEST_P(GradedMesh, FollowsTheTimeFarFromTheInterface) {
     };
     const auto coarse = in_the_corner(0, 20);
     EXPECT_GT(in_the_corner(2, 6), 3 * coarse);
-}
-
-TEST(Sizes, FloatWorksAsWell) {
-    auto complex = test::disc_complex<float>(h, {0.5, 0.7}, 0.15);
-    const auto before = complex.triangle_count();
-    auto options = test::options_for<float>(h);
-    options.sizes.growth = 1.3;
-    Simulation<float> simulation(complex, options);
-    for (int step = 0; step < 30; ++step) {
-        simulation.step(test::constant<float>(0.3, 0), 0.0F, 0.01F);
-    }
-    EXPECT_EQ(validate(complex).problem, "");
-    EXPECT_LT(complex.triangle_count(), before / 2);
 }
 
 TEST(Sizes, BadOptionsAreRefused) {

@@ -13,8 +13,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -70,21 +68,6 @@ inline Complex grid(std::uint32_t n, const std::vector<std::size_t>& inside = {}
     return make(points, triangles, inside);
 }
 
-/// Everything in which two complexes can differ.
-inline std::string print(const Complex& K) {
-    std::ostringstream text;
-    text.precision(17);
-    const Arrays arrays = to_arrays(K);
-    for (const auto& p : arrays.points) {
-        text << p.x() << ' ' << p.y() << '\n';
-    }
-    for (std::size_t i = 0; i < arrays.triangles.size(); ++i) {
-        const auto& [a, b, c] = arrays.triangles[i];
-        text << a << ' ' << b << ' ' << c << ": " << arrays.phases[i] << '\n';
-    }
-    return text.str();
-}
-
 inline double total_area(const Complex& K, Phase phase) {
     double sum = 0;
     for (const auto& [t, p] : K.phases())
@@ -102,23 +85,6 @@ inline double worst_quality(const Complex& K) {
 inline void expect_valid(const Complex& K) {
     for (const std::string& fault : validate(K))
         ADD_FAILURE() << fault;
-}
-
-/// The operation must be legal, and leave a valid complex with the same area of every phase.
-inline void expect_legal(Complex& K, const std::function<Verdict(Complex&)>& op) {
-    const double exterior = total_area(K, 0);
-    const double interior = total_area(K, 1);
-    EXPECT_EQ(to_string(op(K)), to_string(Verdict::legal));
-    expect_valid(K);
-    EXPECT_NEAR(total_area(K, 0), exterior, 1e-12);
-    EXPECT_NEAR(total_area(K, 1), interior, 1e-12);
-}
-
-/// The operation must be refused for this reason, and change nothing.
-inline void expect_refused(Complex K, Verdict reason, const std::function<Verdict(Complex&)>& op) {
-    const std::string before = print(K);
-    EXPECT_EQ(to_string(op(K)), to_string(reason));
-    EXPECT_EQ(print(K), before);
 }
 
 /// The unit square in n x n cells with a circle of phase 1: vertices near the circle are moved onto

@@ -17,8 +17,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <atomic>
 #include <map>
 #include <memory>
@@ -120,13 +118,6 @@ TEST(CopyExecutor, GivesTheSameBitsForAnyNumberOfThreads) {
     }
 }
 
-TEST(CopyExecutor, GivesTheSameBitsInFloat) {
-    CopyOptions copy{.submeshes = 5};
-    const Outcome one = simulate<float>(1, &copy);
-    copy.threads = 4;
-    EXPECT_EQ(simulate<float>(1, &copy).hashes, one.hashes);
-}
-
 // What the centred difference remembers about a vertex goes with it into a submesh and back,
 // whatever its id.
 TEST(CopyExecutor, TakesTheMemoryOfVerticesAlong) {
@@ -185,28 +176,6 @@ TEST(CopyExecutor, ShowsPassesTheMemoryOfTheSubmesh) {
         EXPECT_EQ(simulation.step(test::everywhere(0.02, 0), 0.05 * step, 0.05).unreached, 0U);
     }
     EXPECT_GT(seen, 20);
-}
-
-TEST(CopyExecutor, ReachesWhatTheSequentialMethodReaches) {
-    constexpr std::array<std::uint64_t, 6> seeds{1, 2, 3, 5, 6, 7};
-    for (const std::uint64_t seed : std::span(seeds).first(test::seeds_or_fewer(seeds.size()))) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        const Outcome sequential = simulate<double>(seed, nullptr);
-        for (const std::uint32_t n : {2U, 6U, 24U}) {
-            CopyOptions copy{.submeshes = n};
-            std::tie(copy.normal_x, copy.normal_y) =
-                n == 6 ? std::tuple(0.0, 1.0) : std::tuple(1.0, 0.0);
-            const Outcome outcome = simulate<double>(seed, &copy);
-            // Some scenes have interfaces that end at the domain boundary, and cannot leave it.
-            EXPECT_NEAR(static_cast<double>(outcome.unreached),
-                        static_cast<double>(sequential.unreached),
-                        0.05 * static_cast<double>(sequential.unreached));
-            ASSERT_EQ(outcome.areas.size(), sequential.areas.size());
-            for (const auto& [phase, area] : sequential.areas) {
-                EXPECT_NEAR(outcome.areas.at(phase), area, 1e-4) << "phase " << phase;
-            }
-        }
-    }
 }
 
 TEST(CopyExecutor, IsTheSequentialMethodWhereThereIsOneSubmesh) {
@@ -354,32 +323,6 @@ TEST(CopyExecutor, CarriesDataLocksAndOrderThroughSteps) {
         apart += complex.find_edge(Vertex{list[i]}, Vertex{following}).is_valid() ? 0 : 1;
     }
     EXPECT_LE(apart, 2);
-}
-
-// Upkeep among the motion passes creates and removes interface vertices in the submeshes.
-TEST(CopyExecutor, LetsPassesInSubmeshesChangeTheInterface) {
-    constexpr double h = 0.03;
-    auto complex = test::disc_complex<double>(h);
-    Options<double> options;
-    options.edge_length = h;
-    auto algorithm = default_algorithm<double>();
-    algorithm.motion.push_back(algorithm.upkeep.front());
-    algorithm.upkeep.clear();
-    auto simulation = in_copies(complex, options, {.submeshes = 4}, algorithm);
-    const Velocity<double> stretch = [](std::span<const Point<double>> positions, double,
-                                        std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = {positions[i].x() - 0.5, 0.5 - positions[i].y()};
-        }
-    };
-    std::uint64_t changes = 0;
-    for (int step = 0; step < 10; ++step) {
-        const auto report = simulation.step(stretch, 0, 0.04);
-        changes += report.operations.interface_splits + report.operations.interface_collapses;
-        EXPECT_EQ(validate(complex).problem, "");
-        EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
-    }
-    EXPECT_GT(changes, 10U);
 }
 
 // More vertices than the submeshes have ids for: the rest is put off, and done later.

@@ -294,39 +294,5 @@ TYPED_TEST(TriangleCollapse, AnInterfaceVertexOrACornerIsKept) {
     }
 }
 
-TYPED_TEST(TriangleCollapse, IsReplayedFromItsRecords) {
-    auto K = with_degree_three<TypeParam>();
-    auto again = K;
-    K.journal.readers = 1;
-    ASSERT_EQ(triangle_collapse(K, Triangle{1}).verdict, Verdict::legal);
-    ASSERT_EQ(K.journal.records.size(), 3U);
-    EXPECT_EQ(K.journal.records[0].kind, EditKind::collapse);
-    EXPECT_EQ(K.journal.records[1].kind, EditKind::collapse);
-    EXPECT_EQ(K.journal.records[2].kind, EditKind::move);
-    const ReplayReport report = replay<TypeParam>(again, K.journal.records);
-    EXPECT_EQ(report.skipped, 0U);
-    EXPECT_EQ(mesh_hash(again), mesh_hash(K));
-    expect_valid(again);
-}
-
-TYPED_TEST(TriangleCollapse, IsReplayedOnRandomComplexes) {
-    int done = 0;
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        const auto first = random_complex<TypeParam>(seed, random_options(seed, 40));
-        auto K = first;
-        K.journal.readers = 1;
-        for (const Triangle t : triangles(K)) {
-            const auto result = triangle_collapse(K, t, {.interface = InterfaceRule::change});
-            done += result.verdict == Verdict::legal ? 1 : 0;
-        }
-        expect_valid(K);
-        auto again = first;
-        EXPECT_EQ(replay<TypeParam>(again, K.journal.records).skipped, 0U);
-        EXPECT_EQ(mesh_hash(again), mesh_hash(K));
-    }
-    EXPECT_GT(done, 60);
-}
-
 } // namespace
 } // namespace dsc::test::triangle_collapse_test

@@ -213,41 +213,5 @@ TEST(GiveBack, KeepsTheAreasOfGrainsThatExchangeTheirNeighbours) {
     EXPECT_GT(kept.account.given_back, 1e-4);
 }
 
-// Two discs grow into each other; the seam's area is the exterior's again.
-TEST(GiveBack, IsTheSameForAnyNumberOfThreads) {
-    std::vector<AreaAccount> accounts;
-    std::vector<std::uint64_t> hashes;
-    for (const std::uint32_t threads : {1U, 3U}) {
-        constexpr double h = 0.02;
-        const std::vector<Shape> shapes{{test::circle_points({0.375, 0.5}, 0.1, 45), 1},
-                                        {test::circle_points({0.625, 0.5}, 0.1, 45), 1}};
-        auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-        test::ChangingOptions<double> options;
-        options.edge_length = h;
-        options.topology = {.rule = Topology::change, .gives_back_area = true};
-        test::ChangingSimulation<double> simulation(
-            complex, options,
-            Parallel{.threads = threads, .division = Division::cells, .always_all_threads = true});
-        const Velocity<double> towards_each_other = [](std::span<const Point<double>> positions,
-                                                       double,
-                                                       std::span<Point<double>> velocities) {
-            for (std::size_t i = 0; i < positions.size(); ++i) {
-                velocities[i] = {positions[i].x() < 0.5 ? 1.0 : -1.0, 0.0};
-            }
-        };
-        auto& account = accounts.emplace_back();
-        for (int i = 0; i < 9; ++i) {
-            const test::ChangingReport report = simulation.step(towards_each_other, 0, 0.3 * h);
-            account += report.area;
-            EXPECT_EQ(validate(complex).problem, "");
-        }
-        hashes.push_back(mesh_hash(complex));
-    }
-    EXPECT_GT(accounts[0].given_back, 1e-5);
-    EXPECT_LT(accounts[0].owed, 1e-15);
-    EXPECT_EQ(accounts[0].given_back, accounts[1].given_back);
-    EXPECT_EQ(hashes[0], hashes[1]);
-}
-
 } // namespace
 } // namespace dsc::give_back_test

@@ -77,20 +77,5 @@ TEST(Grains, OfACoarseStartLeaveNoCrowdedVertex) {
     EXPECT_EQ(coarsen(complex, h, 1, 3, 12).steps, 12);
 }
 
-TEST(Grains, CoarsenInTheSameWayForAnyNumberOfThreads) {
-    constexpr double h = 0.018;
-    std::uint64_t hash = 0;
-    for (const std::uint32_t threads : {1U, 2U, 3U}) {
-        auto complex = test::random_grains(30, h, 3);
-        const Course course = coarsen(complex, h, threads, 3, 200);
-        EXPECT_EQ(course.steps, 200);
-        EXPECT_GT(std::ranges::count(course.events, EventKind::exchange, &Event::kind), 3);
-        EXPECT_GT(std::ranges::count(course.events, EventKind::remove, &Event::kind), 0);
-        EXPECT_LT(count_phases(complex), 28U);
-        hash = hash == 0 ? mesh_hash(complex) : hash;
-        EXPECT_EQ(mesh_hash(complex), hash) << threads;
-    }
-}
-
 } // namespace
 } // namespace dsc::grains_test

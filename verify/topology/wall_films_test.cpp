@@ -134,27 +134,6 @@ TEST(WallFilms, ADiscWetsTheWallThatItComesTo) {
     }
 }
 
-class WallFilmsEveryWay : public testing::TestWithParam<Division> {};
-
-TEST_P(WallFilmsEveryWay, ADiscWetsTheWallThatItComesTo) {
-    for (const auto& approach : {falls, grows_to_corner}) {
-        std::uint64_t hash = 0;
-        for (const std::uint32_t threads : {1U, 3U}) {
-            const Wetted one = run(
-                approach, changing(h),
-                Parallel{.threads = threads, .division = GetParam(), .always_all_threads = true});
-            expect_clipped(one, approach, h);
-            hash = hash == 0 ? mesh_hash(one.complex) : hash;
-            EXPECT_EQ(mesh_hash(one.complex), hash) << "the number of threads makes a difference";
-        }
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Topology, WallFilmsEveryWay,
-                         testing::Values(Division::fixed, Division::active, Division::blocks,
-                                         Division::cells, copy_division),
-                         [](const auto& one) { return test::name_of(one.param); });
-
 TEST(WallFilms, OpenAtAContactOfSeveralEdges) {
     for (const auto& approach : {falls, grows}) {
         const Wetted wide = run(approach, changing(h, 3 * h));

@@ -67,35 +67,6 @@ TEST_P(WideContact, TwoDiscsMergeOnce) {
     }
 }
 
-// A dumbbell whose neck is 0.12 wide and becomes thinner from both sides.
-Complex<double> dumbbell() {
-    const std::vector<Point<double>> outline{{0.1, 0.3},   {0.35, 0.3},  {0.35, 0.44}, {0.65, 0.44},
-                                             {0.65, 0.3},  {0.9, 0.3},   {0.9, 0.7},   {0.65, 0.7},
-                                             {0.65, 0.56}, {0.35, 0.56}, {0.35, 0.7},  {0.1, 0.7}};
-    return initial_complex<double>({}, std::vector<Shape>{{outline, 1}}, {.edge_length = h});
-}
-
-Velocity<double> thin_the_neck() {
-    return velocity_of([](const Point<double>& p) {
-        const double share = std::clamp((0.15 - std::abs(p.x() - 0.5)) / 0.05, 0.0, 1.0);
-        return Point<double>(0, p.y() > 0.5 ? -share : share);
-    });
-}
-
-TEST_P(WideContact, ANeckClosesOnce) {
-    const auto check = [](const Complex<double>& complex, const Events& events) {
-        ASSERT_EQ(count(events, EventKind::split), 1U);
-        EXPECT_EQ(count(events, EventKind::widen) + 1, events.size());
-        const Event& split = events.front();
-        EXPECT_EQ(split.kind, EventKind::split);
-        EXPECT_NEAR(split.time, (0.12 - 3 * h) / 2, dt);
-        EXPECT_EQ(split.lost, 1U);
-        EXPECT_EQ(pieces(complex, 1), 2);
-        EXPECT_EQ(pieces(complex, exterior_phase), 1);
-    };
-    in_threads(dumbbell, 3 * h, thin_the_neck(), dt, 9, check);
-}
-
 INSTANTIATE_TEST_SUITE_P(Topology, WideContact,
                          testing::Values(Division::fixed, Division::counting, Division::active,
                                          Division::blocks, Division::cells, copy_division),
