@@ -102,6 +102,9 @@ private:
             if (is_on_wall(u)) {
                 return way;
             }
+            if (std::ranges::find(way, u) != way.end()) {
+                break; // a closed curve, which may be far shorter than the reach
+            }
             way.push_back(u);
             c = along_outline(complex_, c);
             length += direction(complex_, c).norm();
