@@ -26,12 +26,6 @@ namespace {
 
 using namespace test;
 
-bool same(const Edit& a, const Edit& b) {
-    return a.kind == b.kind && a.reason == b.reason && a.on_interface == b.on_interface &&
-           a.corner == b.corner && a.vertex == b.vertex && a.ends == b.ends &&
-           a.apexes == b.apexes && a.made == b.made && a.x == b.x && a.y == b.y;
-}
-
 class Edits : public testing::TestWithParam<Course> {};
 class EditsInPlace : public testing::TestWithParam<Course> {};
 
@@ -77,20 +71,6 @@ TEST_P(EditsInPlace, AreAsManyAsTheCountsSay) {
     EXPECT_EQ(kinds[EditKind::flip], heard.counts.flips);
     EXPECT_EQ(reasons[MoveReason::flow], heard.counts.moves);
     EXPECT_EQ(reasons[MoveReason::smoothing], heard.counts.smoothed);
-}
-
-TEST_P(EditsInPlace, AreTheSameForAnyNumberOfThreads) {
-    if (!GetParam().division) {
-        GTEST_SKIP() << "one thread by its nature";
-    }
-    const Heard one = hear(GetParam(), 12);
-    Course way = GetParam();
-    way.threads = 2;
-    const Heard two = hear(way, 12);
-    ASSERT_EQ(one.edits.size(), two.edits.size());
-    for (std::size_t i = 0; i < one.edits.size(); ++i) {
-        ASSERT_TRUE(same(one.edits[i], two.edits[i])) << "record " << i;
-    }
 }
 
 TEST(EditLogs, OfCreateAndMergeSayThatAllIdsAreNew) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The targets of the fuzzer in any build: each input of the corpus (what searches began with, and what
-// they found and has been mended), and inputs drawn from fixed seeds. DSC_FUZZ_SEEDS=N draws N of them
-// for each target, and DSC_FUZZ_FIRST says where to begin.
+// The targets of the fuzzer in any build: each input of the corpus (what searches began with, and
+// what they found and has been mended), and inputs drawn from fixed seeds. DSC_FUZZ_SEEDS=N draws N
+// of them for each target, and DSC_FUZZ_FIRST says where to begin.
 #include "fuzz/target.h"
 #include "support/environment.h"
 
@@ -130,8 +130,8 @@ TEST_P(Fuzz, HasNoFindingsInTheCorpus) {
     EXPECT_GT(operations, 0U) << "none of them does anything";
 }
 
-// Meshes and flows are drawn from any bytes; texts and files are nearly right ones, since others are
-// refused at their first byte.
+// Meshes and flows are drawn from any bytes; texts and files are nearly right ones, since others
+// are refused at their first byte.
 TEST_P(Fuzz, HasNoFindingsAtRandom) {
     const Target& target = GetParam();
     const bool is_drawn = target.name == "operations" || target.name == "steps";

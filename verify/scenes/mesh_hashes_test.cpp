@@ -98,7 +98,8 @@ Table read_table(const char* path) {
 
 void record(const char* path, const Table& table) {
     std::ofstream file(path);
-    file << "# scene strategy: double, first steps; double, whole; float, first steps; float, whole; - "
+    file << "# scene strategy: double, first steps; double, whole; float, first steps; float, "
+            "whole; - "
             "is not run\n";
     for (const auto& [key, row] : table) {
         file << key.first << ' ' << key.second;

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ostream>
 
 namespace dsc::test {
 
@@ -27,7 +26,7 @@ inline PhaseThresholds draw_phase(Dice& dice) {
 }
 
 /// Numbers are drawn for some scenes only: most applications keep the defaults.
-inline InterfaceThresholds draw_interface(Dice& dice, std::ostream& words) {
+inline InterfaceThresholds draw_interface(Dice& dice) {
     InterfaceThresholds interface;
     interface.coarsening = dice.one_of(coarsening_names);
     interface.reading = dice.one_of(reading_names);
@@ -46,25 +45,19 @@ inline InterfaceThresholds draw_interface(Dice& dice, std::ostream& words) {
         interface.gap = dice.chance(0.4) ? 0.0 : dice.in(0.1, 4.0);
         interface.finest = dice.in(0.05, 1.0);
     }
-    words << ", coarsening " << to_string(interface.coarsening) << ", reading "
-          << to_string(interface.reading) << ", interface shortest " << interface.shortest
-          << " longest " << interface.longest << " deviation " << interface.deviation
-          << " degenerate " << interface.degenerate << " corner " << interface.corner_degrees
-          << " grading " << interface.grading << " turn " << interface.turn_degrees << " gap "
-          << interface.gap << " finest " << interface.finest;
     return interface;
 }
 
 /// Everything that an application can choose, each in the range that check_options allows.
 template <class Real>
-Options<Real> draw_options(Dice& dice, double h, std::ostream& words) {
+Options<Real> draw_options(Dice& dice, double h) {
     Options<Real> options;
     options.edge_length = static_cast<Real>(h);
     const auto integrator = dice.one_of(scenes::integrator_choice_names);
     scenes::choose_integrator(options, integrator);
     options.insertion = dice.one_of(insertion_names);
     options.tolerance = std::pow(10.0, dice.in(-7.0, -1.0));
-    options.interface = draw_interface(dice, words);
+    options.interface = draw_interface(dice);
     options.max_sub_steps = 60;
     if (dice.chance(0.3)) {
         options.phases = draw_phase(dice);
@@ -80,24 +73,16 @@ Options<Real> draw_options(Dice& dice, double h, std::ostream& words) {
     if (dice.chance(0.3)) {
         options.shuffle_seed = 17;
     }
-    words << ", " << to_string(integrator) << " tolerance " << options.tolerance << ", "
-          << to_string(options.insertion) << ", sub-step " << options.sub_step << ", passes "
-          << options.max_passes << " idle " << options.max_idle_passes << ", shuffle "
-          << options.shuffle_seed;
     return options;
 }
 
-/// In half of the scenes the topology changes, or always.
+/// In half of the scenes the topology may change.
 template <class Real>
-void draw_topology(Dice& dice, bool always, double h, TopologyOptions<Real>& topology,
-                   std::ostream& words) {
-    if (!dice.chance(0.5) && !always) {
+void draw_topology(Dice& dice, double h, TopologyOptions<Real>& topology) {
+    if (!dice.chance(0.5)) {
         return;
     }
     topology.rule = dice.one_of(topology_names);
-    if (always) {
-        topology.rule = Topology::change;
-    }
     topology.opening = dice.one_of(opening_names);
     topology.contact = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.05, 0.75) * h);
     topology.least_area = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.1, 4.0) * h * h);
@@ -108,8 +93,6 @@ void draw_topology(Dice& dice, bool always, double h, TopologyOptions<Real>& top
                                   .contact = static_cast<Real>(dice.in(0.05, 0.75) * h)});
     }
     topology.gives_back_area = dice.chance(0.5);
-    words << ", topology " << to_string(topology.rule) << " contact " << topology.contact
-          << " least area " << topology.least_area << " pairs " << topology.pairs.size();
 }
 
 } // namespace dsc::test
