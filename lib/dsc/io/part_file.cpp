@@ -158,43 +158,51 @@ std::string escape_xml(std::string_view text) {
     return result;
 }
 
-void write_sealed(const std::string& path, const SealedKind& kind, const std::string& bytes) {
-    Header header{.name = padded(kind),
-                  .version = kind.version,
-                  .size = bytes.size(),
-                  .sum = checksum(bytes)};
-    std::array<char, header_size> raw{};
-    std::memcpy(raw.data(), &header, header_size);
-    PartFile file(path);
-    file << std::string_view(raw.data(), raw.size()) << bytes;
-    file.commit(PartFile::Until::on_disk);
+std::string sealed(const SealedKind& kind, const std::string& bytes) {
+    const Header header{.name = padded(kind),
+                        .version = kind.version,
+                        .size = bytes.size(),
+                        .sum = checksum(bytes)};
+    std::string whole(header_size, '\0');
+    std::memcpy(whole.data(), &header, header_size);
+    return whole += bytes;
 }
 
-std::string read_sealed(const std::string& path, const SealedKind& kind) {
-    std::string bytes = read_all(path);
+std::string unsealed(std::string bytes, const SealedKind& kind, const std::string& name) {
     Header header;
     if (bytes.size() < header_size) {
-        throw FileError("is too short for a file of kind '" + kind.name + "'", path);
+        throw FileError("is too short for a file of kind '" + kind.name + "'", name);
     }
     std::memcpy(&header, bytes.data(), header_size);
     if (header.name != padded(kind)) {
-        throw FileError("is no file of kind '" + kind.name + "'", path);
+        throw FileError("is no file of kind '" + kind.name + "'", name);
     }
     if (header.version != kind.version) {
         throw FileError("has version " + std::to_string(header.version) + ", not " +
                             std::to_string(kind.version),
-                        path);
+                        name);
     }
     bytes.erase(0, header_size);
     if (bytes.size() != header.size) {
         throw FileError("is incomplete: " + std::to_string(bytes.size()) + " bytes of " +
                             std::to_string(header.size),
-                        path);
+                        name);
     }
     if (header.reserved != 0 || checksum(bytes) != header.sum) {
-        throw FileError("is damaged: its checksum does not fit", path);
+        throw FileError("is damaged: its checksum does not fit", name);
     }
     return bytes;
+}
+
+void write_sealed(const std::string& path, const SealedKind& kind, const std::string& bytes) {
+    const std::string whole = sealed(kind, bytes);
+    PartFile file(path);
+    file << whole;
+    file.commit(PartFile::Until::on_disk);
+}
+
+std::string read_sealed(const std::string& path, const SealedKind& kind) {
+    return unsealed(read_all(path), kind, path);
 }
 
 } // namespace dsc

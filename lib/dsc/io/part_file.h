@@ -84,6 +84,13 @@ struct SealedKind {
 /// stays whole whatever happens. Throws FileError; InputError if `kind.name` has not 1 to 8 bytes.
 void write_sealed(const std::string& path, const SealedKind& kind, const std::string& bytes);
 
+/// The bytes of such a file, for what is kept elsewhere. Throws InputError as `write_sealed`.
+[[nodiscard]] std::string sealed(const SealedKind& kind, const std::string& bytes);
+
+/// What was sealed. `name` is what errors call it; throws FileError as `read_sealed`.
+[[nodiscard]] std::string unsealed(std::string bytes, const SealedKind& kind,
+                                   const std::string& name);
+
 /// Reads the bytes back. Throws FileError if the file cannot be read, is of another kind or
 /// version, is too short or too long, or its bytes have changed.
 [[nodiscard]] std::string read_sealed(const std::string& path, const SealedKind& kind);
