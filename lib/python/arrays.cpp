@@ -56,6 +56,41 @@ void read_points(const py::handle& value, std::span<Point<double>> points,
     std::memcpy(static_cast<void*>(points.data()), rows.data(), points.size_bytes());
 }
 
+Point<double> point_from(const py::handle& value, const std::string& where) {
+    std::array<Point<double>, 1> one;
+    read_points(py::make_tuple(value), one, where);
+    return one[0];
+}
+
+std::vector<py::object> outline_list(const py::handle& value) {
+    const bool is_list = (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) &&
+                         py::len(value) > 0 && py::array::ensure(value[py::int_(0)]).ndim() == 2;
+    if (!is_list) {
+        return {py::reinterpret_borrow<py::object>(value)};
+    }
+    std::vector<py::object> list;
+    for (const py::handle& one : value) {
+        list.push_back(py::reinterpret_borrow<py::object>(one));
+    }
+    return list;
+}
+
+py::array_t<std::uint32_t> whole_numbers(const py::handle& value, const std::string& where,
+                                         const std::string& shape, int dimensions) {
+    const py::array given = py::array::ensure(value);
+    const char kind = given ? given.dtype().kind() : 'O';
+    const bool fits = given && (kind == 'i' || kind == 'u') && given.ndim() == dimensions;
+    if (!fits || (given.size() > 0 && given.attr("min")().cast<double>() < 0) ||
+        (given.size() > 0 && given.attr("max")().cast<double>() > 0xffffffff)) {
+        PyErr_Clear();
+        throw InputError({.what = "not an array of numbers of 32 bits",
+                          .where = where,
+                          .value = shown(value),
+                          .allowed = "whole numbers from 0 of the shape " + shape});
+    }
+    return py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>::ensure(given);
+}
+
 py::array_t<double> array_of(std::span<const Point<double>> points) {
     py::array_t<double> array({static_cast<py::ssize_t>(points.size()), py::ssize_t{2}});
     std::memcpy(array.mutable_data(), points.data(), points.size_bytes());

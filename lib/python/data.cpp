@@ -3,8 +3,11 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace dsc::python {
 
@@ -22,13 +25,34 @@ auto range_of(const Complex<double>& complex) {
     }
 }
 
+template <class Simplex, class T>
+bool holds(const AttributeBase& attribute) {
+    return dynamic_cast<const Attribute<T, Simplex>*>(&attribute) != nullptr;
+}
+
+// The kinds of data, by number; nothing for an attribute of the library's own.
+std::optional<std::uint32_t> kind_of_data(const AttributeBase& one) {
+    const std::array is{holds<Vertex, double>(one), holds<Vertex, Point<double>>(one),
+                        holds<Triangle, double>(one), holds<Triangle, Point<double>>(one)};
+    const auto found = std::ranges::find(is, true);
+    return found == is.end() ? std::nullopt
+                             : std::optional(static_cast<std::uint32_t>(found - is.begin()));
+}
+
+void add_kind(AttributeSet& attributes, const std::string& name, std::uint32_t kind) {
+    switch (kind) {
+    case 0: attributes.add<Vertex>(name, 0.0); break;
+    case 1: attributes.add<Vertex>(name, Point<double>(0, 0)); break;
+    case 2: attributes.add<Triangle>(name, 0.0); break;
+    default: attributes.add<Triangle>(name, Point<double>(0, 0)); break;
+    }
+}
+
 template <class Simplex>
 std::vector<std::string> names_of(const Mesh& mesh) {
     std::vector<std::string> names;
     for (const auto& one : mesh.complex().attributes.list()) {
-        const auto* base = one.get();
-        if (dynamic_cast<const Attribute<double, Simplex>*>(base) != nullptr ||
-            dynamic_cast<const Attribute<Point<double>, Simplex>*>(base) != nullptr) {
+        if (holds<Simplex, double>(*one) || holds<Simplex, Point<double>>(*one)) {
             names.push_back(one->name());
         }
     }
@@ -106,13 +130,84 @@ void set_values(Mesh& mesh, const std::string& name, const py::handle& value) {
     write<Simplex, double>(mesh, name, {numbers.data(), count}, 0.0);
 }
 
-template <class Simplex>
 void remove(Mesh& mesh, const std::string& name) {
     (void)mesh.complex(); // refused while a step runs
     mesh.complex_to_step().attributes.remove(name);
 }
 
+constexpr const char* sealed_kind = "dsc-mesh";
+
 } // namespace
+
+// --- state -------------------------------------------------------------------------------------
+
+void forget_foreign_data(Complex<double>& complex) {
+    std::vector<std::string> names;
+    for (const auto& one : complex.attributes.list()) {
+        if (!kind_of_data(*one)) {
+            names.push_back(one->name());
+        }
+    }
+    for (const std::string& name : names) {
+        complex.attributes.remove(name);
+    }
+}
+
+std::vector<std::string> names_after_foreign_data(const Complex<double>& complex) {
+    std::vector<std::string> late;
+    bool is_after = false;
+    for (const auto& one : complex.attributes.list()) {
+        const bool is_data = kind_of_data(*one).has_value();
+        is_after = is_after || !is_data;
+        if (is_after && is_data) {
+            late.push_back(one->name());
+        }
+    }
+    return late;
+}
+
+void put_last(Complex<double>& complex, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        const auto& list = complex.attributes.list();
+        const auto found = std::ranges::find_if(
+            list, [&](const auto& one) { return one->name() == name && kind_of_data(*one); });
+        if (found != list.end()) {
+            const std::uint32_t kind = *kind_of_data(**found);
+            complex.attributes.remove(name);
+            add_kind(complex.attributes, name, kind);
+        }
+    }
+}
+
+std::string bytes_of(const Complex<double>& complex) {
+    Complex<double> copy(complex);
+    forget_foreign_data(copy);
+    std::vector<std::pair<std::string, std::uint32_t>> data;
+    for (const auto& one : copy.attributes.list()) {
+        data.emplace_back(one->name(), *kind_of_data(*one));
+    }
+    Archive archive;
+    archive(data, copy);
+    return sealed({sealed_kind}, archive.bytes());
+}
+
+Complex<double> complex_from(std::string bytes) {
+    Archive archive(unsealed(std::move(bytes), {sealed_kind}, "mesh"), "mesh");
+    std::vector<std::pair<std::string, std::uint32_t>> data;
+    archive(data);
+    Complex<double> complex;
+    for (const auto& [name, kind] : data) {
+        add_kind(complex.attributes, name, kind);
+    }
+    archive(complex);
+    archive.expect_end();
+    if (const ValidationReport report = validate(complex); !report.ok()) {
+        archive.refuse("holds no valid complex: " + report.problem);
+    }
+    return complex;
+}
+
+// --- the module --------------------------------------------------------------------------------
 
 void add_data(py::class_<Mesh, std::shared_ptr<Mesh>>& mesh) {
     mesh.def("_vertex_data_names", &names_of<Vertex>)
@@ -121,7 +216,7 @@ void add_data(py::class_<Mesh, std::shared_ptr<Mesh>>& mesh) {
         .def("_triangle_data", &values_of<Triangle>, "name"_a)
         .def("_set_vertex_data", &set_values<Vertex>, "name"_a, "values"_a)
         .def("_set_triangle_data", &set_values<Triangle>, "name"_a, "values"_a)
-        .def("_remove_data", &remove<Vertex>, "name"_a);
+        .def("_remove_data", &remove, "name"_a);
 }
 
 } // namespace dsc::python

@@ -1,56 +1,340 @@
 // SPDX-License-Identifier: MIT
 #include "python/flows.h"
 
-#include "geometric_flows/geometric_flows.h"
-#include "python/arrays.h"
+#include "flows/velocity.h"
 #include "python/mesh.h"
 
-#include <memory>
+#include <pybind11/stl.h>
+
+#include <map>
+#include <utility>
 
 namespace dsc::python {
 
 using namespace py::literals; // NOLINT: "name"_a
 
 VelocityAtOnce<double> velocity_of(const py::function& function) {
-    // Copies of the velocity are made and dropped without the GIL.
-    const std::shared_ptr<py::function> shared(new py::function(function), [](py::function* last) {
-        const py::gil_scoped_acquire gil;
-        delete last; // NOLINT: the deleter of a shared_ptr
-    });
-    return {[shared](std::span<const Point<double>> positions, double time,
-                     std::span<Point<double>> velocities) {
+    return {[shared = share(function)](std::span<const Point<double>> positions, double time,
+                                       std::span<Point<double>> velocities) {
         const py::gil_scoped_acquire gil;
         read_points((*shared)(array_of(positions), time), velocities, "what the velocity returns");
     }};
 }
 
-void add_flows(py::module_& module) {
-    py::class_<BuiltIn>(module, "Flow", "A flow of the library's own, for `Simulation.step`.")
-        .def("__repr__", [](const BuiltIn& flow) { return "<dsc.Flow: " + flow.name + ">"; });
+// --- flows that see the interface --------------------------------------------------------------
 
+namespace {
+
+/// An `InterfaceView` in arrays of their own, which a function may keep.
+struct Interface {
+    py::array positions, previous, next, left, right, normals, curvatures, lengths, arms;
+    py::array is_junction, is_corner, is_on_boundary, is_locked;
+};
+
+// -1 for what is none: a neighbour of a junction, the outside of the domain.
+constexpr auto number_or_none = [](std::uint32_t number) {
+    return number == no_id || number == border_phase ? std::int64_t{-1} : std::int64_t{number};
+};
+
+template <class Number, class Of>
+py::array_t<Number> listed(std::size_t size, Of of) {
+    py::array_t<Number> array(static_cast<py::ssize_t>(size));
+    Number* to = array.mutable_data();
+    for (std::size_t i = 0; i < size; ++i) {
+        to[i] = of(i);
+    }
+    return array;
+}
+
+py::array arms_in(const InterfaceView<double>& view) {
+    py::array_t<std::int64_t> rows({static_cast<py::ssize_t>(view.arms.size()), py::ssize_t{4}});
+    std::int64_t* to = rows.mutable_data();
+    for (const std::uint32_t junction : view.junctions) {
+        for (const InterfaceArm& arm : arms_of(view, junction)) {
+            for (const std::uint32_t one : {junction, arm.neighbour, arm.left, arm.right}) {
+                *to++ = number_or_none(one);
+            }
+        }
+    }
+    return rows;
+}
+
+Interface interface_of(const InterfaceView<double>& view) {
+    const std::size_t n = view.size();
+    const auto numbers = [&](std::span<const std::uint32_t> list) {
+        return listed<std::int64_t>(n, [&](std::size_t i) { return number_or_none(list[i]); });
+    };
+    const auto flag = [&](InterfaceFlag one) {
+        return listed<bool>(n, [&](std::size_t i) { return (view.flags[i] & one) != 0; });
+    };
+    std::vector<Point<double>> normals(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        normals[i] = normal(view, i);
+    }
+    return {.positions = array_of(view.positions),
+            .previous = numbers(view.previous),
+            .next = numbers(view.next),
+            .left = numbers(view.left),
+            .right = numbers(view.right),
+            .normals = array_of(normals),
+            .curvatures = listed<double>(n, [&](std::size_t i) { return curvature(view, i); }),
+            .lengths = listed<double>(n, [&](std::size_t i) { return length(view, i); }),
+            .arms = arms_in(view),
+            .is_junction = flag(interface_junction),
+            .is_corner = flag(interface_corner),
+            .is_on_boundary = flag(interface_boundary),
+            .is_locked = flag(interface_locked)};
+}
+
+} // namespace
+
+InterfaceMotion<double> motion_of(const SeeingFunction& seeing, Integrator integrator) {
+    if (integrator == Integrator::adaptive) {
+        throw InputError({.what = "a flow that sees the interface has no estimate of the error",
+                          .where = "integrator",
+                          .value = "adaptive",
+                          .allowed = "euler, midpoint, rk4"});
+    }
+    return [function = seeing.function, integrator](const InterfaceView<double>& view, double time,
+                                                    double dt,
+                                                    std::span<Point<double>> displacements) {
+        const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double t,
+                                              std::span<Point<double>> velocities) {
+            // A failure at one vertex must not affect its neighbours.
+            std::vector<Point<double>> seen(positions.begin(), positions.end());
+            for (std::size_t i = 0; i < seen.size(); ++i) {
+                seen[i] = seen[i].allFinite() ? seen[i] : view.positions[i];
+            }
+            InterfaceView<double> stage = view;
+            stage.positions = seen;
+            const py::gil_scoped_acquire gil;
+            read_points((*function)(interface_of(stage), t), velocities, "what the flow returns");
+            for (std::size_t i = 0; i < seen.size(); ++i) {
+                if ((view.flags[i] & interface_locked) != 0) {
+                    velocities[i].setZero();
+                }
+            }
+        };
+        IntegratorScratch<double> scratch;
+        scratch.first.resize(view.size());
+        velocity(view.positions, time, scratch.first);
+        std::vector<Point<double>> targets(view.size());
+        integrate<double>(integrator, velocity, view.positions, time, dt, targets, scratch);
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            displacements[i] = targets[i] - view.positions[i];
+        }
+    };
+}
+
+// --- the library's own -------------------------------------------------------------------------
+
+namespace {
+
+OwnFlow field(std::string name, py::tuple given, Velocity<double> velocity) {
+    return {std::move(name), std::move(given), std::move(velocity)};
+}
+
+std::vector<KeptArea> areas_from(const py::object& keep) {
+    std::map<Phase, double> areas;
+    if (py::isinstance<Mesh>(keep)) {
+        const auto& complex = keep.cast<const Mesh&>().complex();
+        for (const Phase phase : phases(complex)) {
+            areas[phase] = phase_area(complex, phase);
+        }
+        areas.erase(exterior_phase);
+    } else if (!keep.is_none()) {
+        areas = keep.cast<std::map<Phase, double>>();
+    }
+    std::vector<KeptArea> list;
+    for (const auto& [phase, area] : areas) {
+        list.push_back({phase, area});
+    }
+    return list;
+}
+
+using Speeds = std::map<std::pair<Phase, Phase>, double>;
+
+OwnFlow growth_of(const Speeds& speeds) {
+    GrowthOptions<double> options;
+    for (const auto& [pair, speed] : speeds) {
+        options.speeds.push_back({.growing = pair.first, .into = pair.second, .speed = speed});
+    }
+    return {"growth", py::make_tuple(speeds), growth(options), options};
+}
+
+OwnFlow reversed(const OwnFlow& flow) {
+    const auto* velocity = std::get_if<Velocity<double>>(&flow.flow);
+    if (velocity == nullptr) {
+        throw InputError({.what = "a flow without an opposite",
+                          .where = "-flow",
+                          .value = flow.name,
+                          .allowed = "a flow by place and time"});
+    }
+    return field("_reversed", py::make_tuple(flow), scenes::reversed(*velocity));
+}
+
+} // namespace
+
+void add_flows(py::module_& module) {
+    py::class_<Interface>(module, "Interface", R"(
+The interface at one stage of the integrator, for a function that `interface_flow` takes.
+
+Entry i of each array is the same vertex; neighbours are positions in these arrays. Curves run so
+that the larger of their two phases is on the left. -1 stands for none: at junctions, and for the
+outside of the domain. Its arrays may be kept.
+)")
+        .def_readonly("positions", &Interface::positions, "(n, 2)")
+        .def_readonly("previous", &Interface::previous, "the vertex before: (n,)")
+        .def_readonly("next", &Interface::next, "the vertex after: (n,)")
+        .def_readonly("left", &Interface::left, "the phase on the left: (n,)")
+        .def_readonly("right", &Interface::right, "the phase on the right: (n,)")
+        .def_readonly("normals", &Interface::normals,
+                      "unit normals from left to right, 0 at junctions: (n, 2)")
+        .def_readonly("curvatures", &Interface::curvatures,
+                      "positive where the left phase is convex, 0 at junctions: (n,)")
+        .def_readonly("lengths", &Interface::lengths, "half of the edges of each vertex: (n,)")
+        .def_readonly("arms", &Interface::arms,
+                      "edges that leave junctions: (k, 4), rows of junction, neighbour, phase on "
+                      "the left and on the right, counter-clockwise about each junction")
+        .def_readonly("is_junction", &Interface::is_junction, "no point of a single curve: (n,)")
+        .def_readonly("is_corner", &Interface::is_corner, "kept, without a tangent: (n,)")
+        .def_readonly("is_on_boundary", &Interface::is_on_boundary,
+                      "can only slide along the domain boundary: (n,)")
+        .def_readonly("is_locked", &Interface::is_locked, "stays: (n,)")
+        .def("__len__", [](const Interface& one) { return one.positions.shape(0); });
+
+    py::class_<OwnFlow>(module, "Flow", R"(
+A flow for `Simulation.step`, other than a function of positions and time.
+
+`-flow` is the opposite of a flow by place and time.
+)")
+        .def_readonly("_name", &OwnFlow::name)
+        .def_readonly("_given", &OwnFlow::given)
+        .def("__neg__", &reversed)
+        .def("__repr__", [](const OwnFlow& flow) {
+            return "<dsc.Flow: " + flow.name + shown(flow.given) + ">";
+        });
+
+    module.def(
+        "interface_flow",
+        [](const py::function& function) {
+            return OwnFlow{"interface_flow", py::make_tuple(function),
+                           SeeingFunction{share(function)}};
+        },
+        "function"_a, R"(
+A flow that sees the interface.
+
+Parameters
+----------
+function : callable
+    Called as `function(interface, time)` with an `Interface`, once in each stage of the integrator
+    (`euler`, `midpoint` or `rk4`) for all of the interface, by the thread that called `step`;
+    returns velocities (n, 2).
+
+Returns
+-------
+Flow
+
+Notes
+-----
+Explicit integrators limit the step of a flow that smooths: where the velocity is -curvature *
+normal, dt * 4 / l**2 must stay below 2, with l the shortest edge. `curvature_flow` has no limit.
+
+Examples
+--------
+>>> @dsc.interface_flow
+... def grow(interface, time):
+...     return 0.1 * interface.normals
+>>> sim.step(grow, 0, 0.1).unreached
+0
+)");
+    module.def(
+        "swirl",
+        [](double amplitude, double period) {
+            return field("swirl", py::make_tuple(amplitude, period),
+                         scenes::Swirl{amplitude, period});
+        },
+        "amplitude"_a = 1.0, "period"_a = 0.0, R"(
+amplitude * f(t) * (sin(pi x)**2 sin(2 pi y), -sin(pi y)**2 sin(2 pi x)).
+
+Parameters
+----------
+amplitude : float
+period : float
+    f is cos(pi t / period), or 1 if this is 0.
+
+Returns
+-------
+Flow
+)");
+    module.def(
+        "translation",
+        [](const py::object& velocity) {
+            return field("translation", py::make_tuple(velocity),
+                         scenes::Translation{point_from(velocity, "velocity")});
+        },
+        "velocity"_a, "The same velocity (2,) everywhere.");
+    module.def(
+        "rotation",
+        [](const py::object& centre, double angular_speed) {
+            return field("rotation", py::make_tuple(centre, angular_speed),
+                         scenes::Rotation{point_from(centre, "centre"), angular_speed});
+        },
+        "centre"_a, "angular_speed"_a = 1.0, "Counter-clockwise about a centre, in radians.");
+    module.def(
+        "vortex",
+        [](const py::object& centre, double speed) {
+            return field("vortex", py::make_tuple(centre, speed),
+                         scenes::Vortex{point_from(centre, "centre"), speed});
+        },
+        "centre"_a, "speed"_a = 1.0, "Counter-clockwise about a centre, at one speed.");
+    module.def(
+        "radial",
+        [](const py::object& centre, double speed) {
+            return field("radial", py::make_tuple(centre, speed),
+                         scenes::Radial{point_from(centre, "centre"), speed});
+        },
+        "centre"_a, "speed"_a = 1.0, "Away from a centre, at one speed.");
+    module.def("_reversed", &reversed, "flow"_a);
+    module.def("growth", &growth_of, "speeds"_a, R"(
+Phases grow along their normals; convex corners open into arcs.
+
+The simulation must be made for it: `dsc.Simulation(mesh, flow, edge_length=h)`.
+
+Parameters
+----------
+speeds : dict
+    `{(growing, into): speed}`, in lengths per time; interfaces of other pairs stay.
+
+Returns
+-------
+Flow
+)");
     module.def(
         "curvature_flow",
         [](double tension, double mobility, const py::object& keep_areas_of) {
             CurvatureFlowOptions options{.tension = tension, .mobility = mobility};
-            if (!keep_areas_of.is_none()) {
-                const Mesh& mesh = keep_areas_of.cast<const Mesh&>();
-                for (const Phase phase : phases(mesh.complex())) {
-                    if (phase != exterior_phase) {
-                        options.kept_areas.push_back({phase, phase_area(mesh.complex(), phase)});
-                    }
-                }
+            options.kept_areas = areas_from(keep_areas_of);
+            py::dict areas;
+            for (const KeptArea& kept : options.kept_areas) {
+                areas[py::int_(kept.phase)] = kept.area;
             }
-            return BuiltIn{"curvature", curvature_flow<double>(options)};
+            return OwnFlow{"curvature_flow", py::make_tuple(tension, mobility, areas),
+                           curvature_flow<double>(options)};
         },
-        py::kw_only(), "tension"_a = 1.0, "mobility"_a = 1.0, "keep_areas_of"_a = py::none(), R"(
+        "tension"_a = 1.0, "mobility"_a = 1.0, "keep_areas_of"_a = py::none(), R"(
 The interface moves along its normal at tension * mobility * curvature.
 
 Parameters
 ----------
 tension, mobility : float
     Of all pairs of phases.
-keep_areas_of : Mesh, optional
-    Each phase but 0 keeps the area that it has in this mesh.
+keep_areas_of : Mesh or dict, optional
+    Each phase but 0 keeps the area that it has in this mesh, or the area that is given by phase.
+
+Returns
+-------
+Flow
 )");
 }
 

@@ -2,20 +2,28 @@
 // Flows: functions of Python, and the library's own.
 #pragma once
 
-#include "dsc/dsc.h"
+#include "python/arrays.h"
 
-#include <pybind11/pybind11.h>
+#include "geometric_flows/geometric_flows.h"
 
+#include <optional>
+#include <string>
 #include <variant>
 
 namespace dsc::python {
 
-namespace py = pybind11;
+/// A velocity in Python that is given the interface.
+struct SeeingFunction {
+    Shared<py::function> function;
+};
 
-/// A flow of the library's own.
-struct BuiltIn {
-    std::string name; ///< for its repr
-    std::variant<Velocity<double>, InterfaceMotion<double>> flow;
+/// What `dsc.Flow` is in Python.
+struct OwnFlow {
+    std::string name; ///< of the function of the module that makes it...
+    py::tuple given;  ///< ...from these arguments: for its repr, and for pickles
+    std::variant<Velocity<double>, InterfaceMotion<double>, InterfaceFlow<double>, SeeingFunction>
+        flow;
+    std::optional<GrowthOptions<double>> growth = {}; ///< a simulation is made for it
 };
 
 /// A velocity that calls `function(x, t)` with the positions (n, 2) of all interface vertices and
@@ -23,7 +31,12 @@ struct BuiltIn {
 /// `Simulation::step`; InputError if it returns anything else.
 [[nodiscard]] VelocityAtOnce<double> velocity_of(const py::function& function);
 
-/// Adds `Flow`, `swirl` and `curvature_flow` to the module.
+/// A motion that calls `function(interface, t)` in each stage of the integrator, once for the whole
+/// interface. Throws InputError for `adaptive`, which motions have no estimate for.
+[[nodiscard]] InterfaceMotion<double> motion_of(const SeeingFunction& seeing,
+                                                Integrator integrator);
+
+/// Adds `Flow`, `Interface` and the functions that make flows to the module.
 void add_flows(py::module_& module);
 
 } // namespace dsc::python

@@ -2,10 +2,14 @@
 #include "python/mesh.h"
 
 #include "python/data.h"
+#include "python/measures.h"
+#include "python/options.h"
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
 
 namespace dsc::python {
@@ -40,22 +44,6 @@ std::vector<PlacedCurve> curves_of(const Mesh& mesh) {
     return list;
 }
 
-std::vector<py::array> outlines_of(const Mesh& mesh, Phase phase) {
-    std::vector<py::array> list;
-    for (const VertexLoop& loop : outlines(mesh.complex(), phase)) {
-        list.push_back(placed(mesh.complex(), loop));
-    }
-    return list;
-}
-
-py::array qualities(const Mesh& mesh) {
-    std::vector<double> list;
-    for (const Triangle t : triangles(mesh.complex())) {
-        list.push_back(quality(mesh.complex(), t));
-    }
-    return array_of<double>(list);
-}
-
 py::dict areas(const Mesh& mesh) {
     py::dict result;
     for (const Phase phase : phases(mesh.complex())) {
@@ -74,6 +62,25 @@ std::string summary(const Mesh& mesh) {
            std::to_string(complex.vertex_count()) + " vertices, phases " + names + ">";
 }
 
+std::shared_ptr<Mesh> mesh_from_arrays(const py::object& points, const py::object& triangles,
+                                       const py::object& phases) {
+    const std::vector<Point<double>> places = points_from(points, "points");
+    const auto rows = whole_numbers(triangles, "triangles", "(m, 3)", 2);
+    const auto numbers = whole_numbers(phases, "phases", "(m,)", 1);
+    if (rows.shape(1) != 3 || rows.shape(0) != numbers.shape(0)) {
+        throw InputError({.what = "arrays that do not fit",
+                          .where = "Mesh",
+                          .value = std::to_string(rows.shape(0)) + " triangles of " +
+                                   std::to_string(rows.shape(1)) + " and " +
+                                   std::to_string(numbers.shape(0)) + " phases",
+                          .allowed = "triangles (m, 3) and phases (m,)"});
+    }
+    std::vector<std::array<std::uint32_t, 3>> corners(static_cast<std::size_t>(rows.shape(0)));
+    std::memcpy(corners.data(), rows.data(), corners.size() * sizeof(corners[0]));
+    return std::make_shared<Mesh>(make_complex<double>(
+        places, corners, {numbers.data(), static_cast<std::size_t>(numbers.shape(0))}));
+}
+
 // --- the first complex -----------------------------------------------------------------------
 
 // One polygon, or a list of polygons, for each phase.
@@ -88,14 +95,7 @@ std::vector<Shape> shapes_from(const py::dict& given) {
         }
         const auto phase = key.cast<Phase>();
         const std::string where = "shapes[" + std::to_string(phase) + "]";
-        const bool is_list =
-            (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) &&
-            py::len(value) > 0 && py::isinstance<py::array>(value[py::int_(0)]);
-        if (!is_list) {
-            shapes.push_back({points_from(value, where), phase});
-            continue;
-        }
-        for (const py::handle& one : value) {
+        for (const py::object& one : outline_list(value)) {
             shapes.push_back({points_from(one, where), phase});
         }
     }
@@ -120,8 +120,7 @@ std::vector<Curve> curves_from(const py::iterable& given) {
 }
 
 std::shared_ptr<Mesh> make_mesh(const py::handle& domain, const py::dict& shapes,
-                                double edge_length, const py::object& curves, double growth,
-                                double longest) {
+                                const py::object& curves, const py::kwargs& keywords) {
     const std::vector<Point<double>> corners = points_from(domain, "domain");
     if (corners.size() != 2) {
         throw InputError({.what = "not a rectangle",
@@ -131,9 +130,10 @@ std::shared_ptr<Mesh> make_mesh(const py::handle& domain, const py::dict& shapes
                                      "opposite one"});
     }
     const Rectangle rectangle{corners[0], corners[1]};
-    InitialOptions options{.edge_length = edge_length};
-    options.sizes.growth = growth;
-    options.sizes.longest = longest;
+    Choices choices;
+    apply(choices, keywords, Use::initial_complex);
+    const InitialOptions options{.edge_length = choices.options.edge_length,
+                                 .sizes = choices.options.sizes};
     if (curves.is_none()) {
         const std::vector<Shape> list = shapes_from(shapes);
         const py::gil_scoped_release others_run;
@@ -163,10 +163,11 @@ const Complex<double>& Mesh::complex() const {
     return complex_;
 }
 
-Mesh::Step::Step(Mesh& mesh) : mesh_(mesh) {
+Mesh::Change::Change(Mesh& mesh) : mesh_(mesh) {
     (void)mesh.complex(); // throws if it is busy
     mesh.is_busy_ = true;
     mesh.arrays_.reset();
+    ++mesh.revision_;
 }
 
 const Mesh::Arrays& Mesh::arrays() {
@@ -214,20 +215,22 @@ A triangle mesh whose triangles have phases: a 2D simplicial complex.
 
 Made by `initial_complex`, changed by the steps of a `Simulation`. Arrays are without gaps,
 C-contiguous and not writable; those of before a step stay as they were.
+
+Parameters
+----------
+points : (n, 2) array_like
+triangles : (m, 3) array_like of int
+    Rows of `points`, either way round. An edge has at most two triangles.
+phases : (m,) array_like of int
 )");
-    type.def_property_readonly("points", &Mesh::points, "Vertices: (n, 2) float64.")
+    type.def(py::init(&mesh_from_arrays), "points"_a, "triangles"_a, "phases"_a)
+        .def_property_readonly("points", &Mesh::points, "Vertices: (n, 2) float64.")
         .def_property_readonly("triangles", &Mesh::triangles,
                                "Rows of `points`, counter-clockwise: (m, 3) int32.")
         .def_property_readonly("phases", &Mesh::phases, "Of each triangle: (m,) uint32.")
-        .def_property_readonly("qualities", &qualities,
-                               "Of each triangle: (m,), from 0 to 1 for an equilateral one.")
         .def_property_readonly("areas", &areas, "The area of each phase that occurs: a dict.")
         .def("interface_curves", &curves_of,
              "The interface as curves, cut where more than two phases meet: a list of `Curve`.")
-        .def(
-            "outlines", &outlines_of, "phase"_a,
-            "Closed loops around a phase, counter-clockwise, clockwise around its holes: a list of "
-            "arrays (n, 2).")
         .def(
             "validate", [](const Mesh& mesh) { return validate(mesh.complex()).problem; },
             "What is wrong with the complex, '' if nothing is. Exact.")
@@ -248,12 +251,20 @@ C-contiguous and not writable; those of before a step stay as they were.
         .def("__copy__", [](const Mesh& mesh) { return std::make_shared<Mesh>(mesh); })
         .def("__deepcopy__",
              [](const Mesh& mesh, const py::dict&) { return std::make_shared<Mesh>(mesh); })
+        .def_property_readonly("revision", &Mesh::revision,
+                               "How often the mesh has been changed: equal while its triangles are "
+                               "the same.")
+        .def("_state", [](const Mesh& mesh) { return py::bytes(bytes_of(mesh.complex())); })
+        .def_static(
+            "_from_state",
+            [](const std::string& bytes) { return std::make_shared<Mesh>(complex_from(bytes)); },
+            "state"_a)
         .def("__repr__", &summary);
 
     add_data(type);
+    add_measures(module, type);
 
-    module.def("initial_complex", &make_mesh, "domain"_a, "shapes"_a = py::dict(), py::kw_only(),
-               "edge_length"_a, "curves"_a = py::none(), "growth"_a = 0.0, "longest"_a = 0.0, R"(
+    const std::string help = R"(
 The mesh that a simulation starts from.
 
 Parameters
@@ -263,20 +274,19 @@ domain : array_like (2, 2)
 shapes : dict
     For each phase a polygon (n, 2), or a list of polygons. The innermost polygon counts; outside of
     all the phase is 0.
-edge_length : float
-    The target, in units of the coordinates.
 curves : sequence of (points, left, right), optional
     In place of shapes: curves from junction to junction with the phases on both sides.
-growth : float
-    How much longer an edge may be than its neighbour towards the interface, above 1, up to 2; 0:
-    all edges have one length.
-longest : float
-    The longest edge where they grow; 0: as long as the domain.
+**options
+    The following ones.
 
+)" + option_help(Use::initial_complex) +
+                             R"(
 Returns
 -------
 Mesh
-)");
+)";
+    module.def("initial_complex", &make_mesh, "domain"_a, "shapes"_a = py::dict(), py::kw_only(),
+               "curves"_a = py::none(), help.c_str());
 }
 
 } // namespace dsc::python

@@ -32,16 +32,19 @@ public:
     /// Of each triangle: (m,) of uint32, frozen.
     [[nodiscard]] py::array phases() { return arrays().phases; }
 
-    /// Marks the mesh as busy for the time of a step, and drops the arrays.
-    class Step {
+    /// How often the mesh has been changed: two equal numbers, the same triangles.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+    /// Marks the mesh as busy for the time of a change, and drops the arrays.
+    class Change {
     public:
-        /// Throws std::runtime_error if another step runs.
-        explicit Step(Mesh& mesh);
-        ~Step() { mesh_.is_busy_ = false; }
-        Step(const Step&) = delete;
-        Step& operator=(const Step&) = delete;
-        Step(Step&&) = delete;
-        Step& operator=(Step&&) = delete;
+        /// Throws std::runtime_error if another one is under way.
+        explicit Change(Mesh& mesh);
+        ~Change() { mesh_.is_busy_ = false; }
+        Change(const Change&) = delete;
+        Change& operator=(const Change&) = delete;
+        Change(Change&&) = delete;
+        Change& operator=(Change&&) = delete;
 
     private:
         Mesh& mesh_;
@@ -57,6 +60,7 @@ private:
 
     Complex<double> complex_;
     std::optional<Arrays> arrays_;
+    std::uint64_t revision_ = 0;
     bool is_busy_ = false;
 };
 

@@ -8,6 +8,16 @@ PYBIND11_MODULE(_dsc, module) {
     namespace py = pybind11;
     py::register_exception<dsc::InputError>(module, "InputError", PyExc_ValueError);
     py::register_exception<dsc::FileError>(module, "FileError", PyExc_OSError);
+    // Bytes that a changed byte makes unreadable.
+    const dsc::SealedKind kind{"dsc-py"};
+    module.def("_sealed",
+               [kind](const std::string& bytes) { return py::bytes(dsc::sealed(kind, bytes)); });
+    module.def("_unsealed", [kind](const std::string& bytes, const std::string& name) {
+        return py::bytes(dsc::unsealed(bytes, kind, name));
+    });
+    module.def("_write_sealed", [kind](const std::string& path, const std::string& bytes) {
+        dsc::write_sealed(path, kind, bytes);
+    });
     dsc::python::add_mesh(module);
     dsc::python::add_flows(module);
     dsc::python::add_simulation(module);

@@ -18,6 +18,7 @@ struct Keyword {
     std::string meaning;
     std::function<void(Choices&, const py::handle&)> set;
     std::function<py::object(const Choices&)> value;
+    bool is_size = false; ///< `initial_complex` takes it, too
 };
 
 [[noreturn]] void refuse(const std::string& name, const py::handle& value,
@@ -65,10 +66,65 @@ Keyword choice(std::string name, std::string meaning, const EnumTable<Enum, n>& 
             }};
 }
 
+Keyword size(Keyword keyword) {
+    keyword.is_size = true;
+    return keyword;
+}
+
+/// A function of Python that returns a number, called by whichever thread needs it.
+struct NumberFunction {
+    Shared<py::function> function;
+
+    double operator()(const Point<double>& p, double time, Phase phase) const {
+        return call(p.x(), p.y(), time, phase);
+    }
+    double operator()(const Point<double>& p, double time) const {
+        return call(p.x(), p.y(), time);
+    }
+    double operator()(double distance) const { return call(distance); }
+
+private:
+    template <class... Arguments>
+    [[nodiscard]] double call(Arguments... arguments) const {
+        const py::gil_scoped_acquire gil;
+        const py::object result = (*function)(arguments...);
+        try {
+            return result.cast<double>();
+        } catch (const py::cast_error&) {
+            refuse("what a size function returns", result, "a number");
+        }
+    }
+};
+
+template <class Field>
+Keyword function(std::string name, std::string meaning, const char* form, Field field) {
+    return size({name, std::move(meaning) + ", as " + form,
+                 [=](Choices& choices, const py::handle& value) {
+                     if (value.is_none()) {
+                         field(choices) = nullptr;
+                     } else if (PyCallable_Check(value.ptr()) != 0) {
+                         field(choices) =
+                             NumberFunction{share(py::reinterpret_borrow<py::function>(value))};
+                     } else {
+                         refuse(name, value, std::string("a function ") + form);
+                     }
+                 },
+                 [=](const Choices& choices) {
+                     const auto* set = field(choices).template target<NumberFunction>();
+                     return set == nullptr ? py::object(py::none()) : py::object(*set->function);
+                 }});
+}
+
+// None stands for a sequential simulation, which these do not concern.
 Keyword parallel(Keyword keyword) {
     keyword.set = [set = keyword.set](Choices& choices, const py::handle& value) {
-        set(choices, value);
-        choices.is_parallel = true;
+        if (!value.is_none()) {
+            set(choices, value);
+            choices.is_parallel = true;
+        }
+    };
+    keyword.value = [value = keyword.value](const Choices& choices) {
+        return choices.is_parallel ? value(choices) : py::object(py::none());
     };
     return keyword;
 }
@@ -98,15 +154,27 @@ Keyword division() {
 
 std::vector<Keyword> make_keywords() {
     return {
-        number(
+        size(number(
             "edge_length", "target length of edges, in units of the domain",
-            [](auto& c) -> auto& { return c.options.edge_length; }),
-        number(
-            "growth", "how much longer edges grow, from one to the next; 0: of one length",
-            [](auto& c) -> auto& { return c.options.sizes.growth; }),
-        number(
+            [](auto& c) -> auto& { return c.options.edge_length; })),
+        size(number(
+            "growth", "how much longer an edge may be than the next one, 1 to 2; 0: of one length",
+            [](auto& c) -> auto& { return c.options.sizes.growth; })),
+        size(number(
             "longest", "the longest edge where they grow; 0: as long as the domain",
-            [](auto& c) -> auto& { return c.options.sizes.longest; }),
+            [](auto& c) -> auto& { return c.options.sizes.longest; })),
+        function(
+            "by_place", "a target by place where edges grow", "f(x, y, time, phase)",
+            [](auto& c) -> auto& { return c.options.sizes.by_place; }),
+        function(
+            "by_distance", "a target by the distance to the interface", "f(distance)",
+            [](auto& c) -> auto& { return c.options.sizes.by_distance; }),
+        function(
+            "on_interface", "a target for the interface's own edges", "f(x, y, time)",
+            [](auto& c) -> auto& { return c.options.sizes.on_interface; }),
+        size(plain(
+            "changes_in_time", "whether these functions do", "True or False",
+            [](auto& c) -> auto& { return c.options.sizes.changes_in_time; })),
         choice(
             "integrator", "how targets are found from velocities", integrator_names,
             [](auto& c) -> auto& { return c.options.integrator; }),
@@ -156,8 +224,8 @@ std::vector<Keyword> make_keywords() {
             "gives_back_area", "whether area that changes hands is given back", "True or False",
             [](auto& c) -> auto& { return c.topology.gives_back_area; }),
         parallel(plain(
-            "threads", "1 to 1024; the result does not depend on them", "a whole number",
-            [](auto& c) -> auto& { return c.parallel.threads; })),
+            "threads", "None: sequential; 1 to 1024: in submeshes, to one result for any number",
+            "None or a whole number", [](auto& c) -> auto& { return c.parallel.threads; })),
         parallel(division()),
         parallel(plain(
             "submeshes", "0: the division's own choice", "a whole number",
@@ -170,19 +238,23 @@ const std::vector<Keyword>& keywords() {
     return list;
 }
 
+bool is_for(const Keyword& keyword, Use use) { return use == Use::simulation || keyword.is_size; }
+
 } // namespace
 
-void apply(Choices& choices, const py::dict& given) {
+void apply(Choices& choices, const py::dict& given, Use use) {
     for (const auto& [key, value] : given) {
         const auto name = key.cast<std::string>();
         const auto found = std::ranges::find(keywords(), name, &Keyword::name);
-        if (found == keywords().end()) {
+        if (found == keywords().end() || !is_for(*found, use)) {
             std::string names;
             for (const Keyword& one : keywords()) {
-                names += (names.empty() ? "" : ", ") + one.name;
+                if (is_for(one, use)) {
+                    names += (names.empty() ? "" : ", ") + one.name;
+                }
             }
             throw InputError({.what = "unknown option",
-                              .where = "Simulation",
+                              .where = use == Use::simulation ? "Simulation" : "initial_complex",
                               .value = "'" + name + "'",
                               .allowed = names});
         }
@@ -198,12 +270,14 @@ py::dict values_of(const Choices& choices) {
     return values;
 }
 
-std::string option_help() {
+std::string option_help(Use use) {
     std::string text;
     const Choices defaults;
     for (const Keyword& one : keywords()) {
-        text +=
-            one.name + " : default " + shown(one.value(defaults)) + "\n    " + one.meaning + "\n";
+        if (is_for(one, use)) {
+            text += one.name + " : default " + shown(one.value(defaults)) + "\n    " + one.meaning +
+                    "\n";
+        }
     }
     return text;
 }

@@ -22,13 +22,19 @@ struct Choices {
     bool is_parallel = false; ///< `threads`, `division` or `submeshes` was given
 };
 
+/// What keywords are given to.
+enum class Use : std::uint8_t {
+    simulation,      ///< all
+    initial_complex, ///< the sizes of edges
+};
+
 /// Sets what the keywords name. Throws InputError for an unknown one or a value of another type.
-void apply(Choices& choices, const py::dict& keywords);
+void apply(Choices& choices, const py::dict& keywords, Use use = Use::simulation);
 
 /// All values, by name.
 [[nodiscard]] py::dict values_of(const Choices& choices);
 
 /// A line for each option: name, default, what it is.
-[[nodiscard]] std::string option_help();
+[[nodiscard]] std::string option_help(Use use = Use::simulation);
 
 } // namespace dsc::python

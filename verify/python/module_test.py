@@ -10,23 +10,7 @@ import unittest
 
 import dsc
 import numpy as np
-
-H = 0.02
-
-
-def disc(centre=(0.5, 0.75), radius=0.15, points=48):
-    angles = np.linspace(0, 2 * np.pi, points, endpoint=False)
-    return np.c_[centre[0] + radius * np.cos(angles), centre[1] + radius * np.sin(angles)]
-
-
-def disc_mesh():
-    return dsc.initial_complex(((0, 0), (1, 1)), {1: disc()}, edge_length=H)
-
-
-def swirl(x, t):
-    X, Y = np.pi * x.T
-    return np.c_[np.sin(X)**2 * np.sin(2 * Y), -np.sin(Y)**2 * np.sin(2 * X)]
-
+from meshes import H, disc, disc_mesh, swirl
 
 class Steps(unittest.TestCase):
     def test_threads_give_the_same_bits(self):
@@ -210,8 +194,10 @@ class Refused(unittest.TestCase):
                 dsc.initial_complex(((0, 0), (1, 1)), shapes, edge_length=H)
         with self.assertRaisesRegex(dsc.InputError, "not a rectangle"):
             dsc.initial_complex(((0, 0),), edge_length=H)
-        with self.assertRaises(TypeError):
+        with self.assertRaisesRegex(dsc.InputError, "edge_length: value out of range: got 0"):
             dsc.initial_complex(((0, 0), (1, 1)))
+        with self.assertRaisesRegex(dsc.InputError, "unknown option: got 'gap'; allowed: edge_length, "):
+            dsc.initial_complex(((0, 0), (1, 1)), edge_length=H, gap=1)
 
     def test_a_velocity_that_is_no_number_holds_its_vertices(self):
         report = dsc.Simulation(self.mesh, edge_length=H).step(lambda x, t: x * np.nan, 0, H)

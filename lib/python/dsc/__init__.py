@@ -10,44 +10,19 @@
 >>> round(mesh.areas[1], 12)
 0.16
 """
-from . import scenes
-from ._dsc import (Curve, Event, FileError, Flow, InputError, Mesh, Report, Simulation,
-                   curvature_flow, initial_complex)
+from . import interplay, scenes
+from ._dsc import (Curve, Event, FileError, Flow, InputError, Interface, Mesh, Report, Simulation, area,
+                   curvature_flow, growth, hausdorff, initial_complex, interface_flow, perimeter,
+                   radial, rotation, shapes, swirl, symmetric_difference, translation, vortex)
 from .data import Data
 from .drawing import animate, plot
+from .runs import run
+from .state import load, save
 
-__all__ = ["Curve", "Data", "Event", "FileError", "Flow", "InputError", "Mesh", "Report", "Simulation",
-           "animate", "curvature_flow", "initial_complex", "plot", "run", "scenes"]
+__all__ = ["Curve", "Data", "Event", "FileError", "Flow", "InputError", "Interface", "Mesh", "Report",
+           "Simulation", "animate", "area", "curvature_flow", "growth", "hausdorff",
+           "initial_complex", "interface_flow", "load", "perimeter", "plot", "radial", "rotation",
+           "run", "save", "scenes", "shapes", "swirl", "symmetric_difference", "translation", "vortex"]
 
 Mesh.vertex_data = property(lambda mesh: Data(mesh, "vertex"), doc="Of vertices: a `Data`.")
 Mesh.triangle_data = property(lambda mesh: Data(mesh, "triangle"), doc="Of triangles: a `Data`.")
-
-
-def run(sim, flow, dt, steps, *, time=None, after=None):
-    """Makes several steps.
-
-    Parameters
-    ----------
-    sim : Simulation
-    flow : callable or Flow
-        As for `Simulation.step`.
-    dt : float
-        Of each step.
-    steps : int
-    time : float, optional
-        Where to begin; by default where the last step ended.
-    after : callable, optional
-        Called as `after(sim, report)` after each step; the run ends where it returns False.
-
-    Returns
-    -------
-    list of Report
-    """
-    begin = sim.time if time is None else time
-    reports = []
-    for k in range(steps):
-        report = sim.step(flow, begin + k * dt, dt)
-        reports.append(report)
-        if report.gave_up or (after is not None and after(sim, report) is False):
-            break
-    return reports

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""A mesh in the forms of other packages, which are imported where they are asked for."""
+from . import _dsc
+
+
+def _encloses(loop, point):
+    """Whether the point lies inside the loop: an odd number of its edges lie to the right."""
+    import numpy as np
+
+    a, b = loop, np.roll(loop, -1, axis=0)
+    straddles = (a[:, 1] > point[1]) != (b[:, 1] > point[1])
+    a, b = a[straddles], b[straddles]
+    x = a[:, 0] + (point[1] - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 0] - a[:, 0])
+    return (x > point[0]).sum() % 2 == 1
+
+
+def polygons(mesh, phase):
+    """The regions of a phase.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    phase : int
+
+    Returns
+    -------
+    list of lists of (n, 2) arrays
+        For each region the outline and then its holes.
+    """
+    loops = mesh.outlines(phase)
+    outer = [[loop] for loop in loops if _dsc.area(loop) > 0]
+    for hole in (loop for loop in loops if _dsc.area(loop) < 0):
+        middle = (hole[0] + hole[1]) / 2  # of an edge: a vertex may be one of the outline as well
+        around = [one for one in outer if _encloses(one[0], middle)]
+        min(around, key=lambda one: _dsc.area(one[0])).append(hole)
+    return outer
+
+
+def to_geojson(mesh):
+    """A FeatureCollection (RFC 7946) with a MultiPolygon for each phase, as dictionaries and lists."""
+    import numpy as np
+
+    def feature(phase):
+        rings = [[np.vstack((loop, loop[:1])).tolist() for loop in region]
+                 for region in polygons(mesh, phase)]
+        return {"type": "Feature", "properties": {"phase": phase, "area": mesh.areas[phase]},
+                "geometry": {"type": "MultiPolygon", "coordinates": rings}}
+
+    return {"type": "FeatureCollection", "features": [feature(phase) for phase in mesh.areas]}
+
+
+def to_shapely(mesh, phase):
+    """The regions of a phase as a `shapely.MultiPolygon`."""
+    from shapely.geometry import MultiPolygon
+
+    return MultiPolygon([(region[0], region[1:]) for region in polygons(mesh, phase)])
+
+
+def to_meshio(mesh):
+    """A `meshio.Mesh` with the phases and all data."""
+    import meshio
+
+    cells = {"phase": mesh.phases, **mesh.triangle_data}
+    return meshio.Mesh(mesh.points, [("triangle", mesh.triangles)], point_data=dict(mesh.vertex_data),
+                       cell_data={name: [values] for name, values in cells.items()})
+
+
+def to_triangulation(mesh):
+    """A `matplotlib.tri.Triangulation`."""
+    from matplotlib.tri import Triangulation
+
+    return Triangulation(*mesh.points.T, mesh.triangles)
+
+
+for _function in (polygons, to_geojson, to_meshio, to_shapely, to_triangulation):
+    setattr(_dsc.Mesh, _function.__name__, _function)

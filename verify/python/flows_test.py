@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""Flows in Python that see the interface, and the library's own by name."""
+import threading
+import unittest
+
+import dsc
+import numpy as np
+from meshes import DOMAIN, H, disc, disc_mesh, swirl
+
+
+def grown(flow, steps=10, **options):
+    mesh = disc_mesh(centre=(0.5, 0.5))
+    sim = dsc.Simulation(mesh, flow, edge_length=H, **options)
+    dsc.run(sim, flow, H, steps)
+    return mesh
+
+
+class OfTheLibrary(unittest.TestCase):
+    def test_the_swirl_has_the_bits_of_the_scene(self):
+        for threads in (None, 1, 2, 3):
+            options = {} if threads is None else {"threads": threads}
+            scene = dsc.scenes.run("swirl", h=H, dt=H, steps=6, **options)
+            mesh = dsc.initial_complex(DOMAIN, {1: dsc.shapes.circle((0.5, 0.75), 0.15, H)},
+                                       edge_length=H)
+            sim = dsc.Simulation(mesh, edge_length=H, **options)
+            dsc.run(sim, dsc.swirl(), H, 6)
+            dsc.run(sim, -dsc.swirl(), H, 6)
+            self.assertEqual(f"{mesh.mesh_hash:016x}", scene["mesh_hash"])
+
+    def test_fields_are_what_they_say(self):
+        centre = np.array((0.3, 0.4))
+        for flow, velocity in (
+                (dsc.swirl(), swirl),
+                (dsc.swirl(2, 3), lambda x, t: 2 * np.cos(np.pi * t / 3) * swirl(x, t)),
+                (-dsc.translation((1, 2)), lambda x, t: 0 * x - (1, 2)),
+                (dsc.rotation(centre, 2), lambda x, t: 2 * (x - centre)[:, ::-1] * (-1, 1)),
+                (dsc.vortex(centre, 2), lambda x, t: 2 * ((x - centre)[:, ::-1] * (-1, 1)
+                                                          / np.hypot(*(x - centre).T)[:, None])),
+                (dsc.radial(centre, 2), lambda x, t: 2 * ((x - centre)
+                                                          / np.hypot(*(x - centre).T)[:, None]))):
+            ends = []
+            for one in (flow, velocity):
+                mesh = disc_mesh()
+                dsc.Simulation(mesh, edge_length=H).step(one, 0.1, H / 4)
+                ends.append(mesh.outlines(1)[0])
+            self.assertEqual(ends[0].shape, ends[1].shape, flow)
+            self.assertLess(np.abs(ends[0] - ends[1]).max(), 1e-12, flow)
+
+    def test_growth_opens_corners_into_arcs(self):
+        square = np.array([(0.4, 0.4), (0.6, 0.4), (0.6, 0.6), (0.4, 0.6)])
+        for options in ({}, {"threads": 2}):
+            mesh = dsc.initial_complex(DOMAIN, {1: square}, edge_length=H)
+            flow = dsc.growth({(1, 0): 1})
+            sim = dsc.Simulation(mesh, flow, edge_length=H, **options)
+            dsc.run(sim, flow, H / 2, 10)
+            self.assertAlmostEqual(dsc.area(mesh.outlines(1, samples=16)),
+                                   0.04 + 0.8 * 0.1 + np.pi * 0.1**2, delta=2e-5)
+
+    def test_growth_without_its_simulation_is_refused(self):
+        sim = dsc.Simulation(disc_mesh(), edge_length=H)
+        with self.assertRaisesRegex(dsc.InputError, "growth_algorithm"):
+            sim.step(dsc.growth({(1, 0): 1}), 0, H)
+
+    def test_what_has_no_opposite_is_refused(self):
+        with self.assertRaisesRegex(dsc.InputError, "without an opposite: got curvature_flow"):
+            -dsc.curvature_flow()
+
+
+class ThatSeeTheInterface(unittest.TestCase):
+    def test_a_disc_grows_along_its_normals_whatever_the_threads(self):
+        flow = dsc.interface_flow(lambda interface, t: 0.5 * interface.normals)
+        hashes = {grown(flow, threads=threads).mesh_hash for threads in (1, 2, 3)}
+        self.assertEqual(len(hashes), 1)
+        mesh = grown(flow)
+        distances = np.hypot(*(mesh.outlines(1)[0] - 0.5).T)
+        self.assertLess(np.abs(distances - 0.25).max(), 1e-4)
+
+    def test_a_velocity_of_places_alone_goes_the_same_way(self):
+        ends = []
+        for flow in (swirl, dsc.interface_flow(lambda one, t: swirl(one.positions, t))):
+            mesh = disc_mesh()
+            dsc.Simulation(mesh, edge_length=H).step(flow, 0, H)
+            ends.append(mesh.outlines(1)[0])
+        self.assertLess(np.abs(ends[0] - ends[1]).max(), 1e-12)
+
+    def test_curvature_is_that_of_the_circle(self):
+        seen = []
+
+        def shrink(interface, t):
+            seen.append(interface)
+            return -interface.curvatures[:, None] * interface.normals
+
+        dt = 2e-5
+        mesh = disc_mesh()
+        dsc.run(dsc.Simulation(mesh, edge_length=H), dsc.interface_flow(shrink), dt, 50)
+        radius = np.sqrt(0.15**2 - 2 * 50 * dt)
+        distances = np.hypot(*(mesh.outlines(1)[0] - (0.5, 0.75)).T)
+        self.assertLess(np.abs(distances - radius).max(), 2e-5)
+        self.assertEqual(len(seen), 50 * 4)  # rk4: once in each stage
+
+        one = seen[0]  # its arrays may be kept
+        every = np.arange(len(one))
+        self.assertTrue(np.array_equal(one.previous[one.next], every))
+        self.assertLess(np.abs(one.curvatures - 1 / 0.15).max(), 1e-2)
+        self.assertAlmostEqual(one.lengths.sum(), 2 * np.pi * 0.15, delta=1e-2)
+        self.assertEqual(set(one.left), {1})
+        self.assertEqual(set(one.right), {0})
+        for flags in (one.is_junction, one.is_corner, one.is_on_boundary, one.is_locked):
+            self.assertFalse(flags.any())
+
+    def test_arms_leave_junctions(self):
+        seen = []
+        middle, ends = (0.5, 0.5), ((0, 0.5), (1, 0.5), (0.5, 1))
+        mesh = dsc.initial_complex(DOMAIN, edge_length=0.05, curves=[
+            ([middle, ends[0]], 0, 2), ([middle, ends[1]], 1, 0), ([middle, ends[2]], 2, 1)])
+        flow = dsc.interface_flow(lambda one, t: seen.append(one) or 0 * one.positions)
+        self.assertEqual(dsc.Simulation(mesh, edge_length=0.05).step(flow, 0, 0.1).unreached, 0)
+        one = seen[0]
+        at = np.flatnonzero((one.positions == middle).all(axis=1))
+        self.assertEqual(len(at), 1)
+        self.assertTrue(one.is_junction[at[0]])
+        self.assertEqual((one.next[at[0]], one.left[at[0]]), (-1, -1))
+        arms = one.arms[one.arms[:, 0] == at[0]]
+        self.assertEqual({tuple(row) for row in arms[:, 2:]}, {(0, 2), (1, 0), (2, 1)})
+        self.assertTrue((np.hypot(*(one.positions[arms[:, 1]] - middle).T) < 0.06).all())
+        self.assertTrue(one.is_on_boundary.any())
+
+    def test_it_is_called_by_the_thread_that_steps(self):
+        threads = set()
+
+        def flow(interface, t):
+            threads.add(threading.get_ident())
+            return interface.normals
+
+        grown(dsc.interface_flow(flow), threads=2, steps=2)
+        self.assertEqual(threads, {threading.get_ident()})
+
+    def test_what_it_must_not_do_is_refused(self):
+        sim = dsc.Simulation(disc_mesh(), edge_length=H)
+        for function, error, sentence in (
+                (lambda one, t: one.normals[1:], dsc.InputError, "what the flow returns"),
+                (lambda one, t: 1 / 0, ZeroDivisionError, "by zero"),
+                (lambda one, t: sim.step(swirl, 0, H), RuntimeError, "a step of this mesh runs")):
+            with self.assertRaisesRegex(error, sentence):
+                sim.step(dsc.interface_flow(function), 0, H)
+        self.assertEqual(sim.mesh.validate(), "")
+        with self.assertRaisesRegex(dsc.InputError, "integrator.*adaptive"):
+            sim = dsc.Simulation(disc_mesh(), edge_length=H, integrator="adaptive")
+            sim.step(dsc.interface_flow(lambda one, t: one.normals), 0, H)
+
+    def test_a_vertex_without_a_number_is_held(self):
+        def flow(interface, t):
+            velocities = interface.normals.copy()
+            velocities[0] = np.nan
+            return velocities
+
+        sim = dsc.Simulation(disc_mesh(), edge_length=H)
+        self.assertEqual(sim.step(dsc.interface_flow(flow), 0, H / 4).held, 1)
+
+
+class Runs(unittest.TestCase):
+    def test_progress_and_a_word_after_each_step(self):
+        said = []
+        sim = dsc.Simulation(disc_mesh(), edge_length=H)
+        reports = dsc.run(sim, dsc.swirl(), H, 10, progress=said.append,
+                          after=lambda sim, report: sim.time < 2.5 * H)
+        self.assertEqual(len(reports), 3)
+        self.assertAlmostEqual(sim.time, 3 * H)
+        self.assertRegex(said[-1], r"^step 3 of 10, t = 0\.06, \d+ interface vertices, 0 unreached$")
+
+
+if __name__ == "__main__":
+    unittest.main()

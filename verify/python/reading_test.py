@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""Measures, outlines, and other packages' forms of a mesh."""
+import importlib.util
+import json
+import unittest
+
+import dsc
+import numpy as np
+from meshes import DOMAIN, H, disc, disc_mesh, swirl
+
+
+def two_discs():
+    """A ring of phase 1 around a disc of phase 2, and a second disc of phase 1."""
+    return dsc.initial_complex(DOMAIN, {1: [disc((0.3, 0.5), 0.2), disc((0.8, 0.5), 0.1)],
+                                        2: disc((0.3, 0.5), 0.1)}, edge_length=H)
+
+
+class Measures(unittest.TestCase):
+    def test_figures_of_phases(self):
+        mesh = two_discs()
+        phases, lengths = mesh.figures["phases"], mesh.figures["lengths"]
+        self.assertEqual({phase: one["components"] for phase, one in phases.items()}, {0: 1, 1: 2, 2: 1})
+        self.assertEqual({phase: one["holes"] for phase, one in phases.items()}, {0: 2, 1: 1, 2: 0})
+        self.assertAlmostEqual(phases[0]["wall"], 4)
+        self.assertEqual(set(lengths), {(0, 1), (1, 2)})
+        self.assertAlmostEqual(lengths[1, 2], dsc.perimeter(mesh.outlines(2)))
+        for phase, area in mesh.areas.items():
+            self.assertAlmostEqual(phases[phase]["area"], area)
+            self.assertAlmostEqual(dsc.area(mesh.outlines(phase)), area)
+        parts = mesh.component_of
+        self.assertEqual(len(parts), len(mesh.triangles))
+        self.assertEqual(len(np.unique(np.c_[parts, mesh.phases], axis=0)), 4)
+
+    def test_distances_between_shapes(self):
+        square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        beside = [(0.5, 0), (1.5, 0), (1.5, 1), (0.5, 1)]
+        self.assertEqual(dsc.symmetric_difference(square, beside), 1)
+        self.assertEqual(dsc.symmetric_difference([np.array(square)], [beside, beside]), 1)
+        self.assertEqual(dsc.symmetric_difference([square], [beside, beside], rule="nonzero"), 1)
+        self.assertEqual(dsc.hausdorff(square, beside), 0.5)
+        self.assertEqual(dsc.area(square), 1)
+        self.assertEqual(dsc.area(square[::-1]), -1)
+        self.assertEqual(dsc.perimeter([square, beside]), 8)
+        mesh = disc_mesh()
+        exact = dsc.shapes.circle((0.5, 0.75), 0.15, 1e-4)
+        rough = dsc.symmetric_difference(mesh.outlines(1), exact)
+        self.assertLess(dsc.symmetric_difference(mesh.outlines(1, samples=16), exact), rough / 50)
+        for wrong in (square[:2], [(0, 0), (1, np.nan), (1, 1)], 3):
+            with self.assertRaisesRegex(dsc.InputError, "second"):
+                dsc.symmetric_difference(square, wrong)
+        with self.assertRaisesRegex(dsc.InputError, "rule: bad value: got 'odd'"):
+            dsc.symmetric_difference(square, square, rule="odd")
+
+    def test_histograms_are_those_of_numpy(self):
+        mesh = two_discs()
+        for of, values in (("quality", mesh.qualities), ("angle", mesh.min_angles)):
+            high = {"quality": 1, "angle": 60}[of]
+            counts, edges = mesh.histogram(of, bins=20)
+            expected = np.histogram(values, bins=20, range=(0, high))
+            self.assertTrue(np.allclose(edges, expected[1]))
+            self.assertLessEqual(np.abs(counts.astype(int) - expected[0]).sum(), 4)  # rounded edges
+            self.assertEqual(mesh.histogram(of, phase=2)[0].sum(), (mesh.phases == 2).sum())
+        with self.assertRaisesRegex(dsc.InputError, "of: bad value: got 'length'"):
+            mesh.histogram("length")
+
+    def test_shapes(self):
+        square = dsc.shapes.polygon([(0, 0), (1, 0), (1, 1), (0, 1)], 0.25)
+        self.assertEqual(len(square), 16)
+        self.assertEqual(len(dsc.shapes.star((0, 0), 1, 0.5, 5, 10)), 10)
+        slotted = dsc.shapes.slotted_disc((0.5, 0.75), 0.15, 0.05, 0.25, 0.001)
+        self.assertAlmostEqual(dsc.area(slotted), 0.0582, places=4)
+        with self.assertRaises(dsc.InputError):
+            dsc.shapes.circle((0, 0), -1, 0.1)
+
+
+class Sizes(unittest.TestCase):
+    def test_are_functions_or_numbers(self):
+        uniform = disc_mesh()
+        for options in ({"growth": 1.3}, {"growth": 1.3, "by_distance": lambda d: H + 0.1 * d},
+                        {"growth": 1.3, "by_place": lambda x, y, t, phase: 0.03 if phase else 0.1},
+                        {"growth": 1.3, "on_interface": lambda x, y, t: 2 * H}):
+            mesh = dsc.initial_complex(DOMAIN, {1: disc()}, edge_length=H, **options)
+            self.assertLess(len(mesh.triangles), len(uniform.triangles) / 2)
+            sims = [dsc.Simulation(one, edge_length=H, threads=2, **options)
+                    for one in (mesh, mesh.copy())]
+            for sim in sims:
+                self.assertEqual(sim.step(swirl, 0, H).unreached, 0)
+                self.assertEqual(sim.options["by_place"], options.get("by_place"))
+            self.assertEqual(sims[0].mesh.mesh_hash, sims[1].mesh.mesh_hash)
+
+    def test_refused(self):
+        for options, error, sentence in (
+                ({"by_place": 3}, dsc.InputError, r"by_place: bad value: got 3; allowed: a function f\("),
+                ({"by_place": lambda x, y, t, p: "long"}, dsc.InputError, "size function returns.*got 'long'"),
+                ({"by_distance": lambda d: 1 / 0}, ZeroDivisionError, "by zero"),
+                ({"by_distance": lambda: 1}, TypeError, "positional argument")):
+            with self.assertRaisesRegex(error, sentence):
+                dsc.initial_complex(DOMAIN, {1: disc()}, edge_length=H, growth=1.3, **options)
+        with self.assertRaisesRegex(dsc.InputError, "growth"):
+            dsc.initial_complex(DOMAIN, {1: disc()}, edge_length=H, by_distance=lambda d: 1)
+
+
+class Interplay(unittest.TestCase):
+    def test_geojson_has_polygons_with_holes(self):
+        mesh = two_discs()
+        made = json.loads(json.dumps(mesh.to_geojson()))
+        self.assertEqual(made["type"], "FeatureCollection")
+        by_phase = {one["properties"]["phase"]: one["geometry"]["coordinates"] for one in made["features"]}
+        self.assertEqual({phase: sorted(len(polygon) for polygon in polygons)
+                          for phase, polygons in by_phase.items()}, {0: [3], 1: [1, 2], 2: [1]})
+        for polygons in by_phase.values():
+            for ring in (ring for polygon in polygons for ring in polygon):
+                self.assertEqual(ring[0], ring[-1])
+
+    def test_triangulation(self):
+        mesh = disc_mesh()
+        triangulation = mesh.to_triangulation()
+        self.assertEqual(triangulation.triangles.shape, mesh.triangles.shape)
+
+    @unittest.skipUnless(importlib.util.find_spec("meshio"), "meshio is not installed")
+    def test_meshio(self):
+        mesh = disc_mesh()
+        mesh.vertex_data["x"] = mesh.points[:, 0]
+        made = mesh.to_meshio()
+        self.assertEqual(made.cells_dict["triangle"].shape, mesh.triangles.shape)
+        self.assertTrue(np.array_equal(made.point_data["x"], mesh.points[:, 0]))
+        self.assertTrue(np.array_equal(made.cell_data_dict["phase"]["triangle"], mesh.phases))
+
+    @unittest.skipUnless(importlib.util.find_spec("shapely"), "shapely is not installed")
+    def test_shapely(self):
+        mesh = two_discs()
+        for phase, area in mesh.areas.items():
+            made = mesh.to_shapely(phase)
+            self.assertTrue(made.is_valid)
+            self.assertAlmostEqual(made.area, area)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""Copies, pickles and checkpoints; and what is known after an exception."""
+import copy
+import pathlib
+import pickle
+import tempfile
+import unittest
+
+import dsc
+import numpy as np
+from meshes import DOMAIN, H, disc, disc_mesh, swirl
+
+
+def by_place(x, y, time, phase):
+    return H + 0.2 * abs(x - 0.5)
+
+
+# How a simulation is made: the flow, and its options.
+KINDS = {
+    "sequential": (None, {}),
+    "threads": (None, {"threads": 2}),
+    "topology": (None, {"topology": "change"}),
+    "graded": (None, {"growth": 1.3, "by_place": by_place}),
+    "growing": (dsc.growth({(1, 0): 0.3}), {"threads": 2}),
+}
+
+
+def begun(kind):
+    flow, options = KINDS[kind]
+    mesh = disc_mesh()
+    mesh.vertex_data["x"] = mesh.points[:, 0]
+    sim = dsc.Simulation(mesh, flow, edge_length=H, **options)
+    mesh.triangle_data["place"] = np.zeros((len(mesh.triangles), 2))
+    dsc.run(sim, flow or swirl, H, 5)
+    return sim
+
+
+class ASimulation(unittest.TestCase):
+    def test_goes_on_to_the_same_bits(self):
+        for kind, (flow, _) in KINDS.items():
+            for again in (copy.copy, copy.deepcopy, lambda sim: pickle.loads(pickle.dumps(sim))):
+                sim = begun(kind)
+                other = again(sim)
+                self.assertEqual(other.time, sim.time)
+                self.assertEqual(other.options, sim.options)
+                self.assertIsNot(other.mesh, sim.mesh)
+                for one in (sim, other):
+                    dsc.run(one, flow or swirl, H, 5)
+                self.assertEqual(sim.mesh.mesh_hash, other.mesh.mesh_hash, kind)
+                for data in ("vertex_data", "triangle_data"):
+                    self.assertEqual(sorted(getattr(sim.mesh, data)), sorted(getattr(other.mesh, data)))
+                    for name, values in getattr(sim.mesh, data).items():
+                        self.assertTrue(np.array_equal(values, getattr(other.mesh, data)[name]))
+
+    def test_is_written_and_read_with_its_mesh(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "run.dsc"
+            sim = begun("sequential")
+            dsc.save(path, (sim, sim.mesh, "a note"))
+            other, mesh, note = dsc.load(path)
+            self.assertIs(other.mesh, mesh)
+            self.assertEqual(note, "a note")
+            whole = path.read_bytes()
+            for changed, sentence in ((whole[:20], "is too short"), (whole[:-1], "is incomplete"),
+                                      (b"x" + whole[1:], "is no file of kind"),
+                                      (whole[:-9] + b"x" + whole[-8:], "is damaged")):
+                path.write_bytes(changed)
+                with self.assertRaisesRegex(dsc.FileError, f"run.dsc: {sentence}"):
+                    dsc.load(path)
+            with self.assertRaises(OSError):
+                dsc.load(path.with_name("nowhere"))
+            with self.assertRaises(OSError):
+                dsc.save("/no/such/folder/run", sim)
+
+    def test_a_pickle_with_a_changed_byte_is_never_another_mesh(self):
+        mesh = dsc.initial_complex(DOMAIN, {1: disc()}, edge_length=0.1)
+        mesh.vertex_data["x"] = mesh.points[:, 0]
+        whole = pickle.dumps(mesh)
+        random = np.random.default_rng(1)
+        refused = 0
+        for at in random.choice(len(whole), 500, replace=False):
+            changed = bytearray(whole)
+            changed[at] ^= 1 << random.integers(8)
+            try:
+                other = pickle.loads(changed)
+            except Exception:  # pickle's own, where its frame has changed
+                refused += 1
+                continue
+            self.assertEqual(other.mesh_hash, mesh.mesh_hash)
+            self.assertTrue(np.array_equal(other.vertex_data["x"], mesh.vertex_data["x"]))
+        self.assertGreater(refused, 490)
+
+    def test_what_a_step_was_before_does_not_matter(self):
+        mesh = disc_mesh()
+        for options in ({"topology": "change"}, {"growth": 1.2}, {}):
+            sim = dsc.Simulation(mesh, edge_length=H, **options)
+            sim.step(swirl, 0, H)
+            other = copy.copy(sim)
+            del sim
+            self.assertEqual(other.mesh.mesh_hash, mesh.mesh_hash)
+
+
+class AMesh(unittest.TestCase):
+    def test_is_made_of_its_arrays(self):
+        mesh = disc_mesh()
+        other = dsc.Mesh(mesh.points, mesh.triangles, mesh.phases)
+        self.assertEqual(other.mesh_hash, mesh.mesh_hash)
+        for arguments, sentence in (((mesh.points, mesh.triangles, mesh.phases[1:]), "do not fit"),
+                                    ((mesh.points, mesh.triangles[:, :2], mesh.phases), "do not fit"),
+                                    ((mesh.points, mesh.triangles - 1, mesh.phases), "triangles: not an"),
+                                    ((mesh.points, mesh.triangles + 1, mesh.phases), ""),
+                                    ((mesh.points, mesh.triangles * 1.0, mesh.phases), "triangles: not an"),
+                                    ((mesh.points * np.nan, mesh.triangles, mesh.phases), "finite")):
+            with self.assertRaisesRegex(dsc.InputError, sentence):
+                dsc.Mesh(*arguments)
+
+    def test_says_whether_it_has_changed(self):
+        mesh = disc_mesh()
+        sim = dsc.Simulation(mesh, edge_length=H)
+        before = mesh.revision
+        self.assertEqual(len(mesh.points), len(mesh.vertex_data.setdefault("x", mesh.points[:, 0])))
+        self.assertEqual(mesh.revision, before)
+        sim.step(swirl, 0, H)
+        self.assertGreater(mesh.revision, before)
+
+
+class AfterAnException(unittest.TestCase):
+    def test_the_simulation_knows_how_far_it_came(self):
+        for threads in (1, 2):
+            def function(x, t):
+                if t > 2.5 * H:
+                    raise ValueError("enough")
+                return swirl(x, t)
+
+            sim = dsc.Simulation(disc_mesh(), edge_length=H, threads=threads)
+            sim.step(swirl, -H, H)  # from its speed the first sub-step of the next is found
+            with self.assertRaisesRegex(ValueError, "enough"):
+                sim.step(function, 0, 10 * H)
+            self.assertEqual(sim.mesh.validate(), "")
+            self.assertGreater(sim.report.sub_steps, 2)
+            self.assertEqual(sim.report.reached, sim.time)
+            self.assertTrue(0 < sim.time <= 2.5 * H)
+            other = dsc.Simulation(disc_mesh(), edge_length=H)
+            dsc.run(other, swirl, 11 * H, 1, time=-H)
+            sim.step(swirl, sim.time, 10 * H - sim.time)  # goes on
+            self.assertEqual(sim.report.unreached, 0)
+            difference = dsc.symmetric_difference(sim.mesh.outlines(1), other.mesh.outlines(1))
+            self.assertLess(difference, 1e-3)
+
+
+if __name__ == "__main__":
+    unittest.main()
