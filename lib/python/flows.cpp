@@ -130,8 +130,19 @@ InterfaceMotion<double> motion_of(const SeeingFunction& seeing, Integrator integ
 
 namespace {
 
-OwnFlow field(std::string name, py::tuple given, Velocity<double> velocity) {
-    return {std::move(name), std::move(given), std::move(velocity)};
+// A function of Python that makes a flow by place and time.
+template <class... Given, class Make>
+auto field_maker(const char* name, Make make) {
+    return [=](const Given&... given) {
+        return OwnFlow{name, py::make_tuple(given...), Velocity<double>(make(given...))};
+    };
+}
+
+template <class Field>
+auto field_about_a_centre(const char* name) {
+    return field_maker<py::object, double>(name, [](const py::object& centre, double speed) {
+        return Field{point_from(centre, "centre"), speed};
+    });
 }
 
 std::vector<KeptArea> areas_from(const py::object& keep) {
@@ -170,7 +181,7 @@ OwnFlow reversed(const OwnFlow& flow) {
                           .value = flow.name,
                           .allowed = "a flow by place and time"});
     }
-    return field("_reversed", py::make_tuple(flow), scenes::reversed(*velocity));
+    return {"_reversed", py::make_tuple(flow), Velocity<double>(scenes::reversed(*velocity))};
 }
 
 } // namespace
@@ -248,13 +259,12 @@ Examples
 >>> sim.step(grow, 0, 0.1).unreached
 0
 )");
-    module.def(
-        "swirl",
-        [](double amplitude, double period) {
-            return field("swirl", py::make_tuple(amplitude, period),
-                         scenes::Swirl{amplitude, period});
-        },
-        "amplitude"_a = 1.0, "period"_a = 0.0, R"(
+    module.def("swirl",
+               field_maker<double, double>("swirl",
+                                           [](double amplitude, double period) {
+                                               return scenes::Swirl{amplitude, period};
+                                           }),
+               "amplitude"_a = 1.0, "period"_a = 0.0, R"(
 amplitude * f(t) * (sin(pi x)**2 sin(2 pi y), -sin(pi y)**2 sin(2 pi x)).
 
 Parameters
@@ -267,34 +277,19 @@ Returns
 -------
 Flow
 )");
-    module.def(
-        "translation",
-        [](const py::object& velocity) {
-            return field("translation", py::make_tuple(velocity),
-                         scenes::Translation{point_from(velocity, "velocity")});
-        },
-        "velocity"_a, "The same velocity (2,) everywhere.");
-    module.def(
-        "rotation",
-        [](const py::object& centre, double angular_speed) {
-            return field("rotation", py::make_tuple(centre, angular_speed),
-                         scenes::Rotation{point_from(centre, "centre"), angular_speed});
-        },
-        "centre"_a, "angular_speed"_a = 1.0, "Counter-clockwise about a centre, in radians.");
-    module.def(
-        "vortex",
-        [](const py::object& centre, double speed) {
-            return field("vortex", py::make_tuple(centre, speed),
-                         scenes::Vortex{point_from(centre, "centre"), speed});
-        },
-        "centre"_a, "speed"_a = 1.0, "Counter-clockwise about a centre, at one speed.");
-    module.def(
-        "radial",
-        [](const py::object& centre, double speed) {
-            return field("radial", py::make_tuple(centre, speed),
-                         scenes::Radial{point_from(centre, "centre"), speed});
-        },
-        "centre"_a, "speed"_a = 1.0, "Away from a centre, at one speed.");
+    module.def("translation",
+               field_maker<py::object>("translation",
+                                       [](const py::object& velocity) {
+                                           return scenes::Translation{
+                                               point_from(velocity, "velocity")};
+                                       }),
+               "velocity"_a, "The same velocity (2,) everywhere.");
+    module.def("rotation", field_about_a_centre<scenes::Rotation>("rotation"), "centre"_a,
+               "angular_speed"_a = 1.0, "Counter-clockwise about a centre, in radians.");
+    module.def("vortex", field_about_a_centre<scenes::Vortex>("vortex"), "centre"_a,
+               "speed"_a = 1.0, "Counter-clockwise about a centre, at one speed.");
+    module.def("radial", field_about_a_centre<scenes::Radial>("radial"), "centre"_a,
+               "speed"_a = 1.0, "Away from a centre, at one speed.");
     module.def("_reversed", &reversed, "flow"_a);
     module.def("growth", &growth_of, "speeds"_a, R"(
 Phases grow along their normals; convex corners open into arcs.

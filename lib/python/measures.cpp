@@ -2,7 +2,6 @@
 #include "python/measures.h"
 
 #include "measures/hausdorff.h"
-#include "measures/histogram.h"
 #include "measures/interface_outlines.h"
 #include "measures/phases.h"
 #include "measures/symmetric_difference.h"
@@ -39,21 +38,9 @@ std::vector<py::array> arrays_of(const std::vector<Outline>& outlines) {
 
 // --- of outlines -------------------------------------------------------------------------------
 
-scenes::FillRule rule_from(const std::string& name) {
-    if (name != "even_odd" && name != "nonzero") {
-        throw InputError({.what = "bad value",
-                          .where = "rule",
-                          .value = "'" + name + "'",
-                          .allowed = "even_odd, nonzero"});
-    }
-    return name == "nonzero" ? scenes::FillRule::nonzero : scenes::FillRule::even_odd;
-}
-
-double difference(const py::object& first, const py::object& second, const std::string& rule) {
-    const scenes::FillRule fill = rule_from(rule);
-    const auto one = outlines_from(first, "first");
-    const auto other = outlines_from(second, "second");
-    return scenes::overlap_areas({one, fill}, {other, fill}).symmetric_difference();
+double difference(const py::object& first, const py::object& second) {
+    return scenes::symmetric_difference(outlines_from(first, "first"),
+                                        outlines_from(second, "second"));
 }
 
 double distance(const py::object& first, const py::object& second) {
@@ -102,24 +89,6 @@ py::array component_of(const Mesh& mesh) {
     return array_of<std::int32_t>(numbers);
 }
 
-py::tuple histogram(const Mesh& mesh, const std::string& of, const std::size_t bins,
-                    const double low, const std::optional<double> high,
-                    const std::optional<Phase> phase) {
-    const scenes::HistogramOptions options{.bins = bins, .low = low, .high = high, .phase = phase};
-    const Complex<double>& complex = mesh.complex();
-    if (of != "quality" && of != "area" && of != "angle") {
-        throw InputError({.what = "bad value",
-                          .where = "of",
-                          .value = "'" + of + "'",
-                          .allowed = "quality, area, angle"});
-    }
-    const scenes::Histogram counted = of == "quality" ? scenes::quality_histogram(complex, options)
-                                      : of == "area"
-                                          ? scenes::area_histogram(complex, options)
-                                          : scenes::min_angle_histogram(complex, options);
-    return py::make_tuple(array_of<std::uint64_t>(counted.counts), array_of<double>(counted.edges));
-}
-
 // --- outlines to begin with --------------------------------------------------------------------
 
 void add_shapes(py::module_& module) {
@@ -148,14 +117,6 @@ void add_shapes(py::module_& module) {
         "centre"_a, "radius"_a, "slot_width"_a, "slot_height"_a, "edge_length"_a,
         "Zalesak's disc: the slot is cut from below, and its height counted from the lowest "
         "point.");
-    shapes.def(
-        "star",
-        [](const py::object& centre, double outer, double inner, int tips, double edge_length) {
-            return array_of(
-                scenes::star(point_from(centre, "centre"), outer, inner, tips, edge_length));
-        },
-        "centre"_a, "outer_radius"_a, "inner_radius"_a, "tips"_a, "edge_length"_a,
-        "The first tip is at angle 0.");
 }
 
 } // namespace
@@ -189,37 +150,16 @@ of two phases, the smaller one first.
 )")
         .def_property_readonly(
             "component_of", &component_of,
-            "Which connected part of its phase each triangle belongs to: (m,) int32, from 0.")
-        .def("histogram", &histogram, "of"_a, "bins"_a = 50, "low"_a = 0.0, "high"_a = py::none(),
-             "phase"_a = py::none(), R"(
-Counts triangles by `quality`, `area` or smallest `angle` in degrees.
+            "Which connected part of its phase each triangle belongs to: (m,) int32, from 0.");
 
-Parameters
-----------
-of : {'quality', 'area', 'angle'}
-bins : int
-low, high : float
-    The ends of the bins; what lies beyond is counted in the bin at that end. `high` is 1 for
-    qualities, 60 for angles, and the largest area.
-phase : int, optional
-    By default all.
-
-Returns
--------
-counts, edges : arrays
-    As those of `numpy.histogram`.
-)");
-
-    module.def("symmetric_difference", &difference, "first"_a, "second"_a, "rule"_a = "even_odd",
+    module.def("symmetric_difference", &difference, "first"_a, "second"_a,
                R"(
 The area that belongs to one of two regions alone, exact up to rounding.
 
 Parameters
 ----------
 first, second : (n, 2) array_like, or a list of them
-    Outlines, such as `mesh.outlines(1)`.
-rule : {'even_odd', 'nonzero'}
-    What outlines enclose.
+    Outlines, such as `mesh.outlines(1)`; a point is inside if an odd number of them is around it.
 
 Returns
 -------

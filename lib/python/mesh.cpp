@@ -83,17 +83,22 @@ std::shared_ptr<Mesh> mesh_from_arrays(const py::object& points, const py::objec
 
 // --- the first complex -----------------------------------------------------------------------
 
+Phase phase_from(const py::handle& value, const std::string& where) {
+    if (!py::isinstance<py::int_>(value) || !(value >= py::int_(0)) ||
+        !(value < py::int_(border_phase))) {
+        throw InputError({.what = "not a phase",
+                          .where = where,
+                          .value = shown(value),
+                          .allowed = "whole numbers from 0, below 4294967295"});
+    }
+    return value.cast<Phase>();
+}
+
 // One polygon, or a list of polygons, for each phase.
 std::vector<Shape> shapes_from(const py::dict& given) {
     std::vector<Shape> shapes;
     for (const auto& [key, value] : given) {
-        if (!py::isinstance<py::int_>(key)) {
-            throw InputError({.what = "not a phase",
-                              .where = "shapes",
-                              .value = shown(key),
-                              .allowed = "whole numbers from 0"});
-        }
-        const auto phase = key.cast<Phase>();
+        const Phase phase = phase_from(key, "shapes");
         const std::string where = "shapes[" + std::to_string(phase) + "]";
         for (const py::object& one : outline_list(value)) {
             shapes.push_back({points_from(one, where), phase});
@@ -113,8 +118,8 @@ std::vector<Curve> curves_from(const py::iterable& given) {
                               .value = shown(one),
                               .allowed = "(points, phase on the left, phase on the right)"});
         }
-        curves.push_back(
-            {points_from(parts[0], where), parts[1].cast<Phase>(), parts[2].cast<Phase>()});
+        curves.push_back({points_from(parts[0], where), phase_from(parts[1], where),
+                          phase_from(parts[2], where)});
     }
     return curves;
 }

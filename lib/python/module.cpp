@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The compiled part of the Python package dsc, which dsc/__init__.py completes.
-#include "python/flows.h"
-#include "python/mesh.h"
-#include "python/simulation.h"
+#include "python/fluid.h"
 
 PYBIND11_MODULE(_dsc, module) {
     namespace py = pybind11;
@@ -21,4 +19,5 @@ PYBIND11_MODULE(_dsc, module) {
     dsc::python::add_mesh(module);
     dsc::python::add_flows(module);
     dsc::python::add_simulation(module);
+    dsc::python::add_fluid(module);
 }

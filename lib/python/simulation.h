@@ -1,12 +1,154 @@
 // SPDX-License-Identifier: MIT
-// A simulation as Python sees it.
+// A simulation as Python sees it: with its mesh, its stages, and what the last step did.
 #pragma once
 
-#include <pybind11/pybind11.h>
+#include "python/data.h"
+#include "python/flows.h"
+#include "python/mesh.h"
+#include "python/options.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace dsc::python {
 
+/// What a step did, with the changes of topology in it.
+struct Report {
+    StepReport step;
+    std::vector<Event> events;
+};
+
+/// After each sub-step it notes how far the step has come, and lets handlers of signals run: what
+/// they raise, such as KeyboardInterrupt, ends the step.
+class Watch final : public Stage<double> {
+public:
+    StepReport so_far;
+    void run(const Between<double>& between) override {
+        ++so_far.sub_steps;
+        so_far.unreached += between.unreached;
+        so_far.reached = between.time;
+        so_far.interface_vertices = static_cast<std::uint32_t>(between.interface.size());
+        const py::gil_scoped_acquire gil;
+        if (PyErr_CheckSignals() != 0) {
+            throw py::error_already_set();
+        }
+    }
+};
+
+/// A simulation with its mesh, its stages and what the last step did.
+class Running {
+public:
+    Running(std::shared_ptr<Mesh> mesh, const OwnFlow* flow, const py::dict& keywords)
+        : mesh_(std::move(mesh)) {
+        if (flow != nullptr) {
+            flow_ = *flow;
+        }
+        apply(choices_, keywords);
+        const Mesh::Change change(*mesh_); // refused while a step of it runs
+        Complex<double>& complex = mesh_->complex_to_step();
+        complex.in_use.expect_free();
+        forget_foreign_data(complex);
+        const Options<double>& options = choices_.options;
+        check_options(options);
+        std::unique_ptr<Executor<double>> executor;
+        if (flow != nullptr && flow->growth) {
+            const auto algorithm = growth_algorithm(complex, *flow->growth);
+            executor = choices_.is_parallel
+                           ? make_executor(complex, options, choices_.parallel, algorithm)
+                           : std::make_unique<Executor<double>>(complex, options, algorithm);
+        } else if (choices_.is_parallel) {
+            executor = make_executor(complex, options, choices_.parallel);
+        }
+        simulation_ = std::make_unique<Simulation<double>>(complex, options, std::move(executor));
+        simulation_->add_stage(watch_);
+        if (choices_.topology.changes()) {
+            topology_ = std::make_shared<TopologyStage<double>>(choices_.topology);
+            simulation_->add_stage(topology_);
+        }
+    }
+
+    [[nodiscard]] const std::shared_ptr<Mesh>& mesh() const { return mesh_; }
+    [[nodiscard]] py::dict options() const { return values_of(choices_); }
+    [[nodiscard]] const Report& report() const { return report_; }
+    [[nodiscard]] const std::optional<OwnFlow>& flow() const { return flow_; }
+    [[nodiscard]] std::size_t interface_size() const {
+        (void)mesh_->complex(); // refused while a step runs
+        return simulation_->interface_size();
+    }
+
+    Report step(const py::object& flow, double time, double dt) {
+        if (py::isinstance<OwnFlow>(flow)) {
+            return std::visit([&](const auto& one) { return step_along(one, time, dt); },
+                              flow.cast<const OwnFlow&>().flow);
+        }
+        if (PyCallable_Check(flow.ptr()) == 0) {
+            throw InputError({.what = "not a flow",
+                              .where = "Simulation.step",
+                              .value = shown(flow),
+                              .allowed = "a function of positions (n, 2) and time, or a dsc.Flow"});
+        }
+        return step_along(velocity_of(py::reinterpret_borrow<py::function>(flow)), time, dt);
+    }
+
+    /// A step of something that steps the simulation itself.
+    template <class MakeStep>
+    Report step_by(MakeStep make_step, double time) {
+        const Mesh::Change busy(*mesh_);
+        const py::gil_scoped_release others_run;
+        watch_->so_far = {};
+        watch_->so_far.reached = time;
+        try {
+            report_.step = make_step(*simulation_);
+        } catch (...) {
+            report_ = {watch_->so_far, take_events()};
+            throw;
+        }
+        report_.events = take_events();
+        return report_;
+    }
+
+    [[nodiscard]] py::bytes state() {
+        (void)mesh_->complex(); // refused while a step runs
+        Archive archive;
+        std::vector<std::string> late = names_after_foreign_data(mesh_->complex());
+        archive(late, report_.step.reached);
+        simulation_->archive(archive);
+        return archive.bytes();
+    }
+    void restore(const std::string& bytes) {
+        const Mesh::Change change(*mesh_);
+        Archive archive(bytes, "simulation");
+        std::vector<std::string> late;
+        archive(late, report_.step.reached);
+        put_last(mesh_->complex_to_step(), late);
+        simulation_->archive(archive);
+        archive.expect_end();
+    }
+
+private:
+    Report step_along(const SeeingFunction& seeing, double time, double dt) {
+        return step_along(motion_of(seeing, choices_.options.integrator), time, dt);
+    }
+    template <class AnyFlow>
+    Report step_along(const AnyFlow& flow, double time, double dt) {
+        return step_by([&](auto& simulation) { return simulation.step(flow, time, dt); }, time);
+    }
+    [[nodiscard]] std::vector<Event> take_events() {
+        return topology_ ? topology_->take_events() : std::vector<Event>();
+    }
+
+    std::shared_ptr<Mesh> mesh_;
+    std::optional<OwnFlow> flow_; ///< that it was made for
+    Choices choices_;
+    Report report_;
+    std::shared_ptr<Watch> watch_ = std::make_shared<Watch>();
+    std::shared_ptr<TopologyStage<double>> topology_;
+    std::unique_ptr<Simulation<double>> simulation_;
+};
+
 /// Adds `Simulation`, `Report` and `Event` to the module.
-void add_simulation(pybind11::module_& module);
+void add_simulation(py::module_& module);
 
 } // namespace dsc::python

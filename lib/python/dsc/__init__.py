@@ -10,8 +10,9 @@
 >>> round(mesh.areas[1], 12)
 0.16
 """
-from . import interplay, scenes
-from ._dsc import (Curve, Event, FileError, Flow, InputError, Interface, Mesh, Report, Simulation, area,
+from . import bench, interplay, scenes
+from ._dsc import (Curve, Event, FileError, Flow, Fluid, InputError, Interface, Mesh, Report, Simulation,
+                   SolveError, area,
                    curvature_flow, growth, hausdorff, initial_complex, interface_flow, perimeter,
                    radial, rotation, shapes, swirl, symmetric_difference, translation, vortex)
 from .data import Data
@@ -19,8 +20,8 @@ from .drawing import animate, plot
 from .runs import run
 from .state import load, save
 
-__all__ = ["Curve", "Data", "Event", "FileError", "Flow", "InputError", "Interface", "Mesh", "Report",
-           "Simulation", "animate", "area", "curvature_flow", "growth", "hausdorff",
+__all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError", "Interface", "Mesh", "Report",
+           "Simulation", "SolveError", "animate", "area", "bench", "curvature_flow", "growth", "hausdorff",
            "initial_complex", "interface_flow", "load", "perimeter", "plot", "radial", "rotation",
            "run", "save", "scenes", "shapes", "swirl", "symmetric_difference", "translation", "vortex"]
 

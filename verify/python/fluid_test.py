@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""Fluids, and result files."""
+import json
+import pathlib
+import tempfile
+import unittest
+
+import dsc
+import numpy as np
+from meshes import H, disc, disc_mesh, swirl
+
+
+def bubble(**options):
+    """The rising bubble of Hysing et al. (2009), case 1, at its start."""
+    sizes = {"edge_length": 0.04, "growth": 1.3, "longest": 0.1}
+    mesh = dsc.initial_complex(((0, 0), (1, 2)), {1: disc((0.5, 0.5), 0.25, 40)}, **sizes)
+    sim = dsc.Simulation(mesh, **sizes)
+    return sim, dsc.Fluid(sim, {0: (1000, 10), 1: (100, 1)}, {(0, 1): 24.5}, gravity=(0, -0.98),
+                          slip={"left", "right"}, **options)
+
+
+class Fluids(unittest.TestCase):
+    def test_a_bubble_rises(self):
+        sim, fluid = bubble()
+        area = sim.mesh.areas[1]
+        while fluid.time < 0.195:
+            self.assertEqual(fluid.step(0.01).unreached, 0)
+        self.assertAlmostEqual(sim.time, fluid.time)
+        self.assertAlmostEqual(sim.mesh.areas[1], area, places=12)
+        across, up = fluid.mean_velocity(1)
+        self.assertAlmostEqual(across, 0, places=4)
+        self.assertAlmostEqual(up, 0.0942, delta=1e-3)  # as in the README of the fluid
+        velocities = fluid.velocities
+        self.assertEqual(velocities.shape, sim.mesh.points.shape)
+        self.assertTrue((velocities[np.isin(sim.mesh.points[:, 1], (0, 2))] == 0).all())
+        inside = sim.mesh.phases == 1
+        self.assertEqual(fluid.pressures.shape, sim.mesh.triangles.shape)
+        self.assertGreater(fluid.pressures[inside].mean(), 24.5 / 0.25 / 2)  # Laplace's, and more
+        self.assertGreater(fluid.energies["kinetic"], 0)
+
+    def test_refused(self):
+        sim, fluid = bubble(inertia=False)
+        with self.assertRaisesRegex(dsc.InputError, "slip: no side of the domain: got 'front'"):
+            dsc.Fluid(sim, {0: (1, 1), 1: (1, 1)}, {(0, 1): 1}, slip={"front"})
+        with self.assertRaisesRegex(dsc.InputError, "tension"):
+            dsc.Fluid(sim, {0: (1, 1), 1: (1, 1)}, {})
+        with self.assertRaises(dsc.InputError):
+            fluid.step(-1)
+        sim.step(dsc.translation((0, 1)), 0, 0.01)
+        with self.assertRaisesRegex(RuntimeError, "has changed since the fluid's last step"):
+            fluid.velocities
+        del sim  # the fluid keeps what it needs
+        self.assertEqual(fluid.step(0.01).unreached, 0)
+
+
+class Results(unittest.TestCase):
+    def test_are_columns(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, rows in (("a", [{"name": "swirl", "real_time": 2}]),
+                               ("b", [{"name": "grains", "real_time": 3.5, "threads": 2}])):
+                path = pathlib.Path(folder) / f"{name}.json"
+                path.write_text(json.dumps({"context": {}, "benchmarks": rows}), encoding="utf-8")
+            read = dsc.bench.read(folder)
+            self.assertEqual(list(read["name"]), ["swirl", "grains"])
+            self.assertEqual(list(read["real_time"]), [2, 3.5])
+            self.assertTrue(np.isnan(read["threads"][0]))
+            self.assertEqual(len(dsc.bench.read(path)["file"]), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""What goes wrong in a notebook: each case ends with a sentence, and the mesh is valid after it."""
+import copy
+import pickle
+import signal
+import threading
+import unittest
+
+import dsc
+import numpy as np
+from meshes import DOMAIN, H, disc, disc_mesh, swirl
+
+
+def stepped(flow, time=0.0, dt=H, **options):
+    """Makes a step in a new simulation."""
+    return lambda mesh: dsc.Simulation(mesh, edge_length=H, **options).step(flow, time, dt)
+
+
+def interrupted(*_):
+    signal.raise_signal(signal.SIGINT)
+    return np.zeros((1, 2))
+
+
+def raising(*_):
+    raise LookupError("no velocity today")
+
+
+def by_the_mesh_that_moves(use):
+    """Does something with the mesh from the velocity of its own step."""
+    return lambda mesh: stepped(lambda x, t: use(mesh) and x)(mesh)
+
+
+def second_simulation(mesh):
+    sims = [dsc.Simulation(mesh, edge_length=H)]
+    sims.append(dsc.Simulation(mesh, edge_length=H))
+
+
+def two_threads_step_one_mesh(mesh):
+    sim = dsc.Simulation(mesh, edge_length=H)
+    raised, inside, done = [], threading.Event(), threading.Event()
+
+    def other():
+        inside.wait(10)
+        try:
+            sim.step(swirl, 0, H)
+        except RuntimeError as error:
+            raised.append(error)
+        done.set()
+
+    def slow(x, t):
+        inside.set()
+        done.wait(10)
+        return swirl(x, t)
+
+    thread = threading.Thread(target=other)
+    thread.start()
+    sim.step(slow, 0, H)
+    thread.join()
+    raise raised[0]
+
+
+def fluid_of(**changes):
+    given = {"phases": {0: (1, 1), 1: (1, 1)}, "tensions": {(0, 1): 1}} | changes
+    return lambda mesh: dsc.Fluid(dsc.Simulation(mesh, edge_length=H), **given)
+
+
+def data(name, values, kind="vertex_data"):
+    return lambda mesh: getattr(mesh, kind).__setitem__(name, values)
+
+
+INPUT = dsc.InputError
+# (what is done with a mesh, what it raises, the sentence)
+CASES = {
+    "velocity of another shape": (stepped(lambda x, t: x.T), INPUT, r"got an array of the shape \(2, \d+\)"),
+    "velocity of too few rows": (stepped(lambda x, t: x[:3]), INPUT, r"got an array of the shape \(3, 2\)"),
+    "velocity without return": (stepped(lambda x, t: None), INPUT, "what the velocity returns.*got None"),
+    "velocity of texts": (stepped(lambda x, t: [["a", "b"]] * len(x)), INPUT, "not an array of points"),
+    "velocity of complex numbers": (stepped(lambda x, t: 1j * x), INPUT, "not an array of points"),
+    "velocity of objects": (stepped(lambda x, t: x.astype(object)), INPUT, "not an array of points"),
+    "velocity of one argument": (stepped(lambda x: x), TypeError, "positional argument"),
+    "velocity that raises": (stepped(raising), LookupError, "no velocity today"),
+    "velocity that raises in threads": (stepped(raising, threads=2), LookupError, "no velocity today"),
+    "velocity that raises while it sees": (stepped(dsc.interface_flow(raising)), LookupError, "no velocity"),
+    "velocity that is a number": (stepped(3.0), INPUT, "not a flow: got 3.0; allowed: a function"),
+    "Ctrl-C in a velocity": (stepped(interrupted), KeyboardInterrupt, ""),
+    "Ctrl-C in threads": (stepped(interrupted, threads=2), KeyboardInterrupt, ""),
+    "step backwards": (stepped(swirl, dt=-H), INPUT, "not a time step: got -0.02"),
+    "step of no length in time": (stepped(swirl, dt=np.nan), INPUT, "not a time step: got nan"),
+    "step of a text": (stepped(swirl, dt="long"), TypeError, "incompatible function arguments"),
+    "motion in no time": (stepped(dsc.curvature_flow(), dt=0), INPUT, "in no time"),
+    "mesh read in its step": (by_the_mesh_that_moves(lambda mesh: mesh.points), RuntimeError, "a step of this"),
+    "mesh copied in its step": (by_the_mesh_that_moves(copy.copy), RuntimeError, "a step of this"),
+    "mesh pickled in its step": (by_the_mesh_that_moves(pickle.dumps), RuntimeError, "a step of this"),
+    "mesh simulated in its step": (by_the_mesh_that_moves(lambda mesh: dsc.Simulation(mesh, edge_length=H)),
+                                   RuntimeError, "a step of this"),
+    "two simulations of one mesh": (second_simulation, INPUT, "another simulation"),
+    "two threads step one mesh": (two_threads_step_one_mesh, RuntimeError, "a step of this"),
+    "option that does not exist": (stepped(swirl, edges=H), INPUT, "unknown option: got 'edges'; allowed: edge_l"),
+    "option of another type": (stepped(swirl, deviation="small"), INPUT, "deviation: bad value: got 'small'"),
+    "option out of range": (stepped(swirl, growth=7), INPUT, "growth: .*got 7"),
+    "no simulation of a mesh": (lambda mesh: dsc.Simulation(mesh.points, edge_length=H), TypeError, "incompatible"),
+    "writing to an array": (lambda mesh: mesh.points.fill(0), ValueError, "read-only"),
+    "data of another length": (data("x", np.zeros(3)), INPUT, r"x: not the data of these.*allowed: numbers of"),
+    "data of texts": (data("x", ["a"]), INPUT, "x: not the data of these"),
+    "data that does not exist": (lambda mesh: mesh.triangle_data["x"], KeyError, "x"),
+    "phase that is no number": (lambda mesh: dsc.initial_complex(DOMAIN, {"a": disc()}, edge_length=H),
+                                INPUT, "not a phase"),
+    "phase below 0": (lambda mesh: dsc.initial_complex(DOMAIN, {-1: disc()}, edge_length=H), INPUT, "not a phase"),
+    "outline that crosses itself": (lambda mesh: dsc.initial_complex(DOMAIN, {1: disc()[[0, 20, 10, 30]]},
+                                                                     edge_length=H), INPUT, "cross"),
+    "outline with NaN": (lambda mesh: dsc.initial_complex(DOMAIN, {1: disc() * np.nan}, edge_length=H),
+                         INPUT, "finite"),
+    "outline outside": (lambda mesh: dsc.initial_complex(DOMAIN, {1: disc((2, 2))}, edge_length=H), INPUT, "outside"),
+    "mesh of absurd size": (lambda mesh: dsc.initial_complex(DOMAIN, {}, edge_length=1e-9), INPUT, "edge_length|edge"),
+    "curve of two parts": (lambda mesh: dsc.initial_complex(DOMAIN, curves=[(disc(), 1)], edge_length=H),
+                           INPUT, "not a curve"),
+    "curve of a phase that is none": (lambda mesh: dsc.initial_complex(DOMAIN, curves=[(disc(), 1, 0.5)],
+                                                                       edge_length=H), INPUT, "not a phase"),
+    "curve that is a number": (lambda mesh: dsc.initial_complex(DOMAIN, curves=[3], edge_length=H),
+                               INPUT, "not a curve"),
+    "growth of one phase": (lambda mesh: dsc.growth({1: 2}), TypeError, "incompatible"),
+    "fluid without a phase": (fluid_of(phases={0: (1, 1)}), INPUT, "phase|tension"),
+    "fluid without gravity's second number": (fluid_of(gravity=(1,)), INPUT, r"gravity.*shape"),
+    "picture in no folder": (lambda mesh: mesh.write_svg("/no/such/folder/a.svg"), OSError, "/no/such/folder/a.svg"),
+}
+
+
+class Misuse(unittest.TestCase):
+    def test_each_case_ends_with_a_sentence(self):
+        for name, (do, error, sentence) in CASES.items():
+            with self.subTest(name):
+                mesh = disc_mesh()
+                with self.assertRaisesRegex(error, sentence):
+                    do(mesh)
+                self.assertEqual(mesh.validate(), "")
+                self.assertEqual(dsc.Simulation(mesh, edge_length=H).step(swirl, 0, H).unreached, 0)
+
+    def test_control_c_between_sub_steps_of_a_flow_of_the_library(self):
+        mesh = disc_mesh()
+        sim = dsc.Simulation(mesh, edge_length=H)
+        timer = threading.Timer(0.05, signal.raise_signal, (signal.SIGINT,))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            while True:
+                sim.step(dsc.swirl(period=2), sim.time, 2)
+        timer.join()
+        self.assertEqual(mesh.validate(), "")
+        self.assertGreater(sim.report.sub_steps, 0)
+
+    def test_arrays_outlive_what_they_are_of(self):
+        mesh = disc_mesh()
+        sim = dsc.Simulation(mesh, edge_length=H)
+        points, curve = mesh.points, mesh.interface_curves()[0]
+        sums = points.sum(), curve.points.sum()
+        seen = []
+        sim.step(dsc.interface_flow(lambda one, t: seen.append(one) or 0 * one.normals), 0, H)
+        positions = seen[0].positions.copy()
+        del sim, mesh
+        disc_mesh()  # takes the memory
+        self.assertEqual((points.sum(), curve.points.sum()), sums)
+        self.assertTrue(np.array_equal(seen[0].positions, positions))
+
+    def test_a_simulation_keeps_its_mesh(self):
+        sim = dsc.Simulation(disc_mesh(), edge_length=H)
+        self.assertEqual(sim.step(swirl, 0, H).unreached, 0)
+        flow = dsc.curvature_flow(keep_areas_of=disc_mesh())
+        self.assertEqual(sim.step(flow, 0, H * H).unreached, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
