@@ -27,21 +27,24 @@ Doubles rows_of_two(const py::handle& value, const std::string& where, py::ssize
     const char kind = given ? given.dtype().kind() : 'O';
     if (!given || !(kind == 'f' || kind == 'i' || kind == 'u' || kind == 'b')) {
         PyErr_Clear();
-        throw InputError({.what = "not an array of points",
-                          .where = where,
-                          .value = shown(value),
-                          .allowed = shape});
+        refuse("not an array of points", where, shown(value), shape);
     }
     if (given.ndim() != 2 || given.shape(1) != 2 || (rows >= 0 && given.shape(0) != rows)) {
-        throw InputError({.what = "points of another shape",
-                          .where = where,
-                          .value = shape_of(given),
-                          .allowed = shape});
+        refuse("points of another shape", where, shape_of(given), shape);
     }
     return Doubles::ensure(given);
 }
 
 } // namespace
+
+void refuse(const std::string& what, const std::string& where, const std::string& value,
+            const std::string& allowed) {
+    throw InputError({.what = what, .where = where, .value = value, .allowed = allowed});
+}
+
+py::object record(const char* name, const py::dict& fields) {
+    return py::module_::import("dsc.records").attr(name)(**fields);
+}
 
 std::vector<Point<double>> points_from(const py::handle& value, const std::string& where) {
     const Doubles rows = rows_of_two(value, where, -1);
@@ -83,10 +86,8 @@ py::array_t<std::uint32_t> whole_numbers(const py::handle& value, const std::str
     if (!fits || (given.size() > 0 && given.attr("min")().cast<double>() < 0) ||
         (given.size() > 0 && given.attr("max")().cast<double>() > 0xffffffff)) {
         PyErr_Clear();
-        throw InputError({.what = "not an array of numbers of 32 bits",
-                          .where = where,
-                          .value = shown(value),
-                          .allowed = "whole numbers from 0 of the shape " + shape});
+        refuse("not an array of numbers of 32 bits", where, shown(value),
+               "whole numbers from 0 of the shape " + shape);
     }
     return py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>::ensure(given);
 }

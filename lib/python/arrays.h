@@ -17,6 +17,13 @@ namespace dsc::python {
 
 namespace py = pybind11;
 
+/// Throws InputError.
+[[noreturn]] void refuse(const std::string& what, const std::string& where,
+                         const std::string& value, const std::string& allowed);
+
+/// A record of dsc/records.py, such as `Report`, with these fields.
+[[nodiscard]] py::object record(const char* name, const py::dict& fields);
+
 /// A copy of an array-like of the shape (n, 2). `where` names the argument. Throws InputError where
 /// it is no such array.
 [[nodiscard]] std::vector<Point<double>> points_from(const py::handle& value,

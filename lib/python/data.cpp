@@ -122,10 +122,8 @@ void set_values(Mesh& mesh, const std::string& name, const py::handle& value) {
     if (!numbers || numbers.ndim() != 1 || static_cast<std::size_t>(numbers.shape(0)) != count) {
         PyErr_Clear();
         const std::string n = std::to_string(count);
-        throw InputError({.what = "not the data of these simplices",
-                          .where = name,
-                          .value = shown(value),
-                          .allowed = "numbers of the shape (" + n + ",) or (" + n + ", 2)"});
+        refuse("not the data of these simplices", name, shown(value),
+               "numbers of the shape (" + n + ",) or (" + n + ", 2)");
     }
     write<Simplex, double>(mesh, name, {numbers.data(), count}, 0.0);
 }

@@ -25,12 +25,6 @@ VelocityAtOnce<double> velocity_of(const py::function& function) {
 
 namespace {
 
-/// An `InterfaceView` in arrays of their own, which a function may keep.
-struct Interface {
-    py::array positions, previous, next, left, right, normals, curvatures, lengths, arms;
-    py::array is_junction, is_corner, is_on_boundary, is_locked;
-};
-
 // -1 for what is none: a neighbour of a junction, the outside of the domain.
 constexpr auto number_or_none = [](std::uint32_t number) {
     return number == no_id || number == border_phase ? std::int64_t{-1} : std::int64_t{number};
@@ -59,7 +53,7 @@ py::array arms_in(const InterfaceView<double>& view) {
     return rows;
 }
 
-Interface interface_of(const InterfaceView<double>& view) {
+py::object interface_of(const InterfaceView<double>& view) {
     const std::size_t n = view.size();
     const auto numbers = [&](std::span<const std::uint32_t> list) {
         return listed<std::int64_t>(n, [&](std::size_t i) { return number_or_none(list[i]); });
@@ -71,29 +65,25 @@ Interface interface_of(const InterfaceView<double>& view) {
     for (std::size_t i = 0; i < n; ++i) {
         normals[i] = normal(view, i);
     }
-    return {.positions = array_of(view.positions),
-            .previous = numbers(view.previous),
-            .next = numbers(view.next),
-            .left = numbers(view.left),
-            .right = numbers(view.right),
-            .normals = array_of(normals),
-            .curvatures = listed<double>(n, [&](std::size_t i) { return curvature(view, i); }),
-            .lengths = listed<double>(n, [&](std::size_t i) { return length(view, i); }),
-            .arms = arms_in(view),
-            .is_junction = flag(interface_junction),
-            .is_corner = flag(interface_corner),
-            .is_on_boundary = flag(interface_boundary),
-            .is_locked = flag(interface_locked)};
+    return record(
+        "Interface",
+        py::dict(
+            "positions"_a = array_of(view.positions), "previous"_a = numbers(view.previous),
+            "next"_a = numbers(view.next), "left"_a = numbers(view.left),
+            "right"_a = numbers(view.right), "normals"_a = array_of(normals),
+            "curvatures"_a = listed<double>(n, [&](std::size_t i) { return curvature(view, i); }),
+            "lengths"_a = listed<double>(n, [&](std::size_t i) { return length(view, i); }),
+            "arms"_a = arms_in(view), "is_junction"_a = flag(interface_junction),
+            "is_corner"_a = flag(interface_corner), "is_on_boundary"_a = flag(interface_boundary),
+            "is_locked"_a = flag(interface_locked)));
 }
 
 } // namespace
 
 InterfaceMotion<double> motion_of(const SeeingFunction& seeing, Integrator integrator) {
     if (integrator == Integrator::adaptive) {
-        throw InputError({.what = "a flow that sees the interface has no estimate of the error",
-                          .where = "integrator",
-                          .value = "adaptive",
-                          .allowed = "euler, midpoint, rk4"});
+        refuse("a flow that sees the interface has no estimate of the error", "integrator",
+               "adaptive", "euler, midpoint, rk4");
     }
     return [function = seeing.function, integrator](const InterfaceView<double>& view, double time,
                                                     double dt,
@@ -176,10 +166,7 @@ OwnFlow growth_of(const Speeds& speeds) {
 OwnFlow reversed(const OwnFlow& flow) {
     const auto* velocity = std::get_if<Velocity<double>>(&flow.flow);
     if (velocity == nullptr) {
-        throw InputError({.what = "a flow without an opposite",
-                          .where = "-flow",
-                          .value = flow.name,
-                          .allowed = "a flow by place and time"});
+        refuse("a flow without an opposite", "-flow", flow.name, "a flow by place and time");
     }
     return {"_reversed", py::make_tuple(flow), Velocity<double>(scenes::reversed(*velocity))};
 }
@@ -187,33 +174,6 @@ OwnFlow reversed(const OwnFlow& flow) {
 } // namespace
 
 void add_flows(py::module_& module) {
-    py::class_<Interface>(module, "Interface", R"(
-The interface at one stage of the integrator, for a function that `interface_flow` takes.
-
-Entry i of each array is the same vertex; neighbours are positions in these arrays. Curves run so
-that the larger of their two phases is on the left. -1 stands for none: at junctions, and for the
-outside of the domain. Its arrays may be kept.
-)")
-        .def_readonly("positions", &Interface::positions, "(n, 2)")
-        .def_readonly("previous", &Interface::previous, "the vertex before: (n,)")
-        .def_readonly("next", &Interface::next, "the vertex after: (n,)")
-        .def_readonly("left", &Interface::left, "the phase on the left: (n,)")
-        .def_readonly("right", &Interface::right, "the phase on the right: (n,)")
-        .def_readonly("normals", &Interface::normals,
-                      "unit normals from left to right, 0 at junctions: (n, 2)")
-        .def_readonly("curvatures", &Interface::curvatures,
-                      "positive where the left phase is convex, 0 at junctions: (n,)")
-        .def_readonly("lengths", &Interface::lengths, "half of the edges of each vertex: (n,)")
-        .def_readonly("arms", &Interface::arms,
-                      "edges that leave junctions: (k, 4), rows of junction, neighbour, phase on "
-                      "the left and on the right, counter-clockwise about each junction")
-        .def_readonly("is_junction", &Interface::is_junction, "no point of a single curve: (n,)")
-        .def_readonly("is_corner", &Interface::is_corner, "kept, without a tangent: (n,)")
-        .def_readonly("is_on_boundary", &Interface::is_on_boundary,
-                      "can only slide along the domain boundary: (n,)")
-        .def_readonly("is_locked", &Interface::is_locked, "stays: (n,)")
-        .def("__len__", [](const Interface& one) { return one.positions.shape(0); });
-
     py::class_<OwnFlow>(module, "Flow", R"(
 A flow for `Simulation.step`, other than a function of positions and time.
 
@@ -221,10 +181,7 @@ A flow for `Simulation.step`, other than a function of positions and time.
 )")
         .def_readonly("_name", &OwnFlow::name)
         .def_readonly("_given", &OwnFlow::given)
-        .def("__neg__", &reversed)
-        .def("__repr__", [](const OwnFlow& flow) {
-            return "<dsc.Flow: " + flow.name + shown(flow.given) + ">";
-        });
+        .def("__neg__", &reversed);
 
     module.def(
         "interface_flow",

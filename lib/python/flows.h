@@ -36,7 +36,7 @@ struct OwnFlow {
 [[nodiscard]] InterfaceMotion<double> motion_of(const SeeingFunction& seeing,
                                                 Integrator integrator);
 
-/// Adds `Flow`, `Interface` and the functions that make flows to the module.
+/// Adds `Flow` and the functions that make flows to the module.
 void add_flows(py::module_& module);
 
 } // namespace dsc::python

@@ -35,10 +35,7 @@ FluidOptions options_from(const Properties& phases, const Tensions& tensions,
                                              {"top", &options.walls.top}};
     for (const std::string& side : slip) {
         if (!walls.contains(side)) {
-            throw InputError({.what = "no side of the domain",
-                              .where = "slip",
-                              .value = "'" + side + "'",
-                              .allowed = "left, right, bottom, top"});
+            refuse("no side of the domain", "slip", "'" + side + "'", "left, right, bottom, top");
         }
         *walls.at(side) = Wall::slip;
     }
@@ -53,8 +50,8 @@ public:
           revision_(simulation.mesh()->revision()) {}
 
     [[nodiscard]] const Fluid& fluid() const { return fluid_; }
-    Report step(double dt) {
-        const Report report = simulation_.step_by(
+    py::object step(double dt) {
+        py::object report = simulation_.step_by(
             [&](Simulation<double>& simulation) { return fluid_.step(simulation, dt).moved; },
             fluid_.time());
         revision_ = simulation_.mesh()->revision();

@@ -18,48 +18,19 @@ using namespace py::literals; // NOLINT: "name"_a
 
 namespace {
 
-/// A piece of the interface, as arrays.
-struct PlacedCurve {
-    py::array points;
-    bool is_closed;
-    Phase left;
-    Phase right;
-};
-
-py::array placed(const Complex<double>& complex, const std::vector<Vertex>& vertices) {
-    std::vector<Point<double>> points;
-    points.reserve(vertices.size());
-    for (const Vertex v : vertices) {
-        points.push_back(complex.position(v));
-    }
-    return array_of(points);
-}
-
-std::vector<PlacedCurve> curves_of(const Mesh& mesh) {
-    std::vector<PlacedCurve> list;
+py::list curves_of(const Mesh& mesh) {
+    py::list list;
     for (const InterfaceCurve& curve : interface_curves(mesh.complex())) {
-        list.push_back({placed(mesh.complex(), curve.vertices), curve.is_closed, curve.left,
-                        curve.right == border_phase ? exterior_phase : curve.right});
+        std::vector<Point<double>> points;
+        for (const Vertex v : curve.vertices) {
+            points.push_back(mesh.complex().position(v));
+        }
+        const Phase right = curve.right == border_phase ? exterior_phase : curve.right;
+        list.append(
+            record("Curve", py::dict("points"_a = array_of(points), "is_closed"_a = curve.is_closed,
+                                     "left"_a = curve.left, "right"_a = right)));
     }
     return list;
-}
-
-py::dict areas(const Mesh& mesh) {
-    py::dict result;
-    for (const Phase phase : phases(mesh.complex())) {
-        result[py::int_(phase)] = phase_area(mesh.complex(), phase);
-    }
-    return result;
-}
-
-std::string summary(const Mesh& mesh) {
-    const Complex<double>& complex = mesh.complex();
-    std::string names;
-    for (const Phase phase : phases(complex)) {
-        names += (names.empty() ? "" : ", ") + std::to_string(phase);
-    }
-    return "<dsc.Mesh: " + std::to_string(complex.triangle_count()) + " triangles, " +
-           std::to_string(complex.vertex_count()) + " vertices, phases " + names + ">";
 }
 
 std::shared_ptr<Mesh> mesh_from_arrays(const py::object& points, const py::object& triangles,
@@ -68,12 +39,10 @@ std::shared_ptr<Mesh> mesh_from_arrays(const py::object& points, const py::objec
     const auto rows = whole_numbers(triangles, "triangles", "(m, 3)", 2);
     const auto numbers = whole_numbers(phases, "phases", "(m,)", 1);
     if (rows.shape(1) != 3 || rows.shape(0) != numbers.shape(0)) {
-        throw InputError({.what = "arrays that do not fit",
-                          .where = "Mesh",
-                          .value = std::to_string(rows.shape(0)) + " triangles of " +
-                                   std::to_string(rows.shape(1)) + " and " +
-                                   std::to_string(numbers.shape(0)) + " phases",
-                          .allowed = "triangles (m, 3) and phases (m,)"});
+        refuse("arrays that do not fit", "Mesh",
+               std::to_string(rows.shape(0)) + " triangles of " + std::to_string(rows.shape(1)) +
+                   " and " + std::to_string(numbers.shape(0)) + " phases",
+               "triangles (m, 3) and phases (m,)");
     }
     std::vector<std::array<std::uint32_t, 3>> corners(static_cast<std::size_t>(rows.shape(0)));
     std::memcpy(corners.data(), rows.data(), corners.size() * sizeof(corners[0]));
@@ -86,10 +55,7 @@ std::shared_ptr<Mesh> mesh_from_arrays(const py::object& points, const py::objec
 Phase phase_from(const py::handle& value, const std::string& where) {
     if (!py::isinstance<py::int_>(value) || !(value >= py::int_(0)) ||
         !(value < py::int_(border_phase))) {
-        throw InputError({.what = "not a phase",
-                          .where = where,
-                          .value = shown(value),
-                          .allowed = "whole numbers from 0, below 4294967295"});
+        refuse("not a phase", where, shown(value), "whole numbers from 0, below 4294967295");
     }
     return value.cast<Phase>();
 }
@@ -113,10 +79,8 @@ std::vector<Curve> curves_from(const py::iterable& given) {
         const auto parts = py::reinterpret_borrow<py::sequence>(one);
         const std::string where = "curves[" + std::to_string(curves.size()) + "]";
         if (!py::isinstance<py::sequence>(one) || py::len(parts) != 3) {
-            throw InputError({.what = "not a curve",
-                              .where = where,
-                              .value = shown(one),
-                              .allowed = "(points, phase on the left, phase on the right)"});
+            refuse("not a curve", where, shown(one),
+                   "(points, phase on the left, phase on the right)");
         }
         curves.push_back({points_from(parts[0], where), phase_from(parts[1], where),
                           phase_from(parts[2], where)});
@@ -128,11 +92,9 @@ std::shared_ptr<Mesh> make_mesh(const py::handle& domain, const py::dict& shapes
                                 const py::object& curves, const py::kwargs& keywords) {
     const std::vector<Point<double>> corners = points_from(domain, "domain");
     if (corners.size() != 2) {
-        throw InputError({.what = "not a rectangle",
-                          .where = "domain",
-                          .value = std::to_string(corners.size()) + " points",
-                          .allowed = "two: the corner of the smallest coordinates, and the "
-                                     "opposite one"});
+        refuse("not a rectangle", "domain", std::to_string(corners.size()) + " points",
+               "two: the corner of the smallest coordinates, and the "
+               "opposite one");
     }
     const Rectangle rectangle{corners[0], corners[1]};
     Choices choices;
@@ -146,10 +108,7 @@ std::shared_ptr<Mesh> make_mesh(const py::handle& domain, const py::dict& shapes
             initial_complex<double>(rectangle, std::span<const Shape>(list), options));
     }
     if (!shapes.empty()) {
-        throw InputError({.what = "shapes and curves",
-                          .where = "initial_complex",
-                          .value = "both",
-                          .allowed = "either"});
+        refuse("shapes and curves", "initial_complex", "both", "either");
     }
     const std::vector<Curve> list = curves_from(curves);
     const py::gil_scoped_release others_run;
@@ -207,14 +166,6 @@ const Mesh::Arrays& Mesh::arrays() {
 // --- the module ------------------------------------------------------------------------------
 
 void add_mesh(py::module_& module) {
-    py::class_<PlacedCurve>(module, "Curve", "A piece of the interface between two phases.")
-        .def_readonly("points", &PlacedCurve::points, "(n, 2), in order along the curve")
-        .def_readonly("is_closed", &PlacedCurve::is_closed,
-                      "whether the last point is joined to the first")
-        .def_readonly("left", &PlacedCurve::left, "the phase on the left of the way along it")
-        .def_readonly("right", &PlacedCurve::right,
-                      "the phase on the right; 0 at the sides of the domain");
-
     py::class_<Mesh, std::shared_ptr<Mesh>> type(module, "Mesh", R"(
 A triangle mesh whose triangles have phases: a 2D simplicial complex.
 
@@ -233,7 +184,6 @@ phases : (m,) array_like of int
         .def_property_readonly("triangles", &Mesh::triangles,
                                "Rows of `points`, counter-clockwise: (m, 3) int32.")
         .def_property_readonly("phases", &Mesh::phases, "Of each triangle: (m,) uint32.")
-        .def_property_readonly("areas", &areas, "The area of each phase that occurs: a dict.")
         .def("interface_curves", &curves_of,
              "The interface as curves, cut where more than two phases meet: a list of `Curve`.")
         .def(
@@ -263,8 +213,7 @@ phases : (m,) array_like of int
         .def_static(
             "_from_state",
             [](const std::string& bytes) { return std::make_shared<Mesh>(complex_from(bytes)); },
-            "state"_a)
-        .def("__repr__", &summary);
+            "state"_a);
 
     add_data(type);
     add_measures(module, type);

@@ -64,7 +64,7 @@ private:
     bool is_busy_ = false;
 };
 
-/// Adds `Mesh`, `Curve` and `initial_complex` to the module.
+/// Adds `Mesh` and `initial_complex` to the module.
 void add_mesh(py::module_& module);
 
 } // namespace dsc::python

@@ -18,6 +18,9 @@ namespace dsc::python {
 struct Report {
     StepReport step;
     std::vector<Event> events;
+
+    /// As dsc/records.py has it. Needs the GIL.
+    [[nodiscard]] py::object made() const;
 };
 
 /// After each sub-step it notes how far the step has come, and lets handlers of signals run: what
@@ -78,35 +81,33 @@ public:
         return simulation_->interface_size();
     }
 
-    Report step(const py::object& flow, double time, double dt) {
+    py::object step(const py::object& flow, double time, double dt) {
         if (py::isinstance<OwnFlow>(flow)) {
             return std::visit([&](const auto& one) { return step_along(one, time, dt); },
                               flow.cast<const OwnFlow&>().flow);
         }
         if (PyCallable_Check(flow.ptr()) == 0) {
-            throw InputError({.what = "not a flow",
-                              .where = "Simulation.step",
-                              .value = shown(flow),
-                              .allowed = "a function of positions (n, 2) and time, or a dsc.Flow"});
+            refuse("not a flow", "Simulation.step", shown(flow),
+                   "a function of positions (n, 2) and time, or a dsc.Flow");
         }
         return step_along(velocity_of(py::reinterpret_borrow<py::function>(flow)), time, dt);
     }
 
     /// A step of something that steps the simulation itself.
     template <class MakeStep>
-    Report step_by(MakeStep make_step, double time) {
+    py::object step_by(MakeStep make_step, double time) {
         const Mesh::Change busy(*mesh_);
-        const py::gil_scoped_release others_run;
         watch_->so_far = {};
         watch_->so_far.reached = time;
         try {
+            const py::gil_scoped_release others_run;
             report_.step = make_step(*simulation_);
         } catch (...) {
             report_ = {watch_->so_far, take_events()};
             throw;
         }
         report_.events = take_events();
-        return report_;
+        return report_.made();
     }
 
     [[nodiscard]] py::bytes state() {
@@ -128,11 +129,11 @@ public:
     }
 
 private:
-    Report step_along(const SeeingFunction& seeing, double time, double dt) {
+    py::object step_along(const SeeingFunction& seeing, double time, double dt) {
         return step_along(motion_of(seeing, choices_.options.integrator), time, dt);
     }
     template <class AnyFlow>
-    Report step_along(const AnyFlow& flow, double time, double dt) {
+    py::object step_along(const AnyFlow& flow, double time, double dt) {
         return step_by([&](auto& simulation) { return simulation.step(flow, time, dt); }, time);
     }
     [[nodiscard]] std::vector<Event> take_events() {

@@ -11,12 +11,12 @@
 0.16
 """
 from . import bench, interplay, scenes
-from ._dsc import (Curve, Event, FileError, Flow, Fluid, InputError, Interface, Mesh, Report, Simulation,
-                   SolveError, area,
-                   curvature_flow, growth, hausdorff, initial_complex, interface_flow, perimeter,
-                   radial, rotation, shapes, swirl, symmetric_difference, translation, vortex)
+from ._dsc import (FileError, Flow, Fluid, InputError, Mesh, Simulation, SolveError, area, curvature_flow,
+                   growth, hausdorff, initial_complex, interface_flow, perimeter, radial, rotation,
+                   shapes, swirl, symmetric_difference, translation, vortex)
 from .data import Data
 from .drawing import animate, plot
+from .records import Curve, Event, Interface, Report
 from .runs import run
 from .state import load, save
 
@@ -27,3 +27,10 @@ __all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError",
 
 Mesh.vertex_data = property(lambda mesh: Data(mesh, "vertex"), doc="Of vertices: a `Data`.")
 Mesh.triangle_data = property(lambda mesh: Data(mesh, "triangle"), doc="Of triangles: a `Data`.")
+Mesh.areas = property(lambda mesh: {phase: one["area"] for phase, one in mesh.figures["phases"].items()},
+                      doc="The area of each phase that occurs: a dict.")
+Mesh.__repr__ = lambda mesh: (f"<dsc.Mesh: {len(mesh.triangles)} triangles, {len(mesh.points)} vertices, "
+                              f"phases {', '.join(map(str, mesh.areas))}>")
+Flow.__repr__ = lambda flow: f"<dsc.Flow: {flow._name}{flow._given}>"
+Simulation.__repr__ = lambda sim: (f"<dsc.Simulation: {sim.interface_size} interface vertices, "
+                                   f"time {sim.time:.6g}>")

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: MIT
+"""What the compiled part tells: plain records, which can be kept, compared and pickled."""
+import dataclasses
+
+
+@dataclasses.dataclass(eq=False)
+class Curve:
+    """A piece of the interface between two phases.
+
+    Attributes
+    ----------
+    points : (n, 2) array
+        In order along the curve.
+    is_closed : bool
+        Whether the last point is joined to the first.
+    left, right : int
+        The phases on both sides of the way along it; 0 beyond the sides of the domain.
+    """
+
+    points: object
+    is_closed: bool
+    left: int
+    right: int
+
+
+@dataclasses.dataclass
+class Event:
+    """A change of topology.
+
+    Attributes
+    ----------
+    kind : {'merge', 'split', 'meet', 'widen', 'exchange', 'fill', 'remove'}
+        A film of one phase opened between two pieces of another one, a neck closed, two phases
+        border on each other now, an earlier film opened farther, a vertex of too many sectors came
+        apart, a piece of phase 0 vanished, a piece of another phase did.
+    time : float
+        At the end of the sub-step.
+    place : (float, float)
+    lost : int
+        The phase whose area it was.
+    taken : (int, int)
+        The phases that took the area.
+    area : float
+        That changed hands.
+    """
+
+    kind: str
+    time: float
+    place: tuple
+    lost: int
+    taken: tuple
+    area: float
+
+
+@dataclasses.dataclass
+class Report:
+    """What one step did.
+
+    Attributes
+    ----------
+    unreached : int
+        Vertices that did not arrive, summed over sub-steps.
+    held : int
+        Of these: held because of a velocity that was not finite.
+    sub_steps : int
+        How many the step was cut into.
+    interface_vertices : int
+        At the end of the step.
+    reached : float
+        The time at the end: earlier than asked for if the step gave up.
+    gave_up : bool
+        Whether the velocity required more than `max_sub_steps`.
+    events : list of Event
+        Changes of topology, in their order.
+    """
+
+    unreached: int
+    held: int
+    sub_steps: int
+    interface_vertices: int
+    reached: float
+    gave_up: bool
+    events: list
+
+
+@dataclasses.dataclass(eq=False, repr=False)
+class Interface:
+    """The interface at one stage of the integrator, for a function that `interface_flow` takes.
+
+    Entry i of each array is the same vertex; neighbours are positions in these arrays. Curves run so
+    that the larger of their two phases is on the left. -1 stands for none: at junctions, and for the
+    outside of the domain.
+
+    Attributes
+    ----------
+    positions : (n, 2) array
+    previous, next : (n,) arrays of int
+        The neighbours along the curve.
+    left, right : (n,) arrays of int
+        The phases on both sides.
+    normals : (n, 2) array
+        Unit normals from left to right; 0 at junctions.
+    curvatures : (n,) array
+        Positive where the left phase is convex; 0 at junctions.
+    lengths : (n,) array
+        Half of the edges of each vertex.
+    arms : (k, 4) array of int
+        Edges that leave junctions: rows of junction, neighbour, phase on the left and phase on the
+        right, counter-clockwise about each junction.
+    is_junction, is_corner, is_on_boundary, is_locked : (n,) arrays of bool
+        No point of a single curve; kept, without a tangent; can only slide along the domain
+        boundary; stays.
+    """
+
+    positions: object
+    previous: object
+    next: object
+    left: object
+    right: object
+    normals: object
+    curvatures: object
+    lengths: object
+    arms: object
+    is_junction: object
+    is_corner: object
+    is_on_boundary: object
+    is_locked: object
+
+    def __len__(self):
+        return len(self.positions)
+
+    def __repr__(self):
+        return f"<dsc.Interface: {len(self)} vertices, {self.is_junction.sum()} junctions>"
