@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+"""The programs of the guide's page on Python print what it says, and draw what it shows."""
+import contextlib
+import io
+import os
+import pathlib
+import runpy
+import tempfile
+import unittest
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+GUIDE = pathlib.Path(__file__).parents[2] / "lib" / "guide"
+LARGEST = 0.05  # of the root of the mean squared difference of pictures: fonts may be others
+
+
+class Tour(unittest.TestCase):
+    def test_programs_do_what_the_page_says(self):
+        page = (GUIDE / "python.md").read_text(encoding="utf-8")
+        here = os.getcwd()
+        for name in ("swirl", "grains", "conduction"):
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                printed = io.StringIO()
+                os.chdir(folder)
+                try:
+                    with contextlib.redirect_stdout(printed):
+                        runpy.run_path(str(GUIDE / "tour" / f"{name}.py"))
+                    drawn, kept = (plt.imread(path)[:, :, :3] for path in (
+                        f"{name}.png", GUIDE / "tour" / f"{name}.png"))
+                finally:
+                    os.chdir(here)
+                    plt.close("all")
+                self.assertIn(f"It prints `{printed.getvalue().strip()}`", page)
+                self.assertEqual(drawn.shape, kept.shape)
+                self.assertLess(np.sqrt(np.mean((drawn - kept)**2)), LARGEST)
+
+
+if __name__ == "__main__":
+    unittest.main()
