@@ -94,7 +94,9 @@ private:
 } // namespace
 
 void add_fluid(py::module_& module) {
-    py::register_exception<SolveError>(module, "SolveError", PyExc_RuntimeError);
+    py::register_exception<SolveError>(module, "SolveError", PyExc_RuntimeError).attr("__doc__") =
+        "Equations of a fluid that cannot be solved: triangles have degenerated, or it is too "
+        "fast.";
     py::class_<FlowingFluid>(module, "Fluid", R"(
 Incompressible flow of two and more phases, which moves the interface of a simulation.
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 
 namespace dsc::python {
@@ -139,25 +140,31 @@ const Mesh::Arrays& Mesh::arrays() {
     if (arrays_) {
         return *arrays_;
     }
-    std::vector<std::int32_t> row(complex.vertex_bound(), -1);
+    const auto rows = std::make_unique_for_overwrite<std::int32_t[]>(complex.vertex_bound());
     py::array_t<double> points({static_cast<py::ssize_t>(complex.vertex_count()), py::ssize_t{2}});
     double* place = points.mutable_data();
-    std::int32_t rows = 0;
-    for (const Vertex v : vertices(complex)) {
-        row[v.id] = rows++;
-        *place++ = complex.vertices[v.id].x;
-        *place++ = complex.vertices[v.id].y;
+    std::int32_t row = 0;
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        const VertexRecord<double>& vertex = complex.vertices[v];
+        if ((vertex.flags & vertex_dead) == 0) {
+            rows[v] = row++;
+            *place++ = vertex.x;
+            *place++ = vertex.y;
+        }
     }
     const auto count = static_cast<py::ssize_t>(complex.triangle_count());
     py::array_t<std::int32_t> corners({count, py::ssize_t{3}});
     py::array_t<std::uint32_t> numbers(count);
     std::int32_t* corner = corners.mutable_data();
     std::uint32_t* number = numbers.mutable_data();
-    for (const Triangle t : dsc::triangles(complex)) {
-        for (const std::uint32_t v : complex.triangles[t.id].v) {
-            *corner++ = row[v];
+    for (std::uint32_t t = border_triangle + 1; t < complex.triangle_bound(); ++t) {
+        const TriangleRecord& triangle = complex.triangles[t];
+        if (triangle.v[0] != no_id) {
+            for (const std::uint32_t v : triangle.v) {
+                *corner++ = rows[v];
+            }
+            *number++ = triangle.phase;
         }
-        *number++ = complex.phase(t);
     }
     arrays_ = Arrays{frozen(points), frozen(corners), frozen(numbers)};
     return *arrays_;

@@ -4,8 +4,10 @@
 
 PYBIND11_MODULE(_dsc, module) {
     namespace py = pybind11;
-    py::register_exception<dsc::InputError>(module, "InputError", PyExc_ValueError);
-    py::register_exception<dsc::FileError>(module, "FileError", PyExc_OSError);
+    py::register_exception<dsc::InputError>(module, "InputError", PyExc_ValueError)
+        .attr("__doc__") = "Bad input: what is wrong, where, what was given and what is allowed.";
+    py::register_exception<dsc::FileError>(module, "FileError", PyExc_OSError).attr("__doc__") =
+        "A file that cannot be written, or bytes that are not what was written.";
     // Bytes that a changed byte makes unreadable.
     const dsc::SealedKind kind{"dsc-py"};
     module.def("_sealed",

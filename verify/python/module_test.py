@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The Python module: what a user does with it, and what it refuses."""
 import copy
-import doctest
-import pathlib
-import runpy
 import signal
 import threading
 import unittest
@@ -260,22 +257,6 @@ class Drawn(unittest.TestCase):
         self.assertEqual(len(curves.get_segments()), 1)
         ax = dsc.plot(mesh, Figure().add_subplot(), values=mesh.qualities, interface=False)
         self.assertEqual(len(ax.collections), 1)
-
-
-class Documented(unittest.TestCase):
-    def test_the_example_runs(self):
-        self.assertEqual(doctest.testmod(dsc).failed, 0)
-
-    def test_the_program_of_the_page_runs(self):
-        import matplotlib
-        matplotlib.use("Agg")
-        ran = runpy.run_path(str(pathlib.Path(__file__).parent / "readme.py"))
-        self.assertAlmostEqual(ran["mesh"].areas[1], 0.0707, places=4)
-
-    def test_all_options_are_explained(self):
-        sim = dsc.Simulation(disc_mesh(), edge_length=H)
-        for name in sim.options:
-            self.assertIn(f"\n{name} : default ", dsc.Simulation.__doc__)
 
 
 if __name__ == "__main__":

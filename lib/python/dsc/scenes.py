@@ -7,13 +7,12 @@ environment variable DSC_SCENE names another one.
 import json
 import os
 import pathlib
-import shutil
-import subprocess
-import tempfile
 
 
 def program():
     """The path of `dsc_scene`. Raises FileNotFoundError."""
+    import shutil
+
     here = pathlib.Path(__file__).resolve()
     places = [here.parents[2] / "scenes" / "dsc_scene",
               *(parent / "bin" / "dsc_scene" for parent in here.parents)]
@@ -26,6 +25,8 @@ def program():
 
 
 def _call(arguments):
+    import subprocess  # with what it brings, a third of the time that the package takes to import
+
     done = subprocess.run([program(), *arguments], capture_output=True, text=True, check=False)
     if done.returncode not in (0, 1):
         raise ValueError(done.stderr.strip() or f"dsc_scene ended with {done.returncode}")
@@ -62,6 +63,8 @@ def run(scene, *, strategy=None, submeshes=None, threads=None, frames=None, even
         The result: `sd_rel_last`, `area_ratio`, `mesh_hash`, ...; `holds` says whether all
         invariants held.
     """
+    import tempfile
+
     options = {"strategy": strategy, "submeshes": submeshes, "threads": threads, "frames": frames,
                "events": events, "series": series, "checkpoint": checkpoint}
     with tempfile.TemporaryDirectory() as folder:
