@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""What grows over ten thousand steps, and how long an interruption takes where steps are long."""
+import gc
+import os
+import pickle
+import resource
+import signal
+import threading
+import time
+import tracemalloc
+import unittest
+
+import dsc
+import numpy as np
+from meshes import DOMAIN, disc_mesh, swirl
+
+STEPS = 10_000
+H = 0.1
+
+
+def resident():
+    """Bytes."""
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * resource.getpagesize()
+
+
+class Leaks(unittest.TestCase):
+    def test_ten_thousand_steps_leave_nothing(self):
+        mesh = disc_mesh(H)
+        sim = dsc.Simulation(mesh, edge_length=H, topology="change")
+
+        def failing(x, t):
+            raise ValueError("no")
+
+        def to_and_fro(x, t):
+            return swirl(x, t) * np.cos(np.pi * t)
+
+        flows = (to_and_fro, dsc.interface_flow(lambda one, t: to_and_fro(one.positions, t)), dsc.swirl(1, 2))
+
+        def go(steps):
+            for k in range(steps):
+                sim.step(flows[k % 3], 0.01 * k, 0.01)
+                if k % 10 == 0:
+                    mesh.vertex_data["x"] = mesh.points[:, 0]
+                    mesh.interface_curves(), mesh.outlines(1), mesh.figures, mesh.qualities, repr(sim)
+                    for error, flow in ((ValueError, failing), (dsc.InputError, lambda x, t: None)):
+                        with self.assertRaises(error):
+                            sim.step(flow, 0, 0.01)
+                if k % 1000 == 0:
+                    pickle.loads(pickle.dumps(sim)).step(to_and_fro, 0, 0.01)
+
+        tracemalloc.start()
+        resident()
+        go(STEPS // 10)  # what is kept once, such as code that is imported
+        gc.collect()
+        first, rss = tracemalloc.take_snapshot(), resident()
+        go(STEPS)
+        gc.collect()
+        grown = tracemalloc.take_snapshot().compare_to(first, "filename")
+        tracemalloc.stop()
+        ours = sum(one.size_diff for one in grown if "tracemalloc" not in one.traceback[0].filename)
+        self.assertLess(ours, 20_000, grown[:5])  # what grows with the steps would be 10,000 of it
+        self.assertLess(resident() - rss, 4e6)
+
+
+class Interrupted(unittest.TestCase):
+    def test_control_c_ends_a_run_within_a_sub_step(self):
+        h = 0.003
+        for flow in (dsc.swirl(period=2), swirl):
+            waits = []
+            for _ in range(5):
+                mesh = dsc.initial_complex(DOMAIN, {1: dsc.shapes.circle((0.5, 0.75), 0.15, h)},
+                                           edge_length=h)
+                sim = dsc.Simulation(mesh, edge_length=h, threads=2)
+
+                def interrupt():
+                    waits.append(-time.perf_counter())
+                    os.kill(os.getpid(), signal.SIGINT)
+
+                timer = threading.Timer(0.2, interrupt)
+                timer.start()
+                with self.assertRaises(KeyboardInterrupt):
+                    while True:
+                        sim.step(flow, 0, 1)
+                waits[-1] += time.perf_counter()
+                timer.join()
+                self.assertEqual(mesh.validate(), "")
+            self.assertLess(sorted(waits)[2], 0.05, waits)
+
+
+if __name__ == "__main__":
+    unittest.main()
