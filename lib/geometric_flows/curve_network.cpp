@@ -48,6 +48,8 @@ Freedom along(const Point<double>& way, double length) {
     return {t.x() * t.x(), t.x() * t.y(), t.y() * t.y()};
 }
 
+Eigen::Matrix2d matrix_of(const Freedom& f) { return Eigen::Matrix2d{{f.xx, f.xy}, {f.xy, f.yy}}; }
+
 constexpr Freedom anywhere{};
 constexpr Freedom nowhere{0, 0, 0};
 
@@ -69,18 +71,14 @@ struct Drag {
     }
     /// Across the curve, but in all directions at the tip of a spike.
     [[nodiscard]] Freedom across() const {
+        if (size == 0) {
+            return nowhere;
+        }
         const double length = tangent.norm();
         return length < 1e-3 ? size * anywhere
                              : size * (rest_of(along(tangent, length)) + drag_along * anywhere);
     }
 };
-
-/// one * middle * one, for symmetric matrices.
-Freedom within(const Freedom& one, const Freedom& middle) {
-    const Point<double> x = one.of(middle.of({one.xx, one.xy}));
-    const Point<double> y = one.of(middle.of({one.xy, one.yy}));
-    return {x.x(), x.y(), y.y()};
-}
 
 } // namespace
 
@@ -134,13 +132,14 @@ std::vector<double> lumped_drag(const CurveNetwork& network,
 // alike, which is an error of the order of dt.
 void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) {
     const std::size_t n = positions.size();
-    const auto row = [](std::size_t i) { return static_cast<int>(2 * i); };
     std::vector<Freedom> diagonal(n, nowhere);
-    std::vector<Point<double>> force(n, Point<double>(0, 0));
     std::vector<Drag> between(n);
     const double shortest = shortest_in_step(network_, dt);
-    entries_.clear();
-    for (const CurveEdge& edge : network_.edges) {
+    forces_.setZero(2, static_cast<Eigen::Index>(n));
+    const auto force = [&](std::uint32_t i) { return forces_.col(static_cast<Eigen::Index>(i)); };
+    coupling_.resize(network_.edges.size());
+    for (std::size_t e = 0; e < network_.edges.size(); ++e) {
+        const CurveEdge& edge = network_.edges[e];
         const Point<double> way = positions[edge.to] - positions[edge.from];
         const double length = length_of(edge, positions, shortest);
         const double stiffness = edge.forces.tension / length;
@@ -159,68 +158,49 @@ void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) 
         };
         add_at(edge.from, way / length);
         add_at(edge.to, -way / length);
-        force[edge.from] += stiffness * way;
-        force[edge.to] -= stiffness * way;
-
-        const auto [low, high] = std::minmax(edge.from, edge.to);
-        const Freedom& l = network_.freedom[low];
-        const Freedom& h = network_.freedom[high];
-        entries_.emplace_back(row(high), row(low), -stiffness * (h.xx * l.xx + h.xy * l.xy));
-        entries_.emplace_back(row(high) + 1, row(low) + 1,
-                              -stiffness * (h.xy * l.xy + h.yy * l.yy));
-        if (h.xy != 0 || l.xy != 0) {
-            entries_.emplace_back(row(high), row(low) + 1,
-                                  -stiffness * (h.xx * l.xy + h.xy * l.yy));
-            entries_.emplace_back(row(high) + 1, row(low),
-                                  -stiffness * (h.xy * l.xx + h.yy * l.xy));
-        }
+        force(edge.from) += stiffness * way;
+        force(edge.to) -= stiffness * way;
+        const Freedom& one = network_.freedom[edge.from];
+        const Freedom& other = network_.freedom[edge.to];
+        coupling_[e] = one.is_full() && other.is_full()
+                           ? Eigen::Matrix2d{{-stiffness, 0}, {0, -stiffness}}
+                           : Eigen::Matrix2d(-stiffness * matrix_of(one) * matrix_of(other));
     }
     for (const EndForce& end : network_.ends) {
-        force[end.vertex] += end.force;
+        force(end.vertex) += end.force;
     }
-    for (std::size_t i = 0; i < n; ++i) {
+    diagonal_.resize(n);
+    for (std::uint32_t i = 0; i < n; ++i) {
         const Freedom& free = network_.freedom[i];
-        const Freedom block = within(free, diagonal[i] + between[i].across()) + rest_of(free);
-        entries_.emplace_back(row(i), row(i), block.xx);
-        entries_.emplace_back(row(i) + 1, row(i) + 1, block.yy);
-        if (network_.is_junction[i] != 0 || network_.is_between[i] != 0 || free.xy != 0) {
-            entries_.emplace_back(row(i) + 1, row(i), block.xy);
+        diagonal_[i] = matrix_of(diagonal[i] + between[i].across());
+        if (!free.is_full()) {
+            diagonal_[i] =
+                matrix_of(free) * diagonal_[i] * matrix_of(free) + matrix_of(rest_of(free));
+            force(i) = free.of(force(i));
         }
-        forces_.segment<2>(row(i)) = free.of(force[i]);
     }
-    matrix_.setFromTriplets(entries_.begin(), entries_.end());
 }
 
 std::vector<Point<double>> CurveSystem::step(std::span<const Point<double>> positions, double dt) {
-    const auto size = static_cast<Eigen::Index>(2 * positions.size());
-    forces_.resize(size);
-    matrix_.resize(size, size);
     assemble(positions, dt);
-    if (!is_analysed_) {
-        solver_.analyzePattern(matrix_);
-        is_analysed_ = true;
-    }
-    solver_.factorize(matrix_);
+    solver_.factorise(diagonal_, coupling_);
+    solver_.solve(forces_);
     std::vector<Point<double>> displacements(positions.size());
-    if (solver_.info() != Eigen::Success) {
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        std::ranges::fill(displacements, Point<double>(none, none));
-        return displacements;
-    }
-    const Eigen::VectorXd found = solver_.solve(forces_);
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        displacements[i] = found.segment<2>(static_cast<Eigen::Index>(2 * i));
+        displacements[i] = forces_.col(static_cast<Eigen::Index>(i));
     }
     return displacements;
 }
 
 Eigen::VectorXd CurveSystem::response_to(const Eigen::VectorXd& forces) const {
-    Eigen::VectorXd possible(forces.size());
+    Eigen::Matrix2Xd columns = Eigen::Map<const Eigen::Matrix2Xd>(
+        forces.data(), 2, static_cast<Eigen::Index>(network_.freedom.size()));
     for (std::size_t i = 0; i < network_.freedom.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(2 * i);
-        possible.segment<2>(row) = network_.freedom[i].of(forces.segment<2>(row));
+        const auto column = static_cast<Eigen::Index>(i);
+        columns.col(column) = network_.freedom[i].of(columns.col(column));
     }
-    return solver_.solve(possible);
+    solver_.solve(columns);
+    return columns.reshaped();
 }
 
 template Freedom freedom_of(const InterfaceView<double>&, std::size_t);

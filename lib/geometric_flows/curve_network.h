@@ -5,8 +5,9 @@
 
 #include "dsc/motion/interface_flow.h"
 
-#include <Eigen/Sparse>
-#include <Eigen/SparseCholesky>
+#include "geometric_flows/curve_solver.h"
+
+#include <Eigen/Core>
 
 #include <vector>
 
@@ -32,6 +33,8 @@ struct Freedom {
     double xy = 0;
     double yy = 1;
 
+    /// In all of them, as nearly always.
+    [[nodiscard]] bool is_full() const { return xx == 1 && yy == 1; }
     [[nodiscard]] Point<double> of(const Point<double>& p) const {
         return {xx * p.x() + xy * p.y(), xy * p.x() + yy * p.y()};
     }
@@ -70,12 +73,12 @@ template <class Real>
 [[nodiscard]] std::vector<double> lumped_drag(const CurveNetwork& network,
                                               std::span<const Point<double>> positions);
 
-/// Implicit Euler steps of one network. The matrix keeps its structure from step to step.
+/// Implicit Euler steps of one network, which must outlive it.
 class CurveSystem {
 public:
-    explicit CurveSystem(const CurveNetwork& network) : network_(network) {}
-    /// The displacements in a time dt of vertices that are at `positions`; NaN if the system cannot
-    /// be solved.
+    explicit CurveSystem(const CurveNetwork& network) : network_(network), solver_(network) {}
+    /// The displacements in a time dt of vertices that are at `positions`; NaN where the system
+    /// cannot be solved. O(vertices).
     [[nodiscard]] std::vector<Point<double>> step(std::span<const Point<double>> positions,
                                                   double dt);
     /// The additional displacements in the last step if these forces had acted as well: x and y of
@@ -86,11 +89,10 @@ private:
     void assemble(std::span<const Point<double>> positions, double dt);
 
     const CurveNetwork& network_;
-    std::vector<Eigen::Triplet<double>> entries_;
-    Eigen::VectorXd forces_;
-    Eigen::SparseMatrix<double> matrix_;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
-    bool is_analysed_ = false;
+    std::vector<Eigen::Matrix2d> diagonal_; ///< by vertex
+    std::vector<Eigen::Matrix2d> coupling_; ///< by edge
+    Eigen::Matrix2Xd forces_;               ///< by vertex
+    CurveSolver solver_;
 };
 
 template <class Real, class ForcesOf, class WallEnergy>

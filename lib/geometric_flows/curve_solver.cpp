@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "geometric_flows/curve_solver.h"
+
+#include "geometric_flows/curve_network.h"
+
+#include <limits>
+
+namespace dsc {
+
+namespace {
+
+using Block = Eigen::Matrix2d;
+
+/// NaN unless the block is positive definite.
+Block inverse_of(const Block& block) {
+    const double determinant = block(0, 0) * block(1, 1) - block(0, 1) * block(1, 0);
+    if (!(block(0, 0) > 0 && determinant > 0)) {
+        return Block::Constant(std::numeric_limits<double>::quiet_NaN());
+    }
+    const double scale = 1 / determinant;
+    return Block{{block(1, 1) * scale, -block(0, 1) * scale},
+                 {-block(1, 0) * scale, block(0, 0) * scale}};
+}
+
+} // namespace
+
+CurveSolver::CurveSolver(const CurveNetwork& network) : network_(network) {
+    find_sides();
+    find_curves();
+    left_.resize(junctions_.size());
+}
+
+// --- the curves ----------------------------------------------------------------------------------
+
+// A vertex that has not just two edges counts as a junction.
+void CurveSolver::find_sides() {
+    const std::size_t n = network_.positions.size();
+    std::vector<std::uint32_t> degree(n, 0);
+    edges_at_.assign(n, {no_id, no_id});
+    for (std::uint32_t e = 0; e < network_.edges.size(); ++e) {
+        for (const std::uint32_t v : {network_.edges[e].from, network_.edges[e].to}) {
+            if (degree[v] < 2) {
+                edges_at_[v][degree[v]] = e;
+            }
+            ++degree[v];
+        }
+    }
+    number_.assign(n, no_id);
+    for (std::uint32_t v = 0; v < n; ++v) {
+        if (network_.is_junction[v] != 0 || degree[v] != 2) {
+            number_[v] = static_cast<std::uint32_t>(junctions_.size());
+            junctions_.push_back(v);
+        }
+    }
+}
+
+void CurveSolver::find_curves() {
+    places_.reserve(number_.size() - junctions_.size());
+    is_taken_.assign(network_.edges.size(), 0);
+    for (std::uint32_t e = 0; e < network_.edges.size(); ++e) {
+        const CurveEdge& edge = network_.edges[e];
+        const bool starts = number_[edge.from] != no_id;
+        const bool ends = number_[edge.to] != no_id;
+        if (starts && ends) {
+            bridges_.push_back(e);
+            is_taken_[e] = 1;
+        } else if ((starts || ends) && is_taken_[e] == 0) {
+            follow(starts ? edge.from : edge.to, e);
+        }
+    }
+    for (std::uint32_t e = 0; e < network_.edges.size(); ++e) {
+        if (is_taken_[e] == 0) {
+            follow(network_.edges[e].from, e);
+        }
+    }
+}
+
+std::uint32_t CurveSolver::far_end(std::uint32_t edge, std::uint32_t vertex) const {
+    const CurveEdge& e = network_.edges[edge];
+    return e.from == vertex ? e.to : e.from;
+}
+
+// Along the curve that leaves the anchor by this edge, to its other anchor.
+void CurveSolver::follow(std::uint32_t anchor, std::uint32_t edge) {
+    const bool is_loop = number_[anchor] == no_id;
+    Curve curve{.begin = places_.size(), .end = 0, .from = anchor, .to = anchor, .last = {}};
+    std::uint32_t v = far_end(edge, anchor);
+    for (; number_[v] == no_id && v != anchor; v = far_end(edge, v)) {
+        is_taken_[edge] = 1;
+        places_.push_back({.vertex = v, .before = {edge, network_.edges[edge].from == v}});
+        edge = edges_at_[v][edges_at_[v][0] == edge ? 1 : 0];
+    }
+    is_taken_[edge] = 1;
+    curve.end = places_.size();
+    curve.to = v;
+    curve.last = {edge, network_.edges[edge].from == places_.back().vertex};
+    (is_loop ? loops_ : curves_).push_back(curve);
+}
+
+// --- elimination ---------------------------------------------------------------------------------
+
+CurveSolver::Remainder CurveSolver::eliminate(Curve& curve, std::span<const Block> diagonal,
+                                              std::span<const Block> coupling) {
+    const auto block_of = [&](const Side& side) {
+        return side.is_first ? coupling[side.edge] : Block(coupling[side.edge].transpose());
+    };
+    Remainder rest;
+    for (std::size_t k = curve.begin; k < curve.end; ++k) {
+        Place& place = places_[k];
+        place.to_before = block_of(place.before);
+        Block own = diagonal[place.vertex];
+        if (k == curve.begin) {
+            place.to_first = place.to_before;
+        } else {
+            const Place& before = places_[k - 1];
+            const Block factor = place.to_before * before.inverse;
+            own -= factor * place.to_before.transpose();
+            place.to_first = -factor * before.to_first;
+        }
+        place.inverse = inverse_of(own);
+        rest.at_first -= place.to_first.transpose() * place.inverse * place.to_first;
+    }
+    const Place& last = places_[curve.end - 1];
+    curve.to_last = block_of(curve.last);
+    const Block factor = curve.to_last.transpose() * last.inverse;
+    rest.at_last = -factor * curve.to_last;
+    rest.across = -factor * last.to_first;
+    return rest;
+}
+
+void CurveSolver::factorise(std::span<const Block> diagonal, std::span<const Block> coupling) {
+    for (Curve& loop : loops_) {
+        const Remainder rest = eliminate(loop, diagonal, coupling);
+        loop.cut_inverse = inverse_of(diagonal[loop.from] + rest.at_first + rest.at_last +
+                                      rest.across + rest.across.transpose());
+    }
+    entries_.clear();
+    for (std::size_t i = 0; i < junctions_.size(); ++i) {
+        left_[i] = diagonal[junctions_[i]];
+    }
+    for (Curve& curve : curves_) {
+        const Remainder rest = eliminate(curve, diagonal, coupling);
+        const std::uint32_t from = number_[curve.from];
+        const std::uint32_t to = number_[curve.to];
+        left_[from] += rest.at_first;
+        left_[to] += rest.at_last;
+        if (from == to) {
+            left_[from] += rest.across + rest.across.transpose();
+        } else {
+            add_block(to, from, rest.across);
+        }
+    }
+    for (const std::uint32_t e : bridges_) {
+        add_block(number_[network_.edges[e].from], number_[network_.edges[e].to], coupling[e]);
+    }
+    factorise_junctions();
+}
+
+// In the lower half of the matrix.
+void CurveSolver::add_block(std::uint32_t row, std::uint32_t column, const Block& block) {
+    const bool is_lower = row > column;
+    const int i = 2 * static_cast<int>(is_lower ? row : column);
+    const int j = 2 * static_cast<int>(is_lower ? column : row);
+    for (const int a : {0, 1}) {
+        for (const int b : {0, 1}) {
+            entries_.emplace_back(i + a, j + b, is_lower ? block(a, b) : block(b, a));
+        }
+    }
+}
+
+void CurveSolver::factorise_junctions() {
+    if (junctions_.empty()) {
+        return;
+    }
+    for (std::size_t k = 0; k < junctions_.size(); ++k) {
+        const int i = 2 * static_cast<int>(k);
+        entries_.emplace_back(i, i, left_[k](0, 0));
+        entries_.emplace_back(i + 1, i, left_[k](1, 0));
+        entries_.emplace_back(i + 1, i + 1, left_[k](1, 1));
+    }
+    const auto size = static_cast<Eigen::Index>(2 * junctions_.size());
+    matrix_.resize(size, size);
+    matrix_.setFromTriplets(entries_.begin(), entries_.end());
+    if (!is_analysed_) {
+        solver_.analyzePattern(matrix_);
+        is_analysed_ = true;
+    }
+    solver_.factorize(matrix_);
+}
+
+// --- solution ------------------------------------------------------------------------------------
+
+void CurveSolver::solve(Eigen::Matrix2Xd& columns) const {
+    const auto at = [&](std::uint32_t v) { return columns.col(static_cast<Eigen::Index>(v)); };
+    const auto forward = [&](const Curve& curve) {
+        for (std::size_t k = curve.begin; k < curve.end; ++k) {
+            const Place& place = places_[k];
+            if (k != curve.begin) {
+                const Place& before = places_[k - 1];
+                at(place.vertex) -= place.to_before * (before.inverse * at(before.vertex));
+            }
+            at(curve.from) -= place.to_first.transpose() * (place.inverse * at(place.vertex));
+        }
+        const Place& last = places_[curve.end - 1];
+        at(curve.to) -= curve.to_last.transpose() * (last.inverse * at(last.vertex));
+    };
+    const auto backward = [&](const Curve& curve) {
+        Eigen::Vector2d after = curve.to_last * at(curve.to);
+        for (std::size_t k = curve.end; k > curve.begin; --k) {
+            const Place& place = places_[k - 1];
+            at(place.vertex) =
+                place.inverse * (at(place.vertex) - after - place.to_first * at(curve.from));
+            after = place.to_before.transpose() * at(place.vertex);
+        }
+    };
+    for (const Curve& loop : loops_) {
+        forward(loop);
+        at(loop.from) = loop.cut_inverse * at(loop.from);
+        backward(loop);
+    }
+    for (const Curve& curve : curves_) {
+        forward(curve);
+    }
+    solve_junctions(columns);
+    for (const Curve& curve : curves_) {
+        backward(curve);
+    }
+}
+
+void CurveSolver::solve_junctions(Eigen::Matrix2Xd& columns) const {
+    if (junctions_.empty()) {
+        return;
+    }
+    Eigen::VectorXd sides(static_cast<Eigen::Index>(2 * junctions_.size()));
+    for (std::size_t k = 0; k < junctions_.size(); ++k) {
+        sides.segment<2>(static_cast<Eigen::Index>(2 * k)) =
+            columns.col(static_cast<Eigen::Index>(junctions_[k]));
+    }
+    if (solver_.info() == Eigen::Success) {
+        sides = solver_.solve(sides).eval();
+    } else {
+        sides.setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    for (std::size_t k = 0; k < junctions_.size(); ++k) {
+        columns.col(static_cast<Eigen::Index>(junctions_[k])) =
+            sides.segment<2>(static_cast<Eigen::Index>(2 * k));
+    }
+}
+
+} // namespace dsc

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Solves the linear systems of a network of curves, whose matrix has a block of two rows for each
+// vertex and one for each edge: it is eliminated along each curve, junctions last.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Sparse>
+#include <Eigen/SparseCholesky>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace dsc {
+
+struct CurveNetwork;
+
+/// A block elimination in the order of the curves (Cholesky's method for a block tridiagonal matrix
+/// with a border). It leaves a sparse system of the junctions alone; a closed curve is cut at one
+/// of its vertices. Without pivots: the matrix has to be symmetric and positive definite.
+class CurveSolver {
+public:
+    /// Finds the curves. O(vertices and edges).
+    explicit CurveSolver(const CurveNetwork& network);
+
+    /// `diagonal` has the block of each vertex, `coupling` that of each edge: rows of its first
+    /// vertex, columns of its second. O(vertices), and a sparse factorisation of the junctions.
+    void factorise(std::span<const Eigen::Matrix2d> diagonal,
+                   std::span<const Eigen::Matrix2d> coupling);
+
+    /// Solves for one column a vertex, in place. A closed curve without a solution becomes NaN; so
+    /// do all other vertices where the curves between junctions have none. O(vertices).
+    void solve(Eigen::Matrix2Xd& columns) const;
+
+private:
+    /// An edge as seen from one of its ends, which has the rows of the block.
+    struct Side {
+        std::uint32_t edge;
+        bool is_first; ///< the end is the first vertex of the edge
+    };
+    /// Successive vertices between two anchors, which are junctions, or twice the cut of a loop.
+    struct Curve {
+        std::size_t begin;                                 ///< of its places
+        std::size_t end;                                   ///< of its places
+        std::uint32_t from;                                ///< the anchor before the first vertex
+        std::uint32_t to;                                  ///< the anchor after the last one
+        Side last;                                         ///< from the last vertex to `to`
+        Eigen::Matrix2d to_last = Eigen::Matrix2d::Zero(); ///< its block
+        Eigen::Matrix2d cut_inverse = Eigen::Matrix2d::Zero(); ///< of a loop
+    };
+    /// A vertex between two anchors, and its factors.
+    struct Place {
+        std::uint32_t vertex;
+        Side before; ///< to the vertex before it, or the first anchor
+        Eigen::Matrix2d inverse = Eigen::Matrix2d::Zero();   ///< of what is left of its block
+        Eigen::Matrix2d to_before = Eigen::Matrix2d::Zero(); ///< block with the vertex before
+        Eigen::Matrix2d to_first = Eigen::Matrix2d::Zero();  ///< block with the first anchor
+    };
+    /// What a curve leaves at its anchors.
+    struct Remainder {
+        Eigen::Matrix2d at_first = Eigen::Matrix2d::Zero();
+        Eigen::Matrix2d at_last = Eigen::Matrix2d::Zero();
+        Eigen::Matrix2d across = Eigen::Matrix2d::Zero(); ///< rows of the last one
+    };
+
+    void find_sides();
+    void find_curves();
+    void follow(std::uint32_t anchor, std::uint32_t edge);
+    [[nodiscard]] std::uint32_t far_end(std::uint32_t edge, std::uint32_t vertex) const;
+    [[nodiscard]] Remainder eliminate(Curve& curve, std::span<const Eigen::Matrix2d> diagonal,
+                                      std::span<const Eigen::Matrix2d> coupling);
+    void factorise_junctions();
+    void solve_junctions(Eigen::Matrix2Xd& columns) const;
+    void add_block(std::uint32_t row, std::uint32_t column, const Eigen::Matrix2d& block);
+
+    const CurveNetwork& network_;
+    std::vector<std::array<std::uint32_t, 2>> edges_at_; ///< of each vertex that has just two
+    std::vector<std::uint8_t> is_taken_;                 ///< by edge: it is part of a curve
+    std::vector<Curve> loops_;
+    std::vector<Curve> curves_; ///< between junctions
+    std::vector<Place> places_; ///< curve by curve
+    std::vector<std::uint32_t> junctions_;
+    std::vector<std::uint32_t> number_;  ///< of the junction at a vertex, or no_id
+    std::vector<std::uint32_t> bridges_; ///< edges between two junctions
+
+    std::vector<Eigen::Matrix2d> left_; ///< diagonal blocks of the junctions
+    std::vector<Eigen::Triplet<double>> entries_;
+    Eigen::SparseMatrix<double> matrix_; ///< of the junctions
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+    bool is_analysed_ = false;
+};
+
+} // namespace dsc
