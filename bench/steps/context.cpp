@@ -20,14 +20,6 @@ namespace dsc::bench {
 
 namespace {
 
-std::string compiler() {
-#if defined(__clang__)
-    return "clang++ " __clang_version__;
-#else
-    return "g++ " __VERSION__;
-#endif
-}
-
 /// Seconds since the machine was started that its cores were at work, all of them together, and
 /// those of this process.
 struct BusyTime {
@@ -92,7 +84,7 @@ void add_context() {
     benchmark::AddCustomContext("dsc_machine", scenes::machine());
     benchmark::AddCustomContext("dsc_commit", scenes::commit());
     benchmark::AddCustomContext("dsc_cores", std::to_string(core_count()));
-    benchmark::AddCustomContext("dsc_compiler", compiler());
+    benchmark::AddCustomContext("dsc_compiler", scenes::compiler());
     benchmark::AddCustomContext("dsc_build_type", DSC_BUILD_TYPE);
     benchmark::AddCustomContext("dsc_native", DSC_NATIVE_BUILD);
     benchmark::AddCustomContext("dsc_load", load);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "suite.h"
 
-#include "case_reader.h"
 #include "context.h"
 
 #include "dsc/base/error.h"
 #include "dsc/base/types.h"
 #include "scenes/digits.h"
+#include "scenes/file/case_reader.h"
 #include "scenes/file/nearest.h"
 #include "scenes/file/text_file.h"
 #include "scenes/run/usage.h"
@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -21,8 +22,14 @@ namespace dsc::bench {
 
 namespace {
 
+using scenes::at_key;
+using scenes::CaseReader;
+using scenes::CaseSize;
+using scenes::integers;
+using scenes::read_settings;
 using scenes::Strategy;
 using scenes::TableReader;
+using scenes::texts;
 
 constexpr std::array measure_names{
     Named{Measure::run, "run"},       Named{Measure::step, "step"},
@@ -35,43 +42,16 @@ constexpr int most_threads = 1024;
 constexpr int most_submeshes = 65536;
 constexpr int most_seed = 1'000'000'000;
 
-/// A size of a case: its name in rows, and the edge length; 0: the scene's own.
-struct Size {
-    std::string name;
-    double h = 0;
-};
-
 /// The keys of a case that do not depend on its scenes.
 struct Case {
     const CaseReader* reader = nullptr;
     std::string name{};
     Measure measure = Measure::run;
-    std::vector<Size> sizes{};
+    std::vector<CaseSize> sizes{};
     std::vector<Strategy> strategies{};
     std::vector<std::uint32_t> threads{};
     std::vector<int> between_us{};
 };
-
-std::vector<Size> read_sizes(const CaseReader& reader) {
-    std::vector<Size> sizes;
-    if (reader.has("triangles") && reader.has("h")) {
-        reader.refuse("h", "two kinds of sizes", "triangles, or h");
-    }
-    if (reader.has("triangles")) {
-        for (const int triangles : integers(reader, "triangles", 100, 20'000'000)) {
-            // As many equilateral triangles fill the unit square.
-            sizes.push_back({"triangles:" + std::to_string(triangles),
-                             std::sqrt(4 / (std::sqrt(3.0) * triangles))});
-        }
-    } else if (reader.has("h")) {
-        for (const double h : numbers(reader, "h", {1e-5, 1})) {
-            sizes.push_back({"", h});
-        }
-    } else {
-        sizes.emplace_back();
-    }
-    return sizes;
-}
 
 void check_strategy(const CaseReader& reader, Measure measure, Strategy strategy) {
     const auto refuse = [&](const char* allowed) {
@@ -302,6 +282,7 @@ Measure read_measure(const CaseReader& reader) {
 
 std::vector<std::string> keys_of(Measure measure) {
     std::vector<std::string> keys{"name", "scene", "measure", "triangles", "h", "set"};
+    std::ranges::copy(scenes::case_keys_of_verify(), std::back_inserter(keys));
     const auto add = [&](std::initializer_list<const char*> more) {
         keys.insert(keys.end(), more.begin(), more.end());
     };
@@ -318,7 +299,7 @@ std::vector<std::string> keys_of(Measure measure) {
 
 void read_rows(const CaseReader& reader, Suite& suite) {
     Case c{.reader = &reader, .measure = read_measure(reader)};
-    c.sizes = read_sizes(reader);
+    c.sizes = scenes::read_sizes(reader);
     if (c.measure != Measure::option) {
         c.strategies = read_strategies(reader, c.measure);
         c.threads = read_threads(reader);
@@ -333,7 +314,7 @@ void read_rows(const CaseReader& reader, Suite& suite) {
     const std::vector<std::string> scenes = texts(reader, "scene");
     const std::vector<std::string> names = read_names(reader, scenes.size());
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const scenes::Scene scene = read_scene(reader, scenes[i]);
+        const scenes::Scene scene = scenes::read_scene(reader, scenes[i]).scene;
         c.name = names[i].empty() ? scene.name : names[i];
         Workload workload{.scene = scene, .parameters = scene.defaults};
         read_settings(reader, "set", scene, workload.parameters);
@@ -344,7 +325,7 @@ void read_rows(const CaseReader& reader, Suite& suite) {
             workload.area_error = read_area_error(reader);
             read_part(reader, c.measure, workload);
         }
-        for (const Size& size : c.sizes) {
+        for (const CaseSize& size : c.sizes) {
             workload.parameters.h = size.h > 0 ? size.h : workload.parameters.h;
             if (c.measure == Measure::option) {
                 add_comparison(c, scene, workload.parameters, suite);
@@ -430,7 +411,9 @@ scenes::RunOptions Row::options(std::uint32_t on_threads) const {
 Suite read_suite(const std::filesystem::path& path) {
     const toml::table table = scenes::parse_toml(read_text(path), path);
     const TableReader top(table, "", path);
-    top.allow({"also", "case"});
+    std::vector<std::string> allowed{"also", "case"};
+    std::ranges::copy(scenes::keys_of_verify(), std::back_inserter(allowed));
+    top.allow(allowed);
     Suite suite;
     for (const TableReader& reader : top.tables("case")) {
         read_case(reader, suite);

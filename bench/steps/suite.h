@@ -29,6 +29,7 @@
 //     seeds = [1, 2, 3]           # result: a run for each, with this `seed`
 //     rows = [{ measure = "step" }]         # each is a case of its own: its keys and those above
 //
+// What dsc_verify alone reads, such as `limits`, may stand in the same file (verify/gate/suite.h).
 // Single values may stand for lists of one.
 #pragma once
 

@@ -70,7 +70,7 @@ OWN = {
     "flows": ["flows"],
     "scenes": ["scenes", "scene_files", "scene_runs", "checkpoints", "scene_output_cli"],
     "reference": ["reference"],
-    "gate": ["judge", "limits", "gate_cli"],
+    "gate": ["judge", "gate_cli"],
     "plots": ["plots"],
 }
 # Cheap ones first. The hashes notice nearly everything and say nothing about what is wrong, so they
@@ -91,7 +91,6 @@ QUICK_GATE = ["area_ratio", "symmetric_difference", "symmetric_difference_half",
               "unreached", "min_quality"]
 # The modules of a unittest, where they run, and the programs that they call.
 PYTHON = {
-    "limits": ("verify/gate", ["limits_test"], []),
     "gate_cli": ("verify/scenes", ["gate_cli_test"], ["dsc_scene", "dsc_verify", "dsc_hard"]),
     "scene_output_cli": ("verify/scenes", ["scene_output_cli_test"], ["dsc_scene"]),
     "plots": ("plots", ["tests.test_plots", "tests.test_parallel", "tests.test_precision",

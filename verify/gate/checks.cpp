@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "checks.h"
 
-#include "scenes/catalogue/catalogue.h"
-
-#include "accuracy.h"
-
-#include "dsc/base/error.h"
+#include "measures/convergence.h"
 #include "measures/histogram.h"
 #include "scenes/file/excerpt.h"
 #include "scenes/file/nearest.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -23,44 +18,20 @@ namespace {
 
 using scenes::RunResult;
 using scenes::Strategy;
-using Names = std::vector<std::string>;
 
-const Names compared{"scaling", "translation",  "rotation-rectangle", "speedup-four-circles",
-                     "swirl",   "single-vortex"};
+// Any number of threads gives the same result, as `mesh_hash` checks: two stand for all of them.
+const std::vector<std::uint32_t> two_threads{2};
+const std::vector<std::uint32_t> many_threads{1, 2, 3, 5};
 
-Names every_scene() {
-    Names names;
-    for (const auto& scene : scenes::catalogue()) {
-        names.push_back(scene.name);
-    }
-    return names;
+// --- figures
+// --------------------------------------------------------------------------------------
+
+auto last(const char* name) {
+    return [name](const RunResult& r) { return number(r.last, name); };
 }
 
-Names scenes_with_exact_shape() {
-    Names names;
-    for (const auto& scene : scenes::catalogue()) {
-        if (scene.prepare(scene.defaults).exact) {
-            names.push_back(scene.name);
-        }
-    }
-    return names;
-}
-
-// Scenes in which phases merge or part in a way that does not depend on the order of operations.
-const Names eventful{"grow-shrink", "erode-dumbbell", "drop-and-pool", "t1"};
-
-// Flows that stretch and fold the interface: many short edges, and many of them at boundaries.
-const Names winding{"swirl", "single-vortex", "swirl-zalesak"};
-
-// The parallel runs; two threads stand for any number, since `mesh_hash` shows no difference.
-std::vector<Configuration> parallel(const std::string& scene) {
-    std::vector<Configuration> all;
-    for (const Strategy strategy : scenes::all_strategies()) {
-        if (scenes::is_parallel(strategy)) {
-            all.push_back({scene, Size::full, strategy, 2});
-        }
-    }
-    return all;
+auto half(const char* name) {
+    return [name](const RunResult& r) { return number(r.half.value(), name); };
 }
 
 // How far the change of the area differs from that of the exact shape; for flows without divergence
@@ -69,110 +40,7 @@ double area_drift(const RunResult& r) {
     return std::abs(r.area_ratio / (number(r.last, "area_exact") / r.area_exact_first) - 1);
 }
 
-Measured distinct_hashes(Runs& runs, const std::string& scene) {
-    Measured most;
-    for (const Strategy strategy : scenes::all_strategies()) {
-        if (!scenes::is_parallel(strategy)) {
-            continue;
-        }
-        std::set<std::uint64_t> hashes;
-        std::set<std::map<std::string, std::uint64_t>> counts;
-        for (const std::uint32_t threads : {1U, 2U, 3U, 5U}) {
-            const RunResult& r =
-                finished(runs, {scene, Size::shared, strategy, threads, {}, false});
-            hashes.insert(r.mesh_hash);
-            counts.insert(r.operations);
-        }
-        const auto different = static_cast<double>(std::max(hashes.size(), counts.size()));
-        if (different > most.value) {
-            most = {different, {scene, Size::shared, strategy, 2, {}, false}};
-        }
-    }
-    return most;
-}
-
-using Figure = std::function<double(const RunResult&)>;
-
-Check of_sequential(std::string name, std::string description, std::string unit, bool at_least,
-                    Names scenes, Figure figure, Names figures = {},
-                    Culprit culprit = Culprit::none) {
-    return {std::move(name),
-            std::move(description),
-            std::move(unit),
-            at_least,
-            std::move(scenes),
-            [figure = std::move(figure)](Runs& runs, const std::string& scene) {
-                return Measured{figure(finished(runs, {scene})), {scene}};
-            },
-            std::move(figures),
-            culprit};
-}
-
-// The worst of all strategies. The limits are the spread of the sequential method over shuffled
-// orders (verify/gate/bands.py): threads must not produce a mesh that no other order would have
-// produced.
-Check against_parallel(const Comparison& comparison) {
-    return {comparison.name,
-            comparison.description,
-            "1",
-            false,
-            comparison.scenes,
-            [difference = comparison.difference](Runs& runs, const std::string& scene) {
-                const RunResult& sequential = finished(runs, {scene});
-                Measured worst{.run = {scene}};
-                for (const Configuration& one : parallel(scene)) {
-                    const double here = difference(finished(runs, one), sequential);
-                    if (std::isnan(here)) {
-                        return Measured{here, one};
-                    }
-                    if (here > worst.value) {
-                        worst = {here, one};
-                    }
-                }
-                return worst;
-            },
-            comparison.figures};
-}
-
-Check least_of_parallel(std::string name, std::string description, std::string unit, Figure figure,
-                        Names figures, Culprit culprit) {
-    return {std::move(name),
-            std::move(description),
-            std::move(unit),
-            true,
-            every_scene(),
-            [figure = std::move(figure)](Runs& runs, const std::string& scene) {
-                Measured least{.value = std::numeric_limits<double>::infinity()};
-                for (const Configuration& one : parallel(scene)) {
-                    const double here = figure(finished(runs, one));
-                    if (std::isnan(here)) {
-                        return Measured{here, one};
-                    }
-                    if (here < least.value) {
-                        least = {here, one};
-                    }
-                }
-                return least;
-            },
-            std::move(figures),
-            culprit};
-}
-
-Check against_reference(std::string name, std::string description,
-                        Comparison::Difference difference) {
-    return {
-        std::move(name),
-        std::move(description),
-        "1",
-        false,
-        compared,
-        [difference = std::move(difference)](Runs& runs, const std::string& scene) {
-            const Configuration coarse{scene, Size::coarse};
-            const RunResult& library = finished(runs, coarse);
-            const RunResult& literal = finished(runs, {scene, Size::coarse, Strategy::reference});
-            return Measured{difference(library, literal), coarse};
-        }};
-}
+double lost(const RunResult& r) { return static_cast<double>(r.inverted + r.unreached); }
 
 double area_difference(const RunResult& a, const RunResult& b) {
     return std::abs(a.area_ratio - b.area_ratio) / b.area_ratio;
@@ -186,13 +54,8 @@ double quality_distance(const RunResult& a, const RunResult& b) {
     return histogram_distance(a.quality_histogram, b.quality_histogram);
 }
 
-// Dividing the mesh makes no work: what a boundary keeps from being done for a while looks like a
-// fault of the mesh, and vertices that are made for it have to go again.
-double effort_ratio(const RunResult& a, const RunResult& b) {
-    const auto splits_and_collapses = [](const RunResult& r) {
-        return static_cast<double>(r.operations.at("splits") + r.operations.at("collapses"));
-    };
-    return splits_and_collapses(a) / splits_and_collapses(b);
+double excess_of_error(const RunResult& a, const RunResult& b) {
+    return std::max(number(a.last, "sd_rel") - number(b.last, "sd_rel"), 0.0);
 }
 
 // Of the kinds that say how pieces are joined; how often a seam goes on depends on the order.
@@ -207,193 +70,498 @@ double event_difference(const RunResult& a, const RunResult& b) {
     return sum;
 }
 
-std::vector<Check> make_scene_checks() {
-    using enum Culprit;
-    std::vector<Check> checks{
-        of_sequential("area_ratio", "area against the exact shape's, both relative to their first",
-                      "1", false, compared, area_drift, {"area_exact_last"}, deviation),
-        of_sequential(
-            "symmetric_difference", "area between the shape and the exact one at the end", "1",
-            false, compared, [](const RunResult& r) { return number(r.last, "sd_rel"); },
-            {"sd_rel_last"}, deviation),
-        of_sequential(
-            "symmetric_difference_half",
-            "the same at the half of a reversing flow, where errors do not cancel", "1", false,
-            {"swirl", "single-vortex"},
-            [](const RunResult& r) { return number(r.half.value(), "sd_rel"); }, {"sd_rel_half"},
-            deviation),
-        of_sequential(
-            "inverted", "triangles that are not positive, by the exact predicate", "triangles",
-            false, every_scene(),
-            [](const RunResult& r) { return static_cast<double>(r.inverted); }, {}, first_failure),
-        of_sequential(
-            "unreached", "vertices that did not arrive", "vertices", false, every_scene(),
-            [](const RunResult& r) { return static_cast<double>(r.unreached); }, {},
-            worst_triangle),
-        of_sequential(
-            "min_quality", "worst quality at the end", "1", true, every_scene(),
-            [](const RunResult& r) { return number(r.last, "min_quality"); }, {"min_quality_last"},
-            worst_triangle),
-        against_reference("reference_area", "area ratio, library against reference",
-                          area_difference),
-        against_reference("reference_area_histogram",
-                          "Kolmogorov-Smirnov distance of the triangles' areas", area_distance),
-        against_reference("reference_quality_histogram",
-                          "Kolmogorov-Smirnov distance of the triangles' qualities",
-                          quality_distance),
+// Dividing the mesh makes no work: what a boundary keeps from being done for a while looks like a
+// fault of the mesh, and vertices that are made for it have to go again.
+double effort_ratio(const RunResult& a, const RunResult& b) {
+    const auto splits_and_collapses = [](const RunResult& r) {
+        return static_cast<double>(r.operations.at("splits") + r.operations.at("collapses"));
     };
-    for (const Comparison& comparison : comparisons()) {
-        checks.push_back(against_parallel(comparison));
+    return splits_and_collapses(a) / splits_and_collapses(b);
+}
+
+// A figure by its name in result files.
+double figure_of(const RunResult& r, const std::string& name) {
+    if (name == "inverted") {
+        return static_cast<double>(r.inverted);
     }
-    checks.push_back(
-        against_parallel({"parallel_effort", "splits and collapses, parallel over sequential",
-                          effort_ratio, winding}));
-    std::vector<Check> of_parallel{
-        least_of_parallel(
-            "parallel_min_quality", "worst quality at the end, in parallel", "1",
-            [](const RunResult& r) { return number(r.last, "min_quality"); }, {"min_quality_last"},
-            worst_triangle),
-        least_of_parallel(
-            "parallel_min_angle", "smallest angle at the end, in parallel", "degrees",
-            [](const RunResult& r) { return number(r.last, "min_angle_deg"); },
-            {"min_angle_deg_last"}, sharpest_corner),
+    if (name == "unreached") {
+        return static_cast<double>(r.unreached);
+    }
+    if (name == "held") {
+        return static_cast<double>(r.held);
+    }
+    if (name == "area_ratio") {
+        return r.area_ratio;
+    }
+    if (name == "min_quality_ever") {
+        return r.min_quality_ever;
+    }
+    if (name == "attribute_error_last") {
+        return r.attribute_error;
+    }
+    const std::size_t dot = std::min(name.find('.'), name.size());
+    const std::size_t moment = name.rfind('_', dot);
+    const std::string measure = name.substr(0, moment) + name.substr(dot);
+    const bool is_half = name.compare(moment, 5, "_half") == 0;
+    return number(is_half ? r.half.value() : r.last, measure);
+}
+
+// --- the table
+// ------------------------------------------------------------------------------------
+
+std::vector<Check> table() {
+    using enum Of;
+    using enum Culprit;
+    return {
+        {"area_ratio",
+         "area against the exact shape's, both relative to their first",
+         "area",
+         sequential,
+         area_drift,
+         {},
+         {"area_exact_last"},
+         deviation},
+        {"symmetric_difference",
+         "area between the shape and the exact one at the end",
+         "shape",
+         sequential,
+         last("sd_rel"),
+         {},
+         {"sd_rel_last"},
+         deviation},
+        {"symmetric_difference_half",
+         "the same at the half of a reversing flow, where errors do not cancel",
+         "shape",
+         sequential,
+         half("sd_rel"),
+         {},
+         {"sd_rel_half"},
+         deviation},
+        {"inverted",
+         "triangles that are not positive, by the exact predicate",
+         "validity",
+         sequential,
+         [](const RunResult& r) { return static_cast<double>(r.inverted); },
+         {},
+         {},
+         first_failure,
+         "triangles"},
+        {"unreached",
+         "vertices that did not arrive",
+         "validity",
+         sequential,
+         [](const RunResult& r) { return static_cast<double>(r.unreached); },
+         {},
+         {},
+         worst_triangle,
+         "vertices"},
+        {"min_quality",
+         "worst quality at the end",
+         "quality",
+         sequential,
+         last("min_quality"),
+         {},
+         {"min_quality_last"},
+         worst_triangle,
+         "1",
+         true},
+        {"reference_area",
+         "area ratio, library against reference",
+         "area",
+         reference,
+         {},
+         area_difference,
+         {},
+         none},
+        {"reference_area_histogram",
+         "Kolmogorov-Smirnov distance of the triangles' areas",
+         "histograms",
+         reference,
+         {},
+         area_distance,
+         {},
+         none},
+        {"reference_quality_histogram",
+         "Kolmogorov-Smirnov distance of the triangles' qualities",
+         "histograms",
+         reference,
+         {},
+         quality_distance,
+         {},
+         none},
+        {"parallel_area",
+         "area ratio, parallel against sequential",
+         "area",
+         difference,
+         {},
+         area_difference,
+         {},
+         none},
+        {"parallel_symmetric_difference",
+         "symmetric difference of the parallel run minus that of the sequential one, if positive",
+         "shape",
+         difference,
+         {},
+         excess_of_error,
+         {"sd_rel_last"},
+         none},
+        {"parallel_events",
+         "merge, split, meet and exchange, parallel against sequential",
+         "events",
+         difference,
+         {},
+         event_difference,
+         {},
+         none},
+        {"parallel_area_histogram",
+         "Kolmogorov-Smirnov distance of the triangles' areas",
+         "histograms",
+         difference,
+         {},
+         area_distance,
+         {},
+         none},
+        {"parallel_quality_histogram",
+         "Kolmogorov-Smirnov distance of the triangles' qualities",
+         "histograms",
+         difference,
+         {},
+         quality_distance,
+         {},
+         none},
+        {"parallel_effort",
+         "splits and collapses, parallel over sequential",
+         "effort",
+         difference,
+         {},
+         effort_ratio,
+         {},
+         none},
+        {"parallel_min_quality",
+         "worst quality at the end, in parallel",
+         "quality",
+         worst_parallel,
+         last("min_quality"),
+         {},
+         {"min_quality_last"},
+         worst_triangle,
+         "1",
+         true},
+        {"parallel_min_angle",
+         "smallest angle at the end, in parallel",
+         "quality",
+         worst_parallel,
+         last("min_angle_deg"),
+         {},
+         {"min_angle_deg_last"},
+         sharpest_corner,
+         "degrees",
+         true},
         {"parallel_unreached",
          "vertices that did not arrive, and triangles inverted, in parallel",
-         "vertices",
-         false,
-         every_scene(),
-         [](Runs& runs, const std::string& scene) {
-             Measured sum{.run = {scene}};
-             for (const Configuration& one : parallel(scene)) {
-                 const RunResult& r = finished(runs, one);
-                 if (r.unreached + r.inverted > 0) {
-                     sum = {sum.value + static_cast<double>(r.unreached + r.inverted), one};
-                 }
-             }
-             return sum;
-         },
+         "validity",
+         all_parallel,
+         lost,
+         {},
+         {},
+         first_failure,
+         "vertices"},
+        {"mesh_hash",
+         "different results of 1, 2, 3 and 5 threads, by each strategy",
+         "threads",
+         threads,
+         {},
+         {},
+         {},
+         none,
+         "results"},
+        {"accuracy",
+         "symmetric difference at the end, over the first area",
+         "shape",
+         sequential,
+         last("sd_rel"),
+         {},
+         {"sd_rel_last"},
+         deviation},
+        {"accuracy_half",
+         "the same half-way, where a flow that returns cancels nothing",
+         "shape",
+         sequential,
+         half("sd_rel"),
+         {},
+         {"sd_rel_half"},
+         deviation},
+        {"accuracy_area",
+         "area at the end against the first, off 1",
+         "area",
+         sequential,
+         [](const RunResult& r) { return std::abs(r.area_ratio - 1); },
+         {},
+         {},
+         deviation},
+        {"accuracy_jagged",
+         "largest turning angle of the interface beyond twice the exact curve's plus 2 degrees",
+         "shape",
+         sequential,
+         last("jaggedness.largest_excess_deg"),
+         {},
+         {},
+         turn,
+         "degrees"},
+        {"accuracy_angle",
+         "smallest angle at the end",
+         "quality",
+         sequential,
+         last("min_angle_deg"),
+         {},
+         {"min_angle_deg_last"},
+         sharpest_corner,
+         "degrees",
+         true},
+        {"accuracy_median_angle",
+         "median of the triangles' smallest angles at the end",
+         "quality",
+         sequential,
+         last("median_angle_deg"),
+         {},
+         {},
+         sharpest_corner,
+         "degrees",
+         true},
+        {"accuracy_lost",
+         "triangles inverted and vertices that did not arrive",
+         "validity",
+         sequential,
+         lost,
+         {},
          {},
          first_failure},
-        {"mesh_hash", "different results of 1, 2, 3 and 5 threads, by each strategy", "results",
-         false, compared, distinct_hashes},
+        {"accuracy_order",
+         "order in which the symmetric difference falls with the edge length",
+         "order",
+         series,
+         last("sd_rel"),
+         {},
+         {"sd_rel_last"},
+         none,
+         "1",
+         true},
     };
-    std::ranges::move(of_parallel, std::back_inserter(checks));
-    return checks;
+}
+
+Culprit culprit_of(const std::string& figure) {
+    if (figure == "inverted") {
+        return Culprit::first_failure;
+    }
+    if (figure.starts_with("min_quality") || figure == "unreached" || figure == "held") {
+        return Culprit::worst_triangle;
+    }
+    if (figure.find("angle_deg") != std::string::npos) {
+        return Culprit::sharpest_corner;
+    }
+    return figure.starts_with("jaggedness") ? Culprit::turn : Culprit::deviation;
+}
+
+std::string unit_of(const std::string& figure) {
+    for (const scenes::Measure& measure : scenes::default_measures()) {
+        if (figure.starts_with(measure.name + "_last") ||
+            figure.starts_with(measure.name + "_half")) {
+            return measure.unit;
+        }
+    }
+    return "1";
+}
+
+// --- what is measured
+// -----------------------------------------------------------------------------
+
+// The worst of what a function says of each run after the first `skipped`; what is no number is
+// worse than any.
+template <class Value>
+Measured worst(std::span<const Outcome* const> outcomes, std::size_t skipped, bool at_least,
+               Value value) {
+    Measured found{.value = at_least ? std::numeric_limits<double>::infinity() : 0,
+                   .run = outcomes.front()->configuration};
+    for (const Outcome* outcome : outcomes.subspan(skipped)) {
+        const double here = value(finished(*outcome));
+        if (std::isnan(here)) {
+            return {here, outcome->configuration};
+        }
+        if (at_least ? here < found.value : here > found.value) {
+            found = {here, outcome->configuration};
+        }
+    }
+    return found;
+}
+
+Measured sum_of(const Check& check, std::span<const Outcome* const> outcomes) {
+    Measured sum{.run = outcomes.front()->configuration};
+    for (const Outcome* outcome : outcomes) {
+        const double here = check.figure(finished(*outcome));
+        if (here > 0) {
+            sum = {sum.value + here, outcome->configuration};
+        }
+    }
+    return sum;
+}
+
+Measured distinct_results(std::span<const Outcome* const> outcomes) {
+    struct Results {
+        std::set<std::uint64_t> hashes;
+        std::set<std::map<std::string, std::uint64_t>> counts;
+    };
+    std::map<Strategy, Results> by_strategy;
+    Measured most{.run = outcomes.front()->configuration};
+    for (const Outcome* outcome : outcomes) {
+        const RunResult& r = finished(*outcome);
+        Results& results = by_strategy[r.strategy];
+        results.hashes.insert(r.mesh_hash);
+        results.counts.insert(r.operations);
+        const auto different =
+            static_cast<double>(std::max(results.hashes.size(), results.counts.size()));
+        if (different > most.value) {
+            most = {different, outcome->configuration};
+        }
+    }
+    return most;
+}
+
+Measured order_of(const Check& check, std::span<const Outcome* const> outcomes) {
+    std::vector<double> sizes;
+    std::vector<double> errors;
+    for (const Outcome* outcome : outcomes) {
+        const RunResult& r = finished(*outcome);
+        sizes.push_back(r.parameters.h);
+        errors.push_back(check.figure(r));
+    }
+    return {scenes::fit_order(sizes, errors).order, outcomes.back()->configuration};
 }
 
 } // namespace
 
-const RunResult& finished(Runs& runs, const Configuration& configuration) {
-    const RunResult& result = runs.get(configuration);
-    if (!result.gave_up.empty()) {
-        throw GaveUp(result.gave_up, configuration);
-    }
-    return result;
+bool Check::is_called(const std::string& name_or_group) const {
+    const bool is_kind =
+        name_or_group == "parallel" || name_or_group == "reference" || name_or_group == "accuracy";
+    return name_or_group == name || name_or_group == group ||
+           (is_kind && name.starts_with(name_or_group));
 }
 
-const std::vector<Comparison>& comparisons() {
-    static const std::vector<Comparison> all{
-        {"parallel_area", "area ratio, parallel against sequential", area_difference,
-         every_scene()},
-        {"parallel_symmetric_difference",
-         "by how much the parallel one's is the larger",
-         [](const RunResult& a, const RunResult& b) {
-             return std::max(number(a.last, "sd_rel") - number(b.last, "sd_rel"), 0.0);
-         },
-         scenes_with_exact_shape(),
-         {"sd_rel_last"}},
-        {"parallel_events", "merge, split, meet and exchange, parallel against sequential",
-         event_difference, eventful},
-        {"parallel_area_histogram", "Kolmogorov-Smirnov distance of the triangles' areas",
-         area_distance, every_scene()},
-        {"parallel_quality_histogram", "Kolmogorov-Smirnov distance of the triangles' qualities",
-         quality_distance, every_scene()},
-    };
-    return all;
-}
-
-const std::vector<Check>& scene_checks() {
-    static const std::vector<Check> checks = make_scene_checks();
-    return checks;
-}
-
-const std::vector<Check>& all_checks() {
-    static const std::vector<Check> checks = [] {
-        std::vector<Check> all = scene_checks();
-        std::ranges::move(accuracy_checks(), std::back_inserter(all));
+const std::vector<std::shared_ptr<const Check>>& all_checks() {
+    static const std::vector<std::shared_ptr<const Check>> checks = [] {
+        std::vector<std::shared_ptr<const Check>> all;
+        for (Check& check : table()) {
+            all.push_back(std::make_shared<const Check>(std::move(check)));
+        }
         return all;
     }();
     return checks;
 }
 
-std::vector<const Check*> select_checks(const std::vector<const Check*>& checks,
-                                        const std::vector<std::string>& names) {
-    std::vector<std::string> known;
-    for (const Check* check : checks) {
-        known.push_back(check->name);
+std::shared_ptr<const Check> find_check(const std::string& name) {
+    const auto found = std::ranges::find(all_checks(), name, &Check::name);
+    if (found == all_checks().end()) {
+        std::vector<std::string> known;
+        std::ranges::transform(all_checks(), std::back_inserter(known), &Check::name);
+        throw InputError({.what = "unknown check",
+                          .where = "run",
+                          .value = scenes::quoted_excerpt(name),
+                          .allowed = scenes::allowed_names(name, known)});
     }
-    for (const std::string& name : names) {
-        if (std::ranges::find(known, name) == known.end()) {
-            throw InputError({.what = "unknown check",
-                              .where = "run",
-                              .value = scenes::quoted_excerpt(name),
-                              .allowed = scenes::allowed_names(name, known)});
-        }
-    }
-    std::vector<const Check*> selected;
-    std::ranges::copy_if(checks, std::back_inserter(selected), [&](const Check* check) {
-        return names.empty() || std::ranges::find(names, check->name) != names.end();
-    });
-    return selected;
+    return *found;
 }
 
-void check_limits(const std::vector<Task>& tasks, const Limits& limits) {
-    for (const Task& task : tasks) {
-        (void)limits.find(task.check->name, task.scene);
-    }
+std::shared_ptr<const Check> check_of_figure(const std::string& figure, const std::string& name,
+                                             bool at_least) {
+    return std::make_shared<const Check>(
+        Check{.name = name,
+              .description = figure + ", as the scene file limits it",
+              .group = figure,
+              .figure = [figure](const RunResult& r) { return figure_of(r, figure); },
+              .figures = {figure},
+              .culprit = culprit_of(figure),
+              .unit = unit_of(figure),
+              .at_least = at_least});
 }
 
-void check_all_read(const std::vector<Task>& tasks, const Limits& limits) {
-    std::set<Limits::Key> read;
-    for (const Task& task : tasks) {
-        read.insert({task.check->name, task.scene});
+std::string why_not(const Check& check, const Case& of) {
+    if (check.of == Of::series) {
+        return of.series.empty() ? "the case has no series of sizes" : "";
     }
-    for (const Check& check : all_checks()) {
-        for (const std::string& scene : check.scenes) {
-            read.insert({check.name, scene});
+    if (check.figures.empty()) {
+        return "";
+    }
+    const scenes::Setup setup = of.file.scene.prepare(of.parameters);
+    scenes::Measured measured =
+        scenes::measured_by(of.file.measures, of.file.measures_shape, setup);
+    if (of.path.empty()) {
+        measured.knows_shape_half = {}; // takes seconds, and our scenes know it
+    }
+    for (const std::string& figure : check.figures) {
+        std::string reason = scenes::why_missing(figure, measured);
+        if (!reason.empty()) {
+            return reason;
         }
     }
-    for (const auto& [key, limit] : limits.all()) {
-        if (!read.contains(key)) {
-            throw InputError({.what = "a limit that no check reads",
-                              .where = limits.path(),
-                              .value = "'" + key.first + "', '" + key.second + "'",
-                              .allowed = "the checks and scenes of `dsc_verify list`, and scenes "
-                                         "whose files are given"});
-        }
-    }
+    return "";
 }
 
-Row judge(const Check& check, const std::string& scene, const Limits& limits, Runs& runs) {
-    Row row;
-    row.check = &check;
-    row.scene = scene;
-    row.limit = limits.find(check.name, scene).value;
-    const auto start = std::chrono::steady_clock::now();
-    try {
-        const Measured measured = check.measure(runs, scene);
-        row.measured = measured.value;
-        row.run = measured.run;
-        // Written so that NaN fails.
-        row.pass = check.at_least ? measured.value >= row.limit : measured.value <= row.limit;
-    } catch (const GaveUp& error) {
-        row.failure = error.what();
-        row.run = error.run();
-    } catch (const std::exception& error) {
-        row.failure = error.what();
+std::vector<Configuration> configurations_of(const Check& check, const Case& of) {
+    const Configuration base{.of = &of, .parameters = of.parameters};
+    std::vector<Configuration> all;
+    const auto add_parallel = [&](const std::vector<std::uint32_t>& threads) {
+        for (const Strategy strategy : of.strategies) {
+            for (const std::uint32_t n : of.threads.empty() ? threads : of.threads) {
+                all.push_back(base);
+                all.back().strategy = strategy;
+                all.back().threads = n;
+                all.back().is_shared = check.of == Of::threads;
+            }
+        }
+    };
+    switch (check.of) {
+    case Of::sequential: return {base};
+    case Of::reference:
+        all = {base, base};
+        all.back().strategy = Strategy::reference;
+        return all;
+    case Of::series:
+        for (const scenes::Parameters& parameters : of.series) {
+            all.push_back(base);
+            all.back().parameters = parameters;
+        }
+        return all;
+    case Of::difference: all = {base}; [[fallthrough]];
+    case Of::worst_parallel:
+    case Of::all_parallel: add_parallel(two_threads); return all;
+    case Of::threads: add_parallel(many_threads); return all;
     }
-    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return row;
+    return all;
+}
+
+const RunResult& finished(const Outcome& outcome) {
+    if (outcome.error) {
+        std::rethrow_exception(outcome.error);
+    }
+    if (!outcome.result.gave_up.empty()) {
+        throw GaveUp(outcome.result.gave_up, outcome.configuration);
+    }
+    return outcome.result;
+}
+
+Measured measure(const Check& check, std::span<const Outcome* const> outcomes) {
+    const Outcome& base = *outcomes.front();
+    const auto difference = [&](const RunResult& r) { return check.difference(r, finished(base)); };
+    switch (check.of) {
+    case Of::sequential: return {check.figure(finished(base)), base.configuration};
+    case Of::worst_parallel: return worst(outcomes, 0, check.at_least, check.figure);
+    case Of::all_parallel: return sum_of(check, outcomes);
+    case Of::difference: return worst(outcomes, 1, false, difference);
+    case Of::reference:
+        return {check.difference(finished(base), finished(*outcomes[1])), base.configuration};
+    case Of::threads: return distinct_results(outcomes);
+    case Of::series: return order_of(check, outcomes);
+    }
+    return {};
 }
 
 } // namespace dsc::gate

@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: MIT
-// What the gate checks: each check measures one figure of each of its scenes and compares it with a
-// limit. Those of the catalogue's scenes can be made of any other scene, too.
+// What the gate can check: each check measures one figure of a case of a suite.
 #pragma once
 
-#include "limits.h"
 #include "runs.h"
 
 #include "dsc/base/error.h"
 
 #include <functional>
-#include <optional>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace dsc::gate {
 
-/// A figure, and the run that it is of: of several, the worst.
-struct Measured {
-    double value = 0;
-    Configuration run{};
+/// Which runs a figure is of.
+enum class Of : std::uint8_t {
+    sequential,     ///< the sequential run
+    worst_parallel, ///< the worst of the parallel runs
+    all_parallel,   ///< the sum over the parallel runs
+    difference,     ///< the largest difference of a parallel run from the sequential one
+    reference,      ///< the difference of the sequential run from that of the literal method
+    threads,        ///< how many results different numbers of threads give
+    series,         ///< the order, over the sizes of a series, in which the figure falls
 };
 
 /// What to look at where a limit is broken.
@@ -29,6 +33,46 @@ enum class Culprit : std::uint8_t {
     deviation,       ///< the point of the interface or of the exact shape farthest from the other
     turn,            ///< the vertex of the interface that turns too much
     first_failure,   ///< the triangle that is inverted, at the first step that has one
+};
+
+struct Check {
+    using Result = scenes::RunResult;
+
+    std::string name;
+    std::string description{};
+    std::string group{}; ///< what --only may name beside the check
+    Of of = Of::sequential;
+    std::function<double(const Result&)> figure{};
+    std::function<double(const Result& one, const Result& base)> difference{};
+    std::vector<std::string> figures{}; ///< of result files, without which it cannot be made
+    Culprit culprit = Culprit::none;
+    std::string unit = "1"; ///< "1" for a ratio
+    bool at_least = false;  ///< the limit is a lower one
+
+    /// By its name, its group, or as one of "parallel", "reference" and "accuracy".
+    [[nodiscard]] bool is_called(const std::string& name_or_group) const;
+};
+
+/// All that a suite may name, in the order of the table.
+[[nodiscard]] const std::vector<std::shared_ptr<const Check>>& all_checks();
+
+/// Throws InputError, naming all checks, if there is none of this name.
+[[nodiscard]] std::shared_ptr<const Check> find_check(const std::string& name);
+
+/// The check of a figure of result files, for [limits] of scene files.
+[[nodiscard]] std::shared_ptr<const Check> check_of_figure(const std::string& figure,
+                                                           const std::string& name, bool at_least);
+
+/// Why the check cannot be made of this case; empty if it can.
+[[nodiscard]] std::string why_not(const Check& check, const Case& of);
+
+/// The runs that the check looks at; the first is the one that others are compared with.
+[[nodiscard]] std::vector<Configuration> configurations_of(const Check& check, const Case& of);
+
+/// A figure, and the run that it is of: of several, the worst.
+struct Measured {
+    double value = 0;
+    Configuration run{};
 };
 
 /// A run that broke off says nothing about anything else.
@@ -43,81 +87,11 @@ private:
     Configuration run_;
 };
 
-/// The result of a run that did all of its steps. Throws GaveUp, and what the run throws.
-[[nodiscard]] const scenes::RunResult& finished(Runs& runs, const Configuration& configuration);
+/// The result of a run that did all of its steps. Throws GaveUp, and what the run threw.
+[[nodiscard]] const scenes::RunResult& finished(const Outcome& outcome);
 
-struct Check {
-    std::string name;
-    std::string description;
-    std::string unit;      ///< "1" for a ratio
-    bool at_least = false; ///< the limit is a lower one
-    std::vector<std::string> scenes;
-    std::function<Measured(Runs& runs, const std::string& scene)> measure;
-    std::vector<std::string> figures{}; ///< of result files, without which it cannot be made
-    Culprit culprit = Culprit::none;
-};
-
-/// How a parallel run is compared with the sequential one.
-struct Comparison {
-    using Difference =
-        std::function<double(const scenes::RunResult& one, const scenes::RunResult& other)>;
-
-    std::string name; ///< of the check
-    std::string description;
-    Difference difference;
-    std::vector<std::string> scenes;
-    std::vector<std::string> figures{}; ///< as those of Check
-};
-
-[[nodiscard]] const std::vector<Comparison>& comparisons();
-
-/// Those that can be made of any scene, in the order of the table.
-[[nodiscard]] const std::vector<Check>& scene_checks();
-
-/// All checks of the catalogue: those, and those of accuracy.
-[[nodiscard]] const std::vector<Check>& all_checks();
-
-/// Those with these names, or all if none is given. Throws InputError for an unknown name.
-[[nodiscard]] std::vector<const Check*> select_checks(const std::vector<const Check*>& checks,
-                                                      const std::vector<std::string>& names);
-
-/// A scene to make a check of.
-struct Task {
-    const Check* check = nullptr;
-    std::string scene;
-};
-
-/// Throws InputError if the limit of a task is missing.
-void check_limits(const std::vector<Task>& tasks, const Limits& limits);
-
-/// Throws InputError if there is a limit that none of these reads, nor a check of the catalogue:
-/// then one of the two is misspelt.
-void check_all_read(const std::vector<Task>& tasks, const Limits& limits);
-
-/// Where a limit is broken; see place.h.
-struct Place {
-    std::string what{};                ///< in words; empty if nothing was found
-    std::optional<Point<double>> at{}; ///< in units of the domain
-    double time = 0;
-    std::string picture{}; ///< a file; empty: none
-    std::string edits{};   ///< the log of edits that leads there; empty: none
-    std::string command{}; ///< makes the run again
-};
-
-struct Row {
-    const Check* check = nullptr;
-    std::string scene;
-    std::optional<double> measured;     ///< empty if the run failed
-    std::optional<Configuration> run{}; ///< that the figure is of
-    double limit = 0;
-    bool pass = false;
-    std::string failure; ///< what the run threw
-    Place place{};       ///< of a limit that is broken
-    double seconds = 0;
-};
-
-/// Measures one scene and compares the result with its limit. Never throws because of a run.
-[[nodiscard]] Row judge(const Check& check, const std::string& scene, const Limits& limits,
-                        Runs& runs);
+/// What the check makes of its runs, which are those of `configurations_of`. Throws what `finished`
+/// throws.
+[[nodiscard]] Measured measure(const Check& check, std::span<const Outcome* const> outcomes);
 
 } // namespace dsc::gate

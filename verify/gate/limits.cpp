@@ -1,116 +1,165 @@
 // SPDX-License-Identifier: MIT
 #include "limits.h"
 
+#include "checks.h"
+
 #include "dsc/base/error.h"
+#include "scenes/digits.h"
+#include "scenes/file/case_reader.h"
+#include "scenes/file/nearest.h"
 
-#include <nlohmann/json.hpp>
-
-#include <cerrno>
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <cstdio>
+#include <iterator>
 
 namespace dsc::gate {
 
 namespace {
 
-using Json = nlohmann::json;
+using scenes::TableReader;
 
-std::string read_file(const std::string& path) {
-    if (std::filesystem::is_directory(path)) {
-        throw FileError("cannot read the limits: it is a folder", path);
-    }
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (!stream || !text) {
-        const int reason = errno;
-        throw FileError(std::string("cannot read the limits: ") +
-                            (reason != 0 ? std::strerror(reason) : "the file is empty"),
-                        path);
-    }
-    return text.str();
+constexpr scenes::Bounds any{-1e300, 1e300};
+
+const std::array<Rule, 6>& rules() {
+    static const std::array<Rule, 6> all{{
+        {"required", 1.02, 3}, // met by a wide margin, but not by any
+        {"kept", 1.02, 1.9},   // from a measurement that was better
+        {"half as much again", 1.4, 1.9, 1.5},
+        {"a tenth above", 1.05, 1.2, 1.1},
+        {"a tenth below", 0.8, 0.95, 0.9},
+        {"less 15 %", 0.8, 0.9, 0.85},
+    }};
+    return all;
 }
 
-std::string shortened(const Json& value) {
-    const std::string text = value.dump();
-    return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+/// The table of a limit, and behind it the defaults of its check.
+class LimitReader {
+public:
+    LimitReader(const TableReader& limits, const std::optional<TableReader>& defaults,
+                const std::string& key)
+        : own_(limits.table_if_one(key)) {
+        if (defaults && defaults->has(key)) {
+            default_ = defaults->table(key);
+        }
+        for (const auto& table : {own_, default_}) {
+            if (table) {
+                table->allow({"at_most", "at_least", "measured", "rule", "orders", "note", "at"});
+            }
+        }
+    }
+
+    /// The table that has the key; null if none does.
+    [[nodiscard]] const TableReader* with(const std::string& key) const {
+        return own_ && own_->has(key)           ? &*own_
+               : default_ && default_->has(key) ? &*default_
+                                                : nullptr;
+    }
+    [[nodiscard]] std::string text_or(const std::string& otherwise, const std::string& key) const {
+        const TableReader* table = with(key);
+        return table != nullptr ? table->text(key) : otherwise;
+    }
+
+private:
+    std::optional<TableReader> own_;
+    std::optional<TableReader> default_;
+};
+
+double read_value(const TableReader& limits, const LimitReader& reader, const Check& check) {
+    if (!limits.table_if_one(check.name)) {
+        return limits.number(check.name, any);
+    }
+    const std::string wanted = check.at_least ? "at_least" : "at_most";
+    const std::string other = check.at_least ? "at_most" : "at_least";
+    if (reader.with(other) != nullptr) {
+        limits.refuse(check.name, "a bound on the wrong side, " + other, wanted);
+    }
+    if (reader.with(wanted) == nullptr) {
+        limits.refuse(check.name, "a limit is missing", wanted + " = a number");
+    }
+    return reader.with(wanted)->number(wanted, any);
 }
 
-const Json& member(const Json& object, const char* key, const std::string& where,
-                   const std::string& allowed) {
-    if (!object.is_object() || !object.contains(key)) {
-        throw InputError({.what = std::string("no '") + key + "'",
-                          .where = where,
-                          .value = shortened(object),
-                          .allowed = allowed});
+// A limit that was loosened, or that a measurement nearly touches, is noticed without a run.
+void check_rule(const TableReader& limits, const Check& check, const Limit& limit) {
+    const double measured = limit.measured.value();
+    if (std::abs(measured) <= rounding_error) {
+        if (!(limit.value >= 0 && limit.value <= rounding_error)) {
+            limits.refuse(check.name, "not the limit of a rounding error", "0 to 1e-12");
+        }
+        return;
     }
-    return object.at(key);
-}
-
-Limit read_limit(const Json& entry, const std::string& where) {
-    const std::string allowed = R"({"value": a finite number, "note": where it comes from})";
-    const Json& value = member(entry, "value", where, allowed);
-    const Json& note = member(entry, "note", where, allowed);
-    if (!value.is_number() || !std::isfinite(value.get<double>()) || !note.is_string() ||
-        note.get<std::string>().empty()) {
-        throw InputError(
-            {.what = "not a limit", .where = where, .value = shortened(entry), .allowed = allowed});
+    const Rule& rule = find_rule(limit.rule);
+    const double ratio =
+        rule.factor == 1 && check.at_least ? measured / limit.value : limit.value / measured;
+    if (!(ratio >= rule.least && ratio <= rule.most)) {
+        limits.refuse(check.name,
+                      "a limit that does not follow its rule, " + rule.name + " of " +
+                          scenes::shortest_digits(measured),
+                      scenes::shortest_digits(rule.least) + " to " +
+                          scenes::shortest_digits(rule.most) + " times that");
     }
-    return {value.get<double>(), note.get<std::string>()};
 }
 
 } // namespace
 
-Limits Limits::read(const std::string& path) {
-    Json json;
-    try {
-        json = Json::parse(read_file(path));
-    } catch (const Json::out_of_range& error) {
-        throw InputError({.what = "a number beyond all bounds",
-                          .where = path,
-                          .value = error.what(),
-                          .allowed = "finite limits"});
-    } catch (const Json::parse_error& error) {
-        throw InputError(
-            {.what = "not whole JSON",
-             .where = path,
-             .value = "an error at byte " + std::to_string(error.byte),
-             .allowed = "a limits file, which this one may have been before it was cut off"});
-    }
-    const std::string allowed = R"({"limits": {CHECK: {SCENE: {"value", "note"}}}})";
-    const Json& checks = member(json, "limits", path, allowed);
-    if (!checks.is_object()) {
-        throw InputError(
-            {.what = "no limits", .where = path, .value = shortened(checks), .allowed = allowed});
-    }
-    Limits limits(path);
-    for (const auto& [check, scenes] : checks.items()) {
-        if (!scenes.is_object()) {
-            throw InputError({.what = "no limits",
-                              .where = path + ": " + check,
-                              .value = shortened(scenes),
-                              .allowed = allowed});
-        }
-        for (const auto& [scene, entry] : scenes.items()) {
-            limits.limits_[{check, scene}] = read_limit(entry, path + ": " + check + ", " + scene);
-        }
-    }
-    return limits;
+std::string few_digits(double value, int digits) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
 }
 
-const Limit& Limits::find(const std::string& check, const std::string& scene) const {
-    const auto found = limits_.find({check, scene});
-    if (found == limits_.end()) {
-        throw InputError({.what = "a limit is missing",
-                          .where = path_,
-                          .value = "none for check '" + check + "', scene '" + scene + "'",
-                          .allowed = "one for every scene of the checks that run"});
+const Rule& find_rule(const std::string& name) {
+    const auto found = std::ranges::find(rules(), name, &Rule::name);
+    if (found == rules().end()) {
+        std::vector<std::string> known;
+        std::ranges::transform(rules(), std::back_inserter(known), &Rule::name);
+        throw InputError({.what = "unknown rule",
+                          .where = "rule",
+                          .value = "'" + name + "'",
+                          .allowed = scenes::allowed_names(name, known)});
     }
-    return found->second;
+    return *found;
+}
+
+std::string Limit::reason() const {
+    std::string text = rule;
+    if (measured) {
+        text += (orders > 0 ? "; in " + std::to_string(orders) + " orders " : "; measured ") +
+                few_digits(*measured, 3);
+    }
+    return text + (note.empty() ? "" : "; " + note) + " (" + where + ")";
+}
+
+double Limit::worse_by(double figure, bool at_least) const {
+    if (!measured || orders > 0 || std::abs(*measured) <= rounding_error) {
+        return 0;
+    }
+    const double grown = figure / *measured - 1;
+    return at_least ? -grown : grown;
+}
+
+Limit read_limit(const TableReader& limits, const std::optional<TableReader>& defaults,
+                 const Check& check) {
+    const LimitReader reader(limits, defaults, check.name);
+    Limit limit{.value = read_value(limits, reader, check), .where = limits.where(check.name)};
+    if (const TableReader* table = reader.with("measured")) {
+        limit.measured = table->number("measured", any);
+    }
+    if (const TableReader* table = reader.with("orders")) {
+        limit.orders = table->integer("orders", 0, 10'000);
+    }
+    limit.rule = reader.text_or(limit.rule, "rule");
+    scenes::at_key(limits, check.name, [&] { (void)find_rule(limit.rule); });
+    limit.note = reader.text_or("", "note");
+    limit.at = reader.text_or("", "at");
+    if (limit.measured) {
+        check_rule(limits, check, limit);
+    } else if (find_rule(limit.rule).factor != 1) {
+        limits.refuse(check.name, "no measurement is named", "measured = a number");
+    }
+    return limit;
 }
 
 } // namespace dsc::gate

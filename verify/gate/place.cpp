@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace dsc::gate {
@@ -29,12 +28,6 @@ struct Spot {
     std::string what;
     Point<double> at{0, 0};
 };
-
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
 
 Point<double> centre_of(const Mesh& mesh, Triangle t) {
     const auto v = mesh.vertices_of(t);
@@ -53,7 +46,7 @@ std::optional<Spot> least_triangle(const Mesh& mesh, const std::string& what,
         const double here = value(t);
         if (here < least) {
             least = here;
-            spot = Spot{what + short_number(here) + unit + " in triangle " + std::to_string(t.id),
+            spot = Spot{what + few_digits(here) + unit + " in triangle " + std::to_string(t.id),
                         centre_of(mesh, t)};
         }
     }
@@ -85,13 +78,13 @@ std::optional<Spot> against_exact(const Mesh& mesh, Culprit culprit, const scene
         const auto polygons = scenes::interface_outlines(mesh, {.phase = setup.measured});
         const auto jaggedness = scenes::measure_jaggedness(polygons, exact.outlines);
         return Spot{"a vertex of the interface turns by " +
-                        short_number(jaggedness.largest_excess_deg) + " degrees too much",
+                        few_digits(jaggedness.largest_excess_deg) + " degrees too much",
                     jaggedness.worst};
     }
     const auto outlines = scenes::interface_outlines(
         mesh, {.reading = parameters.interface.reading, .phase = setup.measured});
     const auto distance = scenes::hausdorff(outlines, exact.outlines);
-    return Spot{"the interface and the exact shape are " + short_number(distance.distance()) +
+    return Spot{"the interface and the exact shape are " + few_digits(distance.distance()) +
                     " apart",
                 distance.farthest};
 }
@@ -115,7 +108,7 @@ std::optional<Spot> find_spot(const Mesh& mesh, Culprit culprit, const scenes::S
 // --- what is written ----------------------------------------------------------------------------
 
 std::string file_name(const Row& row) {
-    std::string name = row.check->name + '_' + row.scene;
+    std::string name = row.check->name + '_' + row.of->name;
     std::ranges::replace_if(
         name,
         [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '-' && c != '_'; },
@@ -144,51 +137,53 @@ std::string text_of(const scenes::Setting& setting) {
 }
 
 // The run on the command line, with the settings that are not those of the scene.
-std::string command_of(const Configuration& of, const Prepared& run, const Runs& runs) {
-    const bool is_file = std::ranges::any_of(
-        runs.files(), [&](const scenes::SceneFile& file) { return file.scene.name == of.scene; });
-    std::string command = "dsc_scene run " + (is_file ? run.scene.section : of.scene);
+std::string command_of(const Configuration& run) {
+    const scenes::Scene& scene = run.of->file.scene;
+    std::string command = "dsc_scene run " + (run.of->path.empty() ? scene.name : run.of->path);
     for (const scenes::Key& key : scenes::parameter_keys()) {
         const scenes::Setting value = key.value(run.parameters);
-        if (value != key.value(run.scene.defaults)) {
+        if (value != key.value(scene.defaults)) {
             command += " --set " + key.name + '=' + text_of(value);
         }
     }
-    if (of.strategy != scenes::Strategy::sequential) {
-        command += " --strategy " + scenes::to_string(of.strategy);
+    if (run.strategy != scenes::Strategy::sequential) {
+        command += " --strategy " + scenes::to_string(run.strategy);
     }
-    return of.threads == 1 ? command : command + " --threads " + std::to_string(of.threads);
+    return run.threads == 1 ? command : command + " --threads " + std::to_string(run.threads);
 }
 
 } // namespace
 
 Place find_place(const Row& row, const Runs& runs, const std::filesystem::path& folder) {
     Place place;
-    if (!row.run || row.run->scene.empty()) {
+    if (!row.run) {
         return place;
     }
-    Prepared run = runs.prepare(*row.run);
-    place.command = command_of(*row.run, run, runs);
-    const Culprit culprit = row.failure.empty() ? row.check->culprit : Culprit::first_failure;
-    if (culprit == Culprit::none || row.run->strategy == scenes::Strategy::reference ||
+    const Configuration& run = *row.run;
+    const scenes::Scene& scene = run.of->file.scene;
+    place.command = command_of(run);
+    const bool has_run = row.measured.has_value();
+    const Culprit culprit = has_run ? row.check->culprit : Culprit::first_failure;
+    if (culprit == Culprit::none || run.strategy == scenes::Strategy::reference ||
         run.parameters.real != scenes::RealType::double_precision) {
         return place;
     }
-    const scenes::Setup setup = run.scene.prepare(run.parameters);
+    const scenes::Setup setup = scene.prepare(run.parameters);
     const bool is_half = row.check->name.find("_half") != std::string::npos;
     const int last = is_half ? setup.half_step.value_or(setup.steps) : setup.steps;
-    const auto known = runs.all().find(*row.run);
-    const int end = known == runs.all().end() ? last : std::min(last, known->second.steps);
+    const auto known = runs.all().find(run.key());
+    const int end = known == runs.all().end() ? last : std::min(last, known->second.result.steps);
     const std::string path = (folder / file_name(row)).string();
 
     std::filesystem::create_directories(folder);
+    scenes::RunOptions options = run.options();
     if (culprit == Culprit::first_failure) {
-        run.options.edits = path + ".edits";
-        place.edits = run.options.edits;
+        options.edits = path + ".edits";
+        place.edits = options.edits;
     }
-    run.options.measure_shape = false;
-    run.options.stop_after = end;
-    run.options.observer = [&](int step, const Mesh& mesh) {
+    options.measure_shape = false;
+    options.stop_after = end;
+    options.observer = [&](int step, const Mesh& mesh) {
         if (place.at || (culprit != Culprit::first_failure && step != end)) {
             return;
         }
@@ -202,10 +197,11 @@ Place find_place(const Row& row, const Runs& runs, const std::filesystem::path& 
             place.at = spot->at;
             place.time = time;
             place.picture = path + ".svg";
-            draw(mesh, *spot, run.parameters.h, row.check->name + ", " + row.scene, place.picture);
+            draw(mesh, *spot, run.parameters.h, row.check->name + ", " + row.of->name,
+                 place.picture);
         }
     };
-    (void)scenes::run_scene(run.scene, run.parameters, run.options);
+    (void)scenes::run_scene(scene, run.parameters, options);
     if (place.at) {
         place.command += " --frames frames --pictures phases,edges,interface --at " +
                          scenes::shortest_digits(place.time);

@@ -2,7 +2,7 @@
 // Where a limit is broken: the element that is to blame, a picture of it, and how to see it again.
 #pragma once
 
-#include "checks.h"
+#include "judge.h"
 
 #include <filesystem>
 #include <optional>

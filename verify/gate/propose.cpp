@@ -1,34 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "propose.h"
 
-#include "checks.h"
-#include "own_scenes.h"
-
-#include "dsc/base/error.h"
 #include "scenes/digits.h"
-#include "scenes/output/machine.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
 #include <limits>
+#include <string_view>
 
 namespace dsc::gate {
 
 namespace {
 
-using scenes::RunResult;
-using scenes::SceneFile;
-using OrderedJson = nlohmann::ordered_json;
-
-// The limits of the catalogue keep to the same margins (bands.py, limits.json).
-constexpr double margin_of_errors = 0.5;  ///< above the worst of all orders
-constexpr double margin_of_bands = 0.1;   ///< above the largest difference of two
-constexpr double margin_of_quality = 0.1; ///< below the worst
-/// Runs of rigid motions end on the exact shape to rounding, in any order.
-constexpr double least_error = 1e-12;
+// Of a scene about which nothing is known yet.
+constexpr std::string_view of_any_scene[]{"area_ratio",         "symmetric_difference",
+                                          "inverted",           "symmetric_difference_half",
+                                          "unreached",          "min_quality",
+                                          "parallel_area",      "parallel_symmetric_difference",
+                                          "parallel_events",    "parallel_area_histogram",
+                                          "parallel_unreached", "parallel_quality_histogram",
+                                          "parallel_min_angle", "parallel_min_quality",
+                                          "mesh_hash"};
 
 // To two digits, away from what was measured.
 double rounded(double value, bool up) {
@@ -45,153 +38,164 @@ double rounded(double value, bool up) {
                      std::to_string(std::lround(std::log10(unit))));
 }
 
-std::string three_digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
+bool is_count(const Check& check) {
+    return check.unit == "triangles" || check.unit == "vertices" || check.group == "events";
 }
 
-Band band_of(const std::string& check, std::vector<double> values, int orders) {
+// What sequential runs in other orders say about the check: parallel runs are held to what these
+// do.
+bool is_of_orders(const Check& check) {
+    return check.of != Of::all_parallel && check.of != Of::threads && check.of != Of::series;
+}
+
+Limit new_limit(const Check& check, int orders) {
+    return {.rule = check.of == Of::threads      ? "required"
+                    : check.at_least             ? "a tenth below"
+                    : is_count(check)            ? "a tenth above"
+                    : check.of == Of::difference ? "a tenth above"
+                                                 : "half as much again",
+            .orders = is_of_orders(check) ? orders : 0};
+}
+
+std::vector<Held> wanted(const Case& of, int orders) {
+    std::vector<Held> all;
+    // A limit of which nobody has said how it follows from a measurement is left alone.
+    std::ranges::copy_if(of.held, std::back_inserter(all), [](const Held& held) {
+        return held.limit.is_own && (held.limit.measured || find_rule(held.limit.rule).factor != 1);
+    });
+    const auto add = [&](std::string_view name) {
+        const auto check = find_check(std::string(name));
+        if (why_not(*check, of).empty()) {
+            all.push_back({check, new_limit(*check, orders)});
+        }
+    };
+    if (all.empty()) {
+        for (const std::string_view name : of_any_scene) {
+            if (std::ranges::none_of(of.held,
+                                     [&](const Held& held) { return held.check->name == name; })) {
+                add(name);
+            }
+        }
+    } else {
+        std::ranges::for_each(of.missing, add);
+    }
+    return all;
+}
+
+// The first run is what others are compared with, where they are.
+std::vector<Configuration> in_orders(const Held& held, const Case& of) {
+    if (held.limit.orders == 0) {
+        return configurations_of(*held.check, of);
+    }
+    std::vector<Configuration> all;
+    if (held.check->of == Of::reference) {
+        all.push_back(
+            {.of = &of, .parameters = of.parameters, .strategy = scenes::Strategy::reference});
+    }
+    for (int order = 0; order < held.limit.orders; ++order) {
+        all.push_back({.of = &of, .parameters = of.parameters});
+        if (order > 0) {
+            all.back().parameters.seed = static_cast<std::uint64_t>(order);
+        }
+    }
+    return all;
+}
+
+std::vector<double> values_of(const Held& held, const std::vector<const Outcome*>& outcomes) {
+    const Check& check = *held.check;
+    std::vector<double> values;
+    if (held.limit.orders == 0) {
+        return {measure(check, outcomes).value};
+    }
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        if (check.figure) {
+            values.push_back(check.figure(finished(*outcomes[i])));
+        } else if (check.of == Of::reference && i > 0) {
+            values.push_back(check.difference(finished(*outcomes[i]), finished(*outcomes[0])));
+        }
+        for (std::size_t j = 0; check.of == Of::difference && j < i; ++j) {
+            const auto& a = finished(*outcomes[i]);
+            const auto& b = finished(*outcomes[j]);
+            values.push_back(std::max(check.difference(a, b), check.difference(b, a)));
+        }
+    }
+    return values;
+}
+
+void set_limit(const Check& check, double measured, Limit& limit) {
+    if (check.of == Of::threads) {
+        limit = {.value = 1}; // whatever was measured
+        return;
+    }
+    limit.measured = measured;
+    const double factor = find_rule(limit.rule).factor;
+    if (is_count(check) && measured == 0) {
+        limit = {.value = 0}; // nothing may be lost
+    } else if (factor != 1) {
+        limit.value = rounded(measured * factor, !check.at_least);
+        if (!check.at_least && !is_count(check)) {
+            limit.value = std::max(limit.value, rounding_error);
+        }
+    }
+}
+
+Band band_of(const Case& of, const Held& held, std::vector<double> values) {
     for (const double value : values) {
         if (!std::isfinite(value)) {
-            throw InvariantError(check + " has no number in one of " + std::to_string(orders) +
-                                 " orders");
+            throw InvariantError(held.check->name + " of " + of.name + " has no number in one of " +
+                                 std::to_string(std::max(held.limit.orders, 1)) + " orders");
         }
     }
     std::ranges::sort(values);
     const std::size_t half = values.size() / 2;
-    return {.check = check,
-            .median = values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2,
-            .least = values.front(),
-            .most = values.back(),
-            .orders = orders};
-}
-
-// The scene in one order: 0 is its own.
-Runs in_order(const SceneFile& file, int order) {
-    SceneFile shuffled = file;
-    if (order > 0) {
-        shuffled.scene.defaults.seed = static_cast<std::uint64_t>(order);
-    }
-    return Runs({shuffled});
-}
-
-std::string in_orders(int orders) { return std::to_string(orders) + " orders"; }
-
-// A figure of one run: errors and counts from above, quality and angles from below.
-Band of_one_run(const Check& check, const std::vector<double>& values, int orders) {
-    Band band = band_of(check.name, values, orders);
-    band.at_least = check.at_least;
-    const bool is_count = check.unit == "triangles" || check.unit == "vertices";
-    if (check.at_least) {
-        band.limit = rounded(band.least * (1 - margin_of_quality), false);
-        band.note =
-            in_orders(orders) + " had " + three_digits(band.least) + " and more; a tenth below";
-    } else if (is_count) {
-        band.limit = band.most;
-        band.note = in_orders(orders) + " had " + three_digits(band.most) + " at most";
-    } else {
-        band.limit = std::max(rounded(band.most * (1 + margin_of_errors), true), least_error);
-        band.note =
-            in_orders(orders) + " had " + three_digits(band.most) + " at most; half as much again";
-    }
+    Band band{.of = &of,
+              .check = held.check,
+              .median =
+                  values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2,
+              .least = values.front(),
+              .most = values.back(),
+              .limit = held.limit};
+    set_limit(*held.check, held.check->at_least ? band.least : band.most, band.limit);
     return band;
 }
 
-Band of_pairs(const Comparison& comparison, const std::vector<const RunResult*>& runs) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            values.push_back(std::max(comparison.difference(*runs[i], *runs[j]),
-                                      comparison.difference(*runs[j], *runs[i])));
-        }
-    }
-    const int orders = static_cast<int>(runs.size());
-    Band band = band_of(comparison.name, values, orders);
-    const bool has_floor = comparison.name != "parallel_events";
-    band.limit =
-        std::max(rounded(band.most * (1 + margin_of_bands), true), has_floor ? least_error : 0.0);
-    band.note = "any two of " + in_orders(orders) + " differ by up to " + three_digits(band.most) +
-                "; a tenth above";
-    return band;
-}
-
-bool has_events(const std::vector<const RunResult*>& runs) {
-    return std::ranges::any_of(runs, [](const RunResult* one) { return !one->events.empty(); });
-}
-
-OrderedJson finite_json(double value) {
-    return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
+// Nothing to compare in a scene in which nothing happens.
+bool is_of_no_event(const Held& held, const std::vector<const Outcome*>& outcomes) {
+    return held.check->group == "events" && held.limit.where.empty() &&
+           std::ranges::all_of(outcomes,
+                               [](const Outcome* one) { return one->result.events.empty(); });
 }
 
 } // namespace
 
 double Band::ratio() const {
-    return median == 0 ? std::numeric_limits<double>::quiet_NaN() : limit / median;
+    return median == 0 ? std::numeric_limits<double>::quiet_NaN() : limit.value / median;
 }
 
-std::vector<Band> propose(const SceneFile& file, int orders) {
-    const std::string& scene = file.scene.name;
-    std::vector<Runs> all;
-    for (int order = 0; order < orders; ++order) {
-        all.push_back(in_order(file, order));
-    }
-    std::vector<const RunResult*> results;
-    for (Runs& runs : all) {
-        results.push_back(&runs.get({scene}));
-    }
-    std::vector<Band> bands;
-    for (const char* name : {"area_ratio", "symmetric_difference", "symmetric_difference_half",
-                             "inverted", "unreached", "min_quality"}) {
-        const auto check = std::ranges::find(scene_checks(), name, &Check::name);
-        if (why_not(check->figures, file).empty()) {
-            std::vector<double> values;
-            for (Runs& runs : all) {
-                values.push_back(check->measure(runs, scene).value);
+std::vector<Band> propose(const Cases& cases, int orders, int jobs) {
+    std::vector<std::pair<const Case*, Held>> all;
+    std::vector<Configuration> configurations;
+    for (const auto& c : cases) {
+        for (Held& held : wanted(*c, orders)) {
+            if (held.limit.orders > 0) {
+                held.limit.orders = orders;
             }
-            bands.push_back(of_one_run(*check, values, orders));
+            std::ranges::move(in_orders(held, *c), std::back_inserter(configurations));
+            all.emplace_back(c.get(), std::move(held));
         }
     }
-    for (const Comparison& comparison : comparisons()) {
-        const bool is_of_events = comparison.name == "parallel_events";
-        if (why_not(comparison.figures, file).empty() && (!is_of_events || has_events(results))) {
-            bands.push_back(of_pairs(comparison, results));
+    Runs runs(configurations, jobs);
+    std::vector<Band> bands;
+    for (const auto& [of, held] : all) {
+        std::vector<const Outcome*> outcomes;
+        for (const Configuration& one : in_orders(held, *of)) {
+            outcomes.push_back(&runs.wait(one));
+        }
+        if (!is_of_no_event(held, outcomes)) {
+            bands.push_back(band_of(*of, held, values_of(held, outcomes)));
         }
     }
-    const auto same = std::ranges::find(bands, std::string("min_quality"), &Band::check);
-    if (same != bands.end()) {
-        // What parallel runs are held to is what sequential ones do in other orders.
-        Band parallel = *same;
-        parallel.check = "parallel_min_quality";
-        bands.push_back(parallel);
-    }
-    bands.push_back({.check = "mesh_hash",
-                     .median = 1,
-                     .least = 1,
-                     .most = 1,
-                     .limit = 1,
-                     .orders = 1,
-                     .note = "required: the same for any number of threads"});
     return bands;
-}
-
-std::string to_limits(const std::string& scene, const std::vector<Band>& bands) {
-    OrderedJson limits = OrderedJson::object();
-    for (const Band& band : bands) {
-        limits[band.check][scene] = {{"value", band.limit},
-                                     {"note", band.note},
-                                     {"band",
-                                      {{"median", band.median},
-                                       {"spread", band.spread()},
-                                       {"ratio", finite_json(band.ratio())},
-                                       {"orders", band.orders}}}};
-    }
-    const OrderedJson json{{"about",
-                            "Proposed by `dsc_verify propose`: look at each limit before it is "
-                            "committed. The ratio is that of the limit to the median."},
-                           {"commit", scenes::commit()},
-                           {"limits", limits}};
-    return json.dump(2) + "\n";
 }
 
 } // namespace dsc::gate

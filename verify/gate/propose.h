@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Limits of a scene, measured: how far its figures spread when the interface is taken in different
-// orders, none of which is right. For a person to look at and to commit; the gate itself never
-// writes limits.
+// Limits, measured: how far figures spread when the interface is taken in different orders, none of
+// which is right. For a person to look at and to commit; the gate itself never writes limits.
 #pragma once
 
-#include "runs.h"
+#include "suite.h"
 
 #include <string>
 #include <vector>
@@ -13,25 +12,22 @@ namespace dsc::gate {
 
 /// Of one check, over all orders; of a comparison, over all pairs of them.
 struct Band {
-    std::string check;
+    const Case* of = nullptr;
+    std::shared_ptr<const Check> check;
     double median = 0;
     double least = 0;
     double most = 0;
-    double limit = 0;
-    bool at_least = false;
-    int orders = 0;
-    std::string note{}; ///< where the limit comes from
+    Limit limit{}; ///< as it is proposed
 
     [[nodiscard]] double spread() const { return most - least; }
     /// Of the limit to the median: what a run has room for. NaN where the median is 0.
     [[nodiscard]] double ratio() const;
 };
 
-/// Runs the scene as it is and in `orders` - 1 shuffled orders. Throws InvariantError for a run
-/// that gives up or has a figure that is no number.
-[[nodiscard]] std::vector<Band> propose(const scenes::SceneFile& file, int orders);
-
-/// A limits file of this scene.
-[[nodiscard]] std::string to_limits(const std::string& scene, const std::vector<Band>& bands);
+/// Measures the limits that the cases have of their own and those that they lack; a case that has
+/// none gets all that can be made of any scene, from `orders` orders: its own and shuffled ones.
+/// What is required stays as it is. Throws InvariantError for a run that gives up or has a figure
+/// that is no number.
+[[nodiscard]] std::vector<Band> propose(const Cases& cases, int orders, int jobs);
 
 } // namespace dsc::gate

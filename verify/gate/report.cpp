@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iomanip>
 
 namespace dsc::gate {
@@ -20,16 +19,10 @@ using scenes::Histogram;
 
 constexpr int check_width = 36;
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
-
-std::string measured_text(const Row& row) { return row.measured ? number(*row.measured) : "-"; }
+std::string measured_text(const Row& row) { return row.measured ? few_digits(*row.measured) : "-"; }
 
 std::string limit_text(const Row& row) {
-    return (row.check->at_least ? ">= " : "<= ") + number(row.limit);
+    return (row.check->at_least ? ">= " : "<= ") + few_digits(row.limit.value);
 }
 
 // JSON has no NaN.
@@ -48,16 +41,16 @@ std::string xml(std::string text) {
 }
 
 std::string where_text(const Place& place) {
-    return place.at ? place.what + ", at (" + number(place.at->x()) + ", " + number(place.at->y()) +
-                          "), time " + number(place.time)
+    return place.at ? place.what + ", at (" + few_digits(place.at->x()) + ", " +
+                          few_digits(place.at->y()) + "), time " + few_digits(place.time)
                     : place.what;
 }
 
 // A line for each thing that is known.
-std::string failure_lines(const Row& row, const Limits& limits) {
+std::string failure_lines(const Row& row) {
     std::string text = "  measured  " + measured_text(row) + ' ' + row.check->unit + " (" +
                        row.check->description + ")\n  limit     " + limit_text(row) + ": " +
-                       limits.find(row.check->name, row.scene).note + '\n';
+                       row.limit.reason() + '\n';
     const auto line = [&](const char* name, const std::string& value) {
         text += value.empty() ? "" : std::string("  ") + name + value + '\n';
     };
@@ -95,7 +88,7 @@ void print_heading(std::ostream& out) {
 }
 
 void print_row(std::ostream& out, const Row& row) {
-    out << std::left << std::setw(check_width) << row.check->name << std::setw(22) << row.scene
+    out << std::left << std::setw(check_width) << row.check->name << std::setw(22) << row.of->name
         << std::right << std::setw(12) << measured_text(row) << std::setw(14) << limit_text(row)
         << "  " << (row.pass ? "pass" : "FAIL");
     if (!row.failure.empty()) {
@@ -104,37 +97,43 @@ void print_row(std::ostream& out, const Row& row) {
     out << std::endl;
 }
 
-void print_failure(std::ostream& out, const Row& row, const Limits& limits) {
-    out << '\n' << row.check->name << " of " << row.scene << '\n' << failure_lines(row, limits);
+void print_failure(std::ostream& out, const Row& row) {
+    out << '\n' << row.check->name << " of " << row.of->name << '\n' << failure_lines(row);
 }
 
 void print_bands(std::ostream& out, const std::vector<Band>& bands) {
-    const auto columns = [&](const std::string& check, const std::string& median,
-                             const std::string& spread, const std::string& limit,
-                             const std::string& ratio) {
-        out << std::left << std::setw(check_width) << check << std::right << std::setw(12) << median
-            << std::setw(12) << spread << std::setw(14) << limit << std::setw(10) << ratio << '\n';
+    const auto columns = [&](const std::string& check, const std::string& scene,
+                             const std::string& median, const std::string& spread,
+                             const std::string& limit, const std::string& ratio) {
+        out << std::left << std::setw(check_width) << check << std::setw(22) << scene << std::right
+            << std::setw(12) << median << std::setw(12) << spread << std::setw(14) << limit
+            << std::setw(10) << ratio << '\n';
     };
-    columns("check", "median", "spread", "limit", "ratio");
+    columns("check", "scene", "median", "spread", "limit", "ratio");
     for (const Band& band : bands) {
-        columns(band.check, number(band.median), number(band.spread()),
-                (band.at_least ? ">= " : "<= ") + number(band.limit),
-                std::isfinite(band.ratio()) ? number(band.ratio()) : "-");
+        columns(band.check->name, band.of->name, few_digits(band.median), few_digits(band.spread()),
+                (band.check->at_least ? ">= " : "<= ") + few_digits(band.limit.value),
+                std::isfinite(band.ratio()) ? few_digits(band.ratio()) : "-");
     }
 }
 
-std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Runs& runs) {
+std::string to_json(const std::vector<Row>& rows, const std::vector<std::string>& suites,
+                    const Cases& cases, const Runs& runs) {
     OrderedJson checks = OrderedJson::array();
     for (const Row& row : rows) {
         OrderedJson entry{{"check", row.check->name},
                           {"description", row.check->description},
-                          {"scene", row.scene},
+                          {"group", row.check->group},
+                          {"scene", row.of->name},
                           {"measured", finite(row.measured)},
-                          {"limit", row.limit},
+                          {"limit", row.limit.value},
                           {"unit", row.check->unit},
                           {"sense", row.check->at_least ? ">=" : "<="},
                           {"verdict", row.pass ? "pass" : "fail"},
-                          {"note", limits.find(row.check->name, row.scene).note}};
+                          {"note", row.limit.reason()}};
+        if (row.run) {
+            entry["strategy"] = scenes::to_string(row.run->strategy);
+        }
         if (!row.failure.empty()) {
             entry["failure"] = row.failure;
         }
@@ -144,40 +143,52 @@ std::string to_json(const std::vector<Row>& rows, const Limits& limits, const Ru
         checks.push_back(std::move(entry));
     }
     OrderedJson not_run = OrderedJson::array();
-    for (const Check& check : all_checks()) {
-        if (!runs.files().empty()) {
-            break; // of scene files, what has a limit is run
+    for (const auto& check : all_checks()) {
+        OrderedJson names = OrderedJson::array();
+        for (const auto& c : cases) {
+            if (std::ranges::find(c->held, check, &Held::check) != c->held.end()) {
+                names.push_back(c->name);
+            }
         }
-        if (std::ranges::none_of(rows, [&](const Row& row) { return row.check == &check; })) {
-            not_run.push_back({{"check", check.name},
-                               {"description", check.description},
-                               {"scenes", check.scenes}});
+        if (!names.empty() &&
+            std::ranges::none_of(rows, [&](const Row& row) { return row.check == check.get(); })) {
+            not_run.push_back(
+                {{"check", check->name}, {"description", check->description}, {"scenes", names}});
         }
     }
     // Two runs of one scene are comparable only over the same bins, so each size is a scene.
     OrderedJson histograms = OrderedJson::array();
-    for (const auto& [configuration, run] : runs.all()) {
-        if (configuration.size == Size::shared) {
+    for (const auto& [key, outcome] : runs.all()) {
+        const Configuration& run = outcome.configuration;
+        if (run.is_shared || outcome.error) {
             continue; // of the first steps alone, to the same bits by all threads
         }
-        const bool is_coarse = configuration.size == Size::coarse;
+        const bool is_other_size = run.parameters.h != run.of->file.scene.defaults.h;
         const std::pair<const char*, const Histogram*> quantities[]{
-            {"area", &run.area_histogram}, {"quality", &run.quality_histogram}};
+            {"area", &outcome.result.area_histogram},
+            {"quality", &outcome.result.quality_histogram}};
         for (const auto& [quantity, histogram] : quantities) {
-            histograms.push_back({{"scene", run.scene + (is_coarse ? " (coarse)" : "")},
-                                  {"strategy", scenes::to_string(run.strategy)},
-                                  {"quantity", quantity},
-                                  {"edges", histogram->edges},
-                                  {"counts", histogram->counts}});
+            histograms.push_back(
+                {{"scene",
+                  run.of->name +
+                      (is_other_size ? " (h = " + few_digits(run.parameters.h) + ")" : "")},
+                 {"strategy", scenes::to_string(run.strategy)},
+                 {"quantity", quantity},
+                 {"edges", histogram->edges},
+                 {"counts", histogram->counts}});
         }
     }
-    const OrderedJson json{{"machine", scenes::machine()}, {"commit", scenes::commit()},
-                           {"limits", limits.path()},      {"checks", checks},
-                           {"not_run", not_run},           {"histograms", histograms}};
+    const OrderedJson json{{"machine", scenes::machine()},
+                           {"compiler", scenes::compiler()},
+                           {"commit", scenes::commit()},
+                           {"suites", suites},
+                           {"checks", checks},
+                           {"not_run", not_run},
+                           {"histograms", histograms}};
     return json.dump(1) + "\n";
 }
 
-std::string to_junit(const std::vector<Row>& rows, const Limits& limits) {
+std::string to_junit(const std::vector<Row>& rows) {
     const auto failures =
         std::count_if(rows.begin(), rows.end(), [](const Row& row) { return !row.pass; });
     double seconds = 0;
@@ -185,12 +196,12 @@ std::string to_junit(const std::vector<Row>& rows, const Limits& limits) {
         seconds += row.seconds;
     }
     const std::string counts = "tests=\"" + std::to_string(rows.size()) + "\" failures=\"" +
-                               std::to_string(failures) + "\" time=\"" + number(seconds) + "\"";
+                               std::to_string(failures) + "\" time=\"" + few_digits(seconds) + "\"";
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + counts +
                        ">\n<testsuite name=\"dsc_verify\" " + counts + ">\n";
     for (const Row& row : rows) {
-        text += "<testcase classname=\"" + xml(row.check->name) + "\" name=\"" + xml(row.scene) +
-                "\" time=\"" + number(row.seconds) + "\"";
+        text += "<testcase classname=\"" + xml(row.check->name) + "\" name=\"" + xml(row.of->name) +
+                "\" time=\"" + few_digits(row.seconds) + "\"";
         if (row.pass) {
             text += "/>\n";
             continue;
@@ -198,8 +209,8 @@ std::string to_junit(const std::vector<Row>& rows, const Limits& limits) {
         const std::string message =
             row.failure.empty() ? "measured " + measured_text(row) + ", limit " + limit_text(row)
                                 : row.failure;
-        text += "><failure message=\"" + xml(message) + "\">" +
-                escape_xml(failure_lines(row, limits)) + "</failure></testcase>\n";
+        text += "><failure message=\"" + xml(message) + "\">" + escape_xml(failure_lines(row)) +
+                "</failure></testcase>\n";
     }
     return text + "</testsuite>\n</testsuites>\n";
 }

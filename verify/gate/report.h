@@ -3,7 +3,7 @@
 // integration.
 #pragma once
 
-#include "checks.h"
+#include "judge.h"
 #include "propose.h"
 
 #include <ostream>
@@ -15,13 +15,15 @@ namespace dsc::gate {
 void print_heading(std::ostream& out);
 void print_row(std::ostream& out, const Row& row);
 /// Of a limit that is broken: why it stands, where it is broken, and how to see it again.
-void print_failure(std::ostream& out, const Row& row, const Limits& limits);
+void print_failure(std::ostream& out, const Row& row);
 
 /// Median, spread, limit and their ratio of each proposed limit.
 void print_bands(std::ostream& out, const std::vector<Band>& bands);
 
-[[nodiscard]] std::string to_json(const std::vector<Row>& rows, const Limits& limits,
+/// `suites` are named in it; `cases` are all of theirs, for what was not run.
+[[nodiscard]] std::string to_json(const std::vector<Row>& rows,
+                                  const std::vector<std::string>& suites, const Cases& cases,
                                   const Runs& runs);
-[[nodiscard]] std::string to_junit(const std::vector<Row>& rows, const Limits& limits);
+[[nodiscard]] std::string to_junit(const std::vector<Row>& rows);
 
 } // namespace dsc::gate

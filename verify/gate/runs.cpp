@@ -1,83 +1,99 @@
 // SPDX-License-Identifier: MIT
 #include "runs.h"
 
-#include "scenes/catalogue/catalogue.h"
-
-#include <algorithm>
+#include <bit>
+#include <chrono>
 
 namespace dsc::gate {
 
 namespace {
 
-/// Small enough for a method that sweeps over sets in each step, and large enough for some hundred
-/// triangles inside and outside the shape.
-constexpr double edges_of_side = 20;
+constexpr int shared_steps = 40; ///< enough to show whether threads change the result
 
-scenes::Parameters coarse(const scenes::Scene& scene) {
-    scenes::Parameters parameters = scene.defaults;
-    const Rectangle domain = scene.prepare(scene.defaults).domain;
-    parameters.h = (domain.high - domain.low).maxCoeff() / edges_of_side;
-    parameters.interface = scenes::coarse_interface(); // as long as the reference's
-    if (scene.name == "single-vortex") {
-        // The filament of a longer period is thinner than the mesh.
-        parameters.period = 2;
-    }
-    return parameters;
-}
-
-/// Fine enough that every strategy has submeshes for several threads, and as many steps as show
-/// that.
-constexpr double edges_of_shared_side = 80;
-constexpr int shared_steps = 40;
-
-// With the time step of a whole run.
-scenes::Parameters shared(const scenes::Scene& scene) {
-    scenes::Parameters parameters = scene.defaults;
-    const Rectangle domain = scene.prepare(scene.defaults).domain;
-    parameters.h = (domain.high - domain.low).maxCoeff() / edges_of_shared_side;
-    const scenes::Setup whole = scene.prepare(parameters);
-    const int steps = std::min(whole.steps, shared_steps);
-    parameters.dt = whole.dt;
-    parameters.steps = scene.counts_steps_each_way ? std::max(steps / 2, 1) : steps;
-    return parameters;
-}
-
-scenes::Parameters of_size(const scenes::Scene& scene, Size size) {
-    return size == Size::full     ? scene.defaults
-           : size == Size::coarse ? coarse(scene)
-                                  : shared(scene);
-}
+std::string text_of(double value) { return std::to_string(std::bit_cast<std::uint64_t>(value)); }
+std::string text_of(const std::string& value) { return value; }
+std::string text_of(auto value) { return std::to_string(value); }
 
 } // namespace
 
-scenes::SceneFile Runs::find(const std::string& scene) const {
-    const auto file = std::ranges::find_if(
-        files_, [&](const scenes::SceneFile& one) { return one.scene.name == scene; });
-    return file != files_.end() ? *file : scenes::SceneFile{.scene = scenes::find_scene(scene)};
+std::string Configuration::key() const {
+    std::string key = of->path + '/' + of->file.scene.name;
+    for (const scenes::Key& one : scenes::parameter_keys()) {
+        key += '/' +
+               std::visit([](const auto& value) { return text_of(value); }, one.value(parameters));
+    }
+    return key + '/' + scenes::to_string(strategy) + '/' + std::to_string(threads) + '/' +
+           std::to_string(static_cast<int>(is_shared));
 }
 
-Prepared Runs::prepare(const Configuration& configuration) const {
-    const scenes::SceneFile file = find(configuration.scene);
-    Prepared run{
-        .scene = file.scene, .parameters = of_size(file.scene, configuration.size), .options = {}};
-    run.options.strategy = configuration.strategy;
-    run.options.submeshing.threads = configuration.threads;
-    run.options.submeshing.always_all_threads = configuration.size == Size::shared;
-    run.options.measures = file.measures;
-    run.options.measure_shape = configuration.measure_shape && file.measures_shape;
-    for (const std::string& setting : configuration.settings) {
-        scenes::apply_setting(run.parameters, run.scene.keys, setting);
-    }
-    return run;
+scenes::RunOptions Configuration::options() const {
+    scenes::RunOptions options;
+    options.strategy = strategy;
+    options.submeshing.threads = threads;
+    options.submeshing.always_all_threads = is_shared;
+    options.stop_after = is_shared ? shared_steps : 0;
+    options.measures = of->file.measures;
+    options.measure_shape = !is_shared && of->file.measures_shape;
+    return options;
 }
 
-const scenes::RunResult& Runs::get(const Configuration& configuration) {
-    const auto found = runs_.find(configuration);
-    if (found != runs_.end()) {
-        return found->second;
+Runs::Runs(const std::vector<Configuration>& configurations, int jobs) {
+    for (const Configuration& one : configurations) {
+        const auto [place, is_new] = outcomes_.try_emplace(one.key());
+        if (is_new) {
+            place->second.configuration = one;
+            queue_.push_back(&place->second);
+        }
     }
-    const Prepared run = prepare(configuration);
-    return runs_[configuration] = scenes::run_scene(run.scene, run.parameters, run.options);
+    for (int i = 0; i < jobs; ++i) {
+        workers_.emplace_back([this] { work(); });
+    }
+}
+
+Runs::~Runs() {
+    {
+        const std::lock_guard lock(mutex_);
+        next_ = queue_.size();
+    }
+    for (std::thread& worker : workers_) {
+        worker.join();
+    }
+}
+
+void Runs::work() {
+    for (;;) {
+        Outcome* outcome = nullptr;
+        {
+            const std::lock_guard lock(mutex_);
+            if (next_ == queue_.size()) {
+                return;
+            }
+            outcome = queue_[next_++];
+        }
+        const Configuration& what = outcome->configuration;
+        const auto start = std::chrono::steady_clock::now();
+        scenes::RunResult result;
+        std::exception_ptr error;
+        try {
+            result = scenes::run_scene(what.of->file.scene, what.parameters, what.options());
+        } catch (...) {
+            error = std::current_exception();
+        }
+        const std::lock_guard lock(mutex_);
+        outcome->result = std::move(result);
+        outcome->error = error;
+        outcome->seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        outcome->is_done = true;
+        done_.notify_all();
+    }
+}
+
+const Outcome& Runs::wait(const Configuration& configuration) {
+    const Outcome& outcome = outcomes_.at(configuration.key());
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [&] { return outcome.is_done; });
+    return outcome;
 }
 
 } // namespace dsc::gate

@@ -1,66 +1,89 @@
 // SPDX-License-Identifier: MIT
-// The runs that the checks look at, each made once, when it is first requested.
+// The runs that the checks look at, each made once, several at a time.
 #pragma once
+
+#include "limits.h"
 
 #include "scenes/file/scene_file.h"
 #include "scenes/run/run.h"
 
+#include <condition_variable>
+#include <exception>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
-#include <tuple>
-#include <utility>
+#include <thread>
 #include <vector>
 
 namespace dsc::gate {
 
-/// How finely a scene is run.
-enum class Size : std::uint8_t {
-    full,   ///< as in the catalogue: the limits on accuracy apply to this
-    coarse, ///< for comparisons with the reference, which takes seconds a step at full size
-    shared, ///< the first steps in a mesh of which all threads get a share, whether that pays or
-            ///< not
+/// A limit, and what it is of.
+struct Held {
+    std::shared_ptr<const Check> check;
+    Limit limit;
+};
+
+/// A [[case]] of a suite: a scene with its parameters, and what it is held to.
+struct Case {
+    std::string name; ///< of its rows
+    scenes::SceneFile file;
+    std::string path{}; ///< of the scene file; empty: a scene of the catalogue
+    scenes::Parameters parameters{};
+    std::vector<scenes::Parameters> series{};   ///< over which an order is fitted
+    std::vector<scenes::Strategy> strategies{}; ///< parallel ones, which are compared
+    std::vector<std::uint32_t> threads{};       ///< of these; empty: as each check has them
+    std::vector<Held> held{};
+    std::vector<std::string> missing{}; ///< checks that every case of the suite is to have
+    std::optional<std::size_t> table{}; ///< its [[case]], if it has one to itself
 };
 
 struct Configuration {
-    std::string scene; ///< a name of the catalogue or of a scene file
-    Size size = Size::full;
+    const Case* of = nullptr; ///< outlives it
+    scenes::Parameters parameters{};
     scenes::Strategy strategy = scenes::Strategy::sequential;
     std::uint32_t threads = 1;
-    std::vector<std::string> settings = {}; ///< key=value, as on the command line
-    bool measure_shape = true;
+    /// The first steps alone, in which all threads get a share, whether that pays or not.
+    bool is_shared = false;
 
-    [[nodiscard]] auto key() const {
-        return std::tie(scene, size, strategy, threads, settings, measure_shape);
-    }
-    friend bool operator<(const Configuration& a, const Configuration& b) {
-        return a.key() < b.key();
-    }
+    /// The same for runs that give the same result.
+    [[nodiscard]] std::string key() const;
+    /// What `run_scene` takes beside scene and parameters.
+    [[nodiscard]] scenes::RunOptions options() const;
 };
 
-/// What `run_scene` takes.
-struct Prepared {
-    scenes::Scene scene;
-    scenes::Parameters parameters;
-    scenes::RunOptions options;
+struct Outcome {
+    Configuration configuration{};
+    scenes::RunResult result{};
+    std::exception_ptr error{}; ///< that the run threw
+    double seconds = 0;
+    bool is_done = false;
 };
 
+/// Begins with the runs at once, in this order; the results do not depend on how many are made at a
+/// time. The destructor waits for those under way and leaves out the others.
 class Runs {
 public:
-    Runs() = default;
-    /// These scenes come before those of the catalogue of the same name.
-    explicit Runs(std::vector<scenes::SceneFile> files) : files_(std::move(files)) {}
+    Runs(const std::vector<Configuration>& configurations, int jobs);
+    ~Runs();
+    Runs(const Runs&) = delete;
+    Runs& operator=(const Runs&) = delete;
 
-    /// Throws what the run throws.
-    const scenes::RunResult& get(const Configuration& configuration);
-    [[nodiscard]] const std::map<Configuration, scenes::RunResult>& all() const { return runs_; }
-    [[nodiscard]] const std::vector<scenes::SceneFile>& files() const { return files_; }
-    /// The scene of this name. Throws InputError if there is none.
-    [[nodiscard]] scenes::SceneFile find(const std::string& scene) const;
-    [[nodiscard]] Prepared prepare(const Configuration& configuration) const;
+    /// Waits for a run. Throws std::out_of_range for one that was not asked for.
+    const Outcome& wait(const Configuration& configuration);
+    /// All that are done; nothing may be under way.
+    [[nodiscard]] const std::map<std::string, Outcome>& all() const { return outcomes_; }
 
 private:
-    std::vector<scenes::SceneFile> files_;
-    std::map<Configuration, scenes::RunResult> runs_;
+    void work();
+
+    std::map<std::string, Outcome> outcomes_;
+    std::vector<Outcome*> queue_;
+    std::size_t next_ = 0;
+    std::mutex mutex_;
+    std::condition_variable done_;
+    std::vector<std::thread> workers_;
 };
 
 } // namespace dsc::gate

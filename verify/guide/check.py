@@ -98,8 +98,11 @@ def briefly(words):
         return words
     if program == "dsc_bench" and rest:
         return f"{words} --benchmark_list_tests=true"
-    if program == "dsc_verify" and len(rest) > 1:
-        return " && ".join(f"{program} list | grep -qw {check}" for check in rest[1:])
+    if program == "dsc_verify" and rest[:1] == ["run"]:
+        # Checks, groups and scenes; files and values of options aside.
+        names = [name for word in rest[1:] for name in word.split(",")
+                 if not word.startswith("--") and not word.endswith(".toml") and not word.isdigit()]
+        return " && ".join(f"{program} list | grep -qw {name}" for name in names) or None
     return None
 
 

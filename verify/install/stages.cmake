@@ -45,14 +45,14 @@ if(NOT installed STREQUAL included)
 endif()
 message(STATUS "headers: done")
 
-# The gate, if it is built, holds runs to the limits that are installed with it.
+# The gate, if it is built, holds runs to the suites that are installed with it.
 if(EXISTS ${prefix}/bin/dsc_verify)
     stage(gate ${prefix}/bin/dsc_verify run accuracy_area --out ${work}/gate)
     file(READ ${work}/gate/verify.json result)
-    string(JSON limits GET "${result}" limits)
-    file(REAL_PATH ${prefix}/share/dsc/limits.json expected)
-    if(NOT limits STREQUAL expected)
-        message(FATAL_ERROR "stage gate: the limits are those of ${limits}, not of ${expected}")
+    string(JSON suite GET "${result}" suites 0)
+    file(REAL_PATH ${prefix}/share/dsc/suites/accuracy.toml expected)
+    if(NOT suite STREQUAL expected)
+        message(FATAL_ERROR "stage gate: the suite is ${suite}, not ${expected}")
     endif()
 endif()
 

@@ -16,7 +16,7 @@ SCENE = os.environ["DSC_SCENE"]
 VERIFY = os.environ["DSC_VERIFY"]
 HARD = os.environ["DSC_HARD"]
 ROOM = os.path.dirname(os.path.abspath(__file__))
-LIMITS = os.path.join(os.path.dirname(ROOM), "gate", "limits.json")
+SUITES = os.path.join(os.path.dirname(ROOM), "suites")
 SHORT = ["--set", "h=0.05", "--set", "steps=4"]
 PROMPTLY = 120  # seconds; a bad call takes none
 

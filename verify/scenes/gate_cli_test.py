@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The command lines of dsc_verify and dsc_hard: good calls, and every kind of bad one."""
 import json
+import os
 import unittest
 import xml.etree.ElementTree as xml
 
-from command_line import VERIFY, HARD, LIMITS, limited_to, CommandLine
+from command_line import VERIFY, HARD, SUITES, limited_to, CommandLine
 
 
 class Gate(CommandLine):
@@ -13,16 +14,17 @@ class Gate(CommandLine):
     cheap = "accuracy_area"
     with_reference = "reference_area"  # draws histograms as well
 
-    def limits(self, change=lambda limits: None):
-        with open(LIMITS, encoding="utf-8") as stream:
-            data = json.load(stream)
-        change(data["limits"])
-        return self.write("limits.json", json.dumps(data))
-
     def write(self, name, text):
         with open(self.path(name), "w", encoding="utf-8") as stream:
             stream.write(text)
         return self.path(name)
+
+    def suite(self, name, old, new):
+        """One of ours, with a change."""
+        with open(os.path.join(SUITES, name), encoding="utf-8") as stream:
+            text = stream.read()
+        self.assertIn(old, text)
+        return self.write("suite.toml", text.replace(old, new))
 
     def result(self):
         with open(self.path("out/verify.json"), encoding="utf-8") as stream:
@@ -33,13 +35,6 @@ class Gate(CommandLine):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         for word in ("area_ratio", "mesh_hash", "swirl"):
             self.assertIn(word, done.stdout)
-
-    def test_every_limit_has_a_note(self):
-        with open(LIMITS, encoding="utf-8") as stream:
-            limits = json.load(stream)["limits"]
-        for scenes in limits.values():
-            for entry in scenes.values():
-                self.assertGreater(len(entry["note"]), 10)
 
     def test_pass_and_failure(self):
         done = self.call("run", self.with_reference, "--out", "out")
@@ -58,7 +53,7 @@ class Gate(CommandLine):
         self.assertEqual(strategies, {"sequential", "reference"})
 
         scene = "vortex-square"
-        tightened = self.limits(lambda limits: limits[self.cheap][scene].update(value=-1))
+        tightened = self.suite("accuracy.toml", "3.2e-7, measured = 2.07e-7", "1e-12, measured = 0")
         done = self.call("run", self.cheap, "--limits", tightened, "--out", "out")
         self.assertEqual(done.returncode, 1)
         self.assertIn("FAIL", done.stdout)
@@ -76,48 +71,53 @@ class Gate(CommandLine):
         self.expect_refusal("run", "--colour", words=["--colour"])
         self.expect_refusal("run", "--limits")
 
-    def test_unknown_check(self):
-        for name in ("area", "", "AREA_RATIO"):
+    def test_what_is_run(self):
+        """A scene, a group of checks, and runs side by side, which print the same."""
+        printed = set()
+        for jobs in (1, 2):
+            done = self.call("run", "translation", "zalesak", "--only", "validity,min_quality",
+                             "--jobs", jobs, "--out", "out")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            printed.add(done.stdout)
+            self.assertEqual({(c["check"], c["scene"]) for c in self.result()["checks"]},
+                             {(check, scene) for scene in ("translation", "zalesak")
+                              for check in ("inverted", "unreached", "min_quality",
+                                            "parallel_unreached")} |
+                             {("accuracy_lost", "zalesak h=0.01")})
+        self.assertEqual(len(printed), 1)
+
+    def test_what_has_become_worse(self):
+        drifted = self.suite("accuracy.toml", "3.2e-7, measured = 2.07e-7",
+                             "2.6e-7, measured = 1.8e-7")
+        for drift, code in ((None, 0), (0.2, 0), (0.1, 1)):
+            done = self.call("run", self.cheap, "vortex-square", "--limits", drifted, "--out", "out",
+                             *(["--drift", drift] if drift else []))
+            self.assertEqual(done.returncode, code, done.stdout)
+
+    def test_unknown_words(self):
+        for name in ("areas", "", "AREA_RATIO"):
             self.expect_refusal("run", name, words=[f"'{name}'", "area_ratio", "mesh_hash"])
+            self.expect_refusal("run", "--only", f"inverted,{name}x", words=[f"'{name}x'"])
+        self.expect_refusal("run", "--jobs", "0", words=["--jobs"])
+        self.expect_refusal("run", "--drift", "-1", words=["--drift"])
+        self.expect_refusal("run", "mesh_hash", "t1", words=["mesh_hash", "no limit"])
 
     def test_a_missing_limit(self):
-        path = self.limits(lambda limits: limits["area_ratio"].pop("swirl"))
-        self.expect_refusal("run", "--limits", path, words=["area_ratio", "swirl"])
-        path = self.limits(lambda limits: limits.pop("inverted"))
-        self.expect_refusal("run", "inverted", "--limits", path, words=["inverted"])
-        path = self.write("limits.json", '{"limits": {}}')
-        self.expect_refusal("run", "--limits", path, words=["area_ratio"])
+        path = self.suite("scenes.toml", "\nmin_quality = { at_least = 0.26, measured = 0.292, "
+                          "orders = 9 }", "")
+        self.expect_refusal("run", path, words=["suite.toml", "min_quality", "swirl"])
 
-    def test_a_limit_that_no_check_reads(self):
-        entry = {"value": 1, "note": "a misspelt name"}
-        path = self.limits(lambda limits: limits["area_ratio"].update(swril=entry))
-        self.expect_refusal("run", self.cheap, "--limits", path, words=["swril"])
-        path = self.limits(lambda limits: limits.update(aera_ratio={"swirl": entry}))
-        self.expect_refusal("run", self.cheap, "--limits", path, words=["aera_ratio"])
-
-    def test_unreadable_limits(self):
-        for path in (self.path("none.json"), self.folder, "/proc/self/mem", ""):
+    def test_unreadable_suites(self):
+        for path in (self.path("none.toml"), self.folder, "/proc/self/mem", ""):
             self.expect_refusal("run", "--limits", path, words=[path])
+        self.expect_refusal("run", self.path("none.toml"), words=["none.toml"])
 
-    def test_truncated_limits(self):
-        with open(LIMITS, encoding="utf-8") as stream:
+    def test_truncated_suites(self):
+        with open(os.path.join(SUITES, "reference.toml"), encoding="utf-8") as stream:
             text = stream.read().strip()
-        for length in (0, 1, len(text) // 3, len(text) // 2, len(text) - 1):
-            path = self.write("limits.json", text[:length])
-            self.expect_refusal("run", "--limits", path, words=["limits.json"])
-
-    def test_limits_that_are_none(self):
-        for text in ("[]", "7", "{}", '{"limits": 3}', '{"limits": {"area_ratio": 3}}',
-                     '{"limits": {"area_ratio": {"swirl": 3}}}', "\x00\x01", "nonsense"):
-            path = self.write("limits.json", text)
-            self.expect_refusal("run", "--limits", path, words=["limits.json"])
-        for value in ('"1e-3"', "null", "1e999", "NaN", "true", "[1]"):
-            path = self.write("limits.json", '{"limits": {"area_ratio": {"swirl": '
-                              f'{{"value": {value}, "note": "as seeded"}}}}}}}}')
-            self.expect_refusal("run", "--limits", path, words=["limits.json"])
-        path = self.write("limits.json",
-                          '{"limits": {"area_ratio": {"swirl": {"value": 1, "note": ""}}}}')
-        self.expect_refusal("run", "--limits", path, words=["note"])
+        for length in (0, 400, len(text) // 2, len(text) - 1):
+            path = self.write("suite.toml", text[:length])
+            self.expect_refusal("run", "--limits", path, words=["suite.toml"])
 
     def test_folder_that_cannot_be_written(self):
         self.write("file", "here before")

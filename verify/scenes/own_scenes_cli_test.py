@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""dsc_verify with scenes of one's own: judged by their [limits] and by a limits file, as those of the
-catalogue are; limits proposed from shuffled orders; and every kind of bad call."""
+"""dsc_verify with scenes of one's own: judged by their [limits] and by suites, as those of the catalogue are;
+limits proposed from shuffled orders; and every kind of bad call."""
 import json
+import os
 import unittest
 import xml.etree.ElementTree as xml
 
-from command_line import SCENE, VERIFY, LIMITS, CommandLine
+from command_line import SCENE, VERIFY, SUITES, CommandLine
 
 MINE = """name = "mine"
 [options]
@@ -38,11 +39,9 @@ class OwnScenes(CommandLine):
     def scene(self, text=MINE + LENIENT, name="mine.toml"):
         return self.write(name, text)
 
-    def limits(self, limits, name="limits.json"):
-        return self.write(name, json.dumps({"limits": limits}))
-
-    def limit(self, check, value, scene="mine"):
-        return self.limits({check: {scene: {"value": value, "note": "of this test"}}})
+    def suite(self, limits, name="suite.toml", more=""):
+        """Of the scene mine.toml."""
+        return self.write(name, f'{more}[[case]]\nscene = "mine.toml"\n{limits}\n')
 
     def call_scene(self, *arguments):
         self.program = SCENE
@@ -131,27 +130,47 @@ class Judged(OwnScenes):
             self.assertEqual(done.returncode, 1, done.stdout)
             self.assertEqual(done.stdout.count("FAIL"), 1)
 
-    def test_by_a_limits_file_as_well(self):
-        done = self.call("run", self.scene(), "--limits", self.limit("unreached", 0), "--out", "out")
+    def test_by_a_suite(self):
+        self.scene()
+        done = self.call("run", self.suite("limits = { unreached = 0, parallel_area = 1e-3 }",
+                                           more="[limits]\ninverted = 0\n"), "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(set(self.rows()), {"inverted", "unreached", "parallel_area"})
+        done = self.call("run", self.suite("limits.area_ratio = 0"), "--out", "out")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("suite.toml:3: [case.limits] area_ratio", done.stdout)
+
+    def test_by_a_suite_as_well(self):
+        done = self.call("run", self.scene(), "--limits", self.suite("limits.unreached = 0"),
+                         "--out", "out")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("unreached", self.rows())
         self.assertIn("limits.inverted", self.rows())
-        done = self.call("run", self.scene(MINE), "--limits", self.limit("area_ratio", 0),
-                         "--out", "out")
-        self.assertEqual(done.returncode, 1)
-        self.assertEqual(set(self.rows()), {"area_ratio"})
+
+    def test_a_suite_of_which_rows_are_timed_as_well(self):
+        self.scene()
+        suite = self.suite("measure = 'step'\nh = [0.05, 0.04]\nthreads = [1, 2]\n"
+                           "strategies = ['sequential', 'cells']\narea_error = 'round'\n"
+                           "limits = { parallel_area = 1e-3 }")
+        done = self.call("run", suite, "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("out/verify.json"), encoding="utf-8") as stream:
+            self.assertEqual([row["scene"] for row in json.load(stream)["checks"]],
+                             ["mine h:0.05", "mine h:0.04"])
 
     def test_by_selected_checks(self):
-        done = self.call("run", "limits.inverted", self.scene(), "--out", "out")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(set(self.rows()), {"limits.inverted"})
+        for chosen in (["limits.inverted"], ["--only", "inverted"]):
+            done = self.call("run", *chosen, self.scene(), "--out", "out")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(set(self.rows()), {"limits.inverted"})
 
     def test_as_the_catalogue_is(self):
         """A described scene measures the same figures under the same names."""
         described = self.call_scene("describe", "zalesak")
         self.scene(described.stdout, "zalesak.toml")
         checks = ("inverted", "unreached", "min_quality")
-        own = self.call("run", *checks, "./zalesak.toml", "--limits", LIMITS, "--out", "out")
+        own = self.call("run", *checks, "./zalesak.toml", "--limits",
+                        os.path.join(SUITES, "scenes.toml"), "--out", "out")
         self.assertEqual(own.returncode, 0, own.stderr)
         rows = self.rows()
         self.assertEqual(set(rows), set(checks))
@@ -162,46 +181,43 @@ class Judged(OwnScenes):
         self.assertEqual(rows["min_quality"]["measured"], of_catalogue["min_quality_last"])
 
 
-
 class Refused(OwnScenes):
     def test_no_limits(self):
         self.expect_refusal("run", self.scene(MINE), words=["mine.toml", "without limits",
                                                             "[limits]", "--limits"])
 
-    def test_a_limits_file_without_the_scene(self):
-        for limits in ({}, {"inverted": {}}):
-            self.expect_refusal("run", self.scene(), "--limits", self.limits(limits),
-                                words=["limits.json", "mine", "propose"])
-        self.expect_refusal("run", self.scene(), "--limits", LIMITS, words=["mine"])
+    def test_a_suite_without_the_scene(self):
+        for name in ("accuracy.toml", "scenes.toml"):
+            self.expect_refusal("run", self.scene(), "--limits", os.path.join(SUITES, name),
+                                words=["mine", "propose"])
 
-    def test_unknown_names_in_a_limits_file(self):
-        for check, scene in (("aera_ratio", "mine"), ("inverted", "mien"), ("sd_rel_last", "mine")):
-            path = self.limits({"unreached": {"mine": {"value": 0, "note": "good"}}} |
-                               {check: {scene: {"value": 0, "note": "bad"}}})
-            self.expect_refusal("run", self.scene(), "--limits", path,
-                                words=["limits.json", check, scene])
-
-    def test_limits_that_are_no_numbers(self):
-        for value in ("NaN", "1e999", "null", '"1"'):
-            path = self.write("limits.json", '{"limits": {"inverted": {"mine": '
-                              f'{{"value": {value}, "note": "bad"}}}}}}}}')
-            self.expect_refusal("run", self.scene(), "--limits", path, words=["limits.json"])
+    def test_bad_limits_in_a_scene_file(self):
         self.expect_refusal("run", self.scene(MINE + "[limits]\nsd_rel_last = nan\n"),
                             words=["mine.toml:13", "sd_rel_last", "nan"])
 
+    def test_a_bad_suite(self):
+        self.scene()
+        for limits, words in (("limits.aera_ratio = 1", ["aera_ratio", "area_ratio"]),
+                              ("limits.inverted = nan", ["suite.toml:3", "nan"]),
+                              ("", ["suite.toml:2", "no limit"]),
+                              ("limits = {}", ["no limit"])):
+            self.expect_refusal("run", self.suite(limits), words=words)
+        self.write("suite.toml", "[[case]]\nscene = 'mien.toml'\nlimits.inverted = 0\n")
+        self.expect_refusal("run", self.path("suite.toml"), words=["suite.toml:2", "mien.toml"])
+
     def test_a_limit_without_its_measure(self):
-        bare = MINE.split("[exact]")[0]
-        self.expect_refusal("run", self.scene(bare), "--limits",
-                            self.limit("symmetric_difference", 1),
-                            words=["limits.json: symmetric_difference, mine", "exact shape"])
+        self.scene(MINE.split("[exact]")[0])
+        self.expect_refusal("run", self.suite("limits.symmetric_difference = 1"),
+                            words=["suite.toml:3", "symmetric_difference", "exact shape"])
         some = MINE + "[measure]\nmeasures = ['area']\n"
-        self.expect_refusal("run", self.scene(some), "--limits", self.limit("min_quality", 0.1),
+        self.scene(some)
+        self.expect_refusal("run", self.suite("limits.min_quality = 0.1"),
                             words=["min_quality", "not taken"])
         self.expect_refusal("run", self.scene(some + LENIENT), words=["mine.toml:17", "not taken"])
 
     def test_unknown_checks(self):
         self.expect_refusal("run", "limits.sd", self.scene(), words=["'limits.sd'", "inverted"])
-        self.expect_refusal("run", "area_ratio", self.scene(), words=["area_ratio", "limit"])
+        self.expect_refusal("run", "mesh_hash", self.scene(), words=["mesh_hash", "limit"])
 
     def test_files(self):
         self.expect_refusal("run", "none.toml", words=["none.toml"])
@@ -211,47 +227,81 @@ class Refused(OwnScenes):
 
 
 class Proposed(OwnScenes):
+    NAMES = ("area_ratio", "symmetric_difference", "inverted", "min_quality",
+             "parallel_area_histogram", "mesh_hash")
+
     def propose(self, *arguments):
         return self.call("propose", self.scene(MINE), "--orders", "4", *arguments)
 
+    def read(self, name):
+        with open(self.path(name), encoding="utf-8") as stream:
+            return stream.read()
+
     def test_limits_hold_for_the_scene(self):
-        done = self.propose("--out", "l.json")
+        done = self.propose("--out", "l.toml")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        with open(self.path("l.json"), encoding="utf-8") as stream:
-            limits = json.load(stream)["limits"]
-        for name in ("area_ratio", "symmetric_difference", "inverted", "min_quality",
-                     "parallel_area_histogram", "mesh_hash"):
-            self.assertIn(name, limits)
+        text = self.read("l.toml")
+        for name in self.NAMES:
+            self.assertIn(name + " = ", text)
             self.assertIn(name, done.stdout)
-        entry = limits["symmetric_difference"]["mine"]
-        band = entry["band"]
-        self.assertEqual(band["orders"], 4)
-        self.assertGreater(band["spread"], 0, "shuffled orders differ")
-        self.assertGreater(entry["value"], band["median"])
-        self.assertAlmostEqual(band["ratio"], entry["value"] / band["median"])
-        self.assertLess(limits["min_quality"]["mine"]["value"],
-                        limits["min_quality"]["mine"]["band"]["median"])
-        done = self.call("run", "symmetric_difference", "min_quality", "inverted", "unreached",
-                         self.scene(MINE), "--limits", "l.json", "--out", "out")
+        for key in ("rule = ", "orders = 4", "[measured_at.", "commit = ", "date = ", "machine = ",
+                    "compiler = "):
+            self.assertIn(key, text)
+        done = self.call("run", "l.toml", "--only", "symmetric_difference,quality,validity",
+                         "--out", "out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+
+    def test_limits_of_a_suite_are_updated(self):
+        self.scene(MINE)
+        before = ("[defaults]\nmin_quality = { rule = 'a tenth below', orders = 4 } # all\n\n"
+                  "[[case]] # mine\nscene = 'mine.toml'\n[case.limits]\ninverted = 0 # none\n"
+                  "min_quality = { at_least = 0.01, measured = 0.0111 } # low\n"
+                  "area_ratio = { at_most = 0.5, measured = 0.2 } # by decree\n")
+        path = self.write("l.toml", before)
+        done = self.call("propose", path, "--orders", "4")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.read("l.toml"), before)
+        done = self.call("propose", path, "--orders", "4", "--update")
+        # What is required is not loosened, nor may it be far from what is measured.
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("area_ratio", done.stderr)
+        self.assertEqual(self.read("l.toml"), before)
+        path = self.write("l.toml", before.replace(
+            "{ at_most = 0.5, measured = 0.2 }", "0.5"))
+        done = self.call("propose", path, "--orders", "4", "--update")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        text = self.read("l.toml")
+        for kept in ("orders = 4 } # all\n", "[[case]] # mine\n", "inverted = 0 # none\n",
+                     " } # low\n", "area_ratio = 0.5 # by decree\n"):
+            self.assertIn(kept, text)
+        self.assertRegex(text, r"min_quality = \{ at_least = 0.[234]\d?, measured = 0.\d+, at = ")
+        done = self.call("run", path, "--out", "out")
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
 
     def test_nothing_is_overwritten(self):
-        before = self.write("l.json", "mine")
+        before = self.write("l.toml", "mine")
         self.expect_refusal("propose", self.scene(MINE), "--orders", "2", "--out", before,
-                            words=["--out", "l.json", "--overwrite"])
-        with open(before, encoding="utf-8") as stream:
-            self.assertEqual(stream.read(), "mine")
+                            words=["--out", "l.toml", "--overwrite"])
+        self.assertEqual(self.read("l.toml"), "mine")
         done = self.propose("--out", before, "--overwrite")
         self.assertEqual(done.returncode, 0, done.stderr)
-        with open(before, encoding="utf-8") as stream:
-            self.assertIn("limits", json.load(stream))
+        self.assertIn("[case.limits]", self.read("l.toml"))
 
     def test_bad_calls(self):
         self.expect_refusal("propose")
         self.expect_refusal("propose", "swril", words=["swril", "swirl"])
         self.expect_refusal("propose", "none.toml", words=["none.toml"])
         self.expect_refusal("propose", self.scene(MINE), "--orders", "1", words=["--orders"])
-        self.expect_refusal("propose", self.scene(MINE), "--out", "none/l.json", words=["--out"])
+        self.expect_refusal("propose", self.scene(MINE), "--out", "none/l.toml", words=["--out"])
+        self.expect_refusal("propose", self.scene(MINE), "--update", words=["--update", "--out"])
+        suite = self.suite("limits.inverted = 0")
+        self.expect_refusal("propose", suite, "--out", "l.toml", words=["--out", "--update"])
+        self.expect_refusal("propose", suite, "mien", words=["mien", "did you mean mine?"])
+        shared = self.write("l.toml", "[[case]]\nscene = ['mine.toml', 'zalesak']\n"
+                            "limits.inverted = 0\n"
+                            "limits.unreached = { at_most = 2, measured = 1 }\n")
+        self.expect_refusal("propose", shared, "mine", "--orders", "2", "--update",
+                            words=["l.toml", "'mine'", "[[case]] for each"])
 
 
 if __name__ == "__main__":

@@ -25,8 +25,14 @@ std::string read_text_file(const std::filesystem::path& path) {
     }
     errno = 0;
     std::ifstream file(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file.is_open() || file.bad()) {
+    std::string text;
+    bool is_read = file.is_open();
+    try {
+        text.assign(std::istreambuf_iterator<char>(file), {});
+    } catch (const std::ios_base::failure&) { // an iterator has no other way to say so
+        is_read = false;
+    }
+    if (!is_read || file.bad()) {
         throw FileError("cannot read this file", path.string(), errno);
     }
     return text;

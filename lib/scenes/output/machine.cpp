@@ -19,6 +19,14 @@ std::string machine() {
     return model + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores";
 }
 
+std::string compiler() {
+#if defined(__clang__)
+    return "clang++ " __clang_version__;
+#else
+    return "g++ " __VERSION__;
+#endif
+}
+
 std::string commit() { return DSC_COMMIT; }
 
 } // namespace dsc::scenes

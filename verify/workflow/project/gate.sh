@@ -10,8 +10,8 @@ usage: ./gate.sh [BASE]
   BASE  a commit of this project, which is built beside it in build/base and run in turn with it
 DSC_PREFIX says where dsc is installed (default ~/dsc), COMPARE_OPTIONS what else compare.py is told.
 Results: build/gate/verify.json and verify.xml, pictures of what failed in build/gate/failures, and
-build/gate/tests.xml. Limits are in scenes/*.toml and limits.json; to measure new ones:
-  dsc_verify propose scenes/NAME.toml --out limits.json
+build/gate/tests.xml. Limits are in scenes/*.toml and gate.toml; to measure those of gate.toml anew:
+  dsc_verify propose ./gate.toml --update
 Exit code: 0 all holds, 1 something does not, 2 bad usage or a tool is missing.
 USAGE
 }
@@ -40,7 +40,7 @@ mkdir -p build/gate
 build . build/new
 ctest --test-dir build/new --output-on-failure --output-junit "$here/build/gate/tests.xml" ||
     failed+=("tests")
-"$verify" run ./scenes/*.toml --limits limits.json --out build/gate || failed+=("limits")
+"$verify" run ./scenes/*.toml ./gate.toml --jobs "$(nproc)" --out build/gate || failed+=("limits")
 
 if [[ -n $base ]]; then
     inside=$(git rev-parse --show-prefix) # of a larger repository, if the project is a part of one

@@ -1,28 +1,34 @@
 // SPDX-License-Identifier: MIT
 // A [[case]] of a suite, read key by key; what is wrong is said with file, line, key, value and
-// what is allowed.
+// what is allowed. dsc_bench and dsc_verify read the same files: each takes its own keys, and
+// leaves those of the other alone.
 #pragma once
 
 #include "dsc/base/error.h"
+#include "scenes/file/scene_file.h"
 #include "scenes/file/table_reader.h"
-#include "scenes/scene.h"
 
 #include <string>
 #include <vector>
 
-namespace dsc::bench {
+namespace dsc::scenes {
+
+/// The keys that dsc_verify alone reads, of the whole suite and of a case.
+[[nodiscard]] const std::vector<std::string>& keys_of_verify();
+[[nodiscard]] const std::vector<std::string>& case_keys_of_verify();
+/// Those of a case that dsc_bench alone reads.
+[[nodiscard]] const std::vector<std::string>& case_keys_of_bench();
 
 /// A [[case]] and one of its `rows`, whose keys win over those of the case.
 class CaseReader {
 public:
-    CaseReader(const scenes::TableReader& whole, const scenes::TableReader* row)
-        : whole_(&whole), row_(row) {}
+    CaseReader(const TableReader& whole, const TableReader* row) : whole_(&whole), row_(row) {}
 
     [[nodiscard]] bool has(const std::string& key) const {
         return whole_->has(key) || (row_ != nullptr && row_->has(key));
     }
     /// The table in which the key stands, or that of the row where it stands in neither.
-    [[nodiscard]] const scenes::TableReader& of(const std::string& key) const {
+    [[nodiscard]] const TableReader& of(const std::string& key) const {
         const bool is_of_row = row_ != nullptr && (row_->has(key) || !whole_->has(key));
         return is_of_row ? *row_ : *whole_;
     }
@@ -37,13 +43,13 @@ public:
     }
 
 private:
-    const scenes::TableReader* whole_;
-    const scenes::TableReader* row_;
+    const TableReader* whole_;
+    const TableReader* row_;
 };
 
 /// Calls `what`, which may refuse what stands under a key: the error then names that place.
 template <class What>
-auto at_key(const scenes::TableReader& reader, const std::string& key, What what) {
+auto at_key(const TableReader& reader, const std::string& key, What what) {
     try {
         return what();
     } catch (const InputError& error) {
@@ -59,13 +65,22 @@ auto at_key(const scenes::TableReader& reader, const std::string& key, What what
 [[nodiscard]] std::vector<int> integers(const CaseReader& reader, const std::string& key, int low,
                                         int high);
 [[nodiscard]] std::vector<double> numbers(const CaseReader& reader, const std::string& key,
-                                          scenes::Bounds bounds);
+                                          Bounds bounds);
+
+/// A size of a case: its name in rows, and the edge length; 0: the scene's own.
+struct CaseSize {
+    std::string name{};
+    double h = 0;
+};
+
+/// What `h` or `triangles` list; one of the scene's own where neither is given.
+[[nodiscard]] std::vector<CaseSize> read_sizes(const CaseReader& reader);
 
 /// A scene of the catalogue, or that of a file whose path begins at the suite.
-[[nodiscard]] scenes::Scene read_scene(const CaseReader& reader, const std::string& name);
+[[nodiscard]] SceneFile read_scene(const CaseReader& reader, const std::string& name);
 
 /// Sets the parameters that the table under `key` names, if there is one.
-void read_settings(const CaseReader& reader, const std::string& key, const scenes::Scene& scene,
-                   scenes::Parameters& parameters);
+void read_settings(const CaseReader& reader, const std::string& key, const Scene& scene,
+                   Parameters& parameters);
 
-} // namespace dsc::bench
+} // namespace dsc::scenes

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "case_reader.h"
+#include "scenes/file/case_reader.h"
 
-#include "scenes/catalogue/catalogue.h"
-#include "scenes/file/scene_file.h"
+#include <cmath>
 
-namespace dsc::bench {
-
-using scenes::TableReader;
+namespace dsc::scenes {
 
 namespace {
 
@@ -23,6 +20,23 @@ auto one_or_more(const CaseReader& reader, const std::string& key, One one, Many
 
 } // namespace
 
+const std::vector<std::string>& keys_of_verify() {
+    static const std::vector<std::string> keys{"limits", "defaults", "every_case_has",
+                                               "measured_at"};
+    return keys;
+}
+
+const std::vector<std::string>& case_keys_of_verify() {
+    static const std::vector<std::string> keys{"limits", "series"};
+    return keys;
+}
+
+const std::vector<std::string>& case_keys_of_bench() {
+    static const std::vector<std::string> keys{"measure", "submeshes", "area_error", "between_us",
+                                               "at",      "option",    "same_mesh",  "seeds"};
+    return keys;
+}
+
 std::vector<std::string> texts(const CaseReader& reader, const std::string& key) {
     return one_or_more(
         reader, key, [&](const TableReader& table) { return table.text(key); },
@@ -35,22 +49,42 @@ std::vector<int> integers(const CaseReader& reader, const std::string& key, int 
         [&](const TableReader& table) { return table.integers(key, low, high); });
 }
 
-std::vector<double> numbers(const CaseReader& reader, const std::string& key,
-                            scenes::Bounds bounds) {
+std::vector<double> numbers(const CaseReader& reader, const std::string& key, Bounds bounds) {
     return one_or_more(
         reader, key, [&](const TableReader& table) { return table.number(key, bounds); },
         [&](const TableReader& table) { return table.numbers(key, bounds); });
 }
 
-scenes::Scene read_scene(const CaseReader& reader, const std::string& name) {
+std::vector<CaseSize> read_sizes(const CaseReader& reader) {
+    std::vector<CaseSize> sizes;
+    if (reader.has("triangles") && reader.has("h")) {
+        reader.refuse("h", "two kinds of sizes", "triangles, or h");
+    }
+    if (reader.has("triangles")) {
+        for (const int triangles : integers(reader, "triangles", 100, 20'000'000)) {
+            // As many equilateral triangles fill the unit square.
+            sizes.push_back({"triangles:" + std::to_string(triangles),
+                             std::sqrt(4 / (std::sqrt(3.0) * triangles))});
+        }
+    } else if (reader.has("h")) {
+        for (const double h : numbers(reader, "h", {1e-5, 1})) {
+            sizes.push_back({"", h});
+        }
+    } else {
+        sizes.emplace_back();
+    }
+    return sizes;
+}
+
+SceneFile read_scene(const CaseReader& reader, const std::string& name) {
     const TableReader& table = reader.of("scene");
     return at_key(table, "scene", [&] {
-        if (!scenes::is_scene_file(name)) {
-            return scenes::find_scene(name);
+        if (!is_scene_file(name)) {
+            return SceneFile{.scene = find_scene(name)};
         }
         const auto path = table.file().parent_path() / name;
         try {
-            return scenes::read_scene_file(path).scene;
+            return read_scene_file(path);
         } catch (const FileError& error) {
             throw InputError({.what = error.what(),
                               .where = "scene",
@@ -65,8 +99,8 @@ scenes::Scene read_scene(const CaseReader& reader, const std::string& name) {
     });
 }
 
-void read_settings(const CaseReader& reader, const std::string& key, const scenes::Scene& scene,
-                   scenes::Parameters& parameters) {
+void read_settings(const CaseReader& reader, const std::string& key, const Scene& scene,
+                   Parameters& parameters) {
     if (!reader.has(key)) {
         return;
     }
@@ -76,8 +110,8 @@ void read_settings(const CaseReader& reader, const std::string& key, const scene
             table.refuse(name, "a size among settings", "h = [...] in the [[case]] itself");
         }
         at_key(table, name,
-               [&] { scenes::set_parameter(parameters, scene.keys, name, table.setting(name)); });
+               [&] { set_parameter(parameters, scene.keys, name, table.setting(name)); });
     }
 }
 
-} // namespace dsc::bench
+} // namespace dsc::scenes

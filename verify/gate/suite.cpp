@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+#include "suite.h"
+
+#include "scenes/digits.h"
+#include "scenes/file/case_reader.h"
+#include "scenes/file/text_file.h"
+#include "scenes/run/usage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+namespace dsc::gate {
+
+namespace {
+
+using scenes::at_key;
+using scenes::CaseReader;
+using scenes::CaseSize;
+using scenes::Strategy;
+using scenes::TableReader;
+
+std::string read_text(const std::string& path) {
+    try {
+        return scenes::read_text_file(path);
+    } catch (const FileError& error) {
+        throw InputError({.what = error.what(),
+                          .where = "run",
+                          .value = "'" + path + "'",
+                          .allowed = "a suite or a scene file that can be read"});
+    }
+}
+
+std::vector<Strategy> parallel_strategies() {
+    std::vector<Strategy> all;
+    std::ranges::copy_if(scenes::all_strategies(), std::back_inserter(all), scenes::is_parallel);
+    return all;
+}
+
+/// What holds for all cases of a suite.
+struct Common {
+    std::optional<TableReader> limits;
+    std::optional<TableReader> defaults;
+    std::vector<std::string> required; ///< checks
+    bool needs_limits = true;
+};
+
+void check_known(const TableReader& limits) {
+    for (const std::string& name : limits.keys()) {
+        at_key(limits, name, [&] { (void)find_check(name); });
+    }
+}
+
+void read_limits(const TableReader& limits, const Common& common, bool is_own, Case& c) {
+    check_known(limits);
+    for (const auto& check : all_checks()) {
+        if (!limits.has(check->name) ||
+            std::ranges::any_of(c.held, [&](const Held& held) { return held.check == check; })) {
+            continue;
+        }
+        Limit limit = read_limit(limits, common.defaults, *check);
+        limit.is_own = is_own;
+        const std::string reason = why_not(*check, c);
+        if (!reason.empty()) {
+            limits.refuse(check->name,
+                          "a limit without its measure in case " + c.name + ", " + reason,
+                          "limits of figures that the run has");
+        }
+        c.held.push_back({check, limit});
+    }
+}
+
+void read_held(const CaseReader& reader, const Common& common, Case& c) {
+    if (reader.has("limits")) {
+        read_limits(reader.of("limits").table("limits"), common, true, c);
+    }
+    if (common.limits) {
+        read_limits(*common.limits, common, false, c);
+    }
+    for (const std::string& name : common.required) {
+        if (std::ranges::any_of(c.held,
+                                [&](const Held& held) { return held.check->name == name; })) {
+            continue;
+        }
+        if (common.needs_limits) {
+            reader.refuse("scene", "a limit is missing, " + name + " of case " + c.name,
+                          "one for each check of every_case_has");
+        }
+        c.missing.push_back(name);
+    }
+    if (c.held.empty() && common.needs_limits) {
+        reader.refuse("scene", "no limit",
+                      "[case.limits], such as `dsc_verify propose --update` writes");
+    }
+}
+
+void read_strategies(const CaseReader& reader, Case& c) {
+    c.strategies = parallel_strategies();
+    if (reader.has("strategies")) {
+        c.strategies.clear();
+        for (const std::string& name : texts(reader, "strategies")) {
+            const Strategy strategy = at_key(reader.of("strategies"), "strategies",
+                                             [&] { return scenes::parse_strategy(name); });
+            if (scenes::is_parallel(strategy)) { // the others are compared with in any case
+                c.strategies.push_back(strategy);
+            }
+        }
+    }
+    if (reader.has("threads") && !reader.is_text("threads")) {
+        for (const int count : integers(reader, "threads", 1, 1024)) {
+            c.threads.push_back(static_cast<std::uint32_t>(count));
+        }
+    }
+}
+
+void read_series(const CaseReader& reader, Case& c) {
+    if (!reader.has("series")) {
+        return;
+    }
+    for (const TableReader& table : reader.of("series").tables("series")) {
+        c.series.push_back(c.parameters);
+        for (const std::string& key : table.keys()) {
+            at_key(table, key, [&] {
+                scenes::set_parameter(c.series.back(), c.file.scene.keys, key, table.setting(key));
+            });
+        }
+    }
+}
+
+// What dsc_scene would refuse, before the first of many runs.
+void check_usage(const CaseReader& reader, const Case& c) {
+    const scenes::Scene& scene = c.file.scene;
+    at_key(reader.of("scene"), "scene", [&] {
+        const scenes::Setup setup = scene.prepare(c.parameters);
+        for (const Held& held : c.held) {
+            for (const Configuration& run : configurations_of(*held.check, c)) {
+                scenes::check_usage(scene, setup, c.parameters, run.options());
+            }
+        }
+    });
+}
+
+// `table` is the number of the [[case]] among all, unless it has rows.
+void read_rows(const CaseReader& reader, const Common& common, std::optional<std::size_t> table,
+               Cases& cases) {
+    const std::vector<std::string> scenes = texts(reader, "scene");
+    const std::vector<CaseSize> sizes = scenes::read_sizes(reader);
+    for (const std::string& scene : scenes) {
+        Case c{.name = {}, .file = scenes::read_scene(reader, scene)};
+        if (scenes::is_scene_file(scene)) {
+            c.path = (reader.of("scene").file().parent_path() / scene).string();
+        }
+        const std::string name =
+            reader.has("name") ? reader.of("name").text("name") : c.file.scene.name;
+        c.parameters = c.file.scene.defaults;
+        scenes::read_settings(reader, "set", c.file.scene, c.parameters);
+        read_strategies(reader, c);
+        for (const CaseSize& size : sizes) {
+            Case sized = c;
+            sized.parameters.h = size.h > 0 ? size.h : sized.parameters.h;
+            sized.name =
+                name +
+                (sizes.size() > 1 ? " h:" + scenes::shortest_digits(sized.parameters.h) : "");
+            if (reader.has("dt_over_h")) {
+                sized.parameters.dt =
+                    sized.parameters.h * reader.of("dt_over_h").number("dt_over_h", {1e-6, 1e3});
+            }
+            if (scenes.size() == 1 && sizes.size() == 1) {
+                sized.table = table;
+            }
+            read_series(reader, sized);
+            read_held(reader, common, sized);
+            const auto made = std::make_shared<const Case>(std::move(sized));
+            check_usage(reader, *made);
+            cases.push_back(made);
+        }
+    }
+}
+
+void read_case(const TableReader& whole, std::size_t number, const Common& common, Cases& cases) {
+    std::vector<std::string> keys{"name",       "scene",   "h",         "triangles", "set",
+                                  "strategies", "threads", "dt_over_h", "rows"};
+    std::ranges::copy(scenes::case_keys_of_verify(), std::back_inserter(keys));
+    std::ranges::copy(scenes::case_keys_of_bench(), std::back_inserter(keys));
+    whole.allow(keys);
+    const std::vector<TableReader> rows = whole.tables("rows");
+    if (rows.empty()) {
+        read_rows(CaseReader(whole, nullptr), common, number, cases);
+    }
+    for (const TableReader& row : rows) {
+        row.allow(keys);
+        read_rows(CaseReader(whole, &row), common, std::nullopt, cases);
+    }
+}
+
+std::optional<TableReader> table_of(const TableReader& top, const std::string& key) {
+    return top.has(key) ? std::optional(top.table(key)) : std::nullopt;
+}
+
+// Limits name where they were measured; so that none names what is not there.
+void check_places(const TableReader& top, const Cases& cases) {
+    const auto places = table_of(top, "measured_at");
+    for (const auto& c : cases) {
+        for (const Held& held : c->held) {
+            const std::string& at = held.limit.at;
+            if (!at.empty() && !(places && places->has(at))) {
+                throw InputError({.what = "no such entry of [measured_at]",
+                                  .where = held.limit.where,
+                                  .value = "'" + at + "'",
+                                  .allowed = "one that the suite has"});
+            }
+        }
+    }
+}
+
+} // namespace
+
+Cases read_suite_text(const std::string& text, const std::filesystem::path& path,
+                      bool needs_limits) {
+    const toml::table table = scenes::parse_toml(text, path);
+    const TableReader top(table, "", path);
+    std::vector<std::string> keys{"case", "also"};
+    std::ranges::copy(scenes::keys_of_verify(), std::back_inserter(keys));
+    top.allow(keys);
+    Common common{.limits = table_of(top, "limits"),
+                  .defaults = table_of(top, "defaults"),
+                  .required = {},
+                  .needs_limits = needs_limits};
+    if (common.defaults) {
+        check_known(*common.defaults);
+    }
+    if (top.has("every_case_has")) {
+        common.required = top.texts("every_case_has");
+        for (const std::string& name : common.required) {
+            at_key(top, "every_case_has", [&] { (void)find_check(name); });
+        }
+    }
+    Cases cases;
+    std::size_t number = 0;
+    for (const TableReader& reader : top.tables("case")) {
+        read_case(reader, number++, common, cases);
+    }
+    if (cases.empty()) {
+        throw InputError({.what = "an empty suite",
+                          .where = path.string(),
+                          .value = "no [[case]]",
+                          .allowed = "at least one [[case]]"});
+    }
+    check_places(top, cases);
+    check_names(cases);
+    return cases;
+}
+
+Cases read_suite(const std::filesystem::path& path) {
+    return read_suite_text(read_text(path), path);
+}
+
+Case case_of_scene(const std::string& scene) {
+    const bool is_file = scenes::is_scene_file(scene);
+    Case c{.name = {},
+           .file = is_file ? scenes::read_scene_file(scene)
+                           : scenes::SceneFile{.scene = scenes::find_scene(scene)},
+           .path = is_file ? scene : ""};
+    c.name = c.file.scene.name;
+    c.parameters = c.file.scene.defaults;
+    c.strategies = parallel_strategies();
+    return c;
+}
+
+Case case_of_file(const std::string& path) {
+    Case c = case_of_scene(path);
+    for (const scenes::FigureLimit& limit : c.file.limits) {
+        const auto add = [&](const std::string& suffix, double value, bool at_least) {
+            c.held.push_back(
+                {check_of_figure(limit.figure, "limits." + limit.figure + suffix, at_least),
+                 {.value = value, .where = limit.where}});
+        };
+        const bool has_both = std::isfinite(limit.least) && std::isfinite(limit.most);
+        if (std::isfinite(limit.least)) {
+            add(".least", limit.least, true);
+        }
+        if (std::isfinite(limit.most)) {
+            add(has_both ? ".most" : "", limit.most, false);
+        }
+    }
+    return c;
+}
+
+bool is_suite(const std::string& path) {
+    const toml::table table = scenes::parse_toml(read_text(path), path);
+    return table.contains("case");
+}
+
+void check_names(const Cases& cases) {
+    std::set<std::pair<std::string, std::string>> names;
+    for (const auto& c : cases) {
+        for (const Held& held : c->held) {
+            if (!names.insert({held.check->name, c->name}).second) {
+                throw InputError({.what = "two limits of one name",
+                                  .where = held.limit.where,
+                                  .value = held.check->name + ", " + c->name,
+                                  .allowed = "a `name` of its own for each case"});
+            }
+        }
+    }
+}
+
+} // namespace dsc::gate
