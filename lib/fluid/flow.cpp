@@ -51,6 +51,8 @@ void check_complex(const FrozenMesh& mesh, const FluidOptions& options) {
 
 } // namespace
 
+void archive(Archive& archive, PhaseArea& area) { archive(area.phase, area.area); }
+
 Fluid::Fluid(const Complex<double>& complex, FluidOptions options)
     : complex_(complex), options_(std::move(options)) {
     check_fluid(options_);
@@ -89,6 +91,21 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
         two_ = std::exchange(one_, std::move(next));
     }
     return report;
+}
+
+void Fluid::archive(Archive& archive) {
+    archive(areas_);
+    bool has_two = two_ != nullptr;
+    archive(has_two);
+    if (archive.is_reading()) {
+        two_ = has_two ? std::make_unique<FluidField>() : nullptr;
+    }
+    archive(*one_);
+    if (has_two) {
+        archive(*two_);
+    }
+    archive.expect(!archive.is_reading() || one_->mesh.vertex_bound == complex_.vertex_bound(),
+                   "holds the flow of another mesh");
 }
 
 std::unique_ptr<FluidField> Fluid::solution_in(FrozenMesh mesh, double time,

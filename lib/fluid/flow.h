@@ -55,6 +55,9 @@ public:
     /// `moved.gave_up`. Throws InputError if dt is not above 0, or phases meet that have no
     /// tension; SolveError if the equations cannot be solved.
     FluidStep step(Simulation<double>& simulation, double dt);
+    /// All that the next step depends on, apart from the simulation and its complex, which have to
+    /// be archived before it. Throws FileError for what no fluid can have written.
+    void archive(Archive& archive);
 
     /// Of the last solution.
     [[nodiscard]] double time() const { return one_->time; }

@@ -35,6 +35,28 @@ Spot look_everywhere(const FrozenMesh& mesh, const Point<double>& x) {
     return best;
 }
 
+// Every number that is looked up names something.
+bool has_valid_numbers(const FluidField& field) {
+    const FrozenMesh& mesh = field.mesh;
+    const auto is_node = [&](std::uint32_t node) { return node < mesh.nodes.size(); };
+    const auto is_triangle_or_none = [&](std::uint32_t t) {
+        return t < mesh.triangles.size() || t == no_id;
+    };
+    return !mesh.triangles.empty() && mesh.vertex_bound <= mesh.nodes.size() &&
+           mesh.triangle_at.size() == mesh.vertex_bound &&
+           field.velocity.size() == mesh.nodes.size() &&
+           field.pressure.size() == mesh.triangles.size() &&
+           std::ranges::all_of(mesh.triangle_at, is_triangle_or_none) &&
+           std::ranges::all_of(mesh.triangles,
+                               [&](const FrozenTriangle& t) {
+                                   return std::ranges::all_of(t.nodes, is_node) &&
+                                          std::ranges::all_of(t.across, is_triangle_or_none);
+                               }) &&
+           std::ranges::all_of(mesh.interface, [&](const FrozenEdge& e) {
+               return is_node(e.from) && is_node(e.to) && is_node(e.middle);
+           });
+}
+
 } // namespace
 
 FrozenMesh freeze(const Complex<double>& complex) {
@@ -118,6 +140,18 @@ Spot find_spot(const FrozenMesh& mesh, Point<double> point, std::uint32_t start)
         t = towards;
     }
     return look_everywhere(mesh, point);
+}
+
+void archive(Archive& archive, FluidField& field) {
+    FrozenMesh& mesh = field.mesh;
+    archive(mesh.domain.low, mesh.domain.high, mesh.vertex_bound, mesh.nodes, mesh.triangle_at,
+            field.time, field.velocity);
+    archive.records(mesh.triangles);
+    archive.records(mesh.interface);
+    archive.records(field.pressure);
+    if (archive.is_reading()) {
+        archive.expect(has_valid_numbers(field), "holds a flow without its mesh");
+    }
 }
 
 Point<double> velocity_at(const FluidField& field, const Spot& spot) {

@@ -3,6 +3,7 @@
 // there, so that nothing has to be carried through the edits of the mesh.
 #pragma once
 
+#include "dsc/base/archive.h"
 #include "fluid/quadratic.h"
 
 #include <vector>
@@ -67,6 +68,9 @@ struct FluidField {
     /// meet. Its mean over the domain is 0. Stress: force per length.
     std::vector<std::array<double, 3>> pressure = {};
 };
+
+/// Throws FileError for numbers that name nothing. O(n).
+void archive(Archive& archive, FluidField& field);
 
 /// The velocity at a spot of the field's mesh. O(1).
 [[nodiscard]] Point<double> velocity_at(const FluidField& field, const Spot& spot);
