@@ -6,6 +6,7 @@
 #include "dsc/initial/initial_complex.h"
 #include "dsc/motion/interpolation.h"
 #include "flows/velocity.h"
+#include "fluid/options.h"
 #include "geometric_flows/curvature_flow.h"
 #include "scenes/keys.h"
 #include "shapes/outline.h"
@@ -29,6 +30,20 @@ struct CurvatureMotion {
 struct Growth {
     double speed = 1;    ///< of phase 1 into the exterior
     double turns_at = 0; ///< the time at which it begins to shrink at that speed
+};
+
+/// A small wave on a level or around a circle, whose height over time is known.
+struct SmallWave {
+    bool is_on_circle = false;
+    Point<double> middle{0.0, 0.0}; ///< of the circle; of a level: any point on it
+    double number = 1;              ///< crests around the circle; of a level: 2 pi / wavelength
+    std::function<double(double time)> exact{}; ///< its height
+};
+
+/// Motion by a fluid that fills the phases.
+struct FluidMotion {
+    FluidOptions options{};
+    std::optional<SmallWave> wave{}; ///< that is measured against its exact height
 };
 
 /// Edges as long as the way from them to the interface divided by their number on it, and none
@@ -123,6 +138,7 @@ struct Setup {
         carried{}; ///< phases whose inside moves with the flow, not for the reference
     std::optional<CurvatureMotion> curvature{}; ///< replaces `flow`; not for the reference
     std::optional<Growth> growth{};             ///< the same
+    std::optional<FluidMotion> fluid{};         ///< the same, in double alone
     SizeOptions<double> sizes{}; ///< targets of edges; unless edges are all of one length
     std::vector<PhaseThresholds> thresholds{}; ///< by phase; of all others those of the library
     std::optional<OnCircle> insertion{};       ///< replaces that of the parameters
@@ -134,8 +150,8 @@ struct Setup {
     /// the scene. Empty if it is unknown; at times when it is unknown, a shape whose area is NaN.
     std::function<ExactShape(double time)> exact{};
 
-    /// The interface moves by its own geometry.
-    [[nodiscard]] bool sees_interface() const { return curvature || growth; }
+    /// The interface moves by where it is itself, rather than by a given velocity.
+    [[nodiscard]] bool sees_interface() const { return curvature || growth || fluid; }
 };
 
 struct Scene {

@@ -23,8 +23,7 @@ using scenes::Strategy;
 const std::vector<std::uint32_t> two_threads{2};
 const std::vector<std::uint32_t> many_threads{1, 2, 3, 5};
 
-// --- figures
-// --------------------------------------------------------------------------------------
+// --- figures -------------------------------------------------------------------------------------
 
 auto last(const char* name) {
     return [name](const RunResult& r) { return number(r.last, name); };

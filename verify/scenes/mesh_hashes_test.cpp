@@ -146,7 +146,7 @@ std::vector<std::string> scene_names() {
         return {"translation", "rotation-rectangle", "vortex-square"};
     }
     std::vector<std::string> names;
-    for (const Scene& scene : catalogue()) {
+    for (const Scene& scene : scenes_without_fluid()) {
         names.push_back(scene.name);
     }
     return names;

@@ -23,6 +23,7 @@ const std::vector<Scene>& catalogue() {
                  growth_scenes,
                  network_scenes,
                  pool_scenes,
+                 fluid_scenes,
              }) {
             for (Scene& scene : family()) {
                 all.push_back(std::move(scene));
@@ -30,6 +31,12 @@ const std::vector<Scene>& catalogue() {
         }
         return all;
     }();
+    return scenes;
+}
+
+std::vector<Scene> scenes_without_fluid() {
+    std::vector<Scene> scenes = catalogue();
+    std::erase_if(scenes, [](const Scene& one) { return one.prepare(one.defaults).fluid; });
     return scenes;
 }
 

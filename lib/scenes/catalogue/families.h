@@ -20,6 +20,7 @@ namespace dsc::scenes {
 [[nodiscard]] std::vector<Scene> growth_scenes();
 [[nodiscard]] std::vector<Scene> network_scenes();
 [[nodiscard]] std::vector<Scene> pool_scenes();
+[[nodiscard]] std::vector<Scene> fluid_scenes();
 
 /// What a list of scenes and its help say about a scene.
 struct About {

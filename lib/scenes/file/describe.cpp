@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/digits.h"
+#include "scenes/file/fluid_source.h"
 #include "scenes/file/formula/formula_flow.h"
 #include "scenes/file/formula/formula_length.h"
 
@@ -164,6 +165,9 @@ std::string motion_in_toml(const Setup& setup, const std::string& scene) {
         return "\n[growth]\nspeed = " + in_toml(growth.speed) + '\n' +
                (std::isfinite(growth.turns_at) ? "turns_at = " + in_toml(growth.turns_at) + '\n'
                                                : "");
+    }
+    if (setup.fluid) {
+        return fluid_in_toml(setup.fluid->options);
     }
     return setup.curvature ? curvature_in_toml(*setup.curvature) : flow_in_toml(setup.flow, scene);
 }

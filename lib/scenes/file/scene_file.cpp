@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "scenes/catalogue/families.h"
 #include "scenes/file/flow_source.h"
+#include "scenes/file/fluid_source.h"
 #include "scenes/file/nearest.h"
 #include "scenes/file/scene_parts.h"
 #include "scenes/file/text_file.h"
@@ -32,6 +33,7 @@ struct SceneParts {
     std::vector<Phase> carried{};
     std::optional<CurvatureMotion> curvature{};
     std::optional<Growth> growth{};
+    std::optional<FluidMotion> fluid{};
     ExactSource exact{};
     std::function<SizeOptions<double>(const Parameters&)> sizes{};
     std::vector<PhaseThresholds> thresholds{};
@@ -43,7 +45,7 @@ struct SceneParts {
     // Of the base, only options have changed.
     [[nodiscard]] bool is_as_in_catalogue() const {
         return base && !domain && shapes.empty() && curves.empty() && !flow && !curvature &&
-               !growth && carried.empty();
+               !growth && !fluid && carried.empty();
     }
 };
 
@@ -80,7 +82,7 @@ void check_size(const SceneParts& parts, double h, const Setup& setup) {
 
 // What moves the interface: one thing.
 void set_motion(const SceneParts& parts, const Parameters& p, Setup& setup) {
-    if (!parts.flow && !parts.curvature && !parts.growth) {
+    if (!parts.flow && !parts.curvature && !parts.growth && !parts.fluid) {
         if (!parts.base) {
             setup.flow = steady(Translation{});
         }
@@ -90,6 +92,7 @@ void set_motion(const SceneParts& parts, const Parameters& p, Setup& setup) {
     setup.carried.clear();
     setup.curvature = parts.curvature;
     setup.growth = parts.growth;
+    setup.fluid = parts.fluid;
 }
 
 Setup prepare(const SceneParts& parts, const Parameters& p) {
@@ -174,7 +177,7 @@ void read_geometry(const TableReader& top, SceneParts& parts) {
 }
 
 void read_motion(const TableReader& top, SceneParts& parts) {
-    const std::vector<std::string> kinds{"flow", "curvature", "growth"};
+    const std::vector<std::string> kinds{"flow", "curvature", "growth", "fluid"};
     if (std::ranges::none_of(kinds, [&](const std::string& kind) { return top.has(kind); })) {
         return;
     }
@@ -187,6 +190,8 @@ void read_motion(const TableReader& top, SceneParts& parts) {
         parts.flow = read_flow(legs);
     } else if (kind == "curvature") {
         parts.curvature = read_curvature(top.table("curvature"));
+    } else if (kind == "fluid") {
+        parts.fluid = FluidMotion{.options = read_fluid(top.table("fluid"))};
     } else {
         parts.growth = read_growth(top.table("growth"));
     }
@@ -255,8 +260,8 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     const toml::table table = parse_toml(text, path);
     const TableReader top(table, "", path);
     top.allow({"name", "description", "scene", "domain", "shape", "curve", "flow", "curvature",
-               "growth", "carried", "options", "sizes", "thresholds", "insertion", "value", "exact",
-               "measure", "limits"});
+               "growth", "fluid", "carried", "options", "sizes", "thresholds", "insertion", "value",
+               "exact", "measure", "limits"});
     SceneFile file;
     SceneParts parts{.where = path.string(), .base = read_base(top, scenes)};
     file.scene = parts.base.value_or(Scene{});

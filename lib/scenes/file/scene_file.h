@@ -16,6 +16,7 @@
 //     [flow]                      # flow_source.h
 //     [curvature]                 # keeps = [phases], pairs = [{one, other, tension, mobility}]
 //     [growth]                    # speed, turns_at: phase 1 into 0 (scene.h)
+//     [fluid]                     # fluid_source.h
 //     [options]                   # all keys of --set; h, and two of dt, steps and period
 //     [sizes]                     # where edges grow by `grade`: edges_to_interface = the number
 //                                 # wanted on the way there; longest = their greatest length;

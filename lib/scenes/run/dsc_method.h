@@ -9,6 +9,7 @@
 #include "geometric_flows/growth.h"
 #include "geometric_flows/growth_corners.h"
 #include "scenes/output/submesh_map.h"
+#include "scenes/run/fluid_run.h"
 #include "scenes/run/frame_arrays.h"
 #include "scenes/run/kept_value.h"
 #include "scenes/run/run.h"
@@ -88,6 +89,11 @@ public:
             topology_ = std::make_shared<TopologyStage<Real>>(topology);
             simulation_->add_stage(topology_);
         }
+        if constexpr (std::is_same_v<Real, double>) {
+            if (setup.fluid) {
+                fluid_ = std::make_unique<FluidRun>(complex_, setup);
+            }
+        }
         if (!run.edits.empty()) {
             edits_.emplace(run.edits);
             simulation_->add_listener(
@@ -117,6 +123,14 @@ public:
             dsc::growth<Real>(growth_of(growth, [way](const Growth&, double) { return way; }));
         take(simulation_->step(flow, static_cast<Real>(time), static_cast<Real>(dt)), time, result);
     }
+    void step(const FluidMotion&, double time, double dt, RunResult& result) {
+        if constexpr (std::is_same_v<Real, double>) {
+            take(fluid_->step(*simulation_, dt), time, result);
+            if (!fluid_->failure().empty()) {
+                result.gave_up = fluid_->failure();
+            }
+        }
+    }
     /// Everything that the next step depends on; `leg`: the velocity of the step before, if there
     /// was one, null where the flow is none.
     void archive(Archive& archive, const Velocity* leg) {
@@ -124,6 +138,9 @@ public:
         archive(vertex_steps_);
         if (carried_) {
             carried_->archive(archive);
+        }
+        if (fluid_) {
+            fluid_->archive(archive);
         }
         leg_ = leg;
     }
@@ -138,6 +155,10 @@ public:
     [[nodiscard]] double value_error() const {
         return value_ ? value_->largest_error() : std::numeric_limits<double>::quiet_NaN();
     }
+    /// What is measured of a fluid after each step; nothing without one.
+    [[nodiscard]] Figures fluid_now() const { return fluid_ ? fluid_->now() : Figures{}; }
+    /// Of the whole run.
+    [[nodiscard]] Figures fluid_figures() const { return fluid_ ? fluid_->figures() : Figures{}; }
     [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
     /// Threads that the last step used.
@@ -161,6 +182,9 @@ public:
             view.velocity = &field;
         }
         std::vector<VtuArray> arrays = frame_arrays(complex_, view);
+        if (fluid_) {
+            fluid_->put_into(arrays);
+        }
         end_displacements(complex_);
         return arrays;
     }
@@ -232,6 +256,7 @@ private:
     std::uint64_t vertex_steps_ = 0;
     std::optional<CarriedWatch<Real>> carried_;
     std::optional<KeptValue<Real>> value_;
+    std::unique_ptr<FluidRun> fluid_; ///< null where no fluid moves the interface
 };
 
 } // namespace dsc::scenes

@@ -133,6 +133,9 @@ std::string to_json(const RunResult& r) {
         {"area_ratio", finite(r.area_ratio)},
     };
     add_figures(r, json);
+    for (const Figure& figure : r.fluid) {
+        json[figure.name] = to_json(figure.value);
+    }
     json["attribute_error_last"] = finite(r.attribute_error);
     json.update({
         {"phases", phases_json(r.phases)},

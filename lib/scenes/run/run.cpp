@@ -95,6 +95,10 @@ private:
 
     void advance(double begin, double end) {
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
+            if (setup_.fluid) {
+                method_.step(*setup_.fluid, begin, setup_.dt, result_);
+                return;
+            }
             if (setup_.growth) {
                 method_.step(*setup_.growth, begin, setup_.dt, result_);
                 return;
@@ -171,8 +175,9 @@ private:
                        "has gone on for longer than this run");
         archive.expect(result_.quality_sampled_every >= 1, "never looks at the quality");
         bool are_complete = !result_.half || result_.half->size() == options_.measures.size();
+        const std::size_t figures = series_measures_.size() + method_.fluid_now().size();
         for (const SeriesRow& row : result_.series) {
-            are_complete = are_complete && row.figures.size() == series_measures_.size();
+            are_complete = are_complete && row.figures.size() == figures;
         }
         archive.expect(are_complete, "holds other figures");
     }
@@ -256,6 +261,10 @@ private:
         for (const PairFigures& pair : phases.pairs) {
             row.interface_length += pair.length;
         }
+        if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
+            const Figures fluid = method_.fluid_now();
+            row.figures.insert(row.figures.end(), fluid.begin(), fluid.end());
+        }
         const SeriesRow so_far = row;
         for (auto& [name, count] : row.operations) {
             count -= told_.operations[name];
@@ -293,6 +302,7 @@ private:
         result_.area_ratio = signed_area(outlines()) / result_.area_first;
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
             result_.attribute_error = method_.value_error();
+            result_.fluid = method_.fluid_figures();
         }
         result_.phases = measure_phases(complex());
         result_.junctions = summarise(measure_junctions(complex()));

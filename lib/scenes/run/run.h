@@ -70,6 +70,7 @@ struct RunResult {
     std::optional<Figures> half; ///< when a reversing flow is farthest out
     /// Largest error of the value that the scene keeps at vertices, at the end; NaN without one.
     double attribute_error = std::numeric_limits<double>::quiet_NaN();
+    Figures fluid;      ///< of a fluid (fluid_run.h); without one, none
     PhaseReport phases; ///< at the end, like the next
     JunctionFigures junctions;
     std::optional<CarriedFigures> carried; ///< of the phases whose inside moves with the flow

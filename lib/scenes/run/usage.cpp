@@ -29,6 +29,15 @@ void check_reference(const Scene& scene, const Setup& setup, const Parameters& p
     }
 }
 
+void check_fluid_run(const Scene& scene, const Parameters& parameters) {
+    if (parameters.real != RealType::double_precision) {
+        throw InputError({.what = "a fluid is solved for in double",
+                          .where = "--set real",
+                          .value = "'float'",
+                          .allowed = "double for the scene " + scene.name});
+    }
+}
+
 } // namespace
 
 void check_usage(const Scene& scene, const Setup& setup, const Parameters& parameters,
@@ -39,6 +48,9 @@ void check_usage(const Scene& scene, const Setup& setup, const Parameters& param
                           .where = "--threads",
                           .value = std::to_string(submeshing.threads),
                           .allowed = "1, or one of the strategies " + parallel_strategies()});
+    }
+    if (setup.fluid) {
+        check_fluid_run(scene, parameters);
     }
     if (options.strategy == Strategy::reference) {
         check_reference(scene, setup, parameters, options);

@@ -81,6 +81,7 @@ TEST_P(Described, HasAllSettingsAndPartsOfTheScene) {
     EXPECT_EQ(here.flow.size(), there.flow.size());
     EXPECT_EQ(here.curvature.has_value(), there.curvature.has_value());
     EXPECT_EQ(here.growth.has_value(), there.growth.has_value());
+    EXPECT_EQ(here.fluid.has_value(), there.fluid.has_value());
     for (const Key& key : parameter_keys()) {
         if (key.is_common && key.name != "dt" && key.name != "steps") {
             EXPECT_EQ(key.value(read.defaults), key.value(scene.defaults)) << key.name;

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Fluids: benchmarks whose answers are exact or published, and drops and bubbles to look at. Each
+// is a table: what flows, between which walls, and from which shape.
+#include "scenes/catalogue/families.h"
+#include "scenes/catalogue/small_waves.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace dsc::scenes {
+
+namespace {
+
+using std::numbers::pi;
+
+/// A scene of a fluid. All lengths are in units of the domain.
+struct Tank {
+    About about;
+    double h = 0.04;
+    double duration = 1;
+    double dt = 0.01; ///< the time step
+    Rectangle domain{};
+    FluidOptions fluids{};
+    double longest = 0; ///< of edges; 0: they grow without a limit
+    std::function<void(double h, Setup& setup)> fill{};
+    std::optional<SmallWave> wave{};
+    Topology topology = Topology::keep;
+};
+
+Scene scene_of(const Tank& tank) {
+    InterfaceThresholds interface;
+    interface.longest = 1.05; // as long as they are at the start
+    return {.name = tank.about.name,
+            .description = tank.about.description,
+            .section = tank.about.section,
+            .defaults = {.h = tank.h,
+                         .dt = 0,
+                         .interface = interface,
+                         .topology = tank.topology,
+                         .grade = 1.3,
+                         .gives_back = tank.topology == Topology::change},
+            .prepare = [tank](const Parameters& p) {
+                const Schedule times = schedule(p, tank.duration, tank.dt);
+                Setup setup;
+                setup.domain = tank.domain;
+                tank.fill(p.h, setup);
+                setup.measured = 1;
+                setup.fluid = FluidMotion{.options = tank.fluids, .wave = tank.wave};
+                setup.sizes.longest = tank.longest;
+                setup.dt = times.dt;
+                setup.steps = times.steps;
+                return setup;
+            }};
+}
+
+FluidOptions two_fluids(const FluidPhase& around, const FluidPhase& inside, double tension,
+                        double gravity, const Walls& walls) {
+    FluidOptions options;
+    options.phases = {around, inside};
+    options.phases[1].phase = 1;
+    options.tensions = {{.tension = tension}};
+    options.gravity = {0, -gravity};
+    options.walls = walls;
+    return options;
+}
+
+/// How long edges are at the start, over h: any longer than h would be cut.
+constexpr double slack = 0.999;
+
+/// The longest edge of a drop with a small wave, over those of a circle.
+constexpr double stretched = 1.03;
+
+constexpr Walls all_slip{Wall::slip, Wall::slip, Wall::slip, Wall::slip};
+constexpr Walls slip_at_sides{.left = Wall::slip, .right = Wall::slip};
+
+// The closed curve around a centre at a distance that depends on the angle.
+template <class Distance>
+Outline around(const Point<double>& centre, int count, Distance distance) {
+    Outline outline;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * pi * (i + 0.5) / count;
+        outline.emplace_back(centre.x() + distance(angle) * std::cos(angle),
+                             centre.y() + distance(angle) * std::sin(angle));
+    }
+    return outline;
+}
+
+// By how much a regular polygon has to be larger than a disc of its area.
+double larger(int count) {
+    const double angle = 2 * pi / count;
+    return std::sqrt(angle / std::sin(angle));
+}
+
+Outline disc(const Point<double>& centre, double radius, double h) {
+    const int count = std::max(8, static_cast<int>(std::ceil(2 * pi * radius / h)) + 1);
+    return around(centre, count, [=](double) { return radius * larger(count); });
+}
+
+// A disc of radius 1 with a small wave of two crests.
+Outline waved_disc(const Point<double>& centre, double height, double h) {
+    const int count = std::max(8, static_cast<int>(std::ceil(2 * pi * stretched / h)));
+    return around(centre, count,
+                  [=](double angle) { return larger(count) * (1 + height * std::cos(2 * angle)); });
+}
+
+void add_disc(const Point<double>& centre, double radius, double h, Setup& setup) {
+    setup.outlines.push_back(disc(centre, radius, h));
+}
+
+// Phase 1 below a surface over the width of the domain, at equal distances in x.
+template <class Height>
+void add_level(double h, const Height& height, Setup& setup) {
+    const double left = setup.domain.low.x();
+    const double right = setup.domain.high.x();
+    const int count = std::max(2, static_cast<int>(std::ceil((right - left) / (slack * h))));
+    dsc::Curve level{.points = {}, .left = exterior_phase, .right = 1};
+    for (int i = 0; i <= count; ++i) {
+        const double x = left + (right - left) * i / count;
+        level.points.emplace_back(x, height(x));
+    }
+    setup.curves.push_back(level);
+}
+
+// --- benchmarks ----------------------------------------------------------------------------------
+
+Tank static_drop() {
+    return {.about = {"static-drop", "a drop at rest, which stays at rest", "fluid"},
+            .duration = 0.05,
+            .fluids = two_fluids({}, {}, 25, 0, {}),
+            .fill = [](double h, Setup& setup) {
+                add_disc({0.5, 0.5}, 0.25, h, setup);
+            }};
+}
+
+// n sigma / (2 (mu_i + mu_o) R) is its rate without walls, which slow it down: by 0.9 % here.
+Tank stokes_ellipse() {
+    constexpr double stretch = 0.01;
+    constexpr double rate = 0.25;
+    Tank tank{.about = {"stokes-ellipse", "an ellipse becomes round, without inertia", "fluid"},
+              .h = 0.1,
+              .dt = 0.1,
+              .domain = {{0, 0}, {32, 32}},
+              .fluids = two_fluids({.viscosity = 1}, {.viscosity = 3}, 1, 0, all_slip),
+              .fill =
+                  [](double h, Setup& setup) {
+                      setup.outlines.push_back(waved_disc({16, 16}, stretch, h));
+                  },
+              .wave = SmallWave{
+                  .is_on_circle = true, .middle = {16, 16}, .number = 2, .exact = [](double t) {
+                      return stretch * std::exp(-rate * t);
+                  }}};
+    tank.fluids.equations = FluidEquations::stokes;
+    return tank;
+}
+
+// As deep in viscosity as its crests are resolved: the layer at the interface is 0.14 thick.
+Tank oscillating_drop() {
+    constexpr double first = 0.01;
+    const FluidPhase outside{.density = 0.1, .viscosity = 0.0025};
+    const FluidPhase inside{.density = 1, .viscosity = 0.025};
+    return {.about = {"oscillating-drop", "a drop swings between tall and wide", "fluid"},
+            .h = 2 * pi / 62, // 64 edges
+            .duration = 5,
+            .dt = 0.025,
+            .domain = {{0, 0}, {16, 16}},
+            .fluids = two_fluids(outside, inside, 1, 0, all_slip),
+            .fill =
+                [](double h, Setup& setup) {
+                    setup.outlines.push_back(waved_disc({8, 8}, first, h));
+                },
+            .wave = SmallWave{.is_on_circle = true,
+                              .middle = {8, 8},
+                              .number = 2,
+                              .exact = wave_on_drop({inside, outside, 1}, 2, 1, first)}};
+}
+
+// S. Popinet, "An accurate adaptive solver for surface-tension-driven interfacial flows" (2009),
+// section 5.4, with a fluid of 1.5 wavelengths above and below.
+Tank capillary_wave() {
+    constexpr double first = 0.01;
+    constexpr double depth = 1.5;
+    const FluidPhase fluid{.density = 1, .viscosity = 0.0182571749236};
+    return {.about = {"capillary-wave", "a wave between two fluids of equal density", "fluid"},
+            .h = 1 / 31.9, // 32 edges
+            .duration = 2.2426211256,
+            .dt = 0.0075,
+            .domain = {{0, -depth}, {1, depth}},
+            .fluids = two_fluids(fluid, fluid, 1, 0, all_slip),
+            .fill =
+                [](double h, Setup& setup) {
+                    add_level(
+                        h, [](double x) { return first * std::cos(2 * pi * x); }, setup);
+                },
+            .wave = SmallWave{.number = 2 * pi,
+                              .exact = wave_on_level({fluid, fluid, 1}, 2 * pi, depth, 0, first)}};
+}
+
+// S. Hysing et al., "Quantitative benchmark computations of two-dimensional bubble dynamics"
+// (2009).
+Tank rising_bubble() {
+    return {.about = {"rising-bubble", "a bubble rises: case 1 of Hysing et al.", "fluid"},
+            .h = 0.02,
+            .duration = 3,
+            .dt = 0.005,
+            .domain = {{0, 0}, {1, 2}},
+            .fluids = two_fluids({.density = 1000, .viscosity = 10},
+                                 {.density = 100, .viscosity = 1}, 24.5, 0.98, slip_at_sides),
+            .longest = 0.1,
+            .fill = [](double h, Setup& setup) {
+                add_disc({0.5, 0.5}, 0.25, h, setup);
+            }};
+}
+
+// The same authors' second case: until its skirt would break, the codes agree.
+Tank rising_bubble_2() {
+    Tank tank = rising_bubble();
+    tank.about = {"rising-bubble-2", "a bubble grows a skirt: case 2 of Hysing et al.", "fluid"};
+    tank.duration = 2;
+    tank.fluids = two_fluids({.density = 1000, .viscosity = 10}, {.density = 1, .viscosity = 0.1},
+                             1.96, 0.98, slip_at_sides);
+    return tank;
+}
+
+// --- to look at ----------------------------------------------------------------------------------
+
+// The example of the thesis (section 13) with real fluids.
+Tank falling_drop() {
+    return {.about = {"falling-drop", "a drop falls into a pool, which takes it", "13"},
+            .h = 0.02,
+            .duration = 1.5,
+            .dt = 0.005,
+            .domain = {{0, 0}, {1, 1.2}},
+            .fluids = two_fluids({.density = 10, .viscosity = 0.1},
+                                 {.density = 1000, .viscosity = 5}, 20, 1, all_slip),
+            .longest = 0.1,
+            .fill =
+                [](double h, Setup& setup) {
+                    add_level(
+                        h, [](double) { return 0.5; }, setup);
+                    Outline drop = disc({0.5, 0.8}, 0.15, h);
+                    drop.push_back(drop.front());
+                    setup.curves.push_back({.points = drop, .left = 1, .right = exterior_phase});
+                },
+            .topology = Topology::change};
+}
+
+Tank rayleigh_taylor() {
+    return {.about = {"rayleigh-taylor", "a heavy fluid above a light one turns over", "fluid"},
+            .h = 0.025,
+            .duration = 2.5,
+            .dt = 0.01,
+            .domain = {{0, -2}, {1, 2}},
+            .fluids = two_fluids({.density = 3, .viscosity = 0.01171875},
+                                 {.density = 1, .viscosity = 0.00390625}, 0.01, 1, slip_at_sides),
+            .longest = 0.1,
+            .fill = [](double h, Setup& setup) {
+                add_level(
+                    h, [](double x) { return -0.1 * std::cos(2 * pi * x); }, setup);
+            }};
+}
+
+// Thirty of five sizes, in rows that are shifted against each other.
+Tank bubbles() {
+    return {.about = {"bubbles", "thirty bubbles rise and merge", "fluid"},
+            .h = 0.015,
+            .duration = 3,
+            .dt = 0.01,
+            .domain = {{0, 0}, {1, 2}},
+            .fluids = two_fluids({.density = 1000, .viscosity = 5},
+                                 {.density = 100, .viscosity = 0.5}, 10, 0.98, slip_at_sides),
+            .longest = 0.1,
+            .fill =
+                [](double h, Setup& setup) {
+                    constexpr int columns = 5;
+                    constexpr int rows = 6;
+                    for (int i = 0; i < columns * rows; ++i) {
+                        const int row = i / columns;
+                        const double x = (i % columns + (row % 2 == 0 ? 0.35 : 0.65)) / columns;
+                        const double radius = 0.04 + 0.008 * (i * 7 % 5);
+                        add_disc({x, 0.15 + 0.17 * row}, radius, h, setup);
+                    }
+                },
+            .topology = Topology::change};
+}
+
+} // namespace
+
+std::vector<Scene> fluid_scenes() {
+    std::vector<Scene> scenes;
+    for (const auto tank :
+         {static_drop, stokes_ellipse, oscillating_drop, capillary_wave, rising_bubble,
+          rising_bubble_2, falling_drop, rayleigh_taylor, bubbles}) {
+        scenes.push_back(scene_of(tank()));
+    }
+    return scenes;
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/file/fluid_source.h"
+
+#include "dsc/base/error.h"
+#include "scenes/digits.h"
+
+#include <array>
+
+namespace dsc::scenes {
+
+namespace {
+
+constexpr int last_phase = 1'000'000;
+/// Of densities, viscosities and tensions; larger ones are wrong units.
+constexpr double largest_property = 1e12;
+constexpr Bounds property{0, largest_property};
+constexpr Bounds positive_property{1 / largest_property, largest_property};
+
+constexpr std::array wall_names{
+    Named{Wall::no_slip, "no-slip"},
+    Named{Wall::slip, "slip"},
+};
+constexpr std::array equations_names{
+    Named{FluidEquations::navier_stokes, "navier-stokes"},
+    Named{FluidEquations::stokes, "stokes"},
+};
+
+template <class Enum, std::size_t n>
+Enum read_choice(const TableReader& reader, const std::string& key, const EnumTable<Enum, n>& table,
+                 Enum otherwise) {
+    if (!reader.has(key)) {
+        return otherwise;
+    }
+    const auto value = value_in(table, reader.text(key));
+    if (!value) {
+        reader.refuse(key, "bad value", names_in(table));
+    }
+    return *value;
+}
+
+Walls read_walls(const TableReader& reader) {
+    reader.allow({"left", "right", "bottom", "top"});
+    const auto wall = [&](const char* side) {
+        return read_choice(reader, side, wall_names, Wall::no_slip);
+    };
+    return {wall("left"), wall("right"), wall("bottom"), wall("top")};
+}
+
+Phase phase_at(const TableReader& reader, const std::string& key) {
+    return static_cast<Phase>(reader.integer(key, 0, last_phase));
+}
+
+std::string named(const std::string& key, Wall wall) {
+    return key + " = \"" + std::string(name_in(wall_names, wall)) + '"';
+}
+
+} // namespace
+
+FluidOptions read_fluid(const TableReader& reader) {
+    reader.allow({"equations", "gravity", "walls", "phases", "tensions"});
+    FluidOptions options;
+    options.equations =
+        read_choice(reader, "equations", equations_names, FluidEquations::navier_stokes);
+    options.gravity = reader.point_or({0, 0}, "gravity");
+    if (reader.has("walls")) {
+        options.walls = read_walls(reader.table("walls"));
+    }
+    for (const TableReader& phase : reader.tables("phases")) {
+        phase.allow({"phase", "density", "viscosity"});
+        options.phases.push_back({.phase = phase_at(phase, "phase"),
+                                  .density = phase.number("density", property),
+                                  .viscosity = phase.number("viscosity", positive_property)});
+    }
+    for (const TableReader& pair : reader.tables("tensions")) {
+        pair.allow({"one", "other", "tension"});
+        options.tensions.push_back({.one = phase_at(pair, "one"),
+                                    .other = phase_at(pair, "other"),
+                                    .tension = pair.number("tension", property)});
+    }
+    try {
+        check_fluid(options);
+    } catch (const InputError& error) {
+        throw InputError({.what = error.problem(),
+                          .where = reader.where(),
+                          .value = error.value(),
+                          .allowed = error.allowed()});
+    }
+    return options;
+}
+
+std::string fluid_in_toml(const FluidOptions& options) {
+    const Walls& walls = options.walls;
+    std::string text = "\n[fluid]\nequations = \"" +
+                       std::string(name_in(equations_names, options.equations)) +
+                       "\"\ngravity = [" + shortest_digits(options.gravity.x()) + ", " +
+                       shortest_digits(options.gravity.y()) + "]\nwalls = { " +
+                       named("left", walls.left) + ", " + named("right", walls.right) + ", " +
+                       named("bottom", walls.bottom) + ", " + named("top", walls.top) + " }\n";
+    for (const FluidPhase& phase : options.phases) {
+        text += "[[fluid.phases]]\nphase = " + std::to_string(phase.phase) +
+                "\ndensity = " + shortest_digits(phase.density) +
+                "\nviscosity = " + shortest_digits(phase.viscosity) + '\n';
+    }
+    for (const FluidTension& pair : options.tensions) {
+        text += "[[fluid.tensions]]\none = " + std::to_string(pair.one) +
+                "\nother = " + std::to_string(pair.other) +
+                "\ntension = " + shortest_digits(pair.tension) + '\n';
+    }
+    return text;
+}
+
+} // namespace dsc::scenes

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A fluid in a scene file (fluid/options.h says what each number means):
+//
+//     [fluid]
+//     equations = "navier-stokes"    # the default; or "stokes"
+//     gravity = [0, -0.98]
+//     walls = { left = "slip", right = "slip", bottom = "no-slip", top = "no-slip" }
+//     phases = [
+//         { phase = 0, density = 1000, viscosity = 10 },
+//         { phase = 1, density = 100, viscosity = 1 },
+//     ]
+//     tensions = [{ one = 0, other = 1, tension = 24.5 }]
+//
+// Each phase of the scene needs its entry, and each pair that meets its tension. Walls are no-slip
+// and gravity is none where nothing is said.
+#pragma once
+
+#include "fluid/options.h"
+#include "scenes/file/table_reader.h"
+
+#include <string>
+
+namespace dsc::scenes {
+
+/// Throws InputError with file, line, key and value.
+[[nodiscard]] FluidOptions read_fluid(const TableReader& reader);
+
+/// The table as text that reads back as the same.
+[[nodiscard]] std::string fluid_in_toml(const FluidOptions& options);
+
+} // namespace dsc::scenes

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/run/fluid_run.h"
+
+#include "dsc/queries/phases.h"
+#include "fluid/fluid.h"
+#include "fluid/solve_report.h"
+#include "measures/phases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace dsc::scenes {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+bool is_at_wall(const Complex<double>& complex, Phase phase) {
+    const PhaseReport report = measure_phases(complex);
+    const auto found = std::ranges::find(report.phases, phase, &PhaseFigures::phase);
+    return found == report.phases.end() || found->wall > 0;
+}
+
+double centre_of(const FluidField& field, Phase phase) {
+    double moment = 0;
+    double sum = 0;
+    for (const FrozenTriangle& t : field.mesh.triangles) {
+        if (t.phase == phase) {
+            const double share = area(field.mesh, t);
+            for (std::size_t i = 0; i < 3; ++i) {
+                moment += share / 3 * field.mesh.nodes[t.nodes[i]].y();
+            }
+            sum += share;
+        }
+    }
+    return moment / sum;
+}
+
+// The height of the wave: a constant and the wave are fitted to the vertices of the interface by
+// least squares, each vertex as much as half the edges at it are long.
+double amplitude_of(const FluidField& field, const SmallWave& wave) {
+    double weights = 0;
+    double shapes = 0;
+    double squares = 0;
+    double heights = 0;
+    double products = 0;
+    const auto add = [&](const Point<double>& at, double weight) {
+        const Point<double> way = at - wave.middle;
+        const double height = wave.is_on_circle ? way.norm() : way.y();
+        const double along = wave.is_on_circle ? std::atan2(way.y(), way.x()) : way.x();
+        const double shape = std::cos(wave.number * along);
+        weights += weight;
+        shapes += weight * shape;
+        squares += weight * shape * shape;
+        heights += weight * height;
+        products += weight * shape * height;
+    };
+    for (const FrozenEdge& edge : field.mesh.interface) {
+        const Point<double>& from = field.mesh.nodes[edge.from];
+        const Point<double>& to = field.mesh.nodes[edge.to];
+        const double weight = (to - from).norm() / 2;
+        add(from, weight);
+        add(to, weight);
+    }
+    return (weights * products - shapes * heights) / (weights * squares - shapes * shapes);
+}
+
+struct Peak {
+    double value = unknown;
+    double time = unknown;
+};
+
+// The largest value over time: that of the parabola through it and its neighbours.
+template <class Quantity>
+Peak largest(const std::vector<FluidMoment>& moments, Quantity quantity) {
+    const auto at = std::ranges::max_element(moments, {}, quantity);
+    if (at == moments.begin() || at == moments.end() - 1) {
+        return {quantity(*at), at->time};
+    }
+    const double before = quantity(at[-1]) - quantity(*at);
+    const double after = quantity(at[1]) - quantity(*at);
+    const double dt = at->time - at[-1].time;
+    if (before + after == 0) { // a plateau
+        return {quantity(*at), at->time};
+    }
+    const double place = (before - after) / 2 / (before + after);
+    return {quantity(*at) - (before - after) / 4 * place, at->time + dt * place};
+}
+
+// The root of the mean square of what the wave's height is off, over the first height.
+double amplitude_error(const std::vector<FluidMoment>& moments) {
+    double sum = 0;
+    for (const FluidMoment& moment : moments) {
+        sum += std::pow(moment.amplitude - moment.exact_amplitude, 2);
+    }
+    return std::sqrt(sum / static_cast<double>(moments.size())) /
+           std::abs(moments.front().exact_amplitude);
+}
+
+std::vector<double> heights(const std::vector<FluidMoment>& moments, double FluidMoment::*height) {
+    std::vector<double> list;
+    for (const FluidMoment& moment : moments) {
+        list.push_back(moment.*height);
+    }
+    return list;
+}
+
+// When a series is zero for the last time, and how often it has been so.
+std::pair<int, double> last_zero(const std::vector<FluidMoment>& moments,
+                                 const std::vector<double>& values) {
+    std::pair<int, double> last{0, unknown};
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        if ((values[i - 1] > 0) != (values[i] > 0)) {
+            const double share = values[i - 1] / (values[i - 1] - values[i]);
+            last = {last.first + 1,
+                    moments[i - 1].time + share * (moments[i].time - moments[i - 1].time)};
+        }
+    }
+    return last;
+}
+
+// By how much the wave's frequency is off, by the time of its last zero; NaN where it does not
+// oscillate, or not as often as it should.
+double frequency_error(const std::vector<FluidMoment>& moments) {
+    const auto own = last_zero(moments, heights(moments, &FluidMoment::amplitude));
+    const auto exact = last_zero(moments, heights(moments, &FluidMoment::exact_amplitude));
+    return own.first == exact.first && own.first > 0 ? std::abs(exact.second / own.second - 1)
+                                                     : unknown;
+}
+
+} // namespace
+
+void archive(Archive& archive, FluidMoment& m) {
+    archive(m.time, m.circularity, m.centre, m.rise_velocity, m.area, m.largest_velocity,
+            m.pressure_jump, m.energy, m.amplitude, m.exact_amplitude);
+}
+
+FluidRun::FluidRun(const Complex<double>& complex, const Setup& setup)
+    : complex_(complex), motion_(*setup.fluid), phase_(setup.measured.value_or(1)),
+      fluid_(std::make_unique<Fluid>(complex, motion_.options)) {
+    look();
+}
+
+FluidRun::~FluidRun() = default;
+
+StepReport FluidRun::step(Simulation<double>& simulation, double dt) {
+    try {
+        const FluidStep report = fluid_->step(simulation, dt);
+        solve_s_ += report.solve_s;
+        assembly_s_ += report.assembly_s;
+        dsc_s_ += report.move_s;
+        if (report.moved.gave_up == GiveUp::none) {
+            look();
+        }
+        return report.moved;
+    } catch (const SolveError& error) {
+        failure_ = "after time " + std::to_string(fluid_->time()) + ": " + error.what();
+        return {};
+    }
+}
+
+void FluidRun::look() {
+    const FluidField& field = fluid_->field();
+    const bool is_closed = !is_at_wall(complex_, phase_);
+    const CubicOutline outline = is_closed ? cubic_outline(complex_, phase_) : CubicOutline{};
+    moments_.push_back(
+        {.time = fluid_->time(),
+         .circularity = is_closed ? outline.circularity() : unknown,
+         .centre = is_closed ? outline.centroid.y() : centre_of(field, phase_),
+         .rise_velocity = mean_velocity(field, phase_).y(),
+         .area = phase_area(complex_, phase_),
+         .largest_velocity = largest_speed(field),
+         .pressure_jump = mean_pressure(field, phase_) - mean_pressure(field, exterior_phase),
+         .energy = energy(field, motion_.options).sum(),
+         .amplitude = motion_.wave ? amplitude_of(field, *motion_.wave) : unknown,
+         .exact_amplitude = motion_.wave ? motion_.wave->exact(fluid_->time()) : unknown});
+}
+
+Figures FluidRun::now() const {
+    const FluidMoment& m = moments_.back();
+    return {{"circularity", m.circularity},     {"centre", m.centre},
+            {"rise_velocity", m.rise_velocity}, {"largest_velocity", m.largest_velocity},
+            {"pressure_jump", m.pressure_jump}, {"energy", m.energy},
+            {"amplitude", m.amplitude},         {"amplitude_exact", m.exact_amplitude}};
+}
+
+Figures FluidRun::figures() const {
+    const FluidMoment& last = moments_.back();
+    const Peak flattest = largest(moments_, [](const FluidMoment& m) { return -m.circularity; });
+    const Peak fastest = largest(moments_, [](const FluidMoment& m) { return m.rise_velocity; });
+    Figures figures{{"circularity_min", -flattest.value},
+                    {"circularity_min_t", flattest.time},
+                    {"circularity_last", last.circularity},
+                    {"rise_velocity_max", fastest.value},
+                    {"rise_velocity_max_t", fastest.time},
+                    {"centre_last", last.centre},
+                    {"area_drift_last", std::abs(last.area / moments_.front().area - 1)},
+                    {"largest_velocity_last", last.largest_velocity},
+                    {"pressure_jump_last", last.pressure_jump},
+                    {"energy_last", last.energy}};
+    if (motion_.wave) {
+        figures.push_back({"amplitude_error", amplitude_error(moments_)});
+        figures.push_back({"frequency_error", frequency_error(moments_)});
+    }
+    figures.insert(figures.end(),
+                   {{"solve_s", solve_s_}, {"assembly_s", assembly_s_}, {"dsc_s", dsc_s_}});
+    return figures;
+}
+
+void FluidRun::put_into(std::vector<VtuArray>& arrays) const {
+    const FluidField& field = fluid_->field();
+    const std::uint32_t count = field.mesh.vertex_bound;
+    std::vector<double> velocity(2 * std::size_t{count}, 0);
+    for (std::uint32_t v = 0; v < count; ++v) {
+        velocity[2 * v] = field.velocity[v].x();
+        velocity[2 * v + 1] = field.velocity[v].y();
+    }
+    std::vector<double> below(count, 0);
+    std::vector<double> beyond(count, 0);
+    std::vector<std::pair<Phase, Phase>> seen(count, {std::numeric_limits<Phase>::max(), 0});
+    for (std::size_t t = 0; t < field.mesh.triangles.size(); ++t) {
+        const FrozenTriangle& triangle = field.mesh.triangles[t];
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t v = triangle.nodes[i];
+            if (triangle.phase <= seen[v].first) {
+                seen[v].first = triangle.phase;
+                below[v] = field.pressure[t][i];
+            }
+            if (triangle.phase >= seen[v].second) {
+                seen[v].second = triangle.phase;
+                beyond[v] = field.pressure[t][i];
+            }
+        }
+    }
+    const auto found = std::ranges::find(arrays, "velocity", &VtuArray::name);
+    found->values = std::move(velocity);
+    arrays.push_back({"pressure", SimplexKind::vertex, 1, std::move(below)});
+    arrays.push_back({"pressure_beyond", SimplexKind::vertex, 1, std::move(beyond)});
+}
+
+void FluidRun::archive(Archive& archive) {
+    fluid_->archive(archive);
+    archive(failure_, moments_, solve_s_, assembly_s_, dsc_s_);
+    archive.expect(!moments_.empty(), "holds a fluid that was never looked at");
+}
+
+} // namespace dsc::scenes

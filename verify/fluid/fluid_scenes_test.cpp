@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The scenes of fluids, coarse: always a valid complex, and figures as the physics has them.
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/run/json.h"
+#include "scenes/run/run.h"
+
+#include "dsc/base/error.h"
+#include "dsc/queries/validate.h"
+
+#include <gtest/gtest.h>
+
+namespace dsc::scenes::fluid_scenes_test {
+namespace {
+
+RunResult run(const std::string& name, const std::vector<std::string>& settings,
+              RunOptions options = {}) {
+    const Scene& scene = find_scene(name);
+    Parameters parameters = scene.defaults;
+    for (const std::string& setting : settings) {
+        apply_setting(parameters, scene.keys, setting);
+    }
+    return run_scene(scene, parameters, options);
+}
+
+TEST(FluidScenes, AreValidAfterEveryStep) {
+    for (const Scene& scene : catalogue()) {
+        if (!scene.prepare(scene.defaults).fluid) {
+            continue;
+        }
+        SCOPED_TRACE(scene.name);
+        int looked_at = 0;
+        RunOptions options;
+        options.observer = [&](int, const Complex<double>& complex) {
+            ++looked_at;
+            EXPECT_EQ(validate(complex).problem, "");
+        };
+        const std::string h = std::to_string(2 * scene.defaults.h);
+        const RunResult result = run(scene.name, {"h=" + h, "steps=2", "dt=0.01"}, options);
+        EXPECT_TRUE(result.holds());
+        EXPECT_EQ(looked_at, 3);
+        EXPECT_LT(number(result.fluid, "area_drift_last"), 1e-11);
+        EXPECT_GT(number(result.fluid, "largest_velocity_last"), 0);
+    }
+}
+
+TEST(FluidScenes, ADropAtRestStaysAtRest) {
+    const RunResult result = run("static-drop", {"h=0.08"});
+    EXPECT_LT(number(result.fluid, "largest_velocity_last"), 1e-12);
+    EXPECT_NEAR(number(result.fluid, "pressure_jump_last"), 100, 70 * 0.08 * 0.08);
+    EXPECT_NEAR(number(result.fluid, "centre_last"), 0.5, 1e-12);
+}
+
+// At the beginning of a run, against the exact heights.
+TEST(FluidScenes, WavesHaveTheirExactHeights) {
+    const RunResult level = run("capillary-wave", {"dt=0.0075", "steps=30"});
+    EXPECT_LT(number(level.fluid, "amplitude_error"), 2e-3);
+    const RunResult drop = run("oscillating-drop", {"dt=0.025", "steps=20"});
+    EXPECT_LT(number(drop.fluid, "amplitude_error"), 5e-3);
+}
+
+TEST(FluidScenes, TheResultAndItsSeriesHaveTheFigures) {
+    RunOptions options;
+    options.series_every = 1;
+    const RunResult result = run("rising-bubble", {"h=0.08", "dt=0.02", "steps=4"}, options);
+    const std::string json = to_json(result);
+    for (const char* key :
+         {"circularity_min", "circularity_min_t", "rise_velocity_max", "rise_velocity_max_t",
+          "centre_last", "area_drift_last", "largest_velocity_last", "pressure_jump_last",
+          "energy_last", "solve_s", "assembly_s", "dsc_s"}) {
+        EXPECT_NE(json.find('"' + std::string(key) + "\": "), std::string::npos) << key;
+    }
+    ASSERT_EQ(result.series.size(), 5U);
+    EXPECT_EQ(number(result.series[0].figures, "rise_velocity"), 0);
+    EXPECT_GT(number(result.series[4].figures, "rise_velocity"),
+              number(result.series[3].figures, "rise_velocity"));
+    EXPECT_EQ(number(result.series[4].figures, "rise_velocity"),
+              number(result.fluid, "rise_velocity_max"));
+}
+
+TEST(FluidScenes, RunInDoubleAndNotByTheReference) {
+    EXPECT_THROW(run("static-drop", {"real=float"}), InputError);
+    RunOptions options;
+    options.strategy = Strategy::reference;
+    EXPECT_THROW(run("static-drop", {}, options), InputError);
+}
+
+TEST(FluidScenes, ARunWhoseEquationsCannotBeSolvedSaysSo) {
+    Scene scene = find_scene("rising-bubble");
+    scene.prepare = [original = scene.prepare](const Parameters& p) {
+        auto setup = original(p);
+        setup.fluid->options.gravity = {0, -1e300}; // forces beyond all numbers
+        return setup;
+    };
+    Parameters parameters = scene.defaults;
+    parameters.h = 0.08;
+    const RunResult result = run_scene(scene, parameters, {});
+    EXPECT_FALSE(result.holds());
+    EXPECT_NE(result.gave_up, "");
+    EXPECT_GT(number(result.fluid, "energy_last"), 0) << "of the last good state";
+}
+
+} // namespace
+} // namespace dsc::scenes::fluid_scenes_test
