@@ -9,7 +9,7 @@ import base64
 import binascii
 import xml.etree.ElementTree as xml
 import zlib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy
 
@@ -30,6 +30,7 @@ class Frame:
     triangles: numpy.ndarray  # m x 3, vertex numbers
     phases: numpy.ndarray     # m
     values: dict              # {name: n numbers}: the scalars at the vertices
+    vectors: dict = field(default_factory=dict)  # {name: n x 2}: the vectors at the vertices
 
 
 def read(path):
@@ -82,13 +83,20 @@ class Reader:
                              "triangles alone")
         if len(corners) and not 0 <= corners.min() <= corners.max() < len(points):
             raise ValueError(f"a triangle names a vertex outside 0 to {len(points) - 1}")
-        values = {}
+        values, vectors = {}, {}
         for item in self.root.findall(".//PointData/DataArray"):
-            if item.get("NumberOfComponents", "1") == "1":
-                values[item.get("Name")] = self.data(item).astype(float)
-                if len(values[item.get("Name")]) != len(points):
-                    raise ValueError(f"'{item.get('Name')}' is not one number for each vertex")
-        return Frame(points.astype(float), corners.reshape(-1, 3), phases, values)
+            width = int(item.get("NumberOfComponents", "1"))
+            if width not in (1, 3):
+                continue
+            numbers = self.data(item).astype(float)
+            if len(numbers) != width * len(points):
+                raise ValueError(f"'{item.get('Name')}' is not "
+                                 f"{'one number' if width == 1 else 'a vector'} for each vertex")
+            if width == 1:
+                values[item.get("Name")] = numbers
+            else:
+                vectors[item.get("Name")] = numbers.reshape(-1, 3)[:, :2]
+        return Frame(points.astype(float), corners.reshape(-1, 3), phases, values, vectors)
 
     def _array(self, place, name=None):
         for item in self.root.findall(f".//{place}/DataArray"):

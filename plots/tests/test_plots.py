@@ -16,6 +16,7 @@ from parallel import per_operation, series, speedup, step_cost
 from results import load, load_frames
 from tests.samples import PLOTS, PUBLISHED, VTU, Case, bench, row, scene, verify
 from tests.test_faults import Faults  # noqa: F401
+from tests.test_flow import Flow  # noqa: F401
 from tests.test_over_time import OverTime  # noqa: F401
 from tests.test_page import Words  # noqa: F401  (its tests run with these)
 from tests.test_parallel import Parallel  # noqa: F401

@@ -88,6 +88,20 @@ class Readers(unittest.TestCase):
         divided = Own(self.paths[2]).cell_data["submesh"]
         self.assertGreaterEqual(divided.max(), 1)
 
+    def test_pressures_of_a_drop_at_rest(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([os.environ["DSC_SCENE"], "run", "static-drop", "--set", "h=0.05",
+                            "--frames", folder, "--at", "0.05"], check=True,
+                           stdout=subprocess.DEVNULL, timeout=120)
+            (name,) = [file for file in os.listdir(folder) if file.endswith(".vtu")]
+            frame = vtu.read(os.path.join(folder, name))
+        outside, inside = frame.values["pressure"], frame.values["pressure_beyond"]
+        away = numpy.hypot(*(frame.points - 0.5).T)
+        jump = inside - outside
+        self.assertLess(abs(jump[abs(away - 0.25) < 0.005] - 100).max(), 0.5)  # tension / radius
+        self.assertEqual(abs(jump[abs(away - 0.25) > 0.02]).max(), 0)
+        self.assertLess(abs(frame.vectors["velocity"]).max(), 1e-12)
+
     @unittest.skipUnless(has("vtk"), "python3-vtk9 is not installed")
     def test_by_vtk(self):
         from vtk import vtkXMLUnstructuredGridReader

@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Draws the flow of a fluid from frames that `dsc_scene run --frames` wrote.
+
+flow.py FRAME.vtu [FRAME.vtu ...] --out PICTURE.png
+
+A panel for each frame: the speed as a colour, one scale for all, and the interface bold. Exit 0
+done; 2 bad usage or a file that cannot be used, with one sentence on the error stream.
+"""
+import argparse
+import os
+import sys
+
+import numpy
+from matplotlib.collections import LineCollection
+
+from look import style
+from mesh import frames
+from results import load_frames
+
+SIDE = 3.0       # inches, the width of a panel
+TALLEST = 7.0    # inches
+
+
+class Unusable(Exception):
+    """A file that cannot be used; its text is one sentence."""
+
+
+def read(path):
+    """(name, number, Frame) of a file."""
+    name = os.path.basename(path)
+    match = load_frames.FRAME_NAME.match(name)
+    frame = load_frames.read_frame(path)
+    if "velocity" not in frame.vectors or not len(frame.triangles):
+        raise Unusable(f"{path}: no velocity at the vertices of triangles.")
+    return (match["scene"], int(match["number"]), frame) if match else (name, None, frame)
+
+
+def speed(frame):
+    """Of each vertex."""
+    return numpy.hypot(*frame.vectors["velocity"].T)
+
+
+def panel(axes, frame, most):
+    shown = axes.tripcolor(*frame.points.T, frame.triangles, speed(frame), shading="gouraud",
+                           cmap="viridis", vmin=0, vmax=most, rasterized=True)
+    axes.add_collection(LineCollection(frame.points[frames.interface(frame)], colors="white",
+                                       linewidths=1.6, capstyle="round"))
+    axes.set_xlim(*(f(frame.points[:, 0]) for f in (min, max)))
+    axes.set_ylim(*(f(frame.points[:, 1]) for f in (min, max)))
+    axes.set_aspect("equal")
+    axes.grid(False)
+    return shown
+
+
+def picture(shown):
+    """shown: [(name, number, Frame)]"""
+    span = numpy.ptp(shown[0][2].points, axis=0)
+    tall = min(TALLEST, SIDE * span[1] / span[0])
+    most = max(float(speed(frame).max()) for _, _, frame in shown) or 1.0
+    figure, grid = style.figure(max(5.0, 0.9 + SIDE * len(shown)), tall + 1.3, 1, len(shown))
+    for axes, (_, number, frame) in zip(grid[0], shown):
+        scale = panel(axes, frame, most)
+        axes.set_title("" if number is None else f"step {number}", fontsize=9)
+    figure.colorbar(scale, ax=list(grid[0]), label="speed", fraction=0.05, pad=0.02)
+    counts = style.listing(style.whole(len(frame.triangles)) for _, _, frame in shown)
+    style.finish(figure, f"{shown[0][0]}: speed and interface",
+                 f"{counts} triangles; the largest speed at a vertex is {style.digits(most)}")
+    return figure
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(prog="flow.py", description=__doc__.split("\n\n")[0])
+    parser.add_argument("frames", nargs="+", metavar="FRAME.vtu", help="what --frames wrote")
+    parser.add_argument("--out", required=True, metavar="PICTURE", help="png, svg or pdf")
+    given = parser.parse_args(argv)
+    name, form = os.path.splitext(os.path.basename(given.out))
+    try:
+        if form not in (".png", ".svg", ".pdf"):
+            raise Unusable(f"{given.out}: allowed are .png, .svg and .pdf.")
+        figure = picture([read(path) for path in given.frames])
+        style.save(figure, os.path.dirname(given.out) or ".", name, [form[1:]])
+    except (Unusable, load_frames.InputFault, OSError) as error:
+        sys.stderr.write(f"flow.py: {error}\n")
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
