@@ -128,11 +128,12 @@ const Complex<double>& Mesh::complex() const {
     return complex_;
 }
 
-Mesh::Change::Change(Mesh& mesh) : mesh_(mesh) {
-    (void)mesh.complex(); // throws if it is busy
-    mesh.is_busy_ = true;
-    mesh.arrays_.reset();
-    ++mesh.revision_;
+std::shared_ptr<void> Mesh::change() {
+    (void)complex(); // throws if it is busy
+    is_busy_ = true;
+    arrays_.reset();
+    ++revision_;
+    return {this, [this](void* /*mesh*/) { is_busy_ = false; }};
 }
 
 const Mesh::Arrays& Mesh::arrays() {

@@ -35,20 +35,9 @@ public:
     /// How often the mesh has been changed: two equal numbers, the same triangles.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
-    /// Marks the mesh as busy for the time of a change, and drops the arrays.
-    class Change {
-    public:
-        /// Throws std::runtime_error if another one is under way.
-        explicit Change(Mesh& mesh);
-        ~Change() { mesh_.is_busy_ = false; }
-        Change(const Change&) = delete;
-        Change& operator=(const Change&) = delete;
-        Change(Change&&) = delete;
-        Change& operator=(Change&&) = delete;
-
-    private:
-        Mesh& mesh_;
-    };
+    /// Drops the arrays, and keeps the mesh busy until the result is dropped: for a change. Throws
+    /// std::runtime_error if another one is under way.
+    [[nodiscard]] std::shared_ptr<void> change();
 
 private:
     struct Arrays {

@@ -49,7 +49,7 @@ public:
             flow_ = *flow;
         }
         apply(choices_, keywords);
-        const Mesh::Change change(*mesh_); // refused while a step of it runs
+        const auto change = mesh_->change(); // refused while a step of it runs
         Complex<double>& complex = mesh_->complex_to_step();
         complex.in_use.expect_free();
         forget_foreign_data(complex);
@@ -96,7 +96,7 @@ public:
     /// A step of something that steps the simulation itself.
     template <class MakeStep>
     py::object step_by(MakeStep make_step, double time) {
-        const Mesh::Change busy(*mesh_);
+        const auto change = mesh_->change();
         watch_->so_far = {};
         watch_->so_far.reached = time;
         try {
@@ -119,7 +119,7 @@ public:
         return archive.bytes();
     }
     void restore(const std::string& bytes) {
-        const Mesh::Change change(*mesh_);
+        const auto change = mesh_->change();
         Archive archive(bytes, "simulation");
         std::vector<std::string> late;
         archive(late, report_.step.reached);
