@@ -66,16 +66,18 @@ Point<double> point_from(const py::handle& value, const std::string& where) {
 }
 
 std::vector<py::object> outline_list(const py::handle& value) {
-    const bool is_list = (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) &&
-                         py::len(value) > 0 && py::array::ensure(value[py::int_(0)]).ndim() == 2;
-    if (!is_list) {
-        return {py::reinterpret_borrow<py::object>(value)};
-    }
     std::vector<py::object> list;
-    for (const py::handle& one : value) {
-        list.push_back(py::reinterpret_borrow<py::object>(one));
+    if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+        for (const py::handle& one : value) {
+            const py::array array = py::array::ensure(one);
+            if (array && array.ndim() == 1) { // a point: the value is an outline itself
+                list.clear();
+                break;
+            }
+            list.push_back(py::reinterpret_borrow<py::object>(one));
+        }
     }
-    return list;
+    return list.empty() ? std::vector{py::reinterpret_borrow<py::object>(value)} : list;
 }
 
 py::array_t<std::uint32_t> whole_numbers(const py::handle& value, const std::string& where,

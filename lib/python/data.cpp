@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "python/data.h"
 
+#include "dsc/io/sealed.h"
+
 #include <pybind11/stl.h>
 
 #include <algorithm>

@@ -149,7 +149,7 @@ private:
     std::unique_ptr<Simulation<double>> simulation_;
 };
 
-/// Adds `Simulation`, `Report` and `Event` to the module.
+/// Adds `Simulation` to the module.
 void add_simulation(py::module_& module);
 
 } // namespace dsc::python
