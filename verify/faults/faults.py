@@ -58,8 +58,8 @@ OWN = {
     "initial": ["initial"],
     "motion": ["motion", "algorithm", "velocities"],
     "sizes": ["sizes", "graded"],
-    "passes": ["passes", "effort", "sizes"],
-    "algorithm": ["algorithm", "effort"],
+    "passes": ["passes", "warm_steps", "sizes"],
+    "algorithm": ["algorithm", "passes"],
     "parallel": ["parallel"],
     "topology": ["topology", "wall_films"],
     "fluid": ["fluid", "fluid_figures"],
@@ -290,16 +290,14 @@ class Runner:
     def __init__(self, folder):
         self.folder = folder
         self.store = Store(folder / "faults.json", baseline={}, faults={})
-        self.variables = {variable: str(folder / "build" / path) for variable, path in
-                          (("DSC_SCENE", "lib/scenes/dsc_scene"), ("DSC_VERIFY", "verify/dsc_verify"),
-                           ("DSC_HARD", "verify/dsc_hard"))}
 
     def usual(self, name):
         """CPU seconds without a fault; the tests have to pass then."""
         with self.store.lock:
             known = self.store.data["baseline"]
             if name not in known:
-                ended, test, cpu, output = call(*command_of(name, self.folder), 1800, **self.variables)
+                ended, test, cpu, output = call(*command_of(name, self.folder), 1800,
+                                                DSC_BUILD=str(self.folder / "build"))
                 if ended != "passed":
                     sys.exit(f"without a fault {name} {ended}: {test}\n{output[-3000:]}")
                 self.store.note("baseline", name, round(cpu, 2))
@@ -311,7 +309,7 @@ class Runner:
         for name in tests * (TRIES_OF_RACES if fault.kind in ("race", "shared state") else 1):
             limit = int(SLOWER * self.usual(name) + SPARE_S)
             chosen = {"DSC_FAULT": fault.name} if fault.is_cpp else {}
-            ended, test, cpu, _ = call(*command_of(name, self.folder), limit, **self.variables, **chosen)
+            ended, test, cpu, _ = call(*command_of(name, self.folder), limit, DSC_BUILD=str(self.folder / "build"), **chosen)
             spent += cpu
             # Time is no test of faults that cost nothing but time.
             if ended != "passed" and (ended, fault.kind) != ("did not end", "cost"):

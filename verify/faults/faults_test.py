@@ -82,7 +82,7 @@ class Sources(unittest.TestCase):
             self.assertIsNone(SWITCH.search(text), f"{file} knows of seeded faults")
 
     def test_the_library_has_no_symbol_of_it(self):
-        symbols = subprocess.run(["nm", "--demangle", os.environ["DSC_LIBRARY"]], text=True,
+        symbols = subprocess.run(["nm", "--demangle", os.environ["DSC_BUILD"] + "/lib/dsc/libdsc.a"], text=True,
                                  capture_output=True, check=True).stdout
         self.assertIn("dsc::Simulation<double>::step", symbols)
         self.assertNotIn("dsc::fault", symbols)

@@ -2,7 +2,7 @@
 """Frames as other programs read them: VTK and meshio, where they are installed, find the same numbers
 as a reader of a few lines (plots/results/vtu.py), bit by bit.
 
-The environment names the program (DSC_SCENE) and this project's plots (DSC_PLOTS).
+The environment names the build (DSC_BUILD).
 """
 import importlib.util
 import os
@@ -14,7 +14,7 @@ import xml.etree.ElementTree as xml
 
 import numpy
 
-sys.path.insert(0, os.environ["DSC_PLOTS"])
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir, os.pardir, "plots"))
 from results import vtu  # noqa: E402
 
 POINT_ARRAYS = {"position", "velocity", "displacement"}
@@ -52,7 +52,8 @@ class Readers(unittest.TestCase):
         for name, more in (("double", ["--strategy", "cells"]),
                            ("float", ["--set", "real=float", "--set", "grade=1.4"])):
             frames = os.path.join(folder.name, name)
-            subprocess.run([os.environ["DSC_SCENE"], "run", "swirl", "--set", "h=0.02", "--set",
+            program = os.path.join(os.environ["DSC_BUILD"], "lib", "scenes", "dsc_scene")
+            subprocess.run([program, "run", "swirl", "--set", "h=0.02", "--set",
                             "steps=4", *more, "--frames", frames, "--every", "4"], check=True,
                            stdout=subprocess.DEVNULL, timeout=120)
             cls.paths += [os.path.join(frames, file) for file in sorted(os.listdir(frames))

@@ -3,7 +3,7 @@
 where the run had begun) and one sentence on stderr that says what is wrong, the value and what is
 allowed; and it leaves no half-written file.
 
-The programs are named by the environment: DSC_SCENE, DSC_VERIFY and DSC_HARD.
+The environment names the build (DSC_BUILD).
 """
 import os
 import resource
@@ -12,9 +12,10 @@ import subprocess
 import tempfile
 import unittest
 
-SCENE = os.environ["DSC_SCENE"]
-VERIFY = os.environ["DSC_VERIFY"]
-HARD = os.environ["DSC_HARD"]
+BUILD = os.environ["DSC_BUILD"]
+SCENE = os.path.join(BUILD, "lib", "scenes", "dsc_scene")
+VERIFY = os.path.join(BUILD, "verify", "dsc_verify")
+HARD = os.path.join(BUILD, "verify", "dsc_hard")
 ROOM = os.path.dirname(os.path.abspath(__file__))
 SUITES = os.path.join(os.path.dirname(ROOM), "suites")
 SHORT = ["--set", "h=0.05", "--set", "steps=4"]

@@ -3,12 +3,13 @@
 // (mesh_hashes.txt). A change that is to change no result is held to it; a change that is to
 // change one replaces the entries that it changes, and says why.
 //
-//   DSC_HASHES=long    runs each scene to its end, not only for its first steps
-//   DSC_HASHES=few     only the quickest scenes, without the reference: enough to notice that a
+//   DSC_TESTS=long    runs each scene to its end, not only for its first steps
+//   DSC_TESTS=few     only the quickest scenes, without the reference: enough to notice that a
 //                      build with other flags, or without optimisation, computes something else
 //   DSC_RECORD=FILE    replaces the hashes in FILE by those found, in place of comparing them
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/run/run.h"
+#include "support/environment.h"
 
 #include <gtest/gtest.h>
 
@@ -26,13 +27,8 @@ namespace {
 
 constexpr int first_steps = 12;
 
-bool is_asked_for(const std::string& extent) {
-    const char* asked = std::getenv("DSC_HASHES");
-    return asked != nullptr && asked == extent;
-}
-
-bool is_long() { return is_asked_for("long"); }
-bool is_short() { return is_asked_for("few"); }
+bool is_long() { return test::are_asked_for("long"); }
+bool is_short() { return test::are_asked_for("few"); }
 
 std::string hexadecimal(std::uint64_t value) {
     std::ostringstream text;

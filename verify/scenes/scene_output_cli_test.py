@@ -122,7 +122,7 @@ class Checkpoints(CommandLine):
 
     def test_a_file_that_may_not_grow_ends_the_run_with_a_sentence(self):
         limits = (4096, 4096)  # bytes
-        done = subprocess.run([os.environ["DSC_SCENE"], "run", "swirl", *SHORT, "--checkpoint", "c"],
+        done = subprocess.run([SCENE, "run", "swirl", *SHORT, "--checkpoint", "c"],
                               cwd=self.folder, text=True, capture_output=True, check=False,
                               timeout=PROMPTLY,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, limits))

@@ -4,8 +4,15 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <string_view>
 
 namespace dsc::test {
+
+/// Whether DSC_TESTS says so: `few`, where each takes long (under sanitizers), or `long`.
+inline bool are_asked_for(std::string_view extent) {
+    const char* asked = std::getenv("DSC_TESTS");
+    return asked != nullptr && asked == extent;
+}
 
 /// The number in an environment variable, or `otherwise` where it is not set.
 inline std::uint64_t from_environment(const char* variable, std::uint64_t otherwise) {

@@ -296,21 +296,11 @@ std::string interface_fault(const Complex<Real>& complex, const std::vector<std:
     return {};
 }
 
-/// `usual`, or less where the environment says so in the variable.
-inline std::uint64_t or_fewer(std::uint64_t usual, const char* variable) {
-    return std::min(usual, from_environment(variable, usual));
-}
-
-/// How many scenes a test of threads runs: `seeds`, or fewer where each takes long
-/// (DSC_PARALLEL_SEEDS).
+/// How many scenes a test of threads runs, or how many steps: under the thread sanitizer a race shows in
+/// the first ones that divide, hand over and divide anew.
 inline std::uint64_t seeds_or_fewer(std::uint64_t seeds) {
-    return or_fewer(seeds, "DSC_PARALLEL_SEEDS");
+    return are_asked_for("few") ? 1 : seeds;
 }
-
-/// How many steps each of them takes. Under the thread sanitizer a race shows in the first ones
-/// that divide, hand over and divide anew (DSC_PARALLEL_STEPS).
-inline int steps_or_fewer(int steps) {
-    return static_cast<int>(or_fewer(static_cast<std::uint64_t>(steps), "DSC_PARALLEL_STEPS"));
-}
+inline int steps_or_fewer(int steps) { return are_asked_for("few") ? std::min(steps, 5) : steps; }
 
 } // namespace dsc::test
