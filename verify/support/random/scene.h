@@ -296,8 +296,8 @@ std::string interface_fault(const Complex<Real>& complex, const std::vector<std:
     return {};
 }
 
-/// How many scenes a test of threads runs, or how many steps: under the thread sanitizer a race shows in
-/// the first ones that divide, hand over and divide anew.
+/// How many scenes a test of threads runs, or how many steps: under the thread sanitizer a race
+/// shows in the first ones that divide, hand over and divide anew.
 inline std::uint64_t seeds_or_fewer(std::uint64_t seeds) {
     return are_asked_for("few") ? 1 : seeds;
 }
