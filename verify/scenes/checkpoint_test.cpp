@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A run that is broken off and resumed ends with the same bits, counts and figures as one that is
 // not; and a checkpoint that is damaged, or belongs to something else, is refused.
-//
-//   DSC_CHECKPOINTS=long    many more runs, broken off at many more places
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"
