@@ -98,6 +98,12 @@ void print_summary(const RunResult& r) {
         std::cout << " (half-way " << number(*r.half, "sd_rel") << ")";
     }
     print_events(r.events);
+    if (!r.fluid.empty()) {
+        std::cout << "\n  largest velocity " << number(r.fluid, "largest_velocity_last")
+                  << ", area off by " << number(r.fluid, "area_drift_last") << ", solver "
+                  << number(r.fluid, "solve_s") << " s, assembly " << number(r.fluid, "assembly_s")
+                  << " s, mesh " << number(r.fluid, "dsc_s") << " s";
+    }
     std::cout << "\n  worst quality " << figure_if_taken(r.last, "min_quality") << " (ever "
               << r.min_quality_ever << "), smallest angle "
               << figure_if_taken(r.last, "min_angle_deg") << " degrees\n  inverted " << r.inverted

@@ -72,10 +72,14 @@ struct Peak {
     double time = unknown;
 };
 
-// The largest value over time: that of the parabola through it and its neighbours.
+// The largest value over time: that of the parabola through it and its neighbours. NaN where the
+// quantity could not be measured.
 template <class Quantity>
 Peak largest(const std::vector<FluidMoment>& moments, Quantity quantity) {
     const auto at = std::ranges::max_element(moments, {}, quantity);
+    if (std::isnan(quantity(*at))) {
+        return {};
+    }
     if (at == moments.begin() || at == moments.end() - 1) {
         return {quantity(*at), at->time};
     }
