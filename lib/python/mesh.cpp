@@ -94,27 +94,25 @@ std::shared_ptr<Mesh> make_mesh(const py::handle& domain, const py::dict& shapes
     const std::vector<Point<double>> corners = points_from(domain, "domain");
     if (corners.size() != 2) {
         refuse("not a rectangle", "domain", std::to_string(corners.size()) + " points",
-               "two: the corner of the smallest coordinates, and the "
-               "opposite one");
+               "two: the lower left corner and the upper right one");
     }
     const Rectangle rectangle{corners[0], corners[1]};
     Choices choices;
     apply(choices, keywords, Use::initial_complex);
     const InitialOptions options{.edge_length = choices.options.edge_length,
                                  .sizes = choices.options.sizes};
-    if (curves.is_none()) {
-        const std::vector<Shape> list = shapes_from(shapes);
+    const auto made_of = [&](const auto& list) {
         const py::gil_scoped_release others_run;
         return std::make_shared<Mesh>(
-            initial_complex<double>(rectangle, std::span<const Shape>(list), options));
+            initial_complex<double>(rectangle, std::span(list.data(), list.size()), options));
+    };
+    if (curves.is_none()) {
+        return made_of(shapes_from(shapes));
     }
     if (!shapes.empty()) {
         refuse("shapes and curves", "initial_complex", "both", "either");
     }
-    const std::vector<Curve> list = curves_from(curves);
-    const py::gil_scoped_release others_run;
-    return std::make_shared<Mesh>(
-        initial_complex<double>(rectangle, std::span<const Curve>(list), options));
+    return made_of(curves_from(curves));
 }
 
 } // namespace

@@ -49,7 +49,8 @@ public:
             flow_ = *flow;
         }
         apply(choices_, keywords);
-        const auto change = mesh_->change(); // refused while a step of it runs
+        const auto change = mesh_->change();     // refused while a step of it runs
+        const py::gil_scoped_release others_run; // sizes may be functions of Python
         Complex<double>& complex = mesh_->complex_to_step();
         complex.in_use.expect_free();
         forget_foreign_data(complex);
