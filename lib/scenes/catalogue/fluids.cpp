@@ -75,32 +75,33 @@ constexpr Walls slip_at_sides{.left = Wall::slip, .right = Wall::slip};
 
 // The closed curve around a centre at a distance that depends on the angle.
 template <class Distance>
-Outline around(const Point<double>& centre, int count, Distance distance) {
+Outline around(const Point<double>& centre, int count, Distance reach) {
     Outline outline;
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * pi * (i + 0.5) / count;
-        outline.emplace_back(centre.x() + distance(angle) * std::cos(angle),
-                             centre.y() + distance(angle) * std::sin(angle));
+        outline.emplace_back(centre.x() + reach(angle) * std::cos(angle),
+                             centre.y() + reach(angle) * std::sin(angle));
     }
     return outline;
 }
 
 // By how much a regular polygon has to be larger than a disc of its area.
-double larger(int count) {
+double of_disc_area(int count) {
     const double angle = 2 * pi / count;
     return std::sqrt(angle / std::sin(angle));
 }
 
 Outline disc(const Point<double>& centre, double radius, double h) {
     const int count = std::max(8, static_cast<int>(std::ceil(2 * pi * radius / h)) + 1);
-    return around(centre, count, [=](double) { return radius * larger(count); });
+    return around(centre, count, [=](double) { return radius * of_disc_area(count); });
 }
 
 // A disc of radius 1 with a small wave of two crests.
 Outline waved_disc(const Point<double>& centre, double height, double h) {
     const int count = std::max(8, static_cast<int>(std::ceil(2 * pi * stretched / h)));
-    return around(centre, count,
-                  [=](double angle) { return larger(count) * (1 + height * std::cos(2 * angle)); });
+    return around(centre, count, [=](double angle) {
+        return of_disc_area(count) * (1 + height * std::cos(2 * angle));
+    });
 }
 
 void add_disc(const Point<double>& centre, double radius, double h, Setup& setup) {

@@ -14,14 +14,14 @@ namespace dsc::scenes {
 
 namespace {
 
-using Complex = std::complex<double>;
+using Amount = std::complex<double>;
 
 /// A solution in one fluid at the interface, without its sine or cosine along it.
 struct Trace {
-    Complex normal_velocity;
-    Complex tangential_velocity;
-    Complex tangential_stress;
-    Complex pressure; ///< less the viscous normal stress
+    Amount normal_velocity;
+    Amount tangential_velocity;
+    Amount tangential_stress;
+    Amount pressure; ///< less the viscous normal stress
 };
 
 /// Both solutions in a fluid.
@@ -31,10 +31,10 @@ struct Traces {
 };
 
 /// Five equations: coefficients, then the right-hand side.
-using Equations = std::array<std::array<Complex, 6>, 5>;
+using Equations = std::array<std::array<Amount, 6>, 5>;
 
 // The last unknown, by elimination with the largest pivots.
-Complex last_unknown(Equations rows) {
+Amount last_unknown(Equations rows) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         std::size_t pivot = i;
         for (std::size_t k = i + 1; k < rows.size(); ++k) {
@@ -42,7 +42,7 @@ Complex last_unknown(Equations rows) {
         }
         std::swap(rows[i], rows[pivot]);
         for (std::size_t k = i + 1; k < rows.size(); ++k) {
-            const Complex factor = rows[k][i] / rows[i][i];
+            const Amount factor = rows[k][i] / rows[i][i];
             for (std::size_t j = i; j < rows[k].size(); ++j) {
                 rows[k][j] -= factor * rows[i][j];
             }
@@ -52,8 +52,8 @@ Complex last_unknown(Equations rows) {
 }
 
 // The transform of the height where the height's own pressure is `stiffness` times it.
-Complex height(const Traces& inside, const Traces& outside, Complex s, double stiffness,
-               double first) {
+Amount height(const Traces& inside, const Traces& outside, Amount s, double stiffness,
+              double first) {
     Equations rows{};
     const auto fill = [&](std::size_t column, const Trace& t, double sign) {
         rows[0][column] = sign * t.normal_velocity;
@@ -88,9 +88,9 @@ double inverse(const Transform& transform, double time) {
         const double angle = (2 * i + 1) * std::numbers::pi / points;
         const double turn = 0.6407 * angle;
         const double slope = 0.5017 / std::tan(turn) - 0.5017 * turn / std::pow(std::sin(turn), 2);
-        const Complex s =
-            points / time * Complex(0.5017 * angle / std::tan(turn) - 0.6122, 0.2645 * angle);
-        const Complex way = points / time * Complex(slope, 0.2645);
+        const Amount s =
+            points / time * Amount(0.5017 * angle / std::tan(turn) - 0.6122, 0.2645 * angle);
+        const Amount way = points / time * Amount(slope, 0.2645);
         sum += (std::exp(s * time) * transform(s) * way).imag() * 2 / points;
     }
     return sum;
@@ -99,16 +99,16 @@ double inverse(const Transform& transform, double time) {
 // --- on a level ----------------------------------------------------------------------------------
 
 // The stream function is f(y) sin(k x), with f = 1 at the interface; `side` is 1 below, -1 above.
-Trace trace_on_level(const FluidPhase& fluid, double k, Complex rate, double depth, double side,
-                     Complex pressure_rate) {
-    const Complex slope = side * rate / std::tanh(rate * depth);
-    const Complex pressure = pressure_rate * slope / k;
+Trace trace_on_level(const FluidPhase& fluid, double k, Amount rate, double depth, double side,
+                     Amount pressure_rate) {
+    const Amount slope = side * rate / std::tanh(rate * depth);
+    const Amount pressure = pressure_rate * slope / k;
     return {-k, slope, fluid.viscosity * (rate * rate + k * k),
             pressure + 2 * fluid.viscosity * k * slope};
 }
 
-Traces traces_on_level(const FluidPhase& fluid, double k, double depth, double side, Complex s) {
-    const Complex rate = std::sqrt(k * k + s * fluid.density / fluid.viscosity);
+Traces traces_on_level(const FluidPhase& fluid, double k, double depth, double side, Amount s) {
+    const Amount rate = std::sqrt(k * k + s * fluid.density / fluid.viscosity);
     return {trace_on_level(fluid, k, k, depth, side, fluid.density * s),
             trace_on_level(fluid, k, rate, depth, side, 0)};
 }
@@ -116,8 +116,8 @@ Traces traces_on_level(const FluidPhase& fluid, double k, double depth, double s
 // --- on a drop -----------------------------------------------------------------------------------
 
 // z I_n'(z) / I_n(z), by the continued fraction of I_(n+1) / I_n.
-Complex growth_of_bessel_i(int n, Complex z) {
-    Complex ratio = 0;
+Amount growth_of_bessel_i(int n, Amount z) {
+    Amount ratio = 0;
     const int last = n + 60 + static_cast<int>(2 * std::abs(z));
     for (int i = last; i > n; --i) {
         ratio = 1.0 / (2.0 * i / z + ratio);
@@ -127,19 +127,19 @@ Complex growth_of_bessel_i(int n, Complex z) {
 
 // z K_n'(z) / K_n(z), from the integral of exp(-z cosh x) cosh(n x) over x > 0: the trapezium rule
 // converges faster than any power of its step.
-Complex growth_of_bessel_k(int n, Complex z) {
+Amount growth_of_bessel_k(int n, Amount z) {
     constexpr double step = 0.05;
     constexpr double negligible = 40;
     constexpr int most = 1000; // enough wherever the inverse gives the point any weight
-    Complex value = 0.5;
-    Complex slope = 0.5;
+    Amount value = 0.5;
+    Amount slope = 0.5;
     for (int i = 1; i < most; ++i) {
         const double x = i * step;
-        const Complex decay = z * (std::cosh(x) - 1);
+        const Amount decay = z * (std::cosh(x) - 1);
         if (decay.real() > negligible + n * x) {
             break;
         }
-        const Complex term = std::exp(-decay) * std::cosh(n * x);
+        const Amount term = std::exp(-decay) * std::cosh(n * x);
         value += term;
         slope += term * std::cosh(x);
     }
@@ -148,19 +148,19 @@ Complex growth_of_bessel_k(int n, Complex z) {
 
 // The stream function is f(r) sin(n angle), with f = 1 at the interface, where r f' is `growth`
 // and L f is `curl`, L being the Laplacian.
-Trace trace_on_drop(const FluidPhase& fluid, int n, double radius, Complex growth, Complex curl,
-                    Complex pressure_rate) {
+Trace trace_on_drop(const FluidPhase& fluid, int n, double radius, Amount growth, Amount curl,
+                    Amount pressure_rate) {
     const double square = radius * radius;
-    const Complex slope = growth / radius;
-    const Complex second = curl - growth / square + n * n / square;
-    const Complex stretch = 2.0 * fluid.viscosity * n * (growth - 1.0) / square;
+    const Amount slope = growth / radius;
+    const Amount second = curl - growth / square + n * n / square;
+    const Amount stretch = 2.0 * fluid.viscosity * n * (growth - 1.0) / square;
     return {n / radius, -slope, fluid.viscosity * (growth / square - second - n * n / square),
             -pressure_rate * growth / static_cast<double>(n) - stretch};
 }
 
-Traces traces_on_drop(const FluidPhase& fluid, int n, double radius, bool is_inside, Complex s) {
-    const Complex rate = std::sqrt(s * fluid.density / fluid.viscosity);
-    const Complex growth =
+Traces traces_on_drop(const FluidPhase& fluid, int n, double radius, bool is_inside, Amount s) {
+    const Amount rate = std::sqrt(s * fluid.density / fluid.viscosity);
+    const Amount growth =
         is_inside ? growth_of_bessel_i(n, rate * radius) : growth_of_bessel_k(n, rate * radius);
     return {trace_on_drop(fluid, n, radius, is_inside ? n : -n, 0, fluid.density * s),
             trace_on_drop(fluid, n, radius, growth, rate * rate, 0)};
@@ -173,7 +173,7 @@ std::function<double(double time)> wave_on_level(const TwoFluids& fluids, double
     const double stiffness =
         (fluids.inside.density - fluids.outside.density) * gravity + fluids.tension * k * k;
     return [=](double time) {
-        const auto transform = [&](Complex s) {
+        const auto transform = [&](Amount s) {
             return height(traces_on_level(fluids.inside, k, depth, 1, s),
                           traces_on_level(fluids.outside, k, depth, -1, s), s, stiffness, first);
         };
@@ -185,7 +185,7 @@ std::function<double(double time)> wave_on_drop(const TwoFluids& fluids, int n, 
                                                 double first) {
     const double stiffness = fluids.tension * (n * n - 1) / (radius * radius);
     return [=](double time) {
-        const auto transform = [&](Complex s) {
+        const auto transform = [&](Amount s) {
             return height(traces_on_drop(fluids.inside, n, radius, true, s),
                           traces_on_drop(fluids.outside, n, radius, false, s), s, stiffness, first);
         };
