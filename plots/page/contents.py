@@ -10,7 +10,7 @@ from accuracy import convergence, hard_cases, precision, precision_data
 from look import style
 from mesh import frames, histograms
 from page import document as page
-from page import drawing, faults, findings, tables, verdicts
+from page import comparison, drawing, faults, findings, tables, verdicts
 from parallel import (breakdown, granularity, per_operation, series, speedup, step_cost,
                       submeshes, whole_runs)
 from results import load
@@ -109,6 +109,8 @@ def build(results, drawn, out):
     contents.show("found", "What was found",
                   page.listed(findings.sentences(results), "found") + tables.refusals(bench)
                   + page.table(header, rows, classes, "Verdicts"))
+    contents.show("compared", "Area, shape, triangles and speed", comparison.section(results),
+                  "Neither the gate nor whole runs were made, so there is nothing to compare.")
     contents.show("frames", "The meshes", contents.pictures("frames", len(FIRST)),
                   _no_frames(results))
     contents.show("thesis", "The thesis's figures", gallery(results, out))

@@ -4,7 +4,7 @@ import os
 import re
 import sys
 
-from page import contents, document, findings, verdicts
+from page import comparison, contents, document, findings, verdicts
 from results import load
 from tests.samples import PUBLISHED, Case, bench, hard_cases, row, scene, verify
 
@@ -132,6 +132,26 @@ class Words(Case):
         found, _, _ = self.table(bench=load.read_bench([self.write("b.json", bench())]))
         self.assertEqual(found["Answers checked before they were timed"], "✗ fail")
 
+    # The comparison.
+
+    def test_each_figure_stands_beside_its_band(self):
+        def more(data):
+            one = {"verdict": "pass", "unit": "1", "sense": "<="}
+            data["checks"] = [
+                {**one, "check": "area_ratio", "scene": "t1", "measured": 0.0045, "limit": 0.005},
+                {**one, "check": "parallel_area_histogram", "scene": "swirl", "measured": 0.05,
+                 "limit": 0.03, "verdict": "fail", "strategy": "cells"},
+                {**one, "check": "parallel_min_quality", "scene": "swirl", "measured": 0.4,
+                 "limit": 0.26, "sense": ">=", "strategy": "active"},
+                {**one, "check": "reference_area", "scene": "swirl", "measured": None,
+                 "limit": 0.01, "verdict": "fail"}]
+        text = comparison.section(self.results(verify=self.verify(more)))
+        for words in ("Against the exact shape: 1 scene, all limits hold.", "0.0045 of 0.0050",
+                      "0.050 of 0.030, cells", "0.40, at least 0.26, active", "– of 0.010",
+                      "against the sequential run: 1 scene, 1 with a limit that is broken."):
+            self.assertIn(words, text)
+        self.assertEqual(comparison.section(self.results()), "")
+
     # Tables.
 
     def test_cells_have_values_in_one_unit(self):
@@ -174,8 +194,8 @@ class Words(Case):
             if before:
                 sys.modules["gallery"] = before
         names = [words[0] for words in found]
-        self.assertEqual(names[:3], ["found", "frames", "thesis"])
-        self.assertEqual(found[2][2], "<p>out: 0 scenes</p>")
+        self.assertEqual(names[:4], ["found", "compared", "frames", "thesis"])
+        self.assertEqual(found[3][2], "<p>out: 0 scenes</p>")
         contents.PLOTS = os.path.join(self.folder, "none")
         self.assertNotIn("thesis", [w[0] for w in contents.build(self.results(), {}, "out")])
 

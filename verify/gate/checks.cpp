@@ -57,6 +57,10 @@ double excess_of_error(const RunResult& a, const RunResult& b) {
     return std::max(number(a.last, "sd_rel") - number(b.last, "sd_rel"), 0.0);
 }
 
+double loss_of_quality(const RunResult& a, const RunResult& b) {
+    return std::max(number(b.last, "min_quality") - number(a.last, "min_quality"), 0.0);
+}
+
 // Of the kinds that say how pieces are joined; how often a seam goes on depends on the order.
 double event_difference(const RunResult& a, const RunResult& b) {
     double sum = 0;
@@ -187,6 +191,14 @@ std::vector<Check> table() {
          {},
          quality_distance,
          {},
+         none},
+        {"reference_min_quality",
+         "worst quality at the end, of the reference minus that of the library, if positive",
+         "quality",
+         reference,
+         {},
+         loss_of_quality,
+         {"min_quality_last"},
          none},
         {"parallel_area",
          "area ratio, parallel against sequential",

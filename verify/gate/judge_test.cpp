@@ -141,6 +141,7 @@ TEST(Suites, HoldEveryScene) {
         {"unreached", 26},
         {"min_quality", 26},
         {"reference_area", 6},
+        {"reference_min_quality", 6},
         {"reference_area_histogram", 6},
         {"reference_quality_histogram", 6},
         {"parallel_area", 26},

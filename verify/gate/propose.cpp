@@ -49,11 +49,11 @@ bool is_of_orders(const Check& check) {
 }
 
 Limit new_limit(const Check& check, int orders) {
-    return {.rule = check.of == Of::threads      ? "required"
-                    : check.at_least             ? "a tenth below"
-                    : is_count(check)            ? "a tenth above"
-                    : check.of == Of::difference ? "a tenth above"
-                                                 : "half as much again",
+    const bool is_comparison = check.of == Of::difference || check.of == Of::reference;
+    return {.rule = check.of == Of::threads            ? "required"
+                    : check.at_least                   ? "a tenth below"
+                    : is_comparison || is_count(check) ? "a tenth above"
+                                                       : "half as much again",
             .orders = is_of_orders(check) ? orders : 0};
 }
 
