@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace dsc {
 
@@ -48,7 +47,7 @@ Freedom along(const Point<double>& way, double length) {
     return {t.x() * t.x(), t.x() * t.y(), t.y() * t.y()};
 }
 
-Eigen::Matrix2d matrix_of(const Freedom& f) { return Eigen::Matrix2d{{f.xx, f.xy}, {f.xy, f.yy}}; }
+constexpr Block block_of(const Freedom& f) { return {f.xx, f.xy, f.xy, f.yy}; }
 
 constexpr Freedom anywhere{};
 constexpr Freedom nowhere{0, 0, 0};
@@ -135,8 +134,7 @@ void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) 
     std::vector<Freedom> diagonal(n, nowhere);
     std::vector<Drag> between(n);
     const double shortest = shortest_in_step(network_, dt);
-    forces_.setZero(2, static_cast<Eigen::Index>(n));
-    const auto force = [&](std::uint32_t i) { return forces_.col(static_cast<Eigen::Index>(i)); };
+    forces_.assign(n, Point<double>(0, 0));
     coupling_.resize(network_.edges.size());
     for (std::size_t e = 0; e < network_.edges.size(); ++e) {
         const CurveEdge& edge = network_.edges[e];
@@ -158,25 +156,26 @@ void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) 
         };
         add_at(edge.from, way / length);
         add_at(edge.to, -way / length);
-        force(edge.from) += stiffness * way;
-        force(edge.to) -= stiffness * way;
+        forces_[edge.from] += stiffness * way;
+        forces_[edge.to] -= stiffness * way;
         const Freedom& one = network_.freedom[edge.from];
         const Freedom& other = network_.freedom[edge.to];
-        coupling_[e] = one.is_full() && other.is_full()
-                           ? Eigen::Matrix2d{{-stiffness, 0}, {0, -stiffness}}
-                           : Eigen::Matrix2d(-stiffness * matrix_of(one) * matrix_of(other));
+        coupling_[e] = {-stiffness, 0, 0, -stiffness};
+        if (!one.is_full() || !other.is_full()) {
+            coupling_[e] = block_of(one) * coupling_[e] * block_of(other);
+        }
     }
     for (const EndForce& end : network_.ends) {
-        force(end.vertex) += end.force;
+        forces_[end.vertex] += end.force;
     }
     diagonal_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) {
         const Freedom& free = network_.freedom[i];
-        diagonal_[i] = matrix_of(diagonal[i] + between[i].across());
+        diagonal_[i] = block_of(diagonal[i] + between[i].across());
         if (!free.is_full()) {
-            diagonal_[i] =
-                matrix_of(free) * diagonal_[i] * matrix_of(free) + matrix_of(rest_of(free));
-            force(i) = free.of(force(i));
+            diagonal_[i] = block_of(free) * diagonal_[i] * block_of(free);
+            diagonal_[i] += block_of(rest_of(free));
+            forces_[i] = free.of(forces_[i]);
         }
     }
 }
@@ -185,22 +184,20 @@ std::vector<Point<double>> CurveSystem::step(std::span<const Point<double>> posi
     assemble(positions, dt);
     solver_.factorise(diagonal_, coupling_);
     solver_.solve(forces_);
-    std::vector<Point<double>> displacements(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        displacements[i] = forces_.col(static_cast<Eigen::Index>(i));
-    }
-    return displacements;
+    return forces_;
 }
 
 Eigen::VectorXd CurveSystem::response_to(const Eigen::VectorXd& forces) const {
-    Eigen::Matrix2Xd columns = Eigen::Map<const Eigen::Matrix2Xd>(
-        forces.data(), 2, static_cast<Eigen::Index>(network_.freedom.size()));
-    for (std::size_t i = 0; i < network_.freedom.size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
-        columns.col(column) = network_.freedom[i].of(columns.col(column));
+    std::vector<Point<double>> columns(network_.freedom.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        columns[i] = network_.freedom[i].of(forces.segment<2>(static_cast<Eigen::Index>(2 * i)));
     }
     solver_.solve(columns);
-    return columns.reshaped();
+    Eigen::VectorXd response(forces.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        response.segment<2>(static_cast<Eigen::Index>(2 * i)) = columns[i];
+    }
+    return response;
 }
 
 template Freedom freedom_of(const InterfaceView<double>&, std::size_t);

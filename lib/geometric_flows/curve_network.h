@@ -89,9 +89,9 @@ private:
     void assemble(std::span<const Point<double>> positions, double dt);
 
     const CurveNetwork& network_;
-    std::vector<Eigen::Matrix2d> diagonal_; ///< by vertex
-    std::vector<Eigen::Matrix2d> coupling_; ///< by edge
-    Eigen::Matrix2Xd forces_;               ///< by vertex
+    std::vector<Block> diagonal_;       ///< by vertex
+    std::vector<Block> coupling_;       ///< by edge
+    std::vector<Point<double>> forces_; ///< by vertex
     CurveSolver solver_;
 };
 

@@ -3,23 +3,22 @@
 
 #include "geometric_flows/curve_network.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace dsc {
 
 namespace {
 
-using Block = Eigen::Matrix2d;
-
-/// NaN unless the block is positive definite.
+/// NaN unless the block, which is symmetric, is positive definite.
 Block inverse_of(const Block& block) {
-    const double determinant = block(0, 0) * block(1, 1) - block(0, 1) * block(1, 0);
-    if (!(block(0, 0) > 0 && determinant > 0)) {
-        return Block::Constant(std::numeric_limits<double>::quiet_NaN());
+    const double determinant = block.xx * block.yy - block.xy * block.yx;
+    if (!(block.xx > 0 && determinant > 0)) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        return {none, none, none, none};
     }
     const double scale = 1 / determinant;
-    return Block{{block(1, 1) * scale, -block(0, 1) * scale},
-                 {-block(1, 0) * scale, block(0, 0) * scale}};
+    return {block.yy * scale, -block.xy * scale, -block.yx * scale, block.xx * scale};
 }
 
 } // namespace
@@ -102,7 +101,7 @@ void CurveSolver::follow(std::uint32_t anchor, std::uint32_t edge) {
 CurveSolver::Remainder CurveSolver::eliminate(Curve& curve, std::span<const Block> diagonal,
                                               std::span<const Block> coupling) {
     const auto block_of = [&](const Side& side) {
-        return side.is_first ? coupling[side.edge] : Block(coupling[side.edge].transpose());
+        return side.is_first ? coupling[side.edge] : coupling[side.edge].transposed();
     };
     Remainder rest;
     for (std::size_t k = curve.begin; k < curve.end; ++k) {
@@ -114,25 +113,29 @@ CurveSolver::Remainder CurveSolver::eliminate(Curve& curve, std::span<const Bloc
         } else {
             const Place& before = places_[k - 1];
             const Block factor = place.to_before * before.inverse;
-            own -= factor * place.to_before.transpose();
-            place.to_first = -factor * before.to_first;
+            own += -(factor * place.to_before.transposed());
+            place.to_first = -(factor * before.to_first);
         }
         place.inverse = inverse_of(own);
-        rest.at_first -= place.to_first.transpose() * place.inverse * place.to_first;
+        rest.at_first += -(place.to_first.transposed() * (place.inverse * place.to_first));
     }
     const Place& last = places_[curve.end - 1];
     curve.to_last = block_of(curve.last);
-    const Block factor = curve.to_last.transpose() * last.inverse;
-    rest.at_last = -factor * curve.to_last;
-    rest.across = -factor * last.to_first;
+    const Block factor = curve.to_last.transposed() * last.inverse;
+    rest.at_last = -(factor * curve.to_last);
+    rest.across = -(factor * last.to_first);
     return rest;
 }
 
 void CurveSolver::factorise(std::span<const Block> diagonal, std::span<const Block> coupling) {
     for (Curve& loop : loops_) {
         const Remainder rest = eliminate(loop, diagonal, coupling);
-        loop.cut_inverse = inverse_of(diagonal[loop.from] + rest.at_first + rest.at_last +
-                                      rest.across + rest.across.transpose());
+        Block left = diagonal[loop.from];
+        for (const Block& more :
+             {rest.at_first, rest.at_last, rest.across, rest.across.transposed()}) {
+            left += more;
+        }
+        loop.cut_inverse = inverse_of(left);
     }
     entries_.clear();
     for (std::size_t i = 0; i < junctions_.size(); ++i) {
@@ -145,7 +148,8 @@ void CurveSolver::factorise(std::span<const Block> diagonal, std::span<const Blo
         left_[from] += rest.at_first;
         left_[to] += rest.at_last;
         if (from == to) {
-            left_[from] += rest.across + rest.across.transpose();
+            left_[from] += rest.across;
+            left_[from] += rest.across.transposed();
         } else {
             add_block(to, from, rest.across);
         }
@@ -159,13 +163,13 @@ void CurveSolver::factorise(std::span<const Block> diagonal, std::span<const Blo
 // In the lower half of the matrix.
 void CurveSolver::add_block(std::uint32_t row, std::uint32_t column, const Block& block) {
     const bool is_lower = row > column;
-    const int i = 2 * static_cast<int>(is_lower ? row : column);
-    const int j = 2 * static_cast<int>(is_lower ? column : row);
-    for (const int a : {0, 1}) {
-        for (const int b : {0, 1}) {
-            entries_.emplace_back(i + a, j + b, is_lower ? block(a, b) : block(b, a));
-        }
-    }
+    const Block lower = is_lower ? block : block.transposed();
+    const int i = 2 * static_cast<int>(std::max(row, column));
+    const int j = 2 * static_cast<int>(std::min(row, column));
+    entries_.emplace_back(i, j, lower.xx);
+    entries_.emplace_back(i, j + 1, lower.xy);
+    entries_.emplace_back(i + 1, j, lower.yx);
+    entries_.emplace_back(i + 1, j + 1, lower.yy);
 }
 
 void CurveSolver::factorise_junctions() {
@@ -174,9 +178,9 @@ void CurveSolver::factorise_junctions() {
     }
     for (std::size_t k = 0; k < junctions_.size(); ++k) {
         const int i = 2 * static_cast<int>(k);
-        entries_.emplace_back(i, i, left_[k](0, 0));
-        entries_.emplace_back(i + 1, i, left_[k](1, 0));
-        entries_.emplace_back(i + 1, i + 1, left_[k](1, 1));
+        entries_.emplace_back(i, i, left_[k].xx);
+        entries_.emplace_back(i + 1, i, left_[k].yx);
+        entries_.emplace_back(i + 1, i + 1, left_[k].yy);
     }
     const auto size = static_cast<Eigen::Index>(2 * junctions_.size());
     matrix_.resize(size, size);
@@ -190,32 +194,32 @@ void CurveSolver::factorise_junctions() {
 
 // --- solution ------------------------------------------------------------------------------------
 
-void CurveSolver::solve(Eigen::Matrix2Xd& columns) const {
-    const auto at = [&](std::uint32_t v) { return columns.col(static_cast<Eigen::Index>(v)); };
+void CurveSolver::solve(std::span<Point<double>> columns) const {
     const auto forward = [&](const Curve& curve) {
         for (std::size_t k = curve.begin; k < curve.end; ++k) {
             const Place& place = places_[k];
+            Point<double>& own = columns[place.vertex];
             if (k != curve.begin) {
                 const Place& before = places_[k - 1];
-                at(place.vertex) -= place.to_before * (before.inverse * at(before.vertex));
+                own -= place.to_before.of(before.inverse.of(columns[before.vertex]));
             }
-            at(curve.from) -= place.to_first.transpose() * (place.inverse * at(place.vertex));
+            columns[curve.from] -= place.to_first.transposed().of(place.inverse.of(own));
         }
         const Place& last = places_[curve.end - 1];
-        at(curve.to) -= curve.to_last.transpose() * (last.inverse * at(last.vertex));
+        columns[curve.to] -= curve.to_last.transposed().of(last.inverse.of(columns[last.vertex]));
     };
     const auto backward = [&](const Curve& curve) {
-        Eigen::Vector2d after = curve.to_last * at(curve.to);
+        Point<double> after = curve.to_last.of(columns[curve.to]);
         for (std::size_t k = curve.end; k > curve.begin; --k) {
             const Place& place = places_[k - 1];
-            at(place.vertex) =
-                place.inverse * (at(place.vertex) - after - place.to_first * at(curve.from));
-            after = place.to_before.transpose() * at(place.vertex);
+            Point<double>& own = columns[place.vertex];
+            own = place.inverse.of(own - after - place.to_first.of(columns[curve.from]));
+            after = place.to_before.transposed().of(own);
         }
     };
     for (const Curve& loop : loops_) {
         forward(loop);
-        at(loop.from) = loop.cut_inverse * at(loop.from);
+        columns[loop.from] = loop.cut_inverse.of(columns[loop.from]);
         backward(loop);
     }
     for (const Curve& curve : curves_) {
@@ -227,14 +231,13 @@ void CurveSolver::solve(Eigen::Matrix2Xd& columns) const {
     }
 }
 
-void CurveSolver::solve_junctions(Eigen::Matrix2Xd& columns) const {
+void CurveSolver::solve_junctions(std::span<Point<double>> columns) const {
     if (junctions_.empty()) {
         return;
     }
     Eigen::VectorXd sides(static_cast<Eigen::Index>(2 * junctions_.size()));
     for (std::size_t k = 0; k < junctions_.size(); ++k) {
-        sides.segment<2>(static_cast<Eigen::Index>(2 * k)) =
-            columns.col(static_cast<Eigen::Index>(junctions_[k]));
+        sides.segment<2>(static_cast<Eigen::Index>(2 * k)) = columns[junctions_[k]];
     }
     if (solver_.info() == Eigen::Success) {
         sides = solver_.solve(sides).eval();
@@ -242,8 +245,7 @@ void CurveSolver::solve_junctions(Eigen::Matrix2Xd& columns) const {
         sides.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
     for (std::size_t k = 0; k < junctions_.size(); ++k) {
-        columns.col(static_cast<Eigen::Index>(junctions_[k])) =
-            sides.segment<2>(static_cast<Eigen::Index>(2 * k));
+        columns[junctions_[k]] = sides.segment<2>(static_cast<Eigen::Index>(2 * k));
     }
 }
 

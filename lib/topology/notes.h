@@ -86,8 +86,8 @@ template <class Real>
 /// vertex.
 template <class Real>
 struct Notebook {
-    VertexAttribute<Note>* notes;
-    VertexAttribute<NotedPlace<Real>>* places;
+    VertexAttribute<Note>* notes;              ///< of `notes_of`
+    VertexAttribute<NotedPlace<Real>>* places; ///< of `places_of`
 };
 
 /// Notes the star of one interface vertex, which has just been gathered. O(degree).

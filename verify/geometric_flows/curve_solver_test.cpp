@@ -69,21 +69,20 @@ CurveNetwork draw(unsigned seed) {
     return made.network;
 }
 
-using Block = Eigen::Matrix2d;
-using Column = Eigen::Vector2d;
+using Column = Point<double>;
 
 // What the rows of the whole matrix give.
 std::vector<Column> product(const CurveNetwork& network, const std::vector<Block>& diagonal,
-                            const std::vector<Block>& coupling, const Eigen::Matrix2Xd& columns) {
-    const auto at = [&](std::uint32_t v) { return Column(columns.col(Eigen::Index{v})); };
+                            const std::vector<Block>& coupling,
+                            const std::vector<Column>& columns) {
     std::vector<Column> sum;
     for (std::uint32_t v = 0; v < diagonal.size(); ++v) {
-        sum.emplace_back(diagonal[v] * at(v));
+        sum.emplace_back(diagonal[v].of(columns[v]));
     }
     for (std::size_t e = 0; e < coupling.size(); ++e) {
         const auto [from, to] = std::pair(network.edges[e].from, network.edges[e].to);
-        sum[from] += coupling[e] * at(to);
-        sum[to] += coupling[e].transpose() * at(from);
+        sum[from] += coupling[e].of(columns[to]);
+        sum[to] += coupling[e].transposed().of(columns[from]);
     }
     return sum;
 }
@@ -95,29 +94,29 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
         std::mt19937 lot(seed);
         std::uniform_real_distribution<double> number(-1, 1);
         const auto block = [&] {
-            return Block{{number(lot), number(lot)}, {number(lot), number(lot)}};
+            return Block{number(lot), number(lot), number(lot), number(lot)};
         };
-        std::vector<Block> diagonal(n, 0.1 * Block::Identity());
+        std::vector<Block> diagonal(n, Block{0.1, 0, 0, 0.1});
         std::vector<Block> coupling;
         for (const CurveEdge& edge : network.edges) { // (a b) (a b)^T, which is semidefinite
             const Block a = block();
             const Block b = block();
-            diagonal[edge.from] += a * a.transpose();
-            diagonal[edge.to] += b * b.transpose();
-            coupling.emplace_back(a * b.transpose());
+            diagonal[edge.from] += a * a.transposed();
+            diagonal[edge.to] += b * b.transposed();
+            coupling.emplace_back(a * b.transposed());
         }
         CurveSolver solver(network);
         for (int round = 0; round < 2; ++round) { // the second one has what the first has left
             solver.factorise(diagonal, coupling);
-            Eigen::Matrix2Xd columns(2, static_cast<Eigen::Index>(n));
-            for (Eigen::Index v = 0; v < columns.cols(); ++v) {
-                columns.col(v) = Column(number(lot), number(lot));
+            std::vector<Column> columns;
+            for (std::size_t v = 0; v < n; ++v) {
+                columns.emplace_back(number(lot), number(lot));
             }
-            const Eigen::Matrix2Xd wanted = columns;
+            const std::vector<Column> wanted = columns;
             solver.solve(columns);
             const std::vector<Column> found = product(network, diagonal, coupling, columns);
             for (std::uint32_t v = 0; v < n; ++v) {
-                EXPECT_LT((found[v] - wanted.col(Eigen::Index{v})).norm(), 1e-10)
+                EXPECT_LT((found[v] - wanted[v]).norm(), 1e-10)
                     << "seed " << seed << ", vertex " << v << " of " << n;
             }
         }
@@ -130,16 +129,16 @@ TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
         const std::uint32_t start = made.vertex(false);
         made.curve(start, start, 3);
     }
-    std::vector<Eigen::Matrix2d> diagonal(8, 3 * Eigen::Matrix2d::Identity());
-    const std::vector<Eigen::Matrix2d> coupling(8, -Eigen::Matrix2d::Identity());
-    diagonal[5].setZero();
+    std::vector<Block> diagonal(8, Block{3, 0, 0, 3});
+    const std::vector<Block> coupling(8, Block{-1, 0, 0, -1});
+    diagonal[5] = {};
     CurveSolver solver(made.network);
     solver.factorise(diagonal, coupling);
-    Eigen::Matrix2Xd columns = Eigen::Matrix2Xd::Ones(2, 8);
+    std::vector<Column> columns(8, Column(1, 1));
     solver.solve(columns);
-    for (Eigen::Index v = 0; v < 4; ++v) {
-        EXPECT_NEAR(columns(0, v), 1, 1e-12);
-        EXPECT_TRUE(std::isnan(columns(0, v + 4)));
+    for (std::size_t v = 0; v < 4; ++v) {
+        EXPECT_NEAR(columns[v].x(), 1, 1e-12);
+        EXPECT_TRUE(std::isnan(columns[v + 4].x()));
     }
 }
 

@@ -91,7 +91,8 @@ class Readers(unittest.TestCase):
 
     def test_pressures_of_a_drop_at_rest(self):
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([os.environ["DSC_SCENE"], "run", "static-drop", "--set", "h=0.05",
+            program = os.path.join(os.environ["DSC_BUILD"], "lib", "scenes", "dsc_scene")
+            subprocess.run([program, "run", "static-drop", "--set", "h=0.05",
                             "--frames", folder, "--at", "0.05"], check=True,
                            stdout=subprocess.DEVNULL, timeout=120)
             (name,) = [file for file in os.listdir(folder) if file.endswith(".vtu")]
