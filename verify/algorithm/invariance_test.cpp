@@ -77,8 +77,8 @@ struct Case {
 Velocity<double> mapped(const Case& one, const Map& map) {
     return [velocity = one.velocity, map](auto positions, double time, auto velocities) {
         for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = map.image(velocity(map.back(positions[i]), time / map.time_scale)) /
-                            map.time_scale;
+            velocities[i] =
+                map.image(velocity(map.back(positions[i]), time / map.time_scale)) / map.time_scale;
         }
     };
 }

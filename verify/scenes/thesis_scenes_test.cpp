@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the thesis shows of its scenes (sections 9.2, 9.5 and 9.8), held to numbers: a circle that stays round, a value that is left behind, and triangles whose
-// size depends on the phase or the place.
+// What the thesis shows of its scenes (sections 9.2, 9.5 and 9.8), held to numbers: a circle that
+// stays round, a value that is left behind, and triangles whose size depends on the phase or the
+// place.
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/file/scene_file.h"
 #include "scenes/run/run.h"
