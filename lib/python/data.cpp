@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/data.h"
 
-#include "dsc/io/sealed.h"
+#include "dsc/io/part_file.h"
 
 #include <pybind11/stl.h>
 

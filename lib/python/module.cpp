@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The compiled part of the Python package dsc, which dsc/__init__.py completes.
-#include "dsc/io/sealed.h"
+#include "dsc/io/part_file.h"
 #include "python/fluid.h"
 
 PYBIND11_MODULE(_dsc, module) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/io/sealed.h"
+#include "dsc/io/part_file.h"
 
 #include "dsc/base/archive.h"
 #include "dsc/base/error.h"
