@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "checks.h"
 
-#include "measures/convergence.h"
 #include "measures/histogram.h"
 #include "scenes/file/excerpt.h"
 #include "scenes/file/nearest.h"
@@ -9,19 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <set>
 
 namespace dsc::gate {
 
 namespace {
 
 using scenes::RunResult;
-using scenes::Strategy;
-
-// Any number of threads gives the same result, as `mesh_hash` checks: two stand for all of them.
-const std::vector<std::uint32_t> two_threads{2};
-const std::vector<std::uint32_t> many_threads{1, 2, 3, 5};
 
 // --- figures -------------------------------------------------------------------------------------
 
@@ -109,8 +101,7 @@ double figure_of(const RunResult& r, const std::string& name) {
     return number(is_half ? r.half.value() : r.last, measure);
 }
 
-// --- the table
-// ------------------------------------------------------------------------------------
+// --- the table -----------------------------------------------------------------------------------
 
 std::vector<Check> table() {
     using enum Of;
@@ -383,71 +374,6 @@ std::string unit_of(const std::string& figure) {
     return "1";
 }
 
-// --- what is measured
-// -----------------------------------------------------------------------------
-
-// The worst of what a function says of each run after the first `skipped`; what is no number is
-// worse than any.
-template <class Value>
-Measured worst(std::span<const Outcome* const> outcomes, std::size_t skipped, bool at_least,
-               Value value) {
-    Measured found{.value = at_least ? std::numeric_limits<double>::infinity() : 0,
-                   .run = outcomes.front()->configuration};
-    for (const Outcome* outcome : outcomes.subspan(skipped)) {
-        const double here = value(finished(*outcome));
-        if (std::isnan(here)) {
-            return {here, outcome->configuration};
-        }
-        if (at_least ? here < found.value : here > found.value) {
-            found = {here, outcome->configuration};
-        }
-    }
-    return found;
-}
-
-Measured sum_of(const Check& check, std::span<const Outcome* const> outcomes) {
-    Measured sum{.run = outcomes.front()->configuration};
-    for (const Outcome* outcome : outcomes) {
-        const double here = check.figure(finished(*outcome));
-        if (here > 0) {
-            sum = {sum.value + here, outcome->configuration};
-        }
-    }
-    return sum;
-}
-
-Measured distinct_results(std::span<const Outcome* const> outcomes) {
-    struct Results {
-        std::set<std::uint64_t> hashes;
-        std::set<std::map<std::string, std::uint64_t>> counts;
-    };
-    std::map<Strategy, Results> by_strategy;
-    Measured most{.run = outcomes.front()->configuration};
-    for (const Outcome* outcome : outcomes) {
-        const RunResult& r = finished(*outcome);
-        Results& results = by_strategy[r.strategy];
-        results.hashes.insert(r.mesh_hash);
-        results.counts.insert(r.operations);
-        const auto different =
-            static_cast<double>(std::max(results.hashes.size(), results.counts.size()));
-        if (different > most.value) {
-            most = {different, outcome->configuration};
-        }
-    }
-    return most;
-}
-
-Measured order_of(const Check& check, std::span<const Outcome* const> outcomes) {
-    std::vector<double> sizes;
-    std::vector<double> errors;
-    for (const Outcome* outcome : outcomes) {
-        const RunResult& r = finished(*outcome);
-        sizes.push_back(r.parameters.h);
-        errors.push_back(check.figure(r));
-    }
-    return {scenes::fit_order(sizes, errors).order, outcomes.back()->configuration};
-}
-
 } // namespace
 
 bool Check::is_called(const std::string& name_or_group) const {
@@ -492,87 +418,6 @@ std::shared_ptr<const Check> check_of_figure(const std::string& figure, const st
               .culprit = culprit_of(figure),
               .unit = unit_of(figure),
               .at_least = at_least});
-}
-
-std::string why_not(const Check& check, const Case& of) {
-    if (check.of == Of::series) {
-        return of.series.empty() ? "the case has no series of sizes" : "";
-    }
-    if (check.figures.empty()) {
-        return "";
-    }
-    const scenes::Setup setup = of.file.scene.prepare(of.parameters);
-    scenes::Measured measured =
-        scenes::measured_by(of.file.measures, of.file.measures_shape, setup);
-    if (of.path.empty()) {
-        measured.knows_shape_half = {}; // takes seconds, and our scenes know it
-    }
-    for (const std::string& figure : check.figures) {
-        std::string reason = scenes::why_missing(figure, measured);
-        if (!reason.empty()) {
-            return reason;
-        }
-    }
-    return "";
-}
-
-std::vector<Configuration> configurations_of(const Check& check, const Case& of) {
-    const Configuration base{.of = &of, .parameters = of.parameters};
-    std::vector<Configuration> all;
-    const auto add_parallel = [&](const std::vector<std::uint32_t>& threads) {
-        for (const Strategy strategy : of.strategies) {
-            for (const std::uint32_t n : of.threads.empty() ? threads : of.threads) {
-                all.push_back(base);
-                all.back().strategy = strategy;
-                all.back().threads = n;
-                all.back().is_shared = check.of == Of::threads;
-            }
-        }
-    };
-    switch (check.of) {
-    case Of::sequential: return {base};
-    case Of::reference:
-        all = {base, base};
-        all.back().strategy = Strategy::reference;
-        return all;
-    case Of::series:
-        for (const scenes::Parameters& parameters : of.series) {
-            all.push_back(base);
-            all.back().parameters = parameters;
-        }
-        return all;
-    case Of::difference: all = {base}; [[fallthrough]];
-    case Of::worst_parallel:
-    case Of::all_parallel: add_parallel(two_threads); return all;
-    case Of::threads: add_parallel(many_threads); return all;
-    }
-    return all;
-}
-
-const RunResult& finished(const Outcome& outcome) {
-    if (outcome.error) {
-        std::rethrow_exception(outcome.error);
-    }
-    if (!outcome.result.gave_up.empty()) {
-        throw GaveUp(outcome.result.gave_up, outcome.configuration);
-    }
-    return outcome.result;
-}
-
-Measured measure(const Check& check, std::span<const Outcome* const> outcomes) {
-    const Outcome& base = *outcomes.front();
-    const auto difference = [&](const RunResult& r) { return check.difference(r, finished(base)); };
-    switch (check.of) {
-    case Of::sequential: return {check.figure(finished(base)), base.configuration};
-    case Of::worst_parallel: return worst(outcomes, 0, check.at_least, check.figure);
-    case Of::all_parallel: return sum_of(check, outcomes);
-    case Of::difference: return worst(outcomes, 1, false, difference);
-    case Of::reference:
-        return {check.difference(finished(base), finished(*outcomes[1])), base.configuration};
-    case Of::threads: return distinct_results(outcomes);
-    case Of::series: return order_of(check, outcomes);
-    }
-    return {};
 }
 
 } // namespace dsc::gate
