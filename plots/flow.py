@@ -11,10 +11,11 @@ import argparse
 import os
 import sys
 
+from look import style  # first: it says which Python has no matplotlib
+
 import numpy
 from matplotlib.collections import LineCollection
 
-from look import style
 from mesh import frames
 from results import load_frames
 

@@ -16,9 +16,9 @@ import math
 import os
 import sys
 
-from matplotlib.ticker import MaxNLocator
+from look import style  # first: it says which Python has no matplotlib
 
-from look import style
+from matplotlib.ticker import MaxNLocator
 
 OPERATIONS = {"splits": (style.BLUE, "splits"), "collapses": (style.VERMILLION, "collapses"),
               "flips": (style.GREEN, "flips"), "smoothed": (style.ORANGE, "smoothed")}

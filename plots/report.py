@@ -13,15 +13,9 @@ import argparse
 import os
 import sys
 
-try:
-    import matplotlib  # noqa: F401  (only to say clearly which Python lacks it)
-except ImportError:
-    sys.stderr.write(f"report.py: {sys.executable} has no matplotlib; run it with a Python that "
-                     "has (Debian: package python3-matplotlib and /usr/bin/python3).\n")
-    sys.exit(2)
+from look import style  # first: it says which Python has no matplotlib
 
 from accuracy import hard_cases, precision_data
-from look import style
 from mesh import frames
 from page import contents, drawing, faults
 from page import document as page

@@ -13,13 +13,6 @@ import argparse
 import os
 import sys
 
-try:
-    import matplotlib  # noqa: F401  (only to say clearly which Python lacks it)
-except ImportError:
-    sys.stderr.write(f"speedup.py: {sys.executable} has no matplotlib; run it with a Python that "
-                     "has (Debian: package python3-matplotlib and /usr/bin/python3).\n")
-    sys.exit(2)
-
 from look import style
 from parallel import speedup
 from results import load

@@ -1,2 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""What all pictures share: palette, markers, layout, saving."""
+"""What all pictures share: palette, markers, layout, saving. A script that is run by a Python without
+matplotlib ends here, with one sentence."""
+import os
+import sys
+
+try:
+    import matplotlib  # noqa: F401
+except ImportError:
+    sys.stderr.write(f"{os.path.basename(sys.argv[0])}: {sys.executable} has no matplotlib; run it with "
+                     "a Python that has (Debian: package python3-matplotlib and /usr/bin/python3).\n")
+    sys.exit(2)
