@@ -84,7 +84,7 @@ std::uint32_t look_at(const Complex<Real>& complex, const VertexAttribute<Note>&
            (is_notable ? noted_sharp : 0U) | (is_junction ? noted_junction : 0U);
 }
 
-// That the vertex is of the interface, and where.
+// Notes that the vertex is of the interface, and its place.
 template <class Real>
 Note& note_vertex(const Complex<Real>& complex, std::uint32_t v, std::uint32_t round,
                   const Notebook<Real>& book) {
@@ -113,7 +113,7 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
     Complex<Real>& complex = work.complex;
     const Notebook<Real> book{&notes_of(complex), &places_of(complex)};
     VertexAttribute<Note>& notes = *book.notes;
-    // First that they are there, which their neighbours' stars are looked at for.
+    // All vertices come first: the stars of their neighbours are compared with these notes.
     std::vector<std::uint32_t>& left = work.interface_next; // scratch of the upkeep
     left.clear();
     bool has_first = false;

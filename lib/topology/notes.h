@@ -24,8 +24,8 @@ enum Notable : std::uint32_t {
     /// films.h.
     noted_seam = 16U,
     noted_wall = 32U,  ///< the vertex lies on the domain boundary, along which a film may lie
-    noted_first = 64U, ///< there was no note of it in the round before
-    noted_star = 128U, ///< its star has been looked at in this round
+    noted_first = 64U, ///< the vertex had no note in the round before
+    noted_star = 128U, ///< the star has been looked at in this round
     noted_of_star = noted_thin | noted_facing | noted_sharp | noted_junction,
     noted_for_ever = noted_seam | noted_wall, ///< kept from round to round
 };

@@ -32,8 +32,7 @@ using OrientedTriangle = std::array<Vertex, 3>;
 
 class Complex {
 public:
-    // --- mesh functions (thesis, section 4.1)
-    // -------------------------------------------------------------------
+    // --- mesh functions (thesis, section 4.1) ----------------------------------------------------
     /// Insertion of a 0-simplex. Numbers of removed vertices are used again.
     Vertex insert(const Point<double>& coord);
     /// Insertion of a 2-simplex and its boundary, in any orientation. Its phase is the exterior's

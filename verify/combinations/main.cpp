@@ -26,8 +26,7 @@
 namespace dsc::combinations {
 namespace {
 
-// --- a row in a process of its own: it may hang or crash
-// -------------------------------------------
+// --- a row in a process of its own: it may hang or crash -----------------------------------------
 
 struct Result {
     bool is_done = false; ///< it has ended by itself

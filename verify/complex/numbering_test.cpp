@@ -290,8 +290,7 @@ TYPED_TEST(Numbering, CopesWithOddExtents) {
     EXPECT_THROW(renumber(lent), InputError);
 }
 
-// --- hash
-// -----------------------------------------------------------------------------------------------
+// --- hash ----------------------------------------------------------------------------------------
 
 TYPED_TEST(Hash, DoesNotDependOnIds) {
     const auto complex = grid<TypeParam>(10, 0.15, 2, 3);

@@ -119,8 +119,7 @@ TEST(Checks, CompareRunsOfWhichThreadsHaveShares) {
     }
 }
 
-// --- suites
-// ---------------------------------------------------------------------------------------
+// --- suites --------------------------------------------------------------------------------------
 
 Cases ours() {
     Cases all;
@@ -250,8 +249,7 @@ TEST(Suites, SayWhatIsWrong) {
     }
 }
 
-// --- limits written into a suite
-// ------------------------------------------------------------------
+// --- limits written into a suite -----------------------------------------------------------------
 
 TEST(Update, LeavesEverythingElseAsItIs) {
     const std::string text = "# the \u00e9tude of a swirl\n"

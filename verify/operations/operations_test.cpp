@@ -27,8 +27,7 @@ Complex<Real> square(Phase lower = 0, Phase upper = 0) {
     return build<Real>({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{0, 1, 2}, {0, 2, 3}}, {lower, upper});
 }
 
-// --- edge flip
-// ------------------------------------------------------------------------------------
+// --- edge flip -----------------------------------------------------------------------------------
 
 TYPED_TEST(Operations, FlipTurnsTheDiagonal) {
     auto K = square<TypeParam>();
@@ -69,8 +68,7 @@ TYPED_TEST(Operations, FlipOfAQuadrilateralThatIsNotStrictlyConvexInverts) {
     }
 }
 
-// --- edge split
-// -----------------------------------------------------------------------------------
+// --- edge split ----------------------------------------------------------------------------------
 
 TYPED_TEST(Operations, SplitCutsBothTriangles) {
     auto K = square<TypeParam>(1, 2);
@@ -125,8 +123,7 @@ TYPED_TEST(Operations, SplitIsRefused) {
     EXPECT_EQ(verdict_with_ids(K, 1, 1, split(side)), Verdict::legal);
 }
 
-// --- edge collapse
-// --------------------------------------------------------------------------------
+// --- edge collapse -------------------------------------------------------------------------------
 
 TYPED_TEST(Operations, CollapseTakesTheSmallerIdFirst) {
     auto K = grid<TypeParam>(3);

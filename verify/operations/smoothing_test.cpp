@@ -30,8 +30,7 @@ auto slide(std::uint32_t v, InterfaceSmoothingOptions options = {}) {
     };
 }
 
-// --- Laplacian
-// ------------------------------------------------------------------------------------
+// --- Laplacian -----------------------------------------------------------------------------------
 
 TYPED_TEST(Smoothing, MovesToTheMeanOfTheNeighbours) {
     const double tolerance = std::is_same_v<TypeParam, double> ? 1e-15 : 1e-6;
@@ -108,8 +107,7 @@ TYPED_TEST(Smoothing, MustNotInvert) {
     expect_refused(K, Verdict::inverts, smooth(0));
 }
 
-// --- along the interface
-// --------------------------------------------------------------------------
+// --- along the interface -------------------------------------------------------------------------
 
 // Three rings around the origin, at radius 1 - h, 1 and 1 + h, h = 2 pi / n, stretched in x; the
 // inner band has phase 1, the outer one 0. Vertex k of the middle ring is n + k; that at 45 degrees

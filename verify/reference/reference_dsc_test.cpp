@@ -14,8 +14,7 @@
 namespace dsc::reference::reference_dsc_test {
 namespace {
 
-// --- quality measures [4.3] and selection [8.8]
-// -----------------------------------------------------
+// --- quality measures [4.3] and selection [8.8] --------------------------------------------------
 
 TEST(ReferenceQuality, MeasuresOfEquations1To4) {
     const Complex K = make({{0, 0}, {3, 0}, {3, 4}}, {{0, 1, 2}});
@@ -70,8 +69,7 @@ TEST(ReferenceSelection, BelowThresholdMeasuresAgainAndWorstNDoesNot) {
     EXPECT_EQ(record(std::move(worst)), (std::vector<std::uint32_t>{8, 6, 5}));
 }
 
-// --- movement [5.1], integrators, interpolators [8.9]
-// -----------------------------------------------
+// --- movement [5.1], integrators, interpolators [8.9] --------------------------------------------
 
 TEST(ReferenceMovement, GoesAsFarAsNoTriangleInverts) { // figure 5.2
     Complex K = fan();
@@ -120,8 +118,7 @@ TEST(ReferenceInterpolators, CubicFollowsACurveAndStopsAtCorners) {
     EXPECT_EQ(linear_point({9, 9}, {0, 0}, {1, 0}, {2, 7}), Point<double>(.5, 0));
 }
 
-// --- the mesh updates of algorithm 5.1
-// --------------------------------------------------------------
+// --- the mesh updates of algorithm 5.1 -----------------------------------------------------------
 
 // The upper half of a grid: the interface runs along y = 2 from vertex 10 to 14, and around the
 // wall.
@@ -202,8 +199,7 @@ TEST(ReferencePasses, FlipsAndSmoothingRaiseTheQuality) {
     EXPECT_TRUE(flat.is_valid_simplex(E(1, 3)));
 }
 
-// --- the algorithm [5.6]
-// ----------------------------------------------------------------------------
+// --- the algorithm [5.6] -------------------------------------------------------------------------
 
 struct Summary {
     std::size_t unreached = 0;

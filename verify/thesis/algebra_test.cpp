@@ -33,8 +33,7 @@ class Algebra : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(Algebra, Reals);
 
-// --- the definitions, literally: a simplex is its set of vertices
-// ----------------------------------
+// --- the definitions, literally: a simplex is its set of vertices --------------------------------
 
 bool subset(const Vert& a, const Vert& b) {
     return std::includes(b.begin(), b.end(), a.begin(), a.end());
@@ -111,8 +110,7 @@ void expect_definitions(const Complex<Real>& complex) {
     }
 }
 
-// --- relations and operations
-// -----------------------------------------------------------------------
+// --- relations and operations --------------------------------------------------------------------
 
 TYPED_TEST(Algebra, RelationsAreTheirDefinitions) {
     expect_definitions(hexagon<TypeParam>());
@@ -208,8 +206,7 @@ TYPED_TEST(Algebra, CornersComeCounterClockwiseFromTheBoundary) {
     }
 }
 
-// --- sets
-// ---------------------------------------------------------------------------------------------
+// --- sets ----------------------------------------------------------------------------------------
 
 TEST(SimplexSets, AreSortedAndUnique) {
     SimplexSet set({Vertex{3}, Vertex{1}, Vertex{3}}, {Edge{9}, Edge{9}}, {Triangle{2}});

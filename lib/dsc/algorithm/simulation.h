@@ -244,8 +244,7 @@ private:
     Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
 };
 
-// --- a run: several steps on end, with a word to the application after each of them
-// ---------------
+// --- a run: several steps on end, with a word to the application after each of them --------------
 
 /// Steps of equal length.
 struct RunPlan {

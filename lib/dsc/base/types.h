@@ -158,8 +158,7 @@ template <class Enum, std::size_t n>
     return names;
 }
 
-// --- the answers of guards
-// ------------------------------------------------------------------------
+// --- the answers of guards -----------------------------------------------------------------------
 
 /// The answer of a guard, and of the operation behind it: the restriction (thesis, section 6.5)
 /// that stops it. Anything but `legal` means that the complex was left untouched. Guards test in

@@ -258,8 +258,8 @@ private:
 
     // --- seams --------------------------------------------------------------------------------
     // A triangle that an earlier event has left at the end of its seam: one of its two sheets is
-    // the end itself, across the film, or the two meet in a sharp notch there. Or a notch that is
-    // closing anywhere.
+    // the end itself, across the film, or the two meet in a sharp notch there. A notch that is
+    // closing counts anywhere.
     bool is_end_of_seam(Triangle t) const {
         std::array<Corner, 3> sheets{};
         if (sheets_of(complex_, t, sheets) != 2) {
