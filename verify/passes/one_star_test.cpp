@@ -4,6 +4,7 @@
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/algorithm.h"
 
@@ -100,6 +101,37 @@ TEST(Walls, AreLeftByNoVertex) {
     EXPECT_EQ(complex.position(Vertex{2}), Point<double>(2.3, 0));
     EXPECT_EQ(complex.position(Vertex{0}), Point<double>(0, 0));
     EXPECT_EQ(complex.position(Vertex{10}), Point<double>(0, 2.2));
+}
+
+// What movement reads of a kept star is what a walk would give, wherever its vertices are by then;
+// and an edit, which gives the centre another stamp, is the end of it.
+TEST(KeptStars, AreReadUntilTheyChange) {
+    auto complex = test::grid<double>(4);
+    const auto options = options_for<double>(1);
+    Work<double> work(complex, options);
+    work.epoch = 1;
+    ASSERT_TRUE(gather(complex, Region{}, 12, work.ring));
+    work.stars = {keep_link(complex, work.ring)};
+    complex.set_position(Vertex{11}, {1.9, 1.2});
+    Ring<double> walked;
+    ASSERT_TRUE(gather(complex, Region{}, 12, walked));
+    ASSERT_TRUE(gather_link(complex, Region{}, work.stars[0], work.ring));
+    ASSERT_EQ(work.ring.size, walked.size);
+    for (std::uint32_t i = 0; i < walked.padded(); ++i) {
+        EXPECT_EQ(work.ring.x[i], walked.x[i]);
+        EXPECT_EQ(work.ring.y[i], walked.y[i]);
+        EXPECT_EQ(work.ring.x_next[i], walked.x_next[i]);
+        EXPECT_EQ(work.ring.y_next[i], walked.y_next[i]);
+    }
+    work.interface = {12};
+    work.aim.positions = {complex.position(Vertex{12})};
+    work.aim.targets = {Point<double>(2.1, 2)};
+    work.aim.held = {0};
+    collect_movers(work);
+    EXPECT_EQ(work.movers.back().star, 0U);
+    work.activate(12);
+    collect_movers(work);
+    EXPECT_EQ(work.movers.back().star, no_id);
 }
 
 } // namespace

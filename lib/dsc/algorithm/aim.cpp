@@ -14,6 +14,18 @@ IntegratorStep<Real> step_of(Work<Real>& work) {
     return {work.complex, work.interface, aim.positions, aim.targets, aim.held, aim.dt};
 }
 
+// The number of the star that upkeep has kept of the next vertex in the list of the interface, if
+// it is still what it was: each edit of a star puts its centre into an active set, and that gives
+// it another stamp.
+template <class Real>
+std::uint32_t star_of(const Work<Real>& work, std::uint32_t v, std::uint32_t& next) {
+    if (next == work.stars.size() || work.stars[next].vertex != v) {
+        return no_id;
+    }
+    const std::uint32_t star = next++;
+    return work.stars[star].stamp == work.complex.vertices[v].stamp ? star : no_id;
+}
+
 } // namespace
 
 template <class Real>
@@ -87,8 +99,10 @@ std::uint64_t collect_movers(Work<Real>& work) {
         work.options.custom_integrator->accept(step_of(work));
     }
     std::uint64_t held = 0;
+    std::uint32_t next_star = 0;
     for (std::size_t i = 0; i < work.interface.size(); ++i) {
         const std::uint32_t v = work.interface[i];
+        const std::uint32_t star = star_of(work, v, next_star);
         const Point<Real>& target = aim.targets[i];
         if (aim.held[i] != 0 || work.complex.is_locked(Vertex{v})) {
             continue;
@@ -96,7 +110,7 @@ std::uint64_t collect_movers(Work<Real>& work) {
         if (!std::isfinite(target.x()) || !std::isfinite(target.y())) {
             ++held;
         } else if (target != aim.positions[i]) {
-            work.movers.push_back({v, target.x(), target.y()});
+            work.movers.push_back({v, target.x(), target.y(), star});
         }
     }
     return held;

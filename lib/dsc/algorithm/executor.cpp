@@ -45,6 +45,7 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
         work.arrived = 0;
         for (const auto& pass : passes) {
             run_pass(work, pass);
+            work.stars.clear();
         }
         work.epoch = next_stamp(work.complex, next_epoch);
         ++done;

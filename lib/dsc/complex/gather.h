@@ -9,6 +9,7 @@
 #include "dsc/complex/submesh.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace dsc {
@@ -24,6 +25,7 @@ struct Ring {
     std::uint32_t size = 0;       ///< triangles of the star
     bool closed = false;          ///< false: the vertex is on the domain boundary
     bool one_phase = false;       ///< all triangles have the same phase
+    std::uint64_t changes = 0;    ///< bit i: triangle i is of another phase than the one before it
     bool owned = true;            ///< all vertices of the link, and the centre, lie in the region
     Real x0 = 0;                  ///< the centre
     Real y0 = 0;
@@ -65,6 +67,17 @@ struct Ring {
     }
 };
 
+/// The link of a closed star of at most eight triangles, kept so that the star can be gathered
+/// again without a walk from triangle to triangle, as long as no edit has changed it.
+struct KeptLink {
+    static constexpr std::uint32_t capacity = 8;
+
+    std::uint32_t vertex = no_id;             ///< the centre
+    std::uint32_t size = 0;                   ///< triangles of the star
+    std::uint32_t stamp = 0;                  ///< of the centre, at that time
+    std::array<std::uint32_t, capacity> link; ///< ids; from `size` on the first one again
+};
+
 /// The interface spokes of a ring; more than two make a junction.
 struct Spokes {
     std::uint32_t count = 0;  ///< how many there are
@@ -81,6 +94,16 @@ struct Spokes {
 template <class Real>
 Spokes interface_spokes(const Ring<Real>& ring) {
     Spokes spokes;
+    if (ring.closed) {
+        const std::uint64_t rest = ring.changes & (ring.changes - 1);
+        if (rest == 0) {
+            return spokes; // round a closed star the phase changes twice, or not at all
+        }
+        if ((rest & (rest - 1)) == 0) {
+            return {2, static_cast<std::uint32_t>(std::countr_zero(ring.changes)),
+                    static_cast<std::uint32_t>(std::countr_zero(rest))};
+        }
+    }
     const std::uint32_t n = ring.link_size();
     Phase before = ring.phase_before(0);
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -163,7 +186,8 @@ public:
         if (i == 0) {
             phase_ = triangle.phase;
         }
-        differing_ |= triangle.phase ^ phase_;
+        changes_ |= static_cast<std::uint64_t>(triangle.phase != phase_) << i;
+        phase_ = triangle.phase;
         write_vertex(i, triangle.v[exit]);
         return triangle.n[exit];
     }
@@ -195,7 +219,8 @@ public:
         Ring<Real>& r = ring_;
         r.size = static_cast<std::uint32_t>(n);
         r.closed = closed;
-        r.one_phase = differing_ == 0;
+        r.one_phase = changes_ == 0;
+        r.changes = changes_ | static_cast<std::uint64_t>(closed && r.phase[0] != phase_);
         const Real x = r.x[0];
         const Real y = r.y[0];
         if (closed) {
@@ -238,7 +263,7 @@ private:
     Bounds<Real> bounds_; // unused unless the region is an upright box
     bool owns_ = true;
     Phase phase_ = 0;
-    Phase differing_ = 0;
+    std::uint64_t changes_ = 0;
 };
 
 /// Gathers a star at the end of the domain, which has a first and a last triangle. Returns false if
@@ -305,7 +330,59 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
     return true;
 }
 
+/// Whether the region owns the vertices of a link and its centre, where they are now.
+template <class Real>
+bool owns_link(const Complex<Real>& complex, const Region& region, const KeptLink& kept) {
+    bool is_owned = owns(complex, region, kept.vertex);
+    for (std::uint32_t i = 0; i < kept.size; ++i) {
+        is_owned = is_owned && owns(complex, region, kept.link[i]);
+    }
+    return is_owned;
+}
+
 } // namespace detail
+
+/// Keeps the link of a closed star that has room in it. O(1).
+template <class Real>
+KeptLink keep_link(const Complex<Real>& complex, const Ring<Real>& ring) {
+    KeptLink kept{ring.vertex, ring.size, complex.vertices[ring.vertex].stamp, {}};
+    for (std::uint32_t i = 0; i < KeptLink::capacity; ++i) {
+        kept.link[i] = ring.link[i < ring.size ? i : 0];
+    }
+    return kept;
+}
+
+/// Gathers what movement reads of a kept star, with the places of today: centre, link and
+/// coordinates, but no corners, phases and predecessors. Returns false, and has gathered nothing,
+/// if the region does not own all of the star. O(1).
+template <class Real>
+bool gather_link(const Complex<Real>& complex, const Region& region, const KeptLink& kept,
+                 Ring<Real>& ring) {
+    constexpr std::uint32_t lanes = KeptLink::capacity;
+    if (!region.is_whole() && !detail::owns_link(complex, region, kept)) {
+        return false;
+    }
+    const auto* const vertices = complex.vertices.data();
+    const std::uint32_t n = kept.size;
+    ring.vertex = kept.vertex;
+    ring.size = n;
+    ring.closed = true;
+    ring.owned = true;
+    ring.x0 = read_shared(vertices[kept.vertex].x);
+    ring.y0 = read_shared(vertices[kept.vertex].y);
+    for (std::uint32_t i = 0; i < lanes; ++i) {
+        const auto& record = vertices[kept.link[i]];
+        ring.link[i] = kept.link[i];
+        ring.x[i] = read_shared(record.x);
+        ring.y[i] = read_shared(record.y);
+    }
+    for (std::uint32_t i = 0; i < lanes; ++i) {
+        const std::uint32_t next = i + 1 < n ? i + 1 : i < n ? 0 : 1;
+        ring.x_next[i] = read_shared(vertices[kept.link[next]].x);
+        ring.y_next[i] = read_shared(vertices[kept.link[next]].y);
+    }
+    return true;
+}
 
 /// Gathers the star of `vertex`, counter-clockwise; an open star from its clockwise end. Returns
 /// false if it has more triangles than fit, or none, or if the region does not own the centre (then

@@ -56,6 +56,14 @@ bool follows_deferred(const Work<Real>& work, const Ring<Real>& ring, Real x, Re
     return false;
 }
 
+template <class Real>
+bool gather_mover(Work<Real>& work, const Mover<Real>& mover) {
+    const Region& region = work.submesh.region;
+    return (mover.star < work.stars.size() &&
+            gather_link(work.complex, region, work.stars[mover.star], work.ring)) ||
+           gather(work.complex, region, mover.vertex, work.ring);
+}
+
 } // namespace
 
 template <class Real>
@@ -65,7 +73,7 @@ void move_vertices(Work<Real>& work) {
     std::size_t kept = 0;
     for (const Mover<Real>& mover : work.movers) {
         Ring<Real>& ring = work.ring;
-        const bool gathered = gather(work.complex, work.submesh.region, mover.vertex, ring);
+        const bool gathered = gather_mover(work, mover);
         auto& flags = work.complex.vertices[mover.vertex].flags;
         if (!ring.owned) {
             if (gathered) { // else the vertex belongs to another submesh
@@ -75,7 +83,7 @@ void move_vertices(Work<Real>& work) {
             continue;
         }
         if (!gathered) {
-            work.movers[kept++] = mover;
+            work.movers[kept++] = {mover.vertex, mover.x, mover.y};
             continue;
         }
         Real x = mover.x;
@@ -102,7 +110,7 @@ void move_vertices(Work<Real>& work) {
             if (!work.submesh.region.is_whole() && follows_deferred(work, ring, x, y)) {
                 work.deferred.mover(mover);
             } else {
-                work.movers[kept++] = mover;
+                work.movers[kept++] = {mover.vertex, mover.x, mover.y};
             }
         } else if ((flags & late) != 0) {
             flags &= ~late;

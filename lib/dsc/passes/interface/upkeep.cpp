@@ -42,6 +42,7 @@ public:
     void run() {
         auto& kept = work_.interface_next;
         kept.clear();
+        work_.stars.clear();
         for (const std::uint32_t v : work_.interface) {
             visit(v);
         }
@@ -94,6 +95,10 @@ private:
             }
         } else if (!(should_collapse(ring, spokes) && try_collapse(ring, spokes)) &&
                    !(wants_wall_upkeep(ring) && keep_wall(v, ring)) && !refine(v, ring, spokes)) {
+            if (ring.closed && ring.size <= KeptLink::capacity &&
+                complex_.vertices[v].stamp != work_.epoch) {
+                work_.stars.push_back(keep_link(complex_, ring));
+            }
             show(ring, spokes);
         }
     }
