@@ -135,19 +135,6 @@ class ThatSeeTheInterface(unittest.TestCase):
         grown(dsc.interface_flow(flow), threads=2, steps=2)
         self.assertEqual(threads, {threading.get_ident()})
 
-    def test_what_it_must_not_do_is_refused(self):
-        sim = dsc.Simulation(disc_mesh(), edge_length=H)
-        for function, error, sentence in (
-                (lambda one, t: one.normals[1:], dsc.InputError, "what the flow returns"),
-                (lambda one, t: 1 / 0, ZeroDivisionError, "by zero"),
-                (lambda one, t: sim.step(swirl, 0, H), RuntimeError, "a step of this mesh runs")):
-            with self.assertRaisesRegex(error, sentence):
-                sim.step(dsc.interface_flow(function), 0, H)
-        self.assertEqual(sim.mesh.validate(), "")
-        with self.assertRaisesRegex(dsc.InputError, "integrator.*adaptive"):
-            sim = dsc.Simulation(disc_mesh(), edge_length=H, integrator="adaptive")
-            sim.step(dsc.interface_flow(lambda one, t: one.normals), 0, H)
-
     def test_a_vertex_without_a_number_is_held(self):
         def flow(interface, t):
             velocities = interface.normals.copy()

@@ -90,15 +90,6 @@ class ASimulation(unittest.TestCase):
             self.assertTrue(np.array_equal(other.vertex_data["x"], mesh.vertex_data["x"]))
         self.assertGreater(refused, 490)
 
-    def test_what_a_step_was_before_does_not_matter(self):
-        mesh = disc_mesh()
-        for options in ({"topology": "change"}, {"growth": 1.2}, {}):
-            sim = dsc.Simulation(mesh, edge_length=H, **options)
-            sim.step(swirl, 0, H)
-            other = copy.copy(sim)
-            del sim
-            self.assertEqual(other.mesh.mesh_hash, mesh.mesh_hash)
-
 
 class AMesh(unittest.TestCase):
     def test_is_made_of_its_arrays(self):
