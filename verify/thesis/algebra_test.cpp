@@ -188,43 +188,7 @@ TYPED_TEST(Algebra, Figures38And39SkeletonAndFilter) {
     EXPECT_THROW((void)filter(set, -1), InputError);
 }
 
-TYPED_TEST(Algebra, CornersComeCounterClockwiseFromTheBoundary) {
-    const auto complex = grid<TypeParam>(3, 0.15, 2);
-    for (const Vertex v : all_simplices(complex).vertices()) {
-        std::vector<Corner> corners;
-        for_each_corner(complex, v, [&](Corner c) { corners.push_back(c); });
-        ASSERT_FALSE(corners.empty());
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            EXPECT_EQ(complex.vertex(corners[i]), v.id);
-            if (i > 0) {
-                EXPECT_EQ(complex.vertex(prev(corners[i - 1])), complex.vertex(next(corners[i])));
-            }
-        }
-        const bool open = is_border(complex.twin(prev(corners.front())));
-        EXPECT_EQ(open, is_border(complex.twin(next(corners.back()))));
-        EXPECT_EQ(open, is_boundary(complex, v));
-    }
-}
-
 // --- sets ----------------------------------------------------------------------------------------
-
-TEST(SimplexSets, AreSortedAndUnique) {
-    SimplexSet set({Vertex{3}, Vertex{1}, Vertex{3}}, {Edge{9}, Edge{9}}, {Triangle{2}});
-    EXPECT_EQ(set.vertices(), (std::vector<Vertex>{{1}, {3}}));
-    EXPECT_EQ(set.size(), 4U);
-    EXPECT_FALSE(set.insert(Vertex{3}));
-    EXPECT_TRUE(set.insert(Vertex{2}));
-    EXPECT_TRUE(set.insert(Vertex{5}));
-    EXPECT_TRUE(set.insert(Edge{4}));
-    EXPECT_TRUE(set.insert(Triangle{1}));
-    EXPECT_EQ(set.vertices(), (std::vector<Vertex>{{1}, {2}, {3}, {5}}));
-    EXPECT_EQ(set.edges(), (std::vector<Edge>{{4}, {9}}));
-    EXPECT_EQ(set.triangles(), (std::vector<Triangle>{{1}, {2}}));
-    EXPECT_TRUE(set.contains(Vertex{2}) && set.contains(Edge{4}) && set.contains(Triangle{1}));
-    EXPECT_FALSE(set.contains(Vertex{4}) || set.contains(Edge{1}) || set.contains(Triangle{9}));
-    set.clear();
-    EXPECT_TRUE(set.empty());
-}
 
 TEST(SimplexSets, ObeyTheLawsOfSets) {
     std::mt19937 random(11);

@@ -81,15 +81,6 @@ TEST(CentredDifference, HasSecondOrderForEqualAndForUnequalSteps) {
     }
 }
 
-TEST(CentredDifference, IsTheLeapfrogForEqualSteps) {
-    OnePoint point({0.5, 0.25});
-    point.past() = {Point<double>(0.125, 0.0625), 0.25};
-    point.go_along({3, -1}, 0, 0.25);
-    // x(t - dt) + 2 dt v(t)
-    EXPECT_EQ(point.at().x(), 0.375 + 0.5 * 3);
-    EXPECT_EQ(point.at().y(), 0.1875 + 0.5 * -1);
-}
-
 // The velocity is at right angles to the last step: it jumps, as at the tip where two growing discs
 // have met.
 TEST(CentredDifference, LeavesAPastBehindThatLeadsElsewhere) {

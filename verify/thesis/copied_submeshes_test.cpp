@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -123,47 +122,6 @@ TEST(CopiedSubmeshes, MergeIntoTheMeshThatWasDivided) {
                 submeshes.list.resize(1); // another number of submeshes next
             }
         }
-    }
-}
-
-TEST(CopiedSubmeshes, MapSharedVerticesToOneVertex) {
-    auto mesh = random_mesh(1, 0.03);
-    const auto original = mesh.vertices;
-    CopiedSubmeshes<double> submeshes;
-    create_submeshes(mesh, {.submeshes = 7}, submeshes);
-    std::map<std::uint32_t, std::uint32_t> copies; // of shared vertices
-    std::uint64_t inserted = 0;
-    for (const auto& submesh : submeshes.list) {
-        for (std::uint32_t v = 0; v < submesh->complex.vertex_bound(); ++v) {
-            const std::uint32_t shared = submesh->shared[v];
-            EXPECT_EQ(submesh->region().owns(v, 0, 0), shared == no_id);
-            if (shared == no_id) {
-                ++inserted;
-                continue;
-            }
-            ++copies[shared];
-            EXPECT_EQ(submeshes.owner[shared], CopiedSubmeshes<double>::several);
-            EXPECT_EQ(submesh->complex.vertices[v].x, original[shared].x);
-            EXPECT_EQ(submesh->complex.vertices[v].y, original[shared].y);
-        }
-    }
-    EXPECT_GT(copies.size(), 100U);
-    for (const auto& [v, count] : copies) {
-        EXPECT_GE(count, 2U) << "vertex " << v << " is on no submesh boundary";
-    }
-    merge_submeshes(submeshes, mesh);
-    EXPECT_EQ(mesh.vertex_count(), inserted + copies.size());
-    for (const auto& submesh : submeshes.list) {
-        for (std::uint32_t v = 0; v < submesh->complex.vertex_bound(); ++v) {
-            if (submesh->shared[v] != no_id) {
-                EXPECT_EQ(submesh->merged[v], submeshes.merged[submesh->shared[v]]);
-            }
-        }
-    }
-    for (std::uint32_t v = 0; v < original.size(); ++v) {
-        const auto& record = mesh.vertices.at(submeshes.merged_vertex(v));
-        EXPECT_EQ(record.x, original[v].x);
-        EXPECT_EQ(record.y, original[v].y);
     }
 }
 

@@ -99,36 +99,6 @@ TEST(CopyExecutor, GoesOnAfterAPassThrew) {
     }
 }
 
-TEST(CopyExecutor, LetsTheFirstSubmeshSpeak) {
-    constexpr double h = 0.03;
-    for (const std::uint32_t threads : {1U, 2U, 5U}) {
-        auto complex = test::disc_complex<double>(h);
-        Options<double> options;
-        options.edge_length = h;
-        auto algorithm = default_algorithm<double>();
-        algorithm.motion.push_back({"fault", [](Work<double>& work) {
-                                        double x = 0;
-                                        for (const auto& vertex : work.complex.vertices) {
-                                            x = std::max(x, vertex.x);
-                                        }
-                                        if (x > 0.3) {
-                                            throw Fault(std::to_string(x));
-                                        }
-                                    }});
-        CopyExecutor<double> executor(complex, options, algorithm,
-                                      {.submeshes = 8, .threads = threads});
-        (void)executor.aim(everywhere(0.01, 0), 0, 1);
-        try {
-            (void)executor.move();
-            ADD_FAILURE() << "nobody spoke";
-        } catch (const Fault& error) {
-            const double x = std::stod(error.what());
-            EXPECT_TRUE(x > 0.3 && x < 0.45) << x;
-        }
-        executor.end_step();
-    }
-}
-
 TEST(CopyExecutor, RefusesOptionsThatMakeNoSense) {
     auto complex = test::disc_complex<double>(0.05);
     Options<double> options;

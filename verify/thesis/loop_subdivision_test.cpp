@@ -18,41 +18,6 @@ class LoopSubdivision : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(LoopSubdivision, Reals);
 
-TYPED_TEST(LoopSubdivision, InsideSplitsThreeNeighbours) {
-    auto K = grid<TypeParam>(3);
-    const Corner c = K.find_half_edge(Vertex{5}, Vertex{6});
-    const Triangle t{triangle_of(c)};
-    const auto corners = K.triangles[t.id].v;
-    const auto before = K.triangle_count();
-    const auto [verdict, added] = loop_subdivision(K, t);
-    EXPECT_EQ(verdict, Verdict::legal);
-    expect_valid(K);
-    EXPECT_EQ(K.triangle_count(), before + 6);
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        const auto p = K.position(Vertex{corners[(i + 1) % 3]});
-        const auto q = K.position(Vertex{corners[(i + 2) % 3]});
-        EXPECT_EQ(K.position(added[i]), midpoint<TypeParam>(p, q));
-        EXPECT_TRUE(K.find_edge(added[i], added[(i + 1) % 3]).is_valid());
-        EXPECT_FALSE(K.find_edge(added[i], Vertex{corners[i]}).is_valid());
-    }
-    // The triangle keeps its id in the middle.
-    EXPECT_TRUE(K.is_alive(t));
-    for (const Vertex v : K.vertices_of(t)) {
-        EXPECT_TRUE(v == added[0] || v == added[1] || v == added[2]);
-    }
-}
-
-TYPED_TEST(LoopSubdivision, AtTheDomainBoundary) {
-    auto K = hexagon<TypeParam>(); // one edge of each triangle is on the boundary
-    EXPECT_EQ(loop_subdivision(K, Triangle{1}).verdict, Verdict::legal);
-    expect_valid(K);
-    EXPECT_EQ(K.triangle_count(), 6U + 3U + 2U);
-    auto alone = build<TypeParam>({{0, 0}, {2, 0}, {0, 2}}, {{0, 1, 2}}, {0});
-    EXPECT_EQ(loop_subdivision(alone, Triangle{1}).verdict, Verdict::legal);
-    expect_valid(alone);
-    EXPECT_EQ(alone.triangle_count(), 4U);
-}
-
 TYPED_TEST(LoopSubdivision, IsRefused) {
     const auto subdivide = [](Triangle t) {
         return [t](const auto& submesh) { return loop_subdivision(submesh, t).verdict; };

@@ -2,16 +2,14 @@
 // Selection strategies (thesis, section 8.8).
 #include "thesis/selection.h"
 
-#include "support/small_meshes.h"
-
 #include "dsc/base/error.h"
-#include "dsc/quality/measures.h"
-#include "thesis/algebra.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace dsc::selection_test {
 namespace {
@@ -90,25 +88,6 @@ TYPED_TEST(Selecting, HasNextAndGetNext) {
         return chosen;
     };
     EXPECT_EQ(Selection<TypeParam>(list, quality, even).size(), 3U);
-}
-
-template <class Real>
-class SelectingOfAMesh : public testing::Test {};
-using Reals = testing::Types<double, float>;
-TYPED_TEST_SUITE(SelectingOfAMesh, Reals);
-
-TYPED_TEST(SelectingOfAMesh, TakesTheWorstTriangles) {
-    const auto complex = test::grid<TypeParam>(8, 0.19, 3);
-    const auto triangles = all_simplices(complex).triangles();
-    const QualityFunction<Triangle> measure = [&](Triangle t) {
-        return static_cast<double>(quality(complex, t));
-    };
-    const auto worst = n_worst<Triangle>(10)(triangles, measure);
-    ASSERT_EQ(worst.size(), 10U);
-    const auto all = below<Triangle>(measure(worst.back()))(triangles, measure);
-    EXPECT_EQ(all,
-              std::vector<Triangle>(worst.begin(), worst.begin() + static_cast<long>(all.size())));
-    EXPECT_LT(measure(worst.front()), measure(worst.back()));
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 // whom they wake.
 #include "thesis/thesis_algorithm.h"
 
-#include "support/honeycomb.h"
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
 
@@ -92,21 +91,6 @@ TEST(ThesisPasses, RetriangulationWakesTheCornersThatAreLeft) {
         const Point<double> p = complex.position(Vertex{v});
         EXPECT_TRUE(v == close || p.x() == 0 || p.y() == 0) << p.transpose();
     }
-}
-
-// A mesh in which nothing is retriangulated wakes nobody.
-TEST(ThesisPasses, RetriangulationThatIsRefusedWakesNobody) {
-    auto complex = test::honeycomb();
-    const auto options = options_for<double>(1);
-    for (const Vertex v : vertices(complex)) {
-        complex.set_locked(v, true);
-    }
-    Work<double> work(complex, options);
-    work.epoch = 1;
-    work.activate(0);
-    run_pass_named(work, "coarsening: local retriangulation", {.small_area = 100});
-    EXPECT_EQ(work.log.counts.retriangulations, 0U);
-    EXPECT_EQ(work.active.size(), 1U);
 }
 
 TEST(ThesisPasses, FlipsRepairWhatIsNotDelaunayAndNothingElse) {

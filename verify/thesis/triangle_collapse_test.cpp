@@ -7,9 +7,6 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
-#include "dsc/io/replay.h"
-#include "dsc/queries/validate.h"
-#include "thesis/insertion_removal.h"
 #include "thesis/triangle_collapse.h"
 
 #include <gtest/gtest.h>
@@ -103,38 +100,6 @@ TYPED_TEST(TriangleCollapse, ThreeVerticesBecomeOneAtTheCentroid) {
     EXPECT_EQ(K.journal.counts.collapses, 2U);
 }
 
-TYPED_TEST(TriangleCollapse, TheVertexThatMayNotMoveRemains) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        auto K = in_hexagon<TypeParam>();
-        expect_valid(K);
-        const Vertex v{i};
-        const Point<TypeParam> place = K.position(v);
-        K.set_locked(v, true);
-        const auto result = triangle_collapse(K, Triangle{1});
-        EXPECT_EQ(result.verdict, Verdict::legal);
-        EXPECT_EQ(result.vertex, v);
-        EXPECT_EQ(K.position(v), place);
-        EXPECT_TRUE(K.is_locked(v));
-        EXPECT_EQ(K.triangle_count(), 6U);
-        expect_valid(K);
-    }
-}
-
-// Without triangles 5 and 6, the edges 1-5 and 1-6 are on the domain boundary.
-TYPED_TEST(TriangleCollapse, AVertexOfTheDomainBoundaryRemains) {
-    auto K = in_hexagon<TypeParam>();
-    remove(K, SimplexSet({}, {}, {Triangle{5}, Triangle{6}}));
-    expect_valid(K);
-    const double before = whole_area(K);
-    expect_refused(K, Verdict::on_boundary,
-                   collapse<TypeParam>(Triangle{1}, {.place = K.position(Vertex{0})}));
-    const auto result = triangle_collapse(K, Triangle{1});
-    ASSERT_EQ(result.verdict, Verdict::legal);
-    EXPECT_EQ(result.vertex, Vertex{1});
-    expect_valid(K);
-    EXPECT_NEAR(whole_area(K), before, 1e-4);
-}
-
 TYPED_TEST(TriangleCollapse, IsRefused) {
     auto K = grid<TypeParam>(5);
     const auto [a, b, c] = K.vertices_of(middle);
@@ -176,20 +141,6 @@ TYPED_TEST(TriangleCollapse, APlaceThatIsNotFiniteIsBadInput) {
     EXPECT_THROW((void)triangle_collapse(K, middle, {.place = {{nan, 1}}}), InputError);
 }
 
-// The vertex of degree three is in turn the one that remains and one of those that vanish.
-TYPED_TEST(TriangleCollapse, AVertexOfDegreeThreeMayVanish) {
-    for (std::uint32_t heir = 0; heir < 3; ++heir) {
-        auto K = with_degree_three<TypeParam>();
-        expect_valid(K);
-        K.set_locked(Vertex{heir}, true);
-        const auto result = triangle_collapse(K, Triangle{1});
-        EXPECT_EQ(result.verdict, Verdict::legal);
-        EXPECT_EQ(result.vertex, Vertex{heir});
-        EXPECT_EQ(K.triangle_count(), 4U);
-        expect_valid(K);
-    }
-}
-
 // The edges that the remaining vertex had keep their data, even one that would be lost from sight
 // if the vertex of degree three went last.
 TYPED_TEST(TriangleCollapse, EdgesOfTheVertexThatRemainsKeepTheirData) {
@@ -220,27 +171,6 @@ TYPED_TEST(TriangleCollapse, EdgesOfTheVertexThatRemainsKeepTheirData) {
     }
 }
 
-// As before, but 7 is around vertex 0, and 3 around 7: the edges from 3 to 1 and to 2 would become
-// one, with the triangles of 7 caught between them.
-TYPED_TEST(TriangleCollapse, NothingIsCaughtInBetween) {
-    const std::vector<Point<TypeParam>> points{{-1, 0}, {0, 1}, {0, -1}, {-6, 0},
-                                               {4, 0},  {0, 8}, {0, -8}, {-2, 0}};
-    auto K = build<TypeParam>(points,
-                              {{0, 2, 1},
-                               {0, 1, 7},
-                               {0, 7, 2},
-                               {1, 3, 7},
-                               {7, 3, 2},
-                               {1, 2, 4},
-                               {1, 4, 5},
-                               {1, 5, 3},
-                               {2, 3, 6},
-                               {2, 6, 4}},
-                              std::vector<Phase>(10, 0));
-    expect_valid(K);
-    expect_refused(K, Verdict::changes_topology, collapse<TypeParam>(Triangle{1}));
-}
-
 // Two sheets with a gap of one row of squares between them: 2 < y < 3 is exterior.
 template <class Real>
 Complex<Real> two_sheets() {
@@ -251,18 +181,6 @@ Complex<Real> two_sheets() {
         K.set_phase(t, y > 2 && y < 3 ? 0 : y < 2 ? 1 : 2);
     }
     return K;
-}
-
-TYPED_TEST(TriangleCollapse, TwoSheetsMeet) {
-    auto K = two_sheets<TypeParam>();
-    const Triangle t{2 * (2 * 6 + 2) + 1}; // in the gap, at (2, 2)
-    ASSERT_EQ(K.phase(t), 0U);
-    expect_refused(K, Verdict::on_interface, collapse<TypeParam>(t));
-    const auto result = triangle_collapse(K, t, {.interface = InterfaceRule::change});
-    ASSERT_EQ(result.verdict, Verdict::legal);
-    expect_valid(K);
-    EXPECT_EQ(inspect(K, Region{}, result.vertex.id).interface_edges, 4U);
-    EXPECT_EQ(K.journal.counts.interface_collapses + K.journal.counts.collapses, 2U);
 }
 
 TYPED_TEST(TriangleCollapse, AnInterfaceVertexOrACornerIsKept) {
