@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <vector>
 
@@ -165,21 +164,6 @@ TEST(Cells, OfTheSecondColourAreCutWhereTheFirstHasNothingLeft) {
         EXPECT_GT(near_first, 4 * static_cast<int>(cells) / 2);
         EXPECT_LE(near_both, near_first / 20) << cells << " cells, of " << near_first;
     }
-}
-
-TEST(Cells, AreCutWhereFewInterfaceVerticesLie) {
-    // Two discs: between them there is nothing.
-    constexpr double h = 0.01;
-    const std::vector<Shape> shapes{{test::circle_points({0.25, 0.5}, 0.15, 100), 1},
-                                    {test::circle_points({0.75, 0.5}, 0.15, 100), 1}};
-    Divided discs(initial_complex<double>({}, shapes, {.edge_length = h}), h);
-    CellPartitioner<double> partitioner({.submeshes = 2});
-    discs.divide(partitioner);
-    ASSERT_EQ(discs.regions(0).size(), 2U);
-    for (std::size_t i = 0; i < discs.interface.size(); ++i) {
-        EXPECT_GT(depth(discs.partition.colours[0], discs.position(i)), 5 * h);
-    }
-    EXPECT_EQ(discs.partition.colours.size(), 1U) << "nothing is left for another colour";
 }
 
 // The application need not choose the number of cells; small interfaces are not divided at all.

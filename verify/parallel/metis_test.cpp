@@ -4,68 +4,15 @@
 #include "scenes/metis_partition.h"
 
 #include "scenes/catalogue/catalogue.h"
-#include "scenes/run/run.h"
 #include "scenes/run/start.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <memory>
-
 namespace dsc::metis_test {
 namespace {
-
-struct Outcome {
-    std::uint64_t hash = 0;
-    std::uint64_t unreached = 0;
-    std::size_t submeshes = 0;
-};
-
-Outcome run(std::uint32_t threads) {
-    const auto& scene = scenes::find_scene("swirl");
-    auto parameters = scene.defaults;
-    parameters.h = 0.01;
-    const auto setup = scene.prepare(parameters);
-    auto complex = scenes::first_complex<double>(setup, parameters);
-    const auto options = scenes::scene_options<double>(parameters);
-    SubmeshOptions submeshes;
-    submeshes.threads = threads;
-    submeshes.vertices_per_thread = 1;
-    submeshes.profile = true;
-    auto executor = std::make_unique<SubmeshExecutor<double>>(
-        complex, options, default_algorithm<double>(),
-        std::make_unique<PlacePartitioner<double>>(
-            [](const PartitionInput<double>& input) { return scenes::metis_colours(input, 4); },
-            16),
-        submeshes);
-    const auto& parallel = *executor;
-    Simulation<double> simulation(complex, options, std::move(executor));
-    Outcome outcome;
-    for (int step = 0; step < 120; ++step) {
-        const double begin = step * setup.dt;
-        const auto report = simulation.step(setup.flow.front().velocity, begin, setup.dt);
-        outcome.unreached += report.unreached;
-        outcome.submeshes =
-            std::max(outcome.submeshes, parallel.view().partition.colours.front().regions.size());
-    }
-    EXPECT_EQ(validate(complex).problem, "");
-    outcome.hash = mesh_hash(complex);
-    return outcome;
-}
-
-TEST(Metis, DividesASwirlTheSameForAnyNumberOfThreads) {
-    const Outcome one = run(1);
-    EXPECT_EQ(one.unreached, 0U);
-    EXPECT_EQ(one.submeshes, 4U);
-    for (const std::uint32_t threads : {2U, 3U}) {
-        EXPECT_EQ(run(threads).hash, one.hash) << threads << " threads";
-    }
-}
 
 TEST(Metis, SharesTheInterface) {
     const auto& scene = scenes::find_scene("swirl");

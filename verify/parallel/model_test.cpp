@@ -7,7 +7,6 @@
 
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace dsc::model_test {
 namespace {
@@ -97,20 +96,6 @@ TEST(Model, TwoWorkersTakeAtLeastHalfOfIt) {
     EXPECT_EQ(more.starts, 0.25 * sections);
     EXPECT_EQ(more.seconds, two.seconds + serial + 0.25 * sections);
     EXPECT_EQ(more.serial_share, serial / (serial + profiled.tasks));
-}
-
-TEST(Model, TheLeastOfSeveralRunsCounts) {
-    bench::ModelRun run = in_seconds(profiled_steps().run);
-    bench::ModelRun slower = run;
-    for (bench::ModelSubStep& sub_step : slower.steps.front()) {
-        sub_step.move.seconds.assign(sub_step.move.seconds.size(), 7);
-    }
-    const double before = bench::model(run, 2, 0).seconds;
-    bench::ModelRun least;
-    bench::take_least(least, slower);
-    EXPECT_GT(bench::model(least, 2, 0).seconds, before);
-    bench::take_least(least, run);
-    EXPECT_EQ(bench::model(least, 2, 0).seconds, before);
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 #include "support/random/submeshes.h"
 
 #include "dsc/base/error.h"
-#include "dsc/passes/interface/list.h"
 
 #include <gtest/gtest.h>
 
@@ -173,107 +172,9 @@ TEST_P(EveryPartition, DividesNothingWhereThereIsNoInterface) {
     }
 }
 
-TEST_P(EveryPartition, IsDueAfterAsManySteps) {
-    Dice dice(1);
-    for (int round = 0; round < 20; ++round) {
-        std::ostringstream words;
-        const auto partitioner = test::random_partitioner<double>(dice, GetParam(), words);
-        std::uint64_t due = 0;
-        for (std::uint64_t steps = 1; steps <= 40 && due == 0; ++steps) {
-            const Recut recut = partitioner->is_due(
-                {.step = 100, .steps_since_all = steps, .interface_vertices = 9});
-            due = recut == Recut::all ? steps : 0;
-            EXPECT_TRUE(recut != Recut::later || GetParam() == PartitionFamily::cells);
-        }
-        EXPECT_NE(words.str().find("recut " + std::to_string(due)), std::string::npos)
-            << due << " steps, with" << words.str();
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(Partitions, EveryPartition,
                          testing::ValuesIn(test::all_partition_families),
                          [](const auto& one) { return std::string(to_string(one.param)); });
-
-// --- regions ------------------------------------------------------------------------------------
-
-// Boxes of a few places, so that they often touch, and round ones: regions that share a point are
-// reported as meeting, and others are not, except for touching ones.
-TEST(Region, MayMeetWhatSharesAPlaceWithIt) {
-    Dice dice(1);
-    int meeting = 0;
-    int apart = 0;
-    for (int round = 0; round < 4000; ++round) {
-        const double angle = dice.in(0, 2);
-        const auto draw = [&] {
-            Region region;
-            region.kind = dice.chance(0.05) ? Region::Kind::whole : Region::Kind::box;
-            region.normal_x = std::cos(angle);
-            region.normal_y = std::sin(angle);
-            const auto cut = [&] { return dice.chance(0.2) ? infinity : dice.in(0, 5); };
-            region.low = -cut();
-            region.high = cut();
-            if (dice.chance(0.6)) {
-                region.low = dice.in(0, 5);
-                region.high = dice.in(0, 5); // below it: it wraps around
-            }
-            region.side_low = -cut();
-            region.side_high = dice.chance(0.5) ? infinity : region.side_low + dice.in(1, 5);
-            return region;
-        };
-        const Region a = draw();
-        const Region b = draw();
-        bool shares = false;
-        for (double u = -8.5; u < 8; u += 1) {
-            for (double w = -8.5; w < 8; w += 1) {
-                const double x = u * a.normal_x - w * a.normal_y;
-                const double y = u * a.normal_y + w * a.normal_x;
-                shares = shares || (a.owns(no_id, x, y) && b.owns(no_id, x, y));
-            }
-        }
-        if (shares) {
-            ++meeting;
-            ASSERT_TRUE(a.may_meet(b) && b.may_meet(a)) << "round " << round;
-        } else if (!a.may_meet(b)) {
-            ++apart;
-        }
-        EXPECT_EQ(a.may_meet(b), b.may_meet(a));
-    }
-    EXPECT_GT(meeting, 1000);
-    EXPECT_GT(apart, 200);
-}
-
-// --- the order of the interface -----------------------------------------------------------------
-
-TEST(OrderInterface, PutsNeighboursNextToEachOther) {
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        Dice dice(seed);
-        const bool patches = seed % 4 == 0;
-        Divided scene = random_divided(dice, patches);
-        std::vector<std::uint32_t> list = scene.interface;
-        const std::uint32_t first = list.front();
-        for (std::size_t i = list.size() - 1; i > 1; --i) { // all but the first
-            std::swap(list[i], list[1 + test::number_in(dice, 0, static_cast<int>(i) - 1)]);
-        }
-        order_interface(scene.complex, list, 5);
-        EXPECT_EQ(list.front(), first);
-        EXPECT_TRUE(std::ranges::is_permutation(list, scene.interface)) << "seed " << seed;
-        const auto breaks_of = [&](const std::vector<std::uint32_t>& ordered) {
-            std::size_t breaks = 0;
-            for (std::size_t i = 1; i < ordered.size(); ++i) {
-                const Edge e = scene.complex.find_edge(Vertex{ordered[i - 1]}, Vertex{ordered[i]});
-                breaks += e.id == no_id || !is_interface(scene.complex, e) ? 1U : 0U;
-            }
-            return breaks;
-        };
-        if (patches) {
-            // Curves end at junctions, from whichever side they are followed.
-            EXPECT_LT(breaks_of(list), list.size() / 8) << "seed " << seed;
-        } else {
-            EXPECT_EQ(breaks_of(list), breaks_of(scene.interface))
-                << "more breaks than there are curves, seed " << seed;
-        }
-    }
-}
 
 // --- options ------------------------------------------------------------------------------------
 

@@ -94,53 +94,5 @@ TEST(SiteGrid, FindsWhatASearchThroughAllFinds) {
     EXPECT_GT(ties, 1000);
 }
 
-TEST(SiteGrid, PassesOverSitesThatAreNowhere) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double no_number = std::numeric_limits<double>::quiet_NaN();
-    const std::vector<Point<double>> sites{{no_number, 0}, {infinity, 1}, {1, 1},
-                                           {2, -infinity}, {3, 1},        {4, 3},
-                                           {5, 0},         {6, 2},        {7, 1}};
-    const SiteGrid grid(sites);
-    for (const double x : {-9.0, 1.9, 2.0, 2.1, 9.0}) {
-        EXPECT_EQ(grid.nearest(x, 0.5), nearest_of_all(sites, x, 0.5)) << x;
-    }
-    EXPECT_EQ(SiteGrid({}).nearest(1, 2), 0U);
-}
-
-TEST(Colour, AsksAPlaceFunctionOnce) {
-    int asked = 0;
-    PlacePartitioner<double> partitioner([&](const PartitionInput<double>&) {
-        return std::vector<PlaceColour>{{[&](double x, double) {
-                                             ++asked;
-                                             return static_cast<std::uint32_t>(x);
-                                         },
-                                         40}};
-    });
-    Dice dice(1);
-    test::Divided divided = test::random_divided(dice, false);
-    divided.divide(partitioner);
-    Colour colour = divided.partition.colours.front();
-    const auto expect_once = [&](double x, std::size_t hint, std::size_t expected) {
-        asked = 0;
-        EXPECT_EQ(colour.locate(no_id, x, 0, hint), expected);
-        EXPECT_EQ(asked, 1) << x << ", hint " << hint;
-    };
-    for (const std::size_t hint : {0U, 3U, 39U, 40U, 1000U}) {
-        expect_once(3.5, hint, 3);
-        expect_once(38.5, hint, 38);
-        expect_once(77.5, hint, 40); // in none
-    }
-    // In any order.
-    std::ranges::reverse(colour.regions);
-    expect_once(3.5, 0, 36);
-    // Behind regions of another kind.
-    colour.regions.insert(colour.regions.begin(), 40, Region{});
-    for (std::size_t i = 0; i < 40; ++i) {
-        colour.regions[i].kind = Region::Kind::box;
-        colour.regions[i].high = -100;
-    }
-    expect_once(3.5, 0, 76);
-}
-
 } // namespace
 } // namespace dsc::site_grid_test

@@ -11,10 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <set>
 #include <vector>
 
 namespace dsc::slabs_test {
@@ -69,34 +67,6 @@ TEST(Cuts, GiveEachSlabTheSameShareAndNoneIsThin) {
     }
 }
 
-TEST(Cuts, CoverEverything) {
-    Dice dice(2);
-    for (const double least : {0.0, 0.05, 0.5, 5.0}) {
-        for (const std::uint32_t slabs : {1U, 2U, 3U, 8U, 100U}) {
-            Positions positions;
-            for (int i = dice.in(0, 300); i > 0; --i) {
-                positions.emplace_back(dice.in(-1.0, 1.0), 1.0F);
-            }
-            for (const Cuts& cuts : {cuts_of_equal_share(positions, slabs, least),
-                                     cuts_of_equal_width(-1, 1, slabs, least)}) {
-                for (const auto* list : {&cuts.red, &cuts.black}) {
-                    ASSERT_GE(list->size(), 2U);
-                    EXPECT_EQ(list->front(), -infinity);
-                    EXPECT_EQ(list->back(), infinity);
-                    EXPECT_TRUE(std::is_sorted(list->begin(), list->end()));
-                    for (const bool round : {false, true}) {
-                        const Colour colour = slab_colour(*list, 0.6, 0.8, round);
-                        for (int i = 0; i < 20; ++i) {
-                            const double s = i < 2 ? (i == 0 ? -1e9 : 1e9) : dice.in(-2.0, 2.0);
-                            EXPECT_LT(colour.locate(0, 0.6 * s, 0.8 * s), colour.regions.size());
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
 // Black slabs straddle the cuts of the red ones: what one colour locks, the other does not. If red
 // cuts are left out because slabs would be too thin, the black ones are left out with them.
 TEST(Cuts, OfTheTwoColoursLieApart) {
@@ -122,26 +92,6 @@ TEST(Cuts, OfTheTwoColoursLieApart) {
 
 SlabOptions slab_options(Slabbing slabbing, std::uint32_t submeshes, double degrees = 0) {
     return {.slabbing = slabbing, .submeshes = submeshes, .degrees = degrees, .least_width = 3};
-}
-
-TEST(Slabs, OfTheSecondColourAreJoinedAtTheEnds) {
-    Divided disc(test::disc_complex<double>(0.01), 0.01);
-    SlabPartitioner<double> partitioner(slab_options(Slabbing::fixed, 6));
-    disc.divide(partitioner);
-    ASSERT_EQ(disc.partition.colours.size(), 2U);
-    ASSERT_EQ(disc.regions(0).size(), 6U);
-    ASSERT_EQ(disc.regions(1).size(), 6U) << "as many, though there is one cut more";
-    const Colour& black = disc.partition.colours[1];
-    EXPECT_EQ(black.locate(0, -1e9, 0.3), black.locate(0, 1e9, 0.8));
-    EXPECT_NE(black.locate(0, 1e9, 0.3), black.locate(0, 0.5, 0.3));
-    const Colour& red = disc.partition.colours[0];
-    EXPECT_NE(red.locate(0, -1e9, 0.3), red.locate(0, 1e9, 0.3));
-    // The one at the ends waits for both ends, and for nothing in between.
-    const Region& ring = black.regions[black.locate(0, 1e9, 0)];
-    const std::vector<bool> meets{true, false, false, false, false, true};
-    for (std::size_t i = 0; i < red.regions.size(); ++i) {
-        EXPECT_EQ(ring.may_meet(red.regions[i]), meets[i]) << "red " << i;
-    }
 }
 
 TEST(Slabs, ShareTheWork) {
@@ -215,38 +165,6 @@ TEST(Slabs, FollowTheShape) {
             const double cosine =
                 region.normal_x * std::cos(turn) + region.normal_y * std::sin(turn);
             EXPECT_GT(std::abs(cosine), std::cos(3 * std::numbers::pi / 180)) << degrees;
-        }
-    }
-}
-
-// The domain does not change: slabs that follow the shape need not look through the mesh again.
-TEST(Slabs, KnowHowFarTheDomainReachesAlongEveryDirection) {
-    Divided ellipse(ellipse_complex(0.01, 30), 0.01);
-    const Complex<double> first = ellipse.complex;
-    SlabOptions options = slab_options(Slabbing::fixed, 4, 77);
-    options.follow_shape = true;
-    SlabPartitioner<double> partitioner(options);
-    for (int turn = 0; turn < 5; ++turn) {
-        ellipse.divide(partitioner);
-        const std::vector<Region>& slabs = ellipse.regions(0);
-        ASSERT_EQ(slabs.size(), 4U);
-        double low = infinity;
-        double high = -infinity;
-        for (const auto& record : first.vertices) {
-            low = std::min(low, slabs[1].along(record.x, record.y));
-            high = std::max(high, slabs[1].along(record.x, record.y));
-        }
-        EXPECT_NEAR(slabs[1].high - slabs[1].low, (high - low) / 4, 1e-12) << turn;
-        EXPECT_NEAR(slabs[1].high, (low + high) / 2, 1e-12) << turn;
-        // The shape turns, and all else is gone from where it was looked at.
-        for (std::uint32_t v = 0; v < ellipse.complex.vertex_bound(); ++v) {
-            const Point<double> p = ellipse.complex.position(Vertex{v}) - Point<double>(0.5, 0.5);
-            const bool is_on = std::ranges::find(ellipse.interface, v) != ellipse.interface.end();
-            ellipse.complex.set_position(
-                Vertex{v},
-                Point<double>(0.5, 0.5) +
-                    (is_on ? Point<double>(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y())
-                           : Point<double>(0, 0)));
         }
     }
 }

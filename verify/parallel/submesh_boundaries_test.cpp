@@ -5,80 +5,23 @@
 
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/initial/initial_complex.h"
 #include "dsc/operations/edge_collapse.h"
-#include "dsc/passes/interface/list.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <atomic>
-#include <cmath>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace dsc::submesh_boundaries_test {
 namespace {
 
-using test::everywhere;
 using test::Growing;
 using test::NamedPartitioner;
 using test::ways_to_divide;
-
-// The work that is left to do in a mesh.
-struct Flaws {
-    double longest_interface = 0; ///< in edge lengths
-    double longest = 0;           ///< of the other edges
-    std::size_t non_delaunay = 0; ///< edges inside phases
-    std::size_t poor = 0;         ///< triangles
-
-    void add(const Complex<double>& complex, double h) {
-        for (const Triangle t : triangles(complex)) {
-            poor += quality(complex, t) < 0.3 ? 1U : 0U;
-            for (std::uint32_t i = 0; i < 3; ++i) {
-                const Corner c = corner_of(t.id, i);
-                const Edge e = complex.edge(c);
-                const auto [a, b] = complex.vertices_of(e);
-                const double length = (complex.position(a) - complex.position(b)).norm() / h;
-                const bool on_interface = is_interface(complex, e);
-                double& most = on_interface ? longest_interface : longest;
-                most = std::max(most, length);
-                if (e.id == c && !on_interface && !is_border(complex.twin(c))) {
-                    non_delaunay += is_delaunay(complex, c) ? 0U : 1U;
-                }
-            }
-        }
-    }
-};
-
-// The cuts stay in place while the disc grows: what one colour puts off must be done by another
-// one.
-TEST(SubmeshExecutor, LeavesNothingUndoneAtTheBoundaries) {
-    constexpr std::uint32_t never = 1000;
-    auto ways = ways_to_divide(never);
-    ways.push_back(
-        {"one slab",
-         [] { return std::make_unique<SlabPartitioner<double>>(SlabOptions{.submeshes = 1}); }});
-    for (const NamedPartitioner& way : ways) {
-        SCOPED_TRACE(way.name);
-        Growing disc(way.make(), 2);
-        Flaws flaws;
-        for (int step = 0; step < 9; ++step) {
-            EXPECT_EQ(disc.simulation->step(disc.grow, 0, Growing::h).unreached, 0U);
-            flaws.add(disc.complex, Growing::h);
-        }
-        disc.expect_good();
-        // Upkeep splits at 1.4, and then the disc grows a little.
-        EXPECT_LT(flaws.longest_interface, 1.45);
-        EXPECT_LT(flaws.longest, 2.2);
-        EXPECT_LE(flaws.non_delaunay, 15U);
-        EXPECT_LE(flaws.poor, 6U);
-    }
-}
 
 // A vertex that was put off by one submesh, until another one looks at it.
 class Waiting {
@@ -151,42 +94,6 @@ Pass<double> counting_strangers(std::atomic<int>& strangers) {
                     }
                 }
             }};
-}
-
-// Edges grow away from a disc; then all are to be of one length again, and those that are too long
-// lie in whichever submesh.
-TEST(SubmeshExecutor, LooksAtItsOwnVerticesWhenSizesBecomeUniform) {
-    constexpr double h = 0.01;
-    std::array<std::uint64_t, 3> hashes{};
-    for (std::uint32_t threads = 1; threads <= 3; ++threads) {
-        Options<double> options;
-        options.edge_length = h;
-        options.sizes.growth = 1.3;
-        const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.2, 126), 1}};
-        auto complex =
-            initial_complex<double>({}, shapes, {.edge_length = h, .sizes = options.sizes});
-        std::atomic<int> strangers = 0;
-        auto algorithm = default_algorithm<double>();
-        algorithm.motion.insert(algorithm.motion.begin(), counting_strangers(strangers));
-        Simulation<double> simulation(
-            complex, options,
-            std::make_unique<SubmeshExecutor<double>>(
-                complex, options, algorithm,
-                std::make_unique<SlabPartitioner<double>>(
-                    SlabOptions{.slabbing = Slabbing::active, .submeshes = 6, .recut = 1}),
-                SubmeshOptions{.threads = threads, .vertices_per_thread = 1}));
-        (void)simulation.step(everywhere(0.1, 0.05), 0, 0.05);
-        options.sizes = {};
-        simulation.set_options(options);
-        for (int step = 0; step < 2; ++step) {
-            (void)simulation.step(everywhere(0.1, 0.05), 0, 0.05);
-            EXPECT_EQ(validate(complex).problem, "");
-        }
-        EXPECT_EQ(strangers, 0);
-        hashes.at(threads - 1) = mesh_hash(complex);
-    }
-    EXPECT_EQ(hashes[0], hashes[1]);
-    EXPECT_EQ(hashes[0], hashes[2]);
 }
 
 // Merges vertices inside the phases, as far as the submesh allows it: often into one that has

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The executor of submeshes: exceptions in one of them are passed on, and the simulation goes on;
-// threads and the time measurements.
+// threads and memory.
 #include "dsc/parallel/in_place/submesh_executor.h"
 
 #include "support/submesh_executor_testing.h"
@@ -24,7 +24,6 @@
 namespace dsc::submesh_executor_test {
 namespace {
 
-using test::everywhere;
 using test::Growing;
 using test::NamedPartitioner;
 using test::ways_to_divide;
@@ -206,7 +205,7 @@ TEST(SubmeshExecutor, RefusesOptionsThatMakeNoSense) {
     EXPECT_EQ(validate(complex).problem, "");
 }
 
-// --- threads and times --------------------------------------------------------------------------
+// --- threads and memory -------------------------------------------------------------------------
 
 TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
     constexpr double h = 0.02;
@@ -238,57 +237,36 @@ TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
     EXPECT_EQ(threads_of(4, 2 * vertices), 1U);
 }
 
-TEST(SubmeshExecutor, KeepsAccountOfTimesWhereAsked) {
-    constexpr double h = 0.02;
-    for (const bool profile : {false, true}) {
-        auto complex = test::disc_complex<double>(h);
-        Options<double> options;
-        options.edge_length = h;
-        auto executor = std::make_unique<SubmeshExecutor<double>>(
-            complex, options, default_algorithm<double>(),
-            std::make_unique<SlabPartitioner<double>>(
-                SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .least_width = 4}),
-            SubmeshOptions{.threads = 2, .vertices_per_thread = 1, .profile = profile});
-        const SubmeshExecutor<double>& seen = *executor;
-        Simulation<double> simulation(complex, options, std::move(executor));
-        const Velocity<double> grow = [](std::span<const Point<double>> positions, double,
-                                         std::span<Point<double>> velocities) {
-            for (std::size_t i = 0; i < positions.size(); ++i) {
-                velocities[i] = positions[i] - Point<double>(0.5, 0.5);
-            }
-        };
-        for (int step = 0; step < 3; ++step) {
-            const StepReport report = simulation.step(grow, 0, 0.2);
-            ASSERT_GT(report.sub_steps, 1U);
-            ASSERT_EQ(seen.view().profile.sub_steps.size(), profile ? report.sub_steps : 0U);
-            for (const SubStepProfile& times : seen.view().profile.sub_steps) {
-                const auto& colours = seen.view().partition.colours;
-                ASSERT_EQ(colours.size(), 2U);
-                EXPECT_EQ(times.aim.size(), colours[0].regions.size());
-                EXPECT_EQ(times.move.size(), seen.view().tasks.size());
-                EXPECT_EQ(times.move.size(), colours[0].regions.size() + colours[1].regions.size());
-                EXPECT_EQ(times.motion_passes.size(), default_algorithm<double>().motion.size());
-                double aim = 0;
-                for (const double time : times.aim) {
-                    EXPECT_GT(time, 0);
-                    aim += time;
-                }
-                EXPECT_NEAR(times.upkeep + times.velocities, aim, 1e-9);
-                double move = 0;
-                for (const double time : times.move) {
-                    move += time;
-                }
-                double motion = 0;
-                for (const double time : times.motion_passes) {
-                    EXPECT_GT(time, 0);
-                    motion += time;
-                }
-                EXPECT_GT(times.later_colours, 0);
-                EXPECT_LE(motion + times.later_colours, move);
-                EXPECT_GT(times.aim_wall, 0);
-                EXPECT_GT(times.move_wall, 0);
-            }
-        }
+// The addresses of all arrays that grow with the mesh.
+std::vector<const void*> storage_of(Complex<double>& complex) {
+    return {complex.vertices.data(), complex.triangles.data(),
+            complex.attributes.get<Vertex, double>("at vertices").data().data(),
+            complex.attributes.get<Edge, double>("at edges").data().data(),
+            complex.attributes.get<Triangle, double>("at triangles").data().data()};
+}
+
+// Attributes of all kinds must exist before the executor is made: room is made for them too.
+void add_attributes(Complex<double>& complex) {
+    complex.attributes.add<Vertex, double>("at vertices");
+    complex.attributes.add<Edge, double>("at edges");
+    complex.attributes.add<Triangle, double>("at triangles");
+}
+
+// The work that grows with the size of the mesh is done at construction.
+TEST(SubmeshExecutor, CopiesNoArrayOfTheMeshInItsFirstStep) {
+    for (const NamedPartitioner& way : ways_to_divide(8)) {
+        SCOPED_TRACE(way.name);
+        Growing disc(way.make(), 1, default_algorithm<double>(), &add_attributes);
+        const auto before = storage_of(disc.complex);
+        const auto vertices = disc.complex.vertex_bound();
+        const auto triangles = disc.complex.triangle_bound();
+        const StepReport report = disc.simulation->step(disc.grow, 0, Growing::h);
+        EXPECT_GT(report.operations.interface_splits, 0U) << "nobody asked for an id";
+        EXPECT_EQ(storage_of(disc.complex), before);
+        // Submeshes have theirs; the serial clean-up takes a few more for what is left.
+        EXPECT_LT(disc.complex.vertex_bound(), vertices + 32) << "ids were lent in the step";
+        EXPECT_LT(disc.complex.triangle_bound(), triangles + 64) << "ids were lent in the step";
+        disc.expect_good();
     }
 }
 

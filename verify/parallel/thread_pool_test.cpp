@@ -106,17 +106,6 @@ TEST(ThreadPool, CallsAWorkerOnceHoweverOftenItIsRung) {
     }
 }
 
-TEST(ThreadPool, GrowsAndNeverShrinks) {
-    ThreadPool pool;
-    EXPECT_EQ(pool.size(), 1U);
-    pool.start(3);
-    EXPECT_EQ(pool.size(), 3U);
-    pool.start(2);
-    EXPECT_EQ(pool.size(), 3U);
-    pool.wake(3);
-    pool.wake(64); // those that there are
-}
-
 TEST(ThreadPool, SleepsAtOnceWhereWaitingIsToBePassive) {
     const char* before = std::getenv("OMP_WAIT_POLICY");
     const std::string kept = before == nullptr ? "" : before;
@@ -200,12 +189,6 @@ TEST(ThreadChoice, LeavesOutThreadsThatDoNotPay) {
     EXPECT_GT(used[1], 180);
 }
 
-TEST(ThreadChoice, FindsTheBestInTheMiddle) {
-    ThreadChoice choice(4);
-    const auto used = run(choice, {1.0, 0.6, 0.9}, 400, 200);
-    EXPECT_GT(used[2], 170);
-}
-
 TEST(ThreadChoice, FollowsWhatElseRunsOnTheMachine) {
     ThreadChoice choice(2);
     (void)run(choice, {1.0, 0.6, 0}, 3000, 1); // tries have become rare
@@ -229,11 +212,6 @@ TEST(ThreadChoice, BeginsWithAllThreadsOnceTheyHaveSomethingToDo) {
     (void)run(choice, {0.9, 1.0, 0}, 5000, 1, 1);
     const auto used = run(choice, {1.0, 0.6, 0}, 40, 40, 2);
     EXPECT_GT(used[2], 30);
-}
-
-TEST(ThreadChoice, HasNothingToChooseForOneThread) {
-    ThreadChoice choice(1);
-    EXPECT_EQ(run(choice, {1.0, 0, 0}, 100, 100)[1], 100);
 }
 
 } // namespace
