@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Attributes: found by name, kind and type; a vertex attribute is indexed by vertices alone; an
-// edge is written at both its corners; and a class defined by the application, a quantity that no
-// operation may lose, is carried through every operation.
+// Attributes: found by name, kind and type; an edge is written at both its corners; and a class
+// defined by the application, a quantity that no operation may lose, is carried through every
+// operation.
 #include "support/copy_testing.h"
 #include "support/operations_testing.h"
 #include "support/random/complex.h"
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
-#include "support/ways.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/complex.h"
-#include "dsc/geometry/triangle.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
@@ -21,28 +19,8 @@
 
 #include <gtest/gtest.h>
 
-#include <new>
-#include <type_traits>
-
 namespace dsc::test::attributes_test {
 namespace {
-
-template <class A, class Handle>
-concept IndexedBy = requires(A& attribute, Handle handle) {
-    attribute[handle];
-};
-
-static_assert(IndexedBy<VertexAttribute<double>, Vertex>);
-static_assert(!IndexedBy<VertexAttribute<double>, Edge>);
-static_assert(!IndexedBy<VertexAttribute<double>, Triangle>);
-static_assert(!IndexedBy<TriangleAttribute<double>, Vertex>);
-static_assert(!IndexedBy<EdgeAttribute<double>, Vertex>);
-static_assert(!IndexedBy<VertexAttribute<double>, std::uint32_t>);
-// One of two entries must not be written alone.
-static_assert(std::is_same_v<decltype(std::declval<EdgeAttribute<int>&>()[Edge{}]), const int&>);
-static_assert(std::is_same_v<decltype(std::declval<VertexAttribute<int>&>()[Vertex{}]), int&>);
-static_assert(
-    std::is_same_v<decltype(std::declval<const VertexAttribute<int>&>()[Vertex{}]), const int&>);
 
 std::string refusal(const auto& act) {
     try {
@@ -56,7 +34,6 @@ std::string refusal(const auto& act) {
 TEST(Attributes, AreFoundByNameKindAndType) {
     auto complex = hexagon<double>();
     auto& heat = complex.attributes.add<Vertex>("heat", 20.0);
-    static_assert(std::is_same_v<decltype(heat), VertexAttribute<double>&>);
     complex.attributes.add<Triangle, int>("load");
     const auto& constant = complex;
     EXPECT_EQ(&complex.attributes.get<VertexAttribute<double>>("heat"), &heat);
@@ -86,7 +63,7 @@ TEST(Attributes, AreFoundByNameKindAndType) {
 TEST(Attributes, AreFieldsInACopyAsWell) {
     auto complex = hexagon<double>();
     complex.attributes.add<Vertex, double>("kept");
-    complex.attributes.add<Vertex, double>("heat").set_field(true);
+    complex.attributes.add<Vertex, double>("heat").set_field(true, OnInterface::carried);
     const Complex<double> copy = complex;
     Complex<double> assigned;
     assigned = complex;
@@ -97,6 +74,7 @@ TEST(Attributes, AreFieldsInACopyAsWell) {
         ASSERT_EQ(set->list().size(), 2U);
         EXPECT_FALSE(set->list()[0]->is_field());
         EXPECT_TRUE(set->list()[1]->is_field());
+        EXPECT_EQ(set->list()[1]->on_interface(), OnInterface::carried);
     }
 }
 
@@ -113,65 +91,6 @@ TEST(EdgeAttributes, AreSetAtBothCorners) {
     EXPECT_EQ(weight[outer], 8);
     EXPECT_EQ(weight.data()[border_corner], 5) << "the border is nobody's entry";
     EXPECT_EQ(weight[complex.find_edge(Vertex{0}, Vertex{3})], 5);
-}
-
-// A value whose copies fail after so many.
-struct Scarce {
-    static inline int left = 0;
-    Scarce() = default;
-    Scarce(const Scarce&) {
-        if (left-- <= 0) {
-            throw std::bad_alloc();
-        }
-    }
-    Scarce& operator=(const Scarce&) = default;
-    ~Scarce() = default;
-};
-
-// Without memory for the data of its triangles a split leaves no vertex behind.
-template <class Simplex>
-void expect_unchanged_where_memory_ends() {
-    for (int copies = 0; copies < 100; ++copies) {
-        Scarce::left = 1000;
-        Complex<double> complex = hexagon<double>();
-        complex.attributes.add<Simplex>("scarce", Scarce{});
-        const std::uint32_t vertices = complex.vertex_count();
-        const std::uint32_t triangles = complex.triangle_count();
-        const auto expect_same = [&](auto edit) {
-            Scarce::left = copies;
-            bool failed = false;
-            try {
-                edit();
-            } catch (const std::bad_alloc&) {
-                failed = true;
-            }
-            Scarce::left = 1000;
-            EXPECT_EQ(validate(complex).problem, "");
-            if (failed) {
-                EXPECT_EQ(complex.vertex_count(), vertices);
-                EXPECT_EQ(complex.triangle_count(), triangles);
-                for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-                    EXPECT_TRUE(!complex.is_alive(Vertex{v}) ||
-                                complex.vertices[v].corner != no_id);
-                }
-            }
-            return !failed;
-        };
-        const Edge inner = complex.find_edge(Vertex{0}, Vertex{1});
-        const bool done = expect_same([&] { (void)loop_subdivision(complex, Triangle{1}); }) ||
-                          expect_same([&] { (void)edge_split(complex, inner); });
-        if (done && copies > 0) {
-            EXPECT_GT(copies, 2);
-            return;
-        }
-    }
-    FAIL() << "no split was made at all";
-}
-
-TEST(Attributes, WithoutMemoryLeaveASplitUndone) {
-    expect_unchanged_where_memory_ends<Vertex>();
-    expect_unchanged_where_memory_ends<Edge>();
-    expect_unchanged_where_memory_ends<Triangle>();
 }
 
 /// A quantity of the triangles that moves with the area: divided where a triangle is cut or two are
@@ -330,37 +249,6 @@ TEST(OwnAttributes, FollowASimulation) {
         renumber(copy);
         EXPECT_NEAR(total(copy, copied), whole, 1e-11);
         EXPECT_NEAR(total(complex, mass), whole, 1e-11);
-    }
-}
-
-// Half-way, where errors have not undone themselves, as well as at the end.
-TEST(OwnAttributes, AreConservedWhereAFlowTurnsBack) {
-    constexpr double h = 0.05;
-    constexpr int half = 8;
-    std::vector<Way> ways{Way{}};
-    for (const Division division : test::all_divisions()) {
-        ways.emplace_back(division);
-    }
-    for (const Way& way : ways) {
-        SCOPED_TRACE(name_of(way));
-        auto complex = disc_complex<double>(h, {0.5, 0.7}, 0.15);
-        auto& mass = with_density_one(complex);
-        const double whole = total(complex, mass);
-        const Options<double> options = options_for<double>(h);
-        Simulation<double> simulation(complex, options, executor_of(way, complex, options));
-        std::uint64_t edits = 0;
-        for (int step = 0; step < 2 * half; ++step) {
-            const double speed = step < half ? 1 : -1;
-            const auto shear = pointwise<double>([=](const Point<double>& p, double) {
-                return Point<double>(speed * (p.y() - 0.5), speed * (0.5 - p.x() + 0.4 * p.y()));
-            });
-            const auto report = simulation.step(shear, 0, h);
-            edits += report.operations.splits + report.operations.collapses;
-            if (step + 1 == half || step + 1 == 2 * half) {
-                EXPECT_NEAR(total(complex, mass), whole, 1e-12) << "after step " << step + 1;
-                EXPECT_GT(edits, 10U);
-            }
-        }
     }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stars at the domain boundary and of too many triangles; numbering about the origin; sums of areas
 // of very different size; what insertion refuses.
-#include "dsc/base/error.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
 #include "dsc/queries/phases.h"
@@ -81,22 +80,6 @@ TEST(AreaLimits, SmallTrianglesCountBesideALargeOne) {
         triangle(-4.0 - 4.0 * i, 0, 2, 1);
     }
     EXPECT_EQ(phase_area(complex, 1), side * side + 16);
-}
-
-TEST(InsertionLimits, ATriangleNamesThreeVertices) {
-    auto complex = test::hexagon<double>();
-    const Vertex a{1};
-    const Vertex b{3};
-    const std::vector<std::array<Vertex, 3>> twice{{a, a, b}, {a, b, b}, {b, a, b}, {a, a, a}};
-    for (const auto& v : twice) {
-        try {
-            (void)insert_triangle(complex, v[0], v[1], v[2], 0);
-            ADD_FAILURE() << "no error";
-        } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find("named twice"), std::string::npos)
-                << error.what();
-        }
-    }
 }
 
 TEST(AttributeLimits, EntriesThatAreExchangedBringTheirBounds) {

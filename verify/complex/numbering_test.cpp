@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <set>
 
@@ -77,27 +76,6 @@ Complex<Real> used(unsigned seed) {
     }
     insert_vertex(complex, Point<Real>(6, 14));
     return complex;
-}
-
-TEST(Hilbert, VisitsEveryCellAndStepsToANeighbour) {
-    // The last four bits of each axis, in the corner at the origin: the first 256 cells.
-    std::map<std::uint64_t, std::pair<int, int>> cells;
-    for (int x = 0; x < 16; ++x) {
-        for (int y = 0; y < 16; ++y) {
-            cells[hilbert_index(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))] = {
-                x, y};
-        }
-    }
-    ASSERT_EQ(cells.size(), 256U);
-    EXPECT_EQ(cells.begin()->first, 0U);
-    EXPECT_EQ(cells.rbegin()->first, 255U);
-    auto last = cells.begin()->second;
-    for (const auto& [index, cell] : cells) {
-        if (index > 0) {
-            EXPECT_EQ(std::abs(cell.first - last.first) + std::abs(cell.second - last.second), 1);
-        }
-        last = cell;
-    }
 }
 
 TEST(Hilbert, IsOneCurveAtFullOrder) {
@@ -236,30 +214,6 @@ TYPED_TEST(Numbering, DependsOnPositionsAlone) {
     for (std::uint32_t t = 0; t < one.triangle_bound(); ++t) {
         EXPECT_EQ(again.triangles[t], t);
     }
-}
-
-// How far apart in memory the two triangles of an edge are, on average.
-template <class Real>
-double mean_reach(const Complex<Real>& complex) {
-    double sum = 0;
-    double count = 0;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        for (const Corner c : complex.triangles[t].n) {
-            if (!is_border(c)) {
-                sum += std::abs(static_cast<double>(t) - static_cast<double>(triangle_of(c)));
-                ++count;
-            }
-        }
-    }
-    return sum / count;
-}
-
-TYPED_TEST(Numbering, BringsNeighboursTogether) {
-    auto complex = shuffled(grid<TypeParam>(64, 0.15, 2), 5);
-    const double before = mean_reach(complex);
-    renumber(complex);
-    EXPECT_GT(before, 2000); // a third of 8192, in random order
-    EXPECT_LT(mean_reach(complex), 150);
 }
 
 TYPED_TEST(Numbering, CopesWithOddExtents) {

@@ -11,31 +11,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <type_traits>
 
 namespace dsc::ranges_test {
 namespace {
 
 using test::grid;
 using test::hexagon;
-
-template <class Range>
-constexpr bool is_range_of_handles() {
-    return std::ranges::forward_range<Range> && std::ranges::forward_range<const Range> &&
-           std::ranges::common_range<Range> && std::ranges::view<Range> &&
-           std::ranges::borrowed_range<Range>;
-}
-template <class Real>
-constexpr bool has_ranges() {
-    using Given = const Complex<Real>&;
-    return is_range_of_handles<decltype(vertices(std::declval<Given>()))>() &&
-           is_range_of_handles<decltype(edges(std::declval<Given>()))>() &&
-           is_range_of_handles<decltype(triangles(std::declval<Given>()))>() &&
-           is_range_of_handles<decltype(triangles(std::declval<Given>(), Phase()))>() &&
-           is_range_of_handles<decltype(star_triangles(std::declval<Given>(), Vertex()))>() &&
-           is_range_of_handles<decltype(link_vertices(std::declval<Given>(), Vertex()))>();
-}
-static_assert(has_ranges<double>() && has_ranges<float>());
 
 template <class Range>
 std::vector<std::uint32_t> ids(const Range& range) {
@@ -51,23 +32,6 @@ template <class Real>
 class Ranges : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(Ranges, Reals);
-
-TYPED_TEST(Ranges, AreEmptyInAnEmptyComplex) {
-    const Complex<TypeParam> complex;
-    EXPECT_TRUE(vertices(complex).empty());
-    EXPECT_TRUE(edges(complex).empty());
-    EXPECT_TRUE(triangles(complex).empty());
-    EXPECT_TRUE(triangles(complex, border_phase).empty());
-    EXPECT_EQ(std::ranges::distance(triangles(complex)), 0);
-}
-
-TYPED_TEST(Ranges, MeetEverySimplexOnceByAscendingId) {
-    const auto complex = hexagon<TypeParam>();
-    EXPECT_EQ(ids(vertices(complex)), (Ids{0, 1, 2, 3, 4, 5, 6}));
-    EXPECT_EQ(ids(triangles(complex)), (Ids{1, 2, 3, 4, 5, 6}));
-    EXPECT_EQ(ids(edges(complex)).size(), 12U);
-    EXPECT_TRUE(std::ranges::is_sorted(edges(complex)));
-}
 
 // The phases of a hexagon: 0, 1, 2, 0, 1, 2.
 TYPED_TEST(Ranges, OfAPhaseMeetItsTrianglesAlone) {
@@ -168,20 +132,6 @@ TYPED_TEST(Ranges, AllowChangesOfConnectivity) {
     }
     EXPECT_EQ(met, (Ids{1, 3, 4, 5, 6}));
     EXPECT_EQ(ids(triangles(complex)), (Ids{1, 2, 3, 4, 5, 6, 7}));
-}
-
-TYPED_TEST(Ranges, AreWalkedMoreThanOnce) {
-    const auto complex = grid<TypeParam>(3);
-    const auto all = edges(complex);
-    const auto first = all.begin();
-    auto second = first;
-    EXPECT_EQ(second++, first);
-    EXPECT_NE(second, first);
-    EXPECT_EQ(*first, *all.begin());
-    EXPECT_EQ(ids(all), ids(all));
-    const auto link = link_vertices(complex, Vertex{0});
-    EXPECT_EQ(std::ranges::distance(link), std::ranges::distance(link));
-    EXPECT_NE(std::ranges::find(link, Vertex{1}), link.end());
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A submesh does not change what it does not own, whatever its region is like.
+// A submesh does not change what it does not own, whatever its region is like; and places exactly
+// on a cut have one owner.
 #include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 
@@ -261,6 +262,36 @@ TEST(Submesh, OwnsAStarIfItOwnsAllItsVertices) {
     }
     EXPECT_GT(stars[0], 1000U);
     EXPECT_GT(stars[1], 1000U);
+}
+
+// Three by three boxes of side 1, the outer ones without an outer bound.
+std::vector<Region> nine_boxes() {
+    constexpr std::array cuts{-Region::infinity, 1.0, 2.0, Region::infinity};
+    std::vector<Region> regions;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            Region region;
+            region.kind = Region::Kind::box;
+            region.low = cuts[i];
+            region.high = cuts[i + 1];
+            region.side_low = cuts[j];
+            region.side_high = cuts[j + 1];
+            regions.push_back(region);
+        }
+    }
+    return regions;
+}
+
+TEST(Submesh, OwnsPlacesOnACutAlone) {
+    const std::vector<Region> regions = nine_boxes();
+    for (const double x : {0.5, 1.0, 1.5, 2.0, 3.0}) {
+        for (const double y : {-7.0, 1.0, 2.0, 2.5}) {
+            EXPECT_EQ(std::ranges::count_if(
+                          regions, [&](const Region& region) { return region.owns(0, x, y); }),
+                      1)
+                << x << ", " << y;
+        }
+    }
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 #include "support/random/complex.h"
 #include "support/small_meshes.h"
 
-#include "dsc/geometry/triangle.h"
 #include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <set>
 
 namespace dsc::test::components_test {
 namespace {
@@ -53,26 +51,6 @@ TEST(Components, AreSeparateUnlessTheyShareAnEdge) {
     EXPECT_DOUBLE_EQ(exterior[0].area, 25 - 5);
     // All three touch at vertices: they leave one hole.
     EXPECT_EQ(exterior[0].holes(), 1U);
-}
-
-TEST(Components, HaveHoles) {
-    const auto K = chequered({"0111110", //
-                              "0101010", //
-                              "0111110", //
-                              "0102110", //
-                              "0110210", //
-                              "0111110", //
-                              "0000000"});
-    const auto ones = of_phase(K, 1);
-    ASSERT_EQ(ones.size(), 1U);
-    EXPECT_TRUE(ones[0].touches_border);
-    // Two on their own, and one that consists of the four squares around a vertex.
-    EXPECT_EQ(ones[0].holes(), 3U);
-}
-
-TEST(Components, OfNothing) {
-    const Complex<float> K;
-    EXPECT_TRUE(components(K).list.empty());
 }
 
 // A component is a surface of its own once the fans of triangles around a vertex are told apart. It

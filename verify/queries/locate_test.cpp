@@ -71,23 +71,6 @@ class Locate : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(Locate, Reals);
 
-TYPED_TEST(Locate, FindsVerticesEdgesAndTrianglesFromEverywhere) {
-    const auto complex = grid<TypeParam>(4);
-    for (const Triangle hint : triangles(complex)) {
-        for (int j = -1; j <= 17; ++j) {
-            for (int i = -1; i <= 17; ++i) {
-                const Point<TypeParam> p(static_cast<TypeParam>(i) / 4,
-                                         static_cast<TypeParam>(j) / 4);
-                const Location location = locate(complex, p, hint);
-                expect_right(complex, p, location);
-                const bool is_outside = i < 0 || j < 0 || i > 16 || j > 16;
-                EXPECT_EQ(location.kind == Kind::outside, is_outside);
-                EXPECT_EQ(location.kind == Kind::vertex, !is_outside && i % 4 == 0 && j % 4 == 0);
-            }
-        }
-    }
-}
-
 // A point off an edge by the last bit of its coordinate.
 TYPED_TEST(Locate, IsExact) {
     const auto complex = hexagon<TypeParam>();
@@ -133,35 +116,6 @@ TYPED_TEST(Locate, RefusesWhatIsNotFinite) {
         EXPECT_EQ(error.value(), "(0, inf)");
     }
     EXPECT_THROW((void)locate(complex, Point<TypeParam>(infinity - infinity, 0)), InputError);
-}
-
-// A U: the straight way from one arm to the other leaves the domain.
-TEST(Locate, GoesRoundBaysAndHoles) {
-    auto complex = grid<double>(5, 0.1);
-    SimplexSet cut;
-    for (const Triangle t : triangles(complex)) {
-        const std::uint32_t square = (t.id - 1) / 2;
-        const std::uint32_t row = square / 5;
-        const std::uint32_t column = square % 5;
-        if ((column == 2 && row > 0) || (column == 0 && row == 3)) {
-            cut.insert(t);
-        }
-    }
-    remove(complex, cut);
-    std::size_t strays = 0;
-    for (const Triangle hint : triangles(complex)) {
-        for (double y = 0.25; y < 5; y += 0.5) {
-            for (double x = 0.25; x < 5; x += 0.5) {
-                const Point<double> p(x, y);
-                const Location location = locate(complex, p, hint);
-                expect_right(complex, p, location);
-                const WalkEnd end = walk(complex, hint, p, 1000,
-                                         [&](Corner c) { return !is_border(complex.twin(c)); });
-                strays += end.kind == WalkEnd::Kind::stopped && location.kind != Kind::outside;
-            }
-        }
-    }
-    EXPECT_GT(strays, 100U);
 }
 
 // Convex as each of them is, the border of one says nothing of the others.

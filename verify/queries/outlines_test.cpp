@@ -88,21 +88,6 @@ TEST(Outlines, OfADisc) {
     EXPECT_EQ(outlines_where(complex, [](Phase) { return true; }).size(), 1U);
 }
 
-TEST(Outlines, OfAnAnnulus) {
-    const auto complex = squares({"00000", "01110", "01010", "01110", "00000"});
-    const auto loops = outlines(complex, 1);
-    ASSERT_EQ(loops.size(), 2U);
-    EXPECT_EQ(turned(loops[0]), (Ids{7, 8, 9, 10, 16, 22, 28, 27, 26, 25, 19, 13}));
-    EXPECT_EQ(turned(loops[1]), (Ids{14, 20, 21, 15}));
-    EXPECT_NEAR(area(complex, loops[0]) + area(complex, loops[1]), phase_area(complex, 1), 1e-14);
-    const auto curves = interface_curves(complex);
-    ASSERT_EQ(curves.size(), 2U);
-    for (std::size_t i = 0; i < 2; ++i) {
-        EXPECT_TRUE(curves[i].is_closed);
-        EXPECT_EQ(curves[i].vertices, loops[i]);
-    }
-}
-
 TEST(Outlines, OfThreePhasesEndAtJunctions) {
     const auto complex = squares({"0000", "0120", "0120", "0000"});
     const auto curves = interface_curves(complex);
@@ -131,17 +116,6 @@ TEST(Outlines, OfAPhaseAtTheDomainBoundary) {
     EXPECT_EQ(turned(outlines(complex, 1)[0]), (Ids{0, 1, 2, 6, 5, 4}));
 }
 
-TEST(Outlines, OfAPhaseThatFillsTheDomain) {
-    const auto curves = interface_curves(squares({"11", "11"}));
-    ASSERT_EQ(curves.size(), 1U);
-    EXPECT_TRUE(curves[0].is_closed);
-    EXPECT_EQ(curves[0].right, border_phase);
-    EXPECT_EQ(turned(curves[0].vertices), (Ids{0, 1, 2, 5, 8, 7, 6, 3}));
-    // The exterior has no interface with the outside, but it has an outline.
-    EXPECT_TRUE(interface_curves(squares({"00", "00"})).empty());
-    EXPECT_EQ(outlines(squares({"00", "00"}), 0).size(), 1U);
-}
-
 TEST(Outlines, TouchAtAPinchedVertex) {
     const auto complex = squares({"0000", "0010", "0100", "0000"});
     const auto loops = outlines(complex, 1);
@@ -154,29 +128,6 @@ TEST(Outlines, TouchAtAPinchedVertex) {
     EXPECT_FALSE(curves[0].is_closed || curves[1].is_closed);
     EXPECT_EQ(ids(curves[0].vertices), (Ids{12, 11, 6, 7, 12}));
     EXPECT_EQ(ids(curves[1].vertices), (Ids{12, 13, 18, 17, 12}));
-}
-
-// A hole that touches the outside at vertex 14: one outline, which passes through it twice.
-TEST(Outlines, PassTwiceWhereAHoleTouchesTheOutside) {
-    const auto complex = squares({"00000", "01110", "01010", "00110", "00000"});
-    const auto loops = outlines(complex, 1);
-    ASSERT_EQ(loops.size(), 1U);
-    const Ids loop = ids(loops[0]);
-    EXPECT_EQ(loop.size(), 16U);
-    EXPECT_EQ(std::count(loop.begin(), loop.end(), 14U), 2);
-    EXPECT_NEAR(area(complex, loops[0]), phase_area(complex, 1), 1e-14);
-}
-
-// Vertex 0 is on the domain boundary; a wedge of phase 1 touches it between two of phase 0.
-TEST(Outlines, EndWhereTwoPhasesMeetTheDomainBoundary) {
-    const std::vector<Point<double>> points{{0, 0}, {1, 0}, {1, 1}, {-1, 1}, {-1, 0}};
-    const auto complex = test::build<double>(points, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}, {0, 1, 0});
-    const auto curves = interface_curves(complex);
-    // In the order of the corners of triangle 2.
-    ASSERT_EQ(curves.size(), 3U);
-    EXPECT_EQ(curves[0], (InterfaceCurve{{Vertex{2}, Vertex{3}}, false, 1, border_phase}));
-    EXPECT_EQ(curves[1], (InterfaceCurve{{Vertex{3}, Vertex{0}}, false, 1, 0}));
-    EXPECT_EQ(curves[2], (InterfaceCurve{{Vertex{0}, Vertex{2}}, false, 1, 0}));
 }
 
 // The number of interface edges at a vertex, by its star.
