@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
 
 namespace dsc::fields_test {
 namespace {
@@ -99,17 +98,6 @@ TEST(Fields, KeepTheirValuesWhereTheApplicationMovesAVertex) {
     const double before = field[v];
     complex.set_position(v, complex.position(v) + Point<double>(0.1 * test::disc_h, 0));
     EXPECT_EQ(field[v], before);
-}
-
-TEST(Fields, AreFieldsInCopiesToo) {
-    Complex<double> complex = test::disc();
-    complex.attributes.add<Vertex, double>("field").set_field(true, OnInterface::carried);
-    const Complex<double> copy = complex;
-    EXPECT_TRUE(copy.attributes.has_fields());
-    EXPECT_EQ(copy.attributes.list().front()->on_interface(), OnInterface::carried);
-    EXPECT_TRUE(complex.attributes.clone_empty().has_fields());
-    EXPECT_EQ((std::as_const(complex).attributes.get<Vertex, double>("field").size()),
-              complex.vertex_bound());
 }
 
 } // namespace

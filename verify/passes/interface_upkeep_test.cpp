@@ -164,23 +164,6 @@ TEST(Coarsening, ByDeviationFromTheCubicTakesUnevenVerticesToo) {
     EXPECT_EQ(keep_up(uneven, options).counts.interface_collapses, 0U);
 }
 
-// A zigzag of a fiftieth of an edge is the remnant of a collapsed tip, too small for these edges.
-TEST(Coarsening, ByDeviationRemovesTheRemainsOfTips) {
-    Outline outline = ellipse(0.3, 0.2, 60);
-    const Point<double> along = (outline[10] - outline[9]).normalized();
-    outline.insert(outline.begin() + 10,
-                   outline[10] + 0.02 * h * (Point<double>(along.y(), -along.x()) - 0.1 * along));
-    auto options = with(Coarsening::deviation);
-    options.interface.corner_degrees = 180;
-    options.interface.deviation = 1e-3;
-    options.interface.degenerate = 0;
-    const Kept zigzag = keep_up(outline, options);
-    EXPECT_EQ(zigzag.counts.interface_collapses, 0U);
-    options.interface.degenerate = 50;
-    const Kept smooth = keep_up(outline, options);
-    EXPECT_EQ(smooth.counts.interface_collapses, 1U);
-}
-
 double largest_turn(const Complex<double>& complex, double shortest) {
     double largest = 0;
     Ring<double> ring;
