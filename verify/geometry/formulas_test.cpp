@@ -45,6 +45,7 @@ TEST(Distance, ToASegmentIsTheLeastOverItsPoints) {
     }
     EXPECT_EQ(distance<double>(P(3, 4), P(0, 0), P(0, 0)), 5);
     EXPECT_EQ(squared_distance<double>(P(3, 4), P(0, 0), P(0, 0)), 25);
+    EXPECT_EQ(nearest_fraction<double>(P(3, 4), P(0, 0), P(0, 0)), 0);
 }
 
 TEST(Distance, BesideALineKeepsItsDigits) {
@@ -83,7 +84,11 @@ TEST(Turn, CurvatureIsThatOfTheCircle) {
     };
     EXPECT_NEAR(curvature<double>(on_circle(0.1), on_circle(0.4), on_circle(0.5)), 4, 1e-11);
     EXPECT_NEAR(curvature<double>(on_circle(0.5), on_circle(0.4), on_circle(0.1)), -4, 1e-11);
-    EXPECT_EQ(curvature<double>(P(1, 1), P(1, 1), P(2, 1)), 0);
+    for (const auto& [a, b, c] : {std::array{P(1, 1), P(1, 1), P(2, 1)},
+                                  {P(1, 1), P(2, 1), P(2, 1)},
+                                  {P(1, 1), P(2, 1), P(1, 1)}}) {
+        EXPECT_EQ(curvature<double>(a, b, c), 0);
+    }
 }
 
 TEST(Lagrange, ReproducesAPolynomialOfItsDegree) {

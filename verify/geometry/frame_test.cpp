@@ -68,5 +68,11 @@ TEST(Frames, RefusesWhatIsNoBox) {
     EXPECT_THROW((void)choose_frame({-1e308, 0}, {1e308, 1}), InputError);
 }
 
+TEST(Frames, ABoxAsFarAwayAsItIsLargeHasItsCornerAsTheOrigin) {
+    EXPECT_EQ(choose_frame({1, 0}, {2, 1}).origin, Point<double>(1, 0));
+    EXPECT_EQ(choose_frame({-2, 0}, {-1, 1}).origin, Point<double>(-1, 0));
+    EXPECT_EQ(choose_frame({0.5, 0}, {1.5, 1}).origin, Point<double>(0, 0));
+}
+
 } // namespace
 } // namespace dsc::frame_test
