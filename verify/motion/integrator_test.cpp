@@ -107,23 +107,5 @@ TYPED_TEST(Stages, AreEvaluatedAtTheirTimes) {
     EXPECT_GT(error_in_power(Integrator::rk4, 4, time, dt), Real(1e-5));
 }
 
-TYPED_TEST(Stages, NoStepIsNoMove) {
-    using Real = TypeParam;
-    const Velocity<Real> velocity = [](std::span<const Point<Real>> positions, Real,
-                                       std::span<Point<Real>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = {Real(3), Real(-5)};
-        }
-    };
-    const std::vector<Point<Real>> at{{Real(0.1), Real(0.7)}};
-    for (const auto integrator : {Integrator::euler, Integrator::midpoint, Integrator::rk4}) {
-        EXPECT_EQ(one_step<Real>(integrator, velocity, at, 1, 0)[0], at[0]);
-        const auto moved = one_step<Real>(integrator, velocity, at, 1, 2);
-        EXPECT_NEAR(moved[0].x(), 6.1, 1e-5);
-        EXPECT_NEAR(moved[0].y(), -9.3, 1e-5);
-    }
-    EXPECT_TRUE(one_step<Real>(Integrator::rk4, velocity, {}, 1, 2).empty());
-}
-
 } // namespace
 } // namespace dsc::integrator_test
