@@ -19,7 +19,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <numeric>
 #include <regex>
 #include <sstream>
@@ -339,28 +338,6 @@ TYPED_TEST(Io, AFullDiskLeavesTheOldFile) {
     EXPECT_EQ(this->files(), 1U) << "the partial files are gone";
     write_vtu(big, vtu);
     EXPECT_EQ(this->files(), 2U);
-}
-
-TYPED_TEST(Io, WhatIsNotCommittedIsRemoved) {
-    {
-        PartFile file(this->path("notes.txt"));
-        file << "half a sen";
-        EXPECT_TRUE(fs::exists(this->path("notes.txt.part")));
-    }
-    EXPECT_EQ(this->files(), 0U);
-    PartFile file(this->path("notes.txt"));
-    file << 0.1 << ' ' << 0.1F << ' ' << std::uint64_t{18446744073709551615U} << ' ' << 7U << ' '
-         << std::numeric_limits<double>::denorm_min() << ' ';
-    file.fixed(-1e300, 2) << '\n';
-    const std::string line(100000, 'x');
-    file << line;
-    EXPECT_FALSE(fs::exists(this->path("notes.txt")));
-    file.commit();
-    const std::string text = read(this->path("notes.txt"));
-    EXPECT_EQ(text.substr(0, text.find('\n')).substr(0, 38),
-              "0.1 0.1 18446744073709551615 7 5e-324 ");
-    EXPECT_EQ(text.substr(text.find('\n') + 1), line);
-    EXPECT_EQ(this->files(), 1U);
 }
 
 // The examples of RFC 4648, section 10.

@@ -57,14 +57,6 @@ TEST_F(FileLimits, AViewMayBeNarrowerThanTheUnit) {
     }
 }
 
-TEST_F(FileLimits, AThinInterfaceIsDrawnAndOneOfNoWidthIsNot) {
-    const std::string colour = "#123456";
-    EXPECT_NE(picture({.interface_width_px = 0.5, .interface_colour = colour}).find(colour),
-              std::string::npos);
-    EXPECT_EQ(picture({.interface_width_px = 0, .interface_colour = colour}).find(colour),
-              std::string::npos);
-}
-
 TEST_F(FileLimits, ARangeOfColoursHasTwoFiniteEnds) {
     const std::array<double, 2> values{0, 1};
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Frames as other programs read them: VTK and meshio, where they are installed, find the same numbers
-as a reader of a few lines (plots/results/vtu.py), bit by bit.
+"""Frames as another program reads them: VTK, where it is installed, finds the same numbers as a reader of a
+few lines (plots/results/vtu.py), bit by bit.
 
 The environment names the build (DSC_BUILD).
 """
@@ -124,22 +124,6 @@ class Readers(unittest.TestCase):
                 self.assertEqual(data.GetNumberOfArrays(), len(expected))
                 for name, numbers in expected.items():
                     self.expect_same(vtk_to_numpy(data.GetArray(name)), numbers, name)
-
-    @unittest.skipUnless(has("meshio"), "python3-meshio is not installed")
-    def test_by_meshio(self):
-        import meshio
-        for path in self.paths:
-            own = Own(path)
-            mesh = meshio.read(path)
-            self.expect_same(mesh.points, own.points, "points")
-            self.assertEqual([block.type for block in mesh.cells], ["triangle"])
-            self.expect_same(mesh.cells[0].data, own.cells, "cells")
-            self.assertEqual(set(mesh.point_data), set(own.point_data))
-            self.assertEqual(set(mesh.cell_data), set(own.cell_data))
-            for name, numbers in own.point_data.items():
-                self.expect_same(mesh.point_data[name], numbers, name)
-            for name, numbers in own.cell_data.items():
-                self.expect_same(mesh.cell_data[name][0], numbers, name)
 
     def test_the_collection_names_its_files(self):
         root = xml.parse(self.collection).getroot()
