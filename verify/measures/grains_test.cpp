@@ -69,14 +69,6 @@ TEST(Grains, SidesAreCounted) {
     }
 }
 
-// Neighbours of one phase are different grains as long as they do not share an edge.
-TEST(Grains, SidesAreThoseOfComponents) {
-    const auto grains = measure_grains(grain_in_ring<float>(8, 1, true));
-    ASSERT_EQ(grains.size(), 9U);
-    EXPECT_EQ(grains[0].sides, 8U);
-    EXPECT_NEAR(grains[0].area, 1, 1e-6);
-}
-
 // Phase 1 of the square 2 <= x, y < 6 has a hole of 2 x 2 squares, itself of two phases.
 TEST(Grains, WithAHoleInside) {
     auto K = grid<double>(8);
@@ -99,33 +91,6 @@ TEST(Grains, WithAHoleInside) {
     EXPECT_EQ(grains[2].sides, 2U);
     EXPECT_DOUBLE_EQ(growth_by_sides(ring), 2 * pi / 3);
     EXPECT_DOUBLE_EQ(growth_by_sides(grains[2], 3), -4 * pi);
-}
-
-// The law by a second computation: minus the integral of the curvature along the sides of a regular
-// grain whose sides are arcs that meet at 120 degrees, from the turns of fine polygons.
-TEST(Grains, GrowthIsMinusTheTurnOfTheSides) {
-    for (std::uint32_t n = 3; n <= 9; ++n) {
-        const double corner = pi - 2 * pi / n;            // of the polygon
-        const double opening = (2 * pi / 3 - corner) / 2; // between chord and arc, outwards
-        double turned = 0;
-        constexpr int pieces = 1000;
-        std::vector<Point<double>> arc;
-        for (int k = 0; k <= pieces; ++k) {
-            // An arc over the chord from (0, 0) to (1, 0), which bulges downwards, to the outside.
-            const double s = static_cast<double>(k) / pieces;
-            const double angle = opening * (2 * s - 1);
-            arc.emplace_back(
-                opening == 0 ? s : (std::sin(angle) / std::sin(opening) + 1) / 2,
-                opening == 0 ? 0.0 : (std::cos(opening) - std::cos(angle)) / 2 / std::sin(opening));
-        }
-        for (std::size_t k = 1; k < pieces; ++k) {
-            const Point<double> in = arc[k] - arc[k - 1];
-            const Point<double> out = arc[k + 1] - arc[k];
-            turned += std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
-        }
-        const Grain grain{.phase = 1, .area = 1, .sides = n};
-        EXPECT_NEAR(growth_by_sides(grain), -turned * n, 0.01) << n;
-    }
 }
 
 TEST(Grains, GrowthByTheLawIsRecognised) {

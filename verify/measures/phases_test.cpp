@@ -71,11 +71,5 @@ TYPED_TEST(Phases, LengthOfTheInterfaceOfEachPair) {
     expect(2, 1, 3, 2);
 }
 
-TYPED_TEST(Phases, OfNothing) {
-    const PhaseReport report = measure_phases(Complex<TypeParam>{});
-    EXPECT_TRUE(report.phases.empty());
-    EXPECT_TRUE(report.pairs.empty());
-}
-
 } // namespace
 } // namespace dsc::test::phases_test

@@ -17,10 +17,6 @@ namespace {
 
 using std::numbers::pi;
 
-Outline square(double x, double y, double side) {
-    return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
-}
-
 OverlapAreas areas_of(const Outline& p, const Outline& q, FillRule rule = FillRule::even_odd) {
     return overlap_areas({std::span(&p, 1), rule}, {std::span(&q, 1), rule});
 }
@@ -43,23 +39,6 @@ TEST(Outline, AreaDoesNotLoseDigitsFarFromTheOrigin) {
     EXPECT_EQ(signed_area(far), signed_area(grid));
     EXPECT_EQ(signed_area(reversed(grid)), -signed_area(grid));
     EXPECT_NEAR(signed_area(near), 0.5 * 315 * 0.25 * std::sin(2.0 * pi / 315), 1e-16);
-}
-
-TEST(Outline, SimplicityIsDecidedExactly) {
-    EXPECT_TRUE(test::is_simple(square(0.0, 0.0, 1.0)));
-    EXPECT_FALSE(test::is_simple(Outline{{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
-    EXPECT_FALSE(test::is_simple(Outline{{0, 0}, {2, 0}, {2, 1}, {1, 0}, {0, 1}}))
-        << "touches an edge";
-    EXPECT_FALSE(test::is_simple(Outline{{0, 0}, {2, 0}, {1, 0}, {1, 1}})) << "folds back";
-    EXPECT_FALSE(test::is_simple(Outline{{0, 0}, {2, 0}, {1, 0}})) << "folds back";
-    EXPECT_FALSE(test::is_simple(Outline{{1, 0}, {2, 0}, {0, 0}})) << "folds back";
-    EXPECT_FALSE(test::is_simple(Outline{{0, 0}, {0, 0}, {1, 0}, {1, 1}})) << "point twice";
-    const std::vector<Outline> nested{square(0, 0, 3), reversed(square(1, 1, 1))};
-    EXPECT_TRUE(test::is_simple(nested));
-    const std::vector<Outline> crossing{square(0, 0, 3), square(2, 2, 3)};
-    EXPECT_FALSE(test::is_simple(crossing));
-    EXPECT_THROW(check_outline({{0, 0}, {1, 1}}, "test"), InputError);
-    EXPECT_THROW(check_outline({{0, 0}, {1, NAN}, {1, 1}}, "test"), InputError);
 }
 
 void expect_sound(const Outline& outline, double edge_length, double area, double tolerance) {

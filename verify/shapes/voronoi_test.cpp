@@ -3,14 +3,12 @@
 #include "shapes/voronoi.h"
 
 #include "dsc/base/error.h"
-#include "dsc/geometry/predicates.h"
 #include "support/initial_testing.h"
 #include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <map>
 #include <random>
 #include <set>
 
@@ -59,34 +57,6 @@ TEST(Voronoi, ThePointsOfACellAreNearestToItsSite) {
     }
 }
 
-TEST(Voronoi, CurvesSeparateTheCellsThatTheyName) {
-    const Sites sites = random_sites(wide, 400, 11);
-    const auto curves = voronoi_curves(wide, sites);
-    std::map<Place, int> ends;
-    for (const Curve& curve : curves) {
-        ASSERT_EQ(curve.points.size(), 2U);
-        const Point<double>& left = sites[curve.left - 1];
-        const Point<double>& right = sites[curve.right - 1];
-        EXPECT_GT(orientation<double>(curve.points[0], curve.points[1], left), 0);
-        EXPECT_LT(orientation<double>(curve.points[0], curve.points[1], right), 0);
-        for (const Point<double>& p : curve.points) {
-            EXPECT_NEAR((p - left).norm(), (p - right).norm(), 1e-11);
-            ++ends[place(p)];
-        }
-    }
-    // Three ends at the same bits meet inside, and one on a side.
-    std::size_t junctions = 0;
-    std::size_t on_sides = 0;
-    for (const auto& [p, count] : ends) {
-        const bool on_side = p.first == wide.low.x() || p.first == wide.high.x() ||
-                             p.second == wide.low.y() || p.second == wide.high.y();
-        EXPECT_EQ(count, on_side ? 1 : 3);
-        (on_side ? on_sides : junctions) += 1;
-    }
-    EXPECT_GT(on_sides, 10U);
-    EXPECT_EQ(junctions + sites.size(), curves.size() + 1) << "Euler's formula";
-}
-
 TEST(Voronoi, TwoSitesMakeOneCurve) {
     const Sites sites{{0.25, 0.4}, {0.75, 0.4}};
     const auto curves = voronoi_curves({}, sites);
@@ -96,21 +66,6 @@ TEST(Voronoi, TwoSitesMakeOneCurve) {
     EXPECT_EQ(curves[0].right, 2U);
     const Sites one{{0.3, 0.1}};
     EXPECT_EQ(total_area(voronoi_cells({}, one)), 1);
-}
-
-// Which site has which number, and whether a site lies on a side, is no matter.
-TEST(Voronoi, TakesSitesInAnyOrderAndOnTheSides) {
-    Sites sites = random_sites({}, 50, 3);
-    sites.emplace_back(0, 0.5);
-    sites.emplace_back(1, 1);
-    const auto cells = voronoi_cells({}, sites);
-    EXPECT_NEAR(total_area(cells), 1, 1e-14);
-    Sites reversed_sites(sites.rbegin(), sites.rend());
-    const auto others = voronoi_cells({}, reversed_sites);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        EXPECT_NEAR(signed_area(cells[i]), signed_area(others[cells.size() - 1 - i]), 1e-15);
-    }
-    EXPECT_FALSE(voronoi_curves({}, sites, {.shortest = 0.02}).empty());
 }
 
 // --- short edges ---------------------------------------------------------------------------------
@@ -159,66 +114,6 @@ TEST(VoronoiShortEdges, AreContracted) {
     }
 }
 
-// An edge that becomes too short only as a neighbour of it is contracted.
-TEST(VoronoiShortEdges, ThatCameLaterAreContractedAsWell) {
-    const double shortest = 0.025;
-    const Sites sites = random_sites({}, 300, 6);
-    const auto length = [](const std::vector<Curve>& curves) {
-        for (const Curve& curve : curves) {
-            if (curve.left == 16 && curve.right == 99) {
-                return (curve.points[1] - curve.points[0]).norm();
-            }
-        }
-        return 0.0;
-    };
-    EXPECT_GE(length(voronoi_curves({}, sites)), shortest);
-    EXPECT_EQ(length(voronoi_curves({}, sites, {.shortest = shortest})), 0);
-}
-
-// Four sites nearly on a circle: two vertices become one, halfway between them; the edge between
-// the two cells that have lost touch is gone.
-TEST(VoronoiShortEdges, FourCellsMeetInTheMiddleOfTheEdge) {
-    const Sites sites{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.701}, {0.3, 0.7}};
-    const auto whole = voronoi_curves({}, sites);
-    const auto curves = voronoi_curves({}, sites, {.shortest = 0.01});
-    ASSERT_EQ(whole.size(), 5U);
-    ASSERT_EQ(curves.size(), 4U);
-    Point<double> middle(0, 0);
-    for (const Curve& curve : whole) {
-        const Point<double> half = (curve.points[0] + curve.points[1]) / 2;
-        middle = (curve.points[1] - curve.points[0]).norm() < 0.01 ? half : middle;
-    }
-    std::map<Place, int> ends;
-    for (const Curve& curve : curves) {
-        ++ends[place(curve.points[0])];
-        ++ends[place(curve.points[1])];
-    }
-    EXPECT_EQ(ends.size(), 5U);
-    EXPECT_EQ(ends[place(middle)], 4);
-}
-
-// The cell of the third site has a short side at the bottom of the domain.
-TEST(VoronoiShortEdges, PiecesOfTheSidesAreContractedToTheirMiddle) {
-    const Sites sites{{0.3, 0.1}, {0.7, 0.1}, {0.5, 0.223}, {0.2, 0.8}, {0.8, 0.81}};
-    const auto lowest = [](const std::vector<Curve>& curves) {
-        std::set<double> x;
-        for (const Curve& curve : curves) {
-            for (const Point<double>& p : curve.points) {
-                if (p.y() == 0) {
-                    x.insert(p.x());
-                }
-            }
-        }
-        return std::vector<double>(x.begin(), x.end());
-    };
-    const auto before = lowest(voronoi_curves({}, sites));
-    ASSERT_EQ(before.size(), 2U);
-    EXPECT_NEAR(before[1] - before[0], 0.00135, 1e-4);
-    const auto after = lowest(voronoi_curves({}, sites, {.shortest = 0.01}));
-    ASSERT_EQ(after.size(), 1U);
-    EXPECT_NEAR(after[0], (before[0] + before[1]) / 2, 1e-16);
-}
-
 // --- sites ---------------------------------------------------------------------------------------
 
 TEST(VoronoiSites, MoveToTheCentroidsOfTheirCells) {
@@ -230,19 +125,6 @@ TEST(VoronoiSites, MoveToTheCentroidsOfTheirCells) {
     const auto settled = relaxed_sites({}, sites, 60);
     EXPECT_NEAR((settled[0] - Point<double>(0.25, 0.5)).norm(), 0, 1e-12);
     EXPECT_TRUE(relaxed_sites({}, Sites{}, 3).empty());
-}
-
-TEST(VoronoiSites, RelaxationMakesCellsAlike) {
-    const Sites sites = random_sites(wide, 500, 5);
-    const auto spread = [](const Sites& places) {
-        double squares = 0;
-        for (const Outline& cell : voronoi_cells(wide, places)) {
-            squares += signed_area(cell) * signed_area(cell);
-        }
-        return squares / 500 / std::pow(16.0 / 500, 2) - 1;
-    };
-    EXPECT_NEAR(spread(sites), 0.28, 0.06) << "the known variance of cells of random sites";
-    EXPECT_LT(spread(relaxed_sites(wide, sites, 5)), 0.09);
 }
 
 // The first numbers of SplitMix64 for this seed, as published with it.
@@ -311,20 +193,6 @@ TEST(VoronoiErrors, DomainAndOptions) {
     }
     expect_error([&] { return relaxed_sites({}, sites, -1); }, "rounds of relaxation",
                  "out of range");
-}
-
-// Not only a few sites at once: lattices are cocircular everywhere, unless they are hexagonal.
-TEST(VoronoiErrors, LatticesAreRefusedUnlessTheyAreHexagonal) {
-    Sites square;
-    Sites hexagonal;
-    for (int row = 0; row < 8; ++row) {
-        for (int column = 0; column < 8; ++column) {
-            square.emplace_back((column + 0.5) / 8, (row + 0.5) / 8);
-            hexagonal.emplace_back((column + 0.3 + 0.5 * (row % 2)) / 8.5, (row + 0.5) / 8);
-        }
-    }
-    EXPECT_THROW(static_cast<void>(voronoi_curves({}, square)), InputError);
-    EXPECT_NEAR(total_area(voronoi_cells({}, hexagonal)), 1, 1e-13);
 }
 
 } // namespace
