@@ -8,10 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace dsc::scenes::junction_solutions_test {
 namespace {
@@ -43,26 +41,6 @@ TEST(Lens, IsTheShortestOneOfItsArea) {
     EXPECT_NEAR(signed_area(shape.outlines), area, shape.own_error + 1e-15);
     EXPECT_LT(shape.own_error, 1e-8);
     EXPECT_TRUE(test::is_simple(shape.outlines));
-}
-
-TEST(Lens, MeetsTheInterfaceAt120Degrees) {
-    const Lens lens{.centre = {0.3, -2}, .axis = {3, 4}, .area = 0.05};
-    const Outline outline = lens_shape(lens).outlines.front();
-    const Point<double> along = lens.axis.normalized();
-    for (const Point<double>& tip : lens_tips(lens)) {
-        EXPECT_NEAR((tip - lens.centre).dot(Point<double>(-along.y(), along.x())), 0, 1e-15);
-        const auto at = std::ranges::min_element(
-            outline, {}, [&](const Point<double>& p) { return (p - tip).norm(); });
-        EXPECT_NEAR((*at - tip).norm(), 0, 1e-15);
-        const auto i = static_cast<std::size_t>(at - outline.begin());
-        const std::size_t n = outline.size();
-        const Point<double> a = (outline[(i + 1) % n] - tip).normalized();
-        const Point<double> b = (outline[(i + n - 1) % n] - tip).normalized();
-        EXPECT_NEAR(a.dot(b), std::cos(degrees(120)), 1e-3);
-        EXPECT_NEAR(a.dot((tip - lens.centre).normalized()), std::cos(degrees(120)), 1e-3);
-    }
-    EXPECT_NEAR((lens_tips(lens)[0] - lens.centre).dot(along),
-                -lens_radius(0.05) * std::sin(pi / 3), 1e-15);
 }
 
 TEST(Lens, RefusesWhatIsNone) {
@@ -136,86 +114,6 @@ TEST(FourSectors, TheRightOneLosesAreaAtTheRateOfItsTurn) {
             EXPECT_NEAR(shape.outlines.front().front().x(),
                         0.5 + opening_factor(degrees(theta)) / 2 * std::sqrt(time), 1e-15);
         }
-    }
-}
-
-// Each vertex against its neighbours: where the curve is at the time t + dt, it has moved by its
-// curvature, that of the circle through three vertices.
-TEST(FourSectors, MoveByTheirCurvature) {
-    const FourSectors sectors{.theta = degrees(35)};
-    constexpr double time = 0.01; // the curves are bent where they leave the box
-    constexpr double dt = 1e-7;
-    const Outline now = right_sector(sectors, time, box).outlines.front();
-    const Outline then = right_sector(sectors, time + dt, box).outlines.front();
-    const auto height = [&](const Outline& outline, double x) { // of the lower curve
-        const auto after = std::ranges::lower_bound(outline.begin(), outline.begin() + 4000, x, {},
-                                                    [](const auto& p) { return p.x(); });
-        // Through four vertices: of chords, the error would be as large as the motion.
-        double sum = 0;
-        for (auto i = after - 2; i < after + 2; ++i) {
-            double share = i->y();
-            for (auto k = after - 2; k < after + 2; ++k) {
-                share *= k == i ? 1 : (x - k->x()) / (i->x() - k->x());
-            }
-            sum += share;
-        }
-        return sum;
-    };
-    for (std::size_t i = 300; i < 3000; i += 300) {
-        const Point<double> a = now[i] - now[i - 50];
-        const Point<double> b = now[i + 50] - now[i];
-        const Point<double> c = now[i + 50] - now[i - 50];
-        const double curvature =
-            2 * (a.x() * b.y() - a.y() * b.x()) / (a.norm() * b.norm() * c.norm());
-        const double moved = (height(then, now[i].x()) - now[i].y()) * c.x() / c.norm();
-        EXPECT_NEAR(moved / dt / curvature, 1, 2e-3) << i;
-    }
-}
-
-TEST(FourSectors, StaySimilarToThemselves) {
-    const FourSectors sectors{.centre = {0, 0}, .theta = degrees(40)};
-    const ExactShape small = right_sector(sectors, 0.01, {{-0.1, -0.3}, {0.4, 0.2}});
-    const ExactShape large = right_sector(sectors, 0.04, {{-0.2, -0.6}, {0.8, 0.4}});
-    EXPECT_NEAR(large.area, 4 * small.area, 1e-10);
-    Outline scaled = small.outlines.front();
-    for (Point<double>& p : scaled) {
-        p *= 2;
-    }
-    EXPECT_LT(symmetric_difference(scaled, large.outlines.front()), 1e-10);
-}
-
-// Whether the curves leave the box at its side, or above and below, or beyond where they are
-// followed step by step.
-TEST(FourSectors, AreCutByAnyBox) {
-    const FourSectors sectors{.centre = {0, 0}, .theta = degrees(40)};
-    constexpr double time = 0.01;
-    const Rectangle large{{-1, -3}, {3, 3}};
-    const ExactShape all = right_sector(sectors, time, large);
-    for (const Rectangle& part :
-         {Rectangle{{-1, -0.05}, {0.3, 0.1}}, Rectangle{{-1, -0.3}, {0.2, 0.1}},
-          Rectangle{{-1, -2}, {1.5, 0.01}}}) {
-        const ExactShape shape = right_sector(sectors, time, part);
-        // What of the large one lies in the box, by columns.
-        constexpr int columns = 20000;
-        const Outline& outline = all.outlines.front();
-        const auto lower_end =
-            std::ranges::max_element(outline, {}, [](const auto& p) { return p.x(); });
-        double sum = 0;
-        const double begin = outline.front().x();
-        for (int i = 0; i < columns; ++i) {
-            const double x = begin + (part.high.x() - begin) * (i + 0.5) / columns;
-            const auto after = std::ranges::lower_bound(outline.begin(), lower_end, x, {},
-                                                        [](const auto& p) { return p.x(); });
-            const auto before = after - 1;
-            const double y = -(before->y() + (x - before->x()) / (after->x() - before->x()) *
-                                                 (after->y() - before->y()));
-            sum += (std::min(y, part.high.y()) + std::min(y, -part.low.y())) *
-                   (part.high.x() - begin) / columns;
-        }
-        EXPECT_NEAR(shape.area, sum, 1e-6);
-        EXPECT_LT(shape.own_error, 1e-8);
-        EXPECT_NEAR(signed_area(shape.outlines), shape.area, shape.own_error);
-        EXPECT_TRUE(test::is_simple(shape.outlines));
     }
 }
 

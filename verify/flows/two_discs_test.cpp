@@ -8,67 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace dsc::scenes::two_discs_test {
 namespace {
 
 using std::numbers::pi;
-
-// The area of the points of the union that are farther than `shrinkage` from its complement. By
-// columns of half the height, whose end is found by bisection; the distance is that to the nearest
-// of many points of the union's outline. No formula for a neck.
-double area_by_distances(double half_distance, double radius, double shrinkage) {
-    constexpr int columns = 200;
-    constexpr int places = 4000;
-    const auto is_in_union = [=](double x, double y) {
-        return std::hypot(std::abs(x) - half_distance, y) <= radius;
-    };
-    std::vector<Point<double>> outline{
-        {0, std::sqrt(radius * radius - half_distance * half_distance)}};
-    outline.emplace_back(-outline.front());
-    for (int i = 0; i < places; ++i) {
-        const double angle = 2 * pi * i / places;
-        const double x = half_distance + radius * std::cos(angle);
-        if (x > 0) { // otherwise it lies in the other disc
-            outline.emplace_back(x, radius * std::sin(angle));
-        }
-    }
-    const auto is_inside = [&](double x, double y) {
-        return is_in_union(x, y) && std::ranges::all_of(outline, [&](const Point<double>& place) {
-                   return std::hypot(place.x() - x, place.y() - y) >= shrinkage;
-               });
-    };
-    // Substituted so that the columns are dense where the outline is steep.
-    const double end = half_distance + radius - shrinkage;
-    double sum = 0;
-    for (int i = 0; i < columns; ++i) {
-        const double t = pi / 2 * (i + 0.5) / columns;
-        const double x = end * std::sin(t);
-        double low = 0;
-        double high = radius;
-        for (int k = 0; k < 40; ++k) {
-            const double middle = (low + high) / 2;
-            (is_inside(x, middle) ? low : high) = middle;
-        }
-        sum += low * end * std::cos(t) * (pi / 2 / columns);
-    }
-    return 4 * sum;
-}
-
-TEST(TwoDiscs, HaveTheAreaThatFollowsFromDistances) {
-    const TwoDiscs discs;
-    for (const double shrinkage : {0.0, 0.05, 0.1, 0.15, 0.17}) {
-        const double area = shrunk_discs(discs, 0.1, shrinkage).area;
-        EXPECT_NEAR(area / area_by_distances(0.125, 0.2, shrinkage), 1, 1e-4) << shrinkage;
-    }
-    EXPECT_NEAR(grown_discs(discs, 0.1).area, 0.2187055, 1e-7);
-    EXPECT_NEAR(shrunk_discs(discs, 0.1, 0.1).area, 0.07044716, 1e-8);
-    EXPECT_NEAR(neck_width(discs, 0.1, 0.1), 0.112, 5e-4);
-}
 
 TEST(TwoDiscs, HaveOutlinesOfThatArea) {
     // At any place and in any direction.
