@@ -3,8 +3,6 @@
 #include "support/interface_view_testing.h"
 #include "support/simulation_testing.h"
 
-#include "dsc/queries/validate.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -110,19 +108,6 @@ TEST(InterfaceFlow, ReadsAttributesAndMovesWhatItWritesOnly) {
         EXPECT_LT((complex.position(Vertex{list[i]}) - before[i] - Point<double>(way, 0)).norm(),
                   1e-15);
     }
-}
-
-TEST(InterfaceFlow, MovesAComplexOfFloats) {
-    auto complex = disc_complex<float>(coarse);
-    const auto options = options_for<float>(coarse);
-    Simulation<float> simulation(complex, options);
-    const InterfaceFlow<float> flow = vertex_flow<float>(
-        [](const auto& view, std::size_t i, float) { return dsc::normal(view, i); });
-    for (int step = 0; step < 5; ++step) {
-        EXPECT_EQ(simulation.step(flow, 0, 0.02F).unreached, 0U);
-    }
-    expect_sound(complex, simulation);
-    EXPECT_NEAR(std::sqrt(phase_area(complex, 1) / pi), 0.35, 2e-3);
 }
 
 } // namespace

@@ -169,50 +169,5 @@ TEST(InterfaceGraph, CornersAndLocksAreMarked) {
     EXPECT_EQ(view.flags[4], 0);
 }
 
-TEST(InterfaceGraph, IsTheSameInAnyRangesAndLeavesOutWhatIsNotListed) {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        test::Dice dice(seed);
-        auto complex = seed % 2 == 0 ? test::random_shapes<double>(dice, 0.04)
-                                     : test::random_patches<double>(dice, 0.06, dice.in(2, 40));
-        const Seen seen(complex, collect_interface(complex, seed));
-        const auto one = seen.view();
-        ASSERT_EQ(test::view_fault(one), "") << "seed " << seed;
-
-        const std::span<const std::uint32_t> list = seen.list;
-        const std::size_t third = list.size() / 3;
-        const std::array<std::size_t, 5> ends{third, third, 2 * third, list.size(), list.size()};
-        InterfaceGraph<double> graph;
-        graph.resize(list.size(), ends.size());
-        for (std::size_t r = 0; r < ends.size(); ++r) {
-            const std::size_t begin = r == 0 ? 0 : ends.at(r - 1);
-            graph.number(complex, list.subspan(begin, ends.at(r) - begin), begin);
-        }
-        for (std::size_t r = 0; r < ends.size(); ++r) {
-            graph.connect(complex, r, r == 0 ? 0 : ends.at(r - 1), ends.at(r));
-        }
-        graph.join();
-        const auto other = graph.view(complex, seen.positions);
-        EXPECT_EQ(test::view_fault(other), "") << "seed " << seed;
-        EXPECT_TRUE(std::ranges::equal(one.next, other.next));
-        EXPECT_TRUE(std::ranges::equal(one.junctions, other.junctions));
-        EXPECT_TRUE(std::ranges::equal(one.arm_begin, other.arm_begin));
-
-        if (list.empty()) {
-            continue;
-        }
-        // The neighbours of one that is not listed have no neighbour there.
-        InterfaceGraph<double> partial;
-        partial.build(complex, list.subspan(1));
-        const auto rest = partial.view(complex, std::span(seen.positions).subspan(1));
-        for (std::size_t i = 1; i < list.size(); ++i) {
-            const auto to_first = [&](const auto& arm) { return arm.neighbour == 0; };
-            const bool is_beside = one.next[i] == 0 || one.previous[i] == 0 ||
-                                   std::ranges::any_of(arms_of(one, i), to_first);
-            EXPECT_EQ(rest.is_junction(i - 1), is_beside || one.is_junction(i));
-            EXPECT_TRUE(is_beside || one.is_junction(i) || rest.next[i - 1] + 1 == one.next[i]);
-        }
-    }
-}
-
 } // namespace
 } // namespace dsc::interface_graph_test

@@ -11,7 +11,6 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <thread>
 
 namespace dsc::interface_stages_test {
@@ -144,32 +143,6 @@ INSTANTIATE_TEST_SUITE_P(Integrator, InterfaceOrders,
                              return std::string(to_string(one.param.integrator));
                          });
 
-TEST(InterfaceStages, AFlowOfPositionsMovesTheSameBitsEitherWay) {
-    const Velocity<double> turn = test::pointwise<double>([](const Point<double>& p, double time) {
-        return Point<double>(std::sin(3 * p.y()) + time, std::cos(4 * p.x()));
-    });
-    const InterfaceFlow<double> the_same = [&](const auto& view, std::size_t begin, std::size_t end,
-                                               double time, auto velocities) {
-        turn(view.positions.subspan(begin, end - begin), time,
-             velocities.subspan(begin, end - begin));
-    };
-    for (const auto& [integrator, name] : scenes::integrator_choice_names) {
-        auto one = test::disc_complex<double>(coarse);
-        auto other = test::disc_complex<double>(coarse);
-        auto options = options_for<double>(coarse);
-        scenes::choose_integrator(options, integrator);
-        Simulation<double> by_positions(one, options);
-        Simulation<double> by_sight(other, options);
-        for (int step = 0; step < 8; ++step) {
-            const auto first = by_positions.step(turn, 0.02 * step, 0.02);
-            const auto second = by_sight.step(the_same, 0.02 * step, 0.02);
-            EXPECT_EQ(first.sub_steps, second.sub_steps);
-            EXPECT_EQ(first.error, second.error);
-            ASSERT_EQ(mesh_hash(one), mesh_hash(other)) << name;
-        }
-    }
-}
-
 // Four calls a sub-step where there are four stages, whatever the number of submeshes.
 TEST(InterfaceStages, AVelocityForAllAtOnceMovesTheSameBitsInOneCallAStage) {
     const Velocity<double> turn = test::pointwise<double>([](const Point<double>& p, double time) {
@@ -273,38 +246,6 @@ TEST(InterfaceStages, AVelocityThatIsLostOnTheWayHoldsItsVertexOnly) {
         EXPECT_EQ(report.sub_steps, 1U);
         expect_sound(wobbly.complex, *wobbly.simulation);
     }
-}
-
-TEST(InterfaceStages, AnErrorComesOutAndTheNextStepGoesOn) {
-    Wobbly wobbly(Integrator::rk4);
-    const auto before = mesh_hash(wobbly.complex);
-    int calls = 0;
-    const InterfaceFlow<double> flow = [&](const auto& view, std::size_t begin, std::size_t end,
-                                           double time, auto velocities) {
-        springs(view, begin, end, time, velocities);
-        if (++calls == 3) {
-            throw std::runtime_error("enough");
-        }
-    };
-    EXPECT_THROW(wobbly.simulation->step(flow, 0, 1e-3), std::runtime_error);
-    EXPECT_EQ(mesh_hash(wobbly.complex), before);
-    expect_sound(wobbly.complex, *wobbly.simulation);
-    wobbly.run(flow, 1e-2, 2);
-    expect_sound(wobbly.complex, *wobbly.simulation);
-}
-
-TEST(InterfaceStages, AGiveUpNamesTheFastest) {
-    Wobbly wobbly(Integrator::rk4);
-    const Vertex fast{wobbly.list[7]};
-    const InterfaceFlow<double> flow =
-        vertex_flow<double>([fast](const auto& view, std::size_t i, double) -> Point<double> {
-            return (view.vertices[i] == fast ? 1e9 : 1.0) * dsc::normal(view, i);
-        });
-    const StepReport report = wobbly.simulation->step(flow, 0, 1);
-    EXPECT_EQ(report.gave_up, GiveUp::too_many_sub_steps);
-    EXPECT_EQ(report.where, fast);
-    EXPECT_NEAR(report.speed, 1e9, 1);
-    EXPECT_EQ(report.unreached, wobbly.list.size());
 }
 
 TEST(InterfaceStages, WithoutAnInterfaceNothingIsAsked) {

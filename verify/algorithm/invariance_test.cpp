@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Coordinates are only names of places, so what happens must not depend on them. The same mesh and
 // flow, scaled by powers of two in space and time, give the same bits up to that map, by every
-// strategy: lengths are never compared with absolute numbers. Turned by 90 degrees they do where
-// nothing is ordered by coordinates; what is turned and mirrored in other ways, combinations/ runs.
+// strategy: lengths are never compared with absolute numbers. What is turned and mirrored,
+// combinations/ runs.
 #include "support/random/scene.h"
 #include "support/simulation_testing.h"
 #include "support/topology/changing.h"
@@ -17,7 +17,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <string>
 
@@ -26,27 +25,18 @@ namespace {
 
 using test::Way;
 
-/// p becomes scale * turned p; a time t becomes t * time_scale.
+/// p becomes scale * p; a time t becomes t * time_scale.
 struct Map {
     std::string name;
     double scale = 1;
     double time_scale = 1;
-    bool turns = false; ///< by 90 degrees, counter-clockwise
-
-    [[nodiscard]] Point<double> image(const Point<double>& v) const {
-        return scale * (turns ? Point<double>(-v.y(), v.x()) : v);
-    }
-    [[nodiscard]] Point<double> back(const Point<double>& p) const {
-        const Point<double> q = p / scale;
-        return turns ? Point<double>(q.y(), -q.x()) : q;
-    }
 };
 
 // The same ids.
 Complex<double> mapped(const Complex<double>& complex, const Map& map) {
     std::vector<Point<double>> points;
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        points.push_back(map.image(complex.position(Vertex{v})));
+        points.emplace_back(map.scale * complex.position(Vertex{v}));
     }
     std::vector<std::array<std::uint32_t, 3>> corners;
     std::vector<Phase> phases;
@@ -77,8 +67,8 @@ struct Case {
 Velocity<double> mapped(const Case& one, const Map& map) {
     return [velocity = one.velocity, map](auto positions, double time, auto velocities) {
         for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] =
-                map.image(velocity(map.back(positions[i]), time / map.time_scale)) / map.time_scale;
+            velocities[i] = map.scale / map.time_scale *
+                            velocity(positions[i] / map.scale, time / map.time_scale);
         }
     };
 }
@@ -157,18 +147,6 @@ std::vector<Way> all_ways() {
     return ways;
 }
 
-// Slabs are cut across a direction, which is turned as well.
-std::unique_ptr<Executor<double>> executor_of(const Way& way, const Map& map,
-                                              Complex<double>& complex,
-                                              const test::ChangingOptions<double>& options) {
-    if (!way) {
-        return nullptr;
-    }
-    const double degrees = map.turns ? 90 : 0;
-    return make_executor(complex, options,
-                         Parallel{.division = *way, .submeshes = 4, .degrees = degrees});
-}
-
 struct Ran {
     Complex<double> complex;
     std::uint64_t edits = 0;
@@ -178,7 +156,7 @@ Ran run(const Case& one, const Map& map, const Way& way) {
     Ran ran{.complex = mapped(one.complex(), map)};
     const test::ChangingOptions<double> options = mapped(one.options, map);
     test::ChangingSimulation<double> simulation(ran.complex, options,
-                                                executor_of(way, map, ran.complex, options));
+                                                test::executor_of(way, ran.complex, options));
     simulation.add_listener([&](std::span<const Edit> edits) { ran.edits += edits.size(); });
     const Velocity<double> velocity = mapped(one, map);
     const double dt = one.dt * map.time_scale;
@@ -203,7 +181,7 @@ double difference(const Complex<double>& plain, const Complex<double>& image, co
             return infinity;
         }
         if (plain.is_alive(Vertex{v})) {
-            const Point<double> there = map.image(plain.position(Vertex{v}));
+            const Point<double> there = map.scale * plain.position(Vertex{v});
             most = std::max(most, (there - image.position(Vertex{v})).norm() / map.scale);
         }
     }
@@ -227,8 +205,6 @@ void expect_same_bits(const Case& one, const Map& map, const Way& way) {
     EXPECT_EQ(difference(plain.complex, image.complex, map), 0);
 }
 
-const Map turned{.name = "turned", .turns = true};
-
 TEST(Invariance, ScaledInSpaceOrTimeGivesTheSameBits) {
     for (const Map& map :
          {Map{.name = "half as large", .scale = 0.5}, Map{.name = "large", .scale = 0x1p40},
@@ -238,15 +214,6 @@ TEST(Invariance, ScaledInSpaceOrTimeGivesTheSameBits) {
             for (const Way& way : all_ways()) {
                 expect_same_bits(one, map, way);
             }
-        }
-    }
-}
-
-TEST(Invariance, TurnedByARightAngleGivesTheSameBits) {
-    for (const Case& one : {swirled(), graded(), of_patches()}) {
-        for (const Way& way :
-             {Way{}, Way{Division::fixed}, Way{Division::counting}, Way{Division::active}}) {
-            expect_same_bits(one, turned, way);
         }
     }
 }

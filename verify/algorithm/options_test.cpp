@@ -122,17 +122,6 @@ TEST(Run, TellsOfEachStepAndEndsWhereItIsTold) {
     EXPECT_LT(none.reached, 1);
 }
 
-TEST(SimulationOptions, TheJournalOfACopyIsItsOwn) {
-    Complex<double> complex = disc();
-    Simulation<double> simulation(complex, {.edge_length = disc_h});
-    Complex<double> copy = complex;
-    copy.set_phase(Triangle{1}, 3);
-    EXPECT_TRUE(copy.journal.records.empty());
-    EXPECT_TRUE(complex.journal.records.empty());
-    complex.set_phase(Triangle{1}, 3);
-    EXPECT_EQ(complex.journal.records.size(), 1U);
-}
-
 INSTANTIATE_TEST_SUITE_P(Options, EveryWay, testing::ValuesIn(all_courses), course_name);
 
 } // namespace

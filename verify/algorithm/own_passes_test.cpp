@@ -8,14 +8,10 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/passes/algorithm.h"
-#include "dsc/passes/interface/list.h"
 #include "dsc/queries/phases.h"
-#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -27,7 +23,6 @@ using test::constant;
 using test::disc_complex;
 using test::expect_sound;
 using test::options_for;
-using test::pointwise;
 
 template <class Real>
 class OwnPasses : public testing::Test {};
@@ -116,27 +111,6 @@ TYPED_TEST(OwnPasses, TakesThresholdsForEachPhase) {
     // Some of it spreads into the neighbour, where qualities are mended.
     EXPECT_GT(triangles_of(1), 1.5 * inside);
     EXPECT_LT(triangles_of(0), 1.25 * outside);
-}
-
-TYPED_TEST(OwnPasses, TheSeedOnlyChangesTheOrder) {
-    using Real = TypeParam;
-    std::array<std::uint64_t, 3> hashes{};
-    std::array<std::size_t, 3> vertices{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        auto complex = disc_complex<Real>(coarse);
-        auto options = options_for<Real>(coarse);
-        options.shuffle_seed = i == 0 ? 0 : 7;
-        Simulation<Real> simulation(complex, options);
-        for (int step = 0; step < 20; ++step) {
-            EXPECT_EQ(simulation.step(constant<Real>(0.01, 0.01), 0, 1).unreached, 0U);
-        }
-        expect_sound(complex, simulation);
-        hashes[i] = mesh_hash(complex);
-        vertices[i] = simulation.interface().size();
-    }
-    EXPECT_NE(hashes[0], hashes[1]);
-    EXPECT_EQ(hashes[1], hashes[2]);
-    EXPECT_NEAR(static_cast<double>(vertices[0]), static_cast<double>(vertices[1]), 2);
 }
 
 } // namespace

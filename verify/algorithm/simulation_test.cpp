@@ -8,15 +8,12 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/algorithm.h"
-#include "dsc/passes/interface/list.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <map>
-#include <memory>
-#include <string>
 
 namespace dsc::simulation_test {
 namespace {
@@ -188,19 +185,6 @@ TYPED_TEST(Driver, HoldsVerticesWhoseVelocityIsNotFinite) {
         hold_half<TypeParam>(bad, 0.0);
         hold_half<TypeParam>(bad, 0.1); // the stages of the integrator meet it first
     }
-}
-
-TYPED_TEST(Driver, HoldsEverythingWhereNothingIsFinite) {
-    using Real = TypeParam;
-    auto complex = disc_complex<Real>(coarse);
-    const auto options = options_for<Real>(coarse);
-    Simulation<Real> simulation(complex, options);
-    const std::uint64_t hash = mesh_hash(complex);
-    const StepReport report =
-        simulation.step(constant<Real>(std::numeric_limits<double>::quiet_NaN(), 0), 0, 1);
-    EXPECT_EQ(report.held, simulation.interface().size());
-    EXPECT_EQ(report.unreached, report.held);
-    EXPECT_EQ(mesh_hash(complex), hash);
 }
 
 TYPED_TEST(Driver, GivesUpWhereTheVelocityIsAbsurd) {

@@ -46,14 +46,6 @@ protected:
     }
 };
 
-TEST_F(Turning, TheMemoryCostsNothingWhereNobodyAsksForIt) {
-    auto complex = disc(0.05);
-    const auto options = options_for<double>(0.05);
-    Simulation<double> simulation(complex, options);
-    simulation.step(turn(1), 0, 0.05);
-    EXPECT_TRUE(complex.attributes.empty());
-}
-
 TEST_F(Turning, TheToleranceChoosesTheStep) {
     std::uint32_t first_steps = 0;
     std::uint32_t last_steps = 0;

@@ -63,7 +63,7 @@ OWN = {
     "parallel": ["parallel"],
     "topology": ["topology", "wall_films"],
     "fluid": ["fluid", "fluid_figures"],
-    "geometric_flows": ["geometric_flows", "velocities", "algorithm"],
+    "geometric_flows": ["velocities", "algorithm"],
     "thesis": ["thesis", "copies", "operations", "fuzz", "reference"],
     "io": ["io", "checkpoints"],
     "measures": ["measures"],
@@ -76,7 +76,7 @@ OWN = {
 # Cheap ones first. The hashes notice nearly everything and say nothing about what is wrong, so they
 # are asked last of all tests.
 OTHERS = ["base", "quality", "motion", "passes", "complex", "operations", "thesis", "algorithm", "initial",
-          "geometric_flows", "fluid", "fluid_figures",
+          "fluid", "fluid_figures",
           "sizes", "io", "measures", "geometry", "recipes", "scene_files", "scene_runs",
           "topology", "wall_films", "fuzz", "hard", "reference", "scenes", "parallel", "copies", "velocities",
           "checkpoints", "figures", "hashes", "gate"]

@@ -4,7 +4,6 @@
 #include "support/topology/growth_testing.h"
 
 #include "dsc/base/error.h"
-#include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 
@@ -17,70 +16,10 @@ namespace {
 using test::complex_of;
 using test::difference;
 using test::GrowingShape;
-using test::offset_polygon;
 using test::options_for;
 using test::Outline;
 
 const Outline small_square{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
-
-TEST(GrowthRules, SpeedsBelongToPairsOfPhases) {
-    const GrowthOptions<double> options{
-        .speeds = {{1, 0, 2.0}, {0, 3, 5.0}},
-        .factor = [](const Point<double>& place, double time) { return place.x() + time; }};
-    const Point<double> place(0.5, 0);
-    EXPECT_EQ(growth_speed(options, 1, 0, place, 1.0), 3);
-    EXPECT_EQ(growth_speed(options, 0, 1, place, 1.0), -3);
-    EXPECT_EQ(growth_speed(options, 3, 0, place, 0.5), -5);
-    EXPECT_EQ(growth_speed(options, 3, 1, place, 0.5), 0);
-}
-
-TEST(GrowthRules, TheTangentAtTheEndIsThatOfACircle) {
-    const auto on_circle = [](double angle) {
-        return Point<double>(3 + 2 * std::cos(angle), 1 + 2 * std::sin(angle));
-    };
-    for (const double turn : {0.3, -0.3}) {
-        const double at = 0.8;
-        const Point<double> tangent =
-            end_tangent<double>(on_circle(at - 1.7 * turn), on_circle(at - turn), on_circle(at));
-        const double sense = turn > 0 ? 1 : -1;
-        EXPECT_NEAR(tangent.x(), -sense * std::sin(at), 1e-14);
-        EXPECT_NEAR(tangent.y(), sense * std::cos(at), 1e-14);
-    }
-    // At a corner, the chord.
-    EXPECT_EQ(end_tangent<double>({0, 1}, {0, 0}, {2, 0}), Point<double>(1, 0));
-    EXPECT_EQ(end_tangent<double>({0, 0}, {1, 0}, {1, 0}), Point<double>(0, 0));
-}
-
-TEST(GrowthRules, AFactorByTimeOnlyChangesTheClock) {
-    constexpr double h = 0.01;
-    auto complex = complex_of(small_square, h);
-    // Its integral to 0.1 is 0.1, to 0.2 zero.
-    GrowingShape<double> growing(
-        complex, h, {.speeds = {{1, 0, 1.0}}, .factor = [](const Point<double>&, double time) {
-                         return std::numbers::pi / 2 * std::sin(10 * std::numbers::pi * time);
-                     }});
-    EXPECT_EQ(growing.run(0, 0.1, 0.25), 0U);
-    EXPECT_LT(difference(complex, {offset_polygon(small_square, 0.1)}), 5e-4);
-    EXPECT_EQ(growing.run(0.1, 0.1, 0.25), 0U);
-    test::expect_sound(complex, growing.simulation());
-    EXPECT_LT(difference(complex, {small_square}), 5e-3);
-}
-
-TEST(GrowthRules, OnlyVerticesOfTheInterfaceBecomeCorners) {
-    constexpr double h = 0.02;
-    auto complex = complex_of(small_square, h);
-    GrowingShape<double> growing(complex, h, {.speeds = {{1, 0, 1.0}}});
-    EXPECT_EQ(growing.run(0, 0.4 * h), 0U);
-    const auto on = test::on_interface(complex);
-    std::size_t corners = 0;
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if ((complex.vertices[v].flags & vertex_corner) != 0) {
-            EXPECT_EQ(on[v], 1) << v;
-            ++corners;
-        }
-    }
-    EXPECT_GT(corners, 8U); // a fan at each of the four
-}
 
 // A grid over the unit square, sheared by `slant` to the right, whose lines are interfaces where
 // the phases of the squares (by their lower left corner, before shearing) say so.
@@ -117,35 +56,6 @@ TEST(GrowthRules, AFactorByPlaceIsThatOfThePlace) {
     EXPECT_EQ(growing.run(0, 0.5), 0U);
     test::expect_sound(complex, growing.simulation());
     EXPECT_NEAR(phase_area(complex, 1), 0.3 * std::exp(0.5), 1e-9);
-}
-
-TEST(GrowthRules, AFanWhereTheSpeedDependsOnThePlaceLooksAfterItself) {
-    // The speed is x / 2: fronts about a point (a, b) are circles about (a cosh(t / 2), b) with the
-    // radius a sinh(t / 2), and the square's sides lie inside.
-    constexpr double h = 0.01;
-    auto complex = complex_of(small_square, h);
-    GrowingShape<double> growing(
-        complex, h, {.speeds = {{1, 0, 0.5}}, .factor = [](const Point<double>& place, double) {
-                         return place.x();
-                     }});
-    EXPECT_EQ(growing.run(0, 0.4, 0.8), 0U);
-    test::expect_sound(complex, growing.simulation());
-    for (const Point<double>& corner : small_square) {
-        const Point<double> centre(corner.x() * std::cosh(0.2), corner.y());
-        const double radius = corner.x() * std::sinh(0.2);
-        // The envelope touches the circle on the side away from the square.
-        const double side = corner.y() > 0.5 ? 1 : -1;
-        double nearest = 1;
-        for (const std::uint32_t v : growing.simulation().interface()) {
-            const Point<double> off = complex.position(Vertex{v}) - centre;
-            if (off.y() * side > 0.3 * radius && off.x() * (corner.x() - 0.5) > 0 &&
-                std::abs(off.x()) > 0.5 * radius) {
-                nearest = std::min(nearest, off.norm() / radius);
-                EXPECT_NEAR(off.norm(), radius, 0.1 * h);
-            }
-        }
-        EXPECT_LT(nearest, 1.01); // there was one
-    }
 }
 
 TEST(GrowthRules, ASheetSlidesAlongTheWallsAtAnyAngle) {

@@ -3,13 +3,9 @@
 // both when the flow turns round.
 #include "support/topology/growth_testing.h"
 
-#include "dsc/base/error.h"
-#include "dsc/queries/validate.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
-#include <limits>
 
 namespace dsc::growth_test {
 namespace {
@@ -105,16 +101,6 @@ TEST(Growth, AFanClosesIntoTheCornerThatItCameFrom) {
         EXPECT_LT(error_of(square, h, 0.1, 0.15), 1e-6) << h;
     }
     expect_order(1.9, [](double h) { return error_of(star, h, 0.1, 0.12); });
-}
-
-TEST(Growth, AUnionOfDiscsGrowsAndShrinks) {
-    const scenes::TwoDiscs discs{.radius = 0.2};
-    const auto errors = expect_order(1.9, [&](double h) {
-        auto complex = complex_of(union_outline(discs, h), h);
-        grow_and_shrink(complex, h, 0.05, 0.1);
-        return difference(complex, scenes::shrunk_discs(discs, 0.05, 0.1).outlines);
-    });
-    EXPECT_LT(errors[1], 2e-4);
 }
 
 // --- smooth curves ------------------------------------------------------------------------------
