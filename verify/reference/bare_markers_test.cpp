@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <vector>
 
 namespace dsc::bare_markers_test {
 namespace {
@@ -98,60 +97,6 @@ TEST(BareMarkers, NeverRemovedTheyAreReadAtFourthOrder) {
     const double fine = at(1.0 / 256, 16).last;
     EXPECT_NEAR(fine, 4.8e-8, 0.1 * 4.8e-8);
     EXPECT_GT(std::log2(coarse / fine), 3.8);
-}
-
-TEST(BareMarkers, AreMovedByTheClassicalRungeKuttaMethod) {
-    // dx/dt = 5 t^4: one step of RK4 integrates with Simpson's rule, 5 (0 + 4/16 + 1) / 6.
-    Markers one{{2, 3}};
-    reference::move_markers(
-        one,
-        [](auto, double t, auto v) {
-            v[0] = {5 * std::pow(t, 4), 0};
-        },
-        0, 1);
-    EXPECT_NEAR(one[0].x(), 2 + 6.25 / 6, 1e-15);
-    // dx/dt = x: the first five terms of the exponential.
-    one = {{1, 0}};
-    reference::move_markers(
-        one, [](auto p, double, auto v) { v[0] = p[0]; }, 0, 1);
-    EXPECT_NEAR(one[0].x(), 1 + 1 + 1.0 / 2 + 1.0 / 6 + 1.0 / 24, 1e-15);
-}
-
-TEST(BareMarkers, LongEdgesAreHalvedAndShortOnesLoseAMarker) {
-    Markers markers =
-        scenes::polygon(std::vector<Point<double>>{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 1);
-    ASSERT_EQ(markers.size(), 16u);
-    markers[1] = {0.1, 0}; // edges of 0.1 and 1.9
-    const auto counts = reference::space_markers(
-        markers, {.longest = 1.5, .shortest = 0.3, .insertion = &reference::linear_point});
-    EXPECT_EQ(counts.inserted, 1u);
-    EXPECT_EQ(counts.removed, 1u);
-    EXPECT_EQ(markers.size(), 16u);
-    EXPECT_EQ(markers[0], Point<double>(0.1, 0));
-    EXPECT_EQ(markers[1], Point<double>(1.05, 0));
-}
-
-TEST(BareMarkers, OfAFewNoneIsRemoved) {
-    Markers few = scenes::circle({0, 0}, 1e-3, 1.0);
-    ASSERT_EQ(few.size(), 8u);
-    const auto counts = reference::space_markers(few, {.longest = 1, .shortest = 0.3});
-    EXPECT_EQ(counts.removed, 0u);
-    EXPECT_EQ(few.size(), 8u);
-}
-
-TEST(BareMarkers, AreReadAsACubicExactly) {
-    // On a line with equal steps the parameter is the place: points of a line stay on it, in order.
-    const Markers square =
-        scenes::polygon(std::vector<Point<double>>{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, 1);
-    const Markers read = reference::read_as_cubic(square, 4);
-    ASSERT_EQ(read.size(), 4 * square.size());
-    EXPECT_NEAR((read[4 * 3 + 1] - Point<double>(3.25, 0)).norm(), 0, 1e-14);
-    EXPECT_EQ(reference::read_as_cubic(square, 1), square);
-    // On a circle it is better than chords by orders.
-    const double exact = 3.14159265358979323846;
-    const Markers circle = scenes::circle({0, 0}, 1, 0.1);
-    EXPECT_GT(exact - scenes::signed_area(circle), 1e-3);
-    EXPECT_NEAR(scenes::signed_area(reference::read_as_cubic(circle, 64)), exact, 2e-5);
 }
 
 TEST(BareMarkers, RefuseWhatMakesNoSense) {

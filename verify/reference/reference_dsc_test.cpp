@@ -8,29 +8,12 @@
 #include "reference/algorithm/selection.h"
 
 #include <algorithm>
-#include <map>
 #include <numbers>
 
 namespace dsc::reference::reference_dsc_test {
 namespace {
 
 // --- quality measures [4.3] and selection [8.8] --------------------------------------------------
-
-TEST(ReferenceQuality, MeasuresOfEquations1To4) {
-    const Complex K = make({{0, 0}, {3, 0}, {3, 4}}, {{0, 1, 2}});
-    EXPECT_EQ(distance(K.coord(0_v), K.coord(2_v)), 5);
-    EXPECT_EQ(length(K, E(1, 2)), 4);
-    EXPECT_EQ(area(K, T(0, 1, 2)), 6);
-    EXPECT_NEAR(quality(K, T(0, 1, 2)), 2 / std::sqrt(3.0) * 0.6, 1e-15);
-    EXPECT_EQ(ring_quality(K, 1_v), quality(K, T(0, 1, 2)));
-    // Figure 4.8: the smallest angles are 60, 25, 30 and 52 degrees.
-    for (const auto& [degrees, expected] : {std::pair{60, 1.0}, {25, .49}, {30, .58}, {52, .91}}) {
-        const double angle = degrees * std::numbers::pi / 180;
-        EXPECT_NEAR(quality({0, 0}, {1, 0}, {std::cos(angle), std::sin(angle)}), expected, .005);
-    }
-    EXPECT_EQ(quality({0, 0}, {1, 0}, {2, 0}), 0);
-    EXPECT_EQ(quality({1, 1}, {1, 1}, {1, 1}), 0);
-}
 
 TEST(ReferenceQuality, DelaunayConditionHasTheSignOfInCircle) { // figure 4.2
     for (const double y : {0.2, 0.9, 1.1, 5.0}) {
@@ -39,34 +22,6 @@ TEST(ReferenceQuality, DelaunayConditionHasTheSignOfInCircle) { // figure 4.2
     }
     EXPECT_NEAR(delaunay(square(), E(0, 2)), 0, 1e-15);
     EXPECT_EQ(delaunay(square(), E(0, 1)), 1);
-}
-
-TEST(ReferenceSelection, BelowThresholdMeasuresAgainAndWorstNDoesNot) {
-    Complex K = grid(2);
-    std::map<Vertex, double> q;
-    for (Vertex v : K.vertices())
-        q[v] = 9 - v.id;
-    const Measure<Vertex> Q = [&](const Vertex& v) { return q[v]; };
-    const auto record = [&](auto&& selection) {
-        std::vector<std::uint32_t> taken;
-        mesh_update(
-            std::move(selection),
-            [&](Vertex v, Complex& k) {
-                taken.push_back(v.id);
-                if (v == 8_v) {
-                    k.remove(7_v); // gone
-                    q[6_v] = 100;  // mended
-                }
-                return Verdict::legal;
-            },
-            K);
-        return taken;
-    };
-    const std::vector<Vertex> sigma{4_v, 5_v, 6_v, 7_v, 8_v, 0_v};
-    BelowThreshold<Vertex> below(sigma, Q, 4.5, K);
-    WorstN<Vertex> worst(sigma, Q, 4, K);
-    EXPECT_EQ(record(std::move(below)), (std::vector<std::uint32_t>{8, 5}));
-    EXPECT_EQ(record(std::move(worst)), (std::vector<std::uint32_t>{8, 6, 5}));
 }
 
 // --- movement [5.1], integrators, interpolators [8.9] --------------------------------------------
@@ -109,15 +64,6 @@ TEST(ReferenceIntegrators, HaveTheirOrders) {
     EXPECT_NEAR(p.y(), 7.0 / 3, 1e-15);
 }
 
-TEST(ReferenceInterpolators, CubicFollowsACurveAndStopsAtCorners) {
-    const auto at = [](double a) { return Point<double>(std::cos(a), std::sin(a)); };
-    EXPECT_NEAR(cubic_point(at(-.3), at(-.1), at(.1), at(.3)).x(), 1, 4e-5); // .09 * .01 / 24
-    EXPECT_NEAR(cubic_point({0, 0}, {1, 1}, {4, 4}, {5, 5}).x(), 2.5, 1e-14);
-    EXPECT_EQ(cubic_point({0, 1}, {0, 0}, {1, 0}, {2, 0}), Point<double>(.5, 0));
-    EXPECT_EQ(cubic_point({0, 0}, {0, 0}, {1, 0}, {2, 0}), Point<double>(.5, 0));
-    EXPECT_EQ(linear_point({9, 9}, {0, 0}, {1, 0}, {2, 7}), Point<double>(.5, 0));
-}
-
 // --- the mesh updates of algorithm 5.1 -----------------------------------------------------------
 
 // The upper half of a grid: the interface runs along y = 2 from vertex 10 to 14, and around the
@@ -147,23 +93,6 @@ TEST(ReferencePasses, ShortInterfaceEdgesVanishWhereTheCurveStays) {
     EXPECT_EQ(counts.collapses, 1U);
 }
 
-TEST(ReferencePasses, LongInterfaceEdgesAreSplitWhereTheApplicationSays) {
-    PassOptions options = with_edge_length_only(.6);
-    options.interface_point = [](const Point<double>&, const Point<double>& p1,
-                                 const Point<double>& p2, const Point<double>&) {
-        return Point<double>(.5 * (p1 + p2) + Point<double>(0, .1));
-    };
-    Complex K = half_full();
-    PassCounts counts;
-    interface_refinement(K, K.interface(), options, counts);
-    EXPECT_EQ(counts.splits, 12U);
-    EXPECT_EQ(std::ranges::count_if(K.vertices(), [&](Vertex v) { return K.coord(v).y() == 2.1; }),
-              4);
-    EXPECT_EQ(std::ranges::count_if(K.vertices(), [&](Vertex v) { return K.coord(v).y() == 4; }),
-              9);
-    expect_valid(K);
-}
-
 TEST(ReferencePasses, PhasesKeepTheirSizes) {
     Complex K = grid(8);
     PassCounts counts;
@@ -184,19 +113,6 @@ TEST(ReferencePasses, PhasesKeepTheirSizes) {
     EXPECT_EQ(none.subdivisions + none.splits, 0U);
     expect_valid(K);
     expect_valid(coarse);
-}
-
-TEST(ReferencePasses, FlipsAndSmoothingRaiseTheQuality) {
-    Complex K = fan();
-    K.set_coord(0_v, {.7, .2});
-    Complex flat = make({{0, 0}, {3, -.5}, {6, 0}, {3, .5}}, {{0, 1, 2}, {0, 2, 3}});
-    PassCounts counts;
-    smoothing(K, {}, counts);
-    optimization(flat, {}, counts);
-    EXPECT_EQ(counts.smoothed, 1U);
-    EXPECT_EQ(counts.flips, 1U);
-    EXPECT_NEAR(worst_quality(K), 1, 1e-12);
-    EXPECT_TRUE(flat.is_valid_simplex(E(1, 3)));
 }
 
 // --- the algorithm [5.6] -------------------------------------------------------------------------
@@ -269,34 +185,6 @@ TEST(ReferenceDsc, FarStepsAreDivided) {
     EXPECT_THROW(step(K, wind, 0, 1e9, with_edge_length(.05)), InputError);
     EXPECT_THROW(step(K, wind, 0, std::nan(""), with_edge_length(.05)), InputError);
     EXPECT_THROW(step(K, wind, 0, 1, with_edge_length(0)), InputError);
-}
-
-TEST(ReferenceDsc, InteriorMovesAlongWhereAsked) { // the second test of 9.1
-    Complex K = circle_in_square(20, {.4, .5}, .2);
-    Options options = with_edge_length(.05);
-    const Velocity still = [](const Point<double>&, double) { return Point<double>(0, 0); };
-    run(K, still, 1, 5, options);
-    options.moving = Moving::interior_too;
-    const auto inside = [&] { return phases(K).at(1).size(); };
-    const std::size_t before = inside();
-    const Velocity wind = [](const Point<double>&, double) { return Point<double>(.01, 0); };
-    EXPECT_EQ(run(K, wind, 1, 15, options).unreached, 0U);
-    EXPECT_EQ(inside(), before);
-}
-
-TEST(ReferenceDsc, HoldsWhatHasNoVelocityOrIsLocked) {
-    Complex K = circle_in_square(20, {.5, .5}, .2);
-    const std::set<Vertex> I = K.interface().vertices;
-    const Vertex odd = *I.begin();
-    const Point<double> place = K.coord(odd);
-    const Velocity torn = [&](const Point<double>& p, double) {
-        return p == place ? Point<double>(std::nan(""), 0) : Point<double>(.001, 0);
-    };
-    EXPECT_EQ(step(K, torn, 0, 1, with_edge_length(.05)).unreached, 1U);
-    EXPECT_EQ(K.coord(odd), place);
-    K.locked = {odd};
-    EXPECT_EQ(step(K, torn, 0, 1, with_edge_length(.05)).unreached, 0U);
-    EXPECT_EQ(K.coord(odd), place);
 }
 
 TEST(ReferenceDsc, EndsWhereTheWallEnds) {
