@@ -131,28 +131,6 @@ TEST(GradedStart, FollowsThePlace) {
     EXPECT_GT(count[0], 5 * count[1]);
 }
 
-TEST(GradedStart, RespectsTheLongestTarget) {
-    const auto complex = disc<double>({.growth = 2, .longest = 0.03});
-    for (const Edge e : edges(complex)) {
-        const auto [a, b] = complex.vertices_of(e);
-        EXPECT_LT((complex.position(a) - complex.position(b)).norm(), 1.6 * 0.03);
-    }
-}
-
-TEST(GradedStart, TakesCurvesThatEndOnTheSides) {
-    const std::vector<Curve> one{{{{0.0, 0.4}, {0.5, 0.5}, {1.0, 0.4}}, 1, 0}};
-    const auto complex = initial_complex<double>({}, std::span<const Curve>(one),
-                                                 {.edge_length = h, .sizes = {.growth = 1.4}});
-    EXPECT_EQ(validate(complex).problem, "");
-    EXPECT_GE(smallest_angle(complex), 15);
-    EXPECT_LT(complex.triangle_count(), 8000U);
-}
-
-TEST(GradedStart, GivesTheSameBitsAgainAndFloatWorks) {
-    EXPECT_EQ(mesh_hash(disc<double>({.growth = 1.3})), mesh_hash(disc<double>({.growth = 1.3})));
-    EXPECT_EQ(validate(disc<float>({.growth = 1.3})).problem, "");
-}
-
 TEST(GradedStart, BadSizesAreRefused) {
     EXPECT_THROW(disc<double>({.growth = 3}), InputError);
     EXPECT_THROW(disc<double>({.growth = 1.3, .longest = h / 3}), InputError);

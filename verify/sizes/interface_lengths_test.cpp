@@ -108,25 +108,6 @@ TEST_P(InterfaceLengths, FollowTheTime) {
     EXPECT_GT(edges_at(2), 0.9 * fine);
 }
 
-// A target that is the edge length everywhere is none.
-TEST_P(InterfaceLengths, OfTheEdgeLengthChangeNothing) {
-    std::array<std::uint64_t, 2> hashes{};
-    for (const bool is_asked : {false, true}) {
-        Complex<double> complex = test::disc_complex<double>(finest, middle, 0.1);
-        Options<double> options = test::options_for<double>(finest);
-        options.sizes.growth = 1.3;
-        if (is_asked) {
-            options.sizes.on_interface = [](const Point<double>&, double) { return finest; };
-        }
-        auto simulation = make_simulation(complex, options, GetParam());
-        for (int step = 0; step < 25; ++step) {
-            simulation->step(test::swirl, 0.01 * step, 0.01);
-        }
-        hashes[is_asked ? 1 : 0] = mesh_hash(complex);
-    }
-    EXPECT_EQ(hashes[0], hashes[1]);
-}
-
 INSTANTIATE_TEST_SUITE_P(Sizes, InterfaceLengths, testing::ValuesIn(test::all_courses),
                          test::course_name);
 

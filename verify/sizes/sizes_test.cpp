@@ -8,7 +8,6 @@
 #include "dsc/complex/complex.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/phases.h"
-#include "dsc/queries/validate.h"
 #include "dsc/sizes/sizes.h"
 
 #include <gtest/gtest.h>
@@ -127,38 +126,6 @@ TEST(Sizes, CanBeSwitchedOnAndOff) {
     run_steps(simulation, test::constant<double>(1e-9, 0), 80);
     expect_whole(complex, simulation);
     EXPECT_GT(complex.triangle_count(), 0.25 * uniform);
-}
-
-TEST(Sizes, SurviveANewNumbering) {
-    Complex<double> complex = small_disc();
-    Simulation<double> simulation(complex, graded());
-    run_steps(simulation, swirl, 10);
-    renumber(complex);
-    run_steps(simulation, swirl, 10);
-    expect_whole(complex, simulation);
-    renumber(complex);
-    run_steps(simulation, test::constant<double>(1e-9, 0), 40);
-    EXPECT_LT(complex.triangle_count(), small_disc().triangle_count() / 2);
-}
-
-TEST(Sizes, FollowTheTimeWhereTheyAreToldThatTheyChange) {
-    Complex<double> complex = small_disc();
-    Options<double> options = graded(1.5);
-    options.sizes.by_place = [](const Point<double>&, double time, Phase) {
-        return time < 1 ? 0.06 : h;
-    };
-    options.sizes.changes_in_time = true;
-    Simulation<double> simulation(complex, options);
-    const auto still = test::constant<double>(1e-9, 0);
-    const auto at = [&](double time) {
-        for (int i = 0; i < 40; ++i) {
-            simulation.step(still, time, 1e-3);
-        }
-        expect_whole(complex, simulation);
-        return static_cast<double>(complex.triangle_count());
-    };
-    const double coarse = at(0);
-    EXPECT_GT(at(2), 4 * coarse);
 }
 
 // What changes where nothing moves is handed to those who own it.

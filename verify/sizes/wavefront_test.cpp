@@ -15,46 +15,9 @@
 namespace dsc::wavefront_test {
 namespace {
 
-// The least over many points of the edge, its ends left out. Plain numbers: without optimisation
-// vectors of Eigen take many times as long.
-double sampled(const Point<double>& a, double value_a, const Point<double>& b, double value_b,
-               double slope) {
-    const double ax = a.x();
-    const double ay = a.y();
-    const double bx = b.x();
-    const double by = b.y();
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 1; i < 20000; ++i) {
-        const double share = i / 20000.0;
-        const double x = ax + share * (bx - ax);
-        const double y = ay + share * (by - ay);
-        least = std::min(least,
-                         value_a + share * (value_b - value_a) + slope * std::sqrt(x * x + y * y));
-    }
-    return least;
-}
-
 double between(const Point<double>& a, double value_a, const Point<double>& b, double value_b,
                double slope) {
     return least_between<double>(a.x(), a.y(), value_a, b.x(), b.y(), value_b, slope);
-}
-
-TEST(Wavefront, FindsTheBestStartOnAnEdge) {
-    test::Dice dice(7);
-    int inside = 0;
-    for (int i = 0; i < 400; ++i) {
-        const Point<double> a = dice.point(-1, 1);
-        const Point<double> b = dice.point(-1, 1);
-        const double slope = dice.in(0.1, 2.0);
-        const double value_a = dice.in(0.0, 1.0);
-        const double value_b = dice.in(0.0, 1.0);
-        const double found = between(a, value_a, b, value_b, slope);
-        const double at_ends = std::min(value_a + slope * a.norm(), value_b + slope * b.norm());
-        const double best = sampled(a, value_a, b, value_b, slope);
-        EXPECT_NEAR(std::min(found, at_ends), std::min(best, at_ends), 1e-6);
-        inside += std::isfinite(found) ? 1 : 0;
-    }
-    EXPECT_GT(inside, 50);
 }
 
 TEST(Wavefront, KeepsToTheEndsWhereNothingIsKnown) {
@@ -132,20 +95,6 @@ TEST(MeasureSizes, AreBoundByEachOption) {
     const SizeOptions<double> too_fine{
         .growth = 2, .by_place = [](const Point<double>&, double, Phase) { return std::nan(""); }};
     EXPECT_DOUBLE_EQ(most(lengths(too_fine)), h);
-}
-
-TEST(MeasureSizes, GiveTheSameBitsAgain) {
-    Complex<double> complex = test::disc_complex<double>(h, {0.5, 0.5}, radius);
-    const SizeOptions<double> sizes{.growth = 1.3};
-    const auto bits = [&] {
-        measure_sizes(complex, sizes, h, 0.0);
-        std::vector<double> list;
-        for (const auto& size : size_field(complex).data()) {
-            list.push_back(size.length);
-        }
-        return list;
-    };
-    EXPECT_EQ(bits(), bits());
 }
 
 } // namespace
