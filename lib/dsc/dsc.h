@@ -46,4 +46,3 @@
 
 #include "dsc/io/part_file.h"
 #include "dsc/io/pictures.h"
-#include "dsc/io/replay.h"

@@ -3,7 +3,7 @@
 // repeat_edit<double>)`.
 #pragma once
 
-#include "dsc/io/replay.h"
+#include "replay/replay.h"
 
 namespace dsc {
 

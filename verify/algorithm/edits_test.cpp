@@ -6,7 +6,7 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
-#include "dsc/io/replay.h"
+#include "replay/replay.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/parallel/parallel.h"

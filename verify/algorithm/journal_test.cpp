@@ -6,7 +6,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "dsc/io/replay.h"
+#include "replay/replay.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/queries/validate.h"
 #include "thesis/centred_difference.h"

@@ -6,7 +6,7 @@
 #include "support/random/scene.h"
 
 #include "dsc/complex/complex.h"
-#include "dsc/io/replay.h"
+#include "replay/replay.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"

@@ -9,7 +9,7 @@
 #include "dsc/base/archive.h"
 #include "dsc/base/error.h"
 #include "dsc/io/part_file.h"
-#include "dsc/io/replay.h"
+#include "replay/replay.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/validate.h"
 #include "scenes/run/checkpoint.h"

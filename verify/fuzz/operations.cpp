@@ -10,7 +10,7 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/io/replay.h"
+#include "replay/replay.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"

@@ -14,7 +14,7 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/io/replay.h"
+#include "replay/replay.h"
 #include "dsc/motion/interface_flow.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/validate.h"

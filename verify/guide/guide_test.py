@@ -17,7 +17,7 @@ BUILD = os.environ["DSC_BUILD"]
 GUIDE = os.path.join(ROOT, "lib", "guide")
 FILES = ["README.md"] + sorted(f"lib/guide/{name}" for name in os.listdir(GUIDE)
                                if name.endswith(".md"))
-MODULES = ["fluid", "geometric_flows", "thesis", "topology"]  # what stands on another one after it
+MODULES = ["fluid", "geometric_flows", "replay", "thesis", "topology"]  # what stands on another one after it
 FILES += [f"lib/{module}/README.md" for module in MODULES]
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Logs of edits as files: written and read back, and the errors for files that are not logs.
-#include "dsc/io/replay.h"
+#include "replay/replay.h"
 
 #include "dsc/base/error.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/io/replay.h"
+#include "replay/replay.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/phases.h"
 #include "geometric_flows/growth.h"

@@ -27,7 +27,7 @@ struct RunOptions {
     Submeshing submeshing; ///< of the parallel strategies
     FramePlan frames;      ///< .vtu and .pvd
     std::string outlines;  ///< file for the outlines at the end, as GeoJSON; empty: none
-    std::string edits;     ///< file for the log of edits (dsc/io/replay.h); empty: none
+    std::string edits;     ///< file for the log of edits (replay/replay.h); empty: none
     int series_every = 0;  ///< steps between rows of the time series; 0: none
     bool progress = false; ///< a line on stderr
     /// What is measured at the end, and when a reversing flow is farthest out.

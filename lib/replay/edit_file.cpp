@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/io/replay.h"
+#include "replay/replay.h"
 
 #include "dsc/base/error.h"
 
