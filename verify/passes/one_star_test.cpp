@@ -111,11 +111,11 @@ TEST(KeptStars, AreReadUntilTheyChange) {
     Work<double> work(complex, options);
     work.epoch = 1;
     ASSERT_TRUE(gather(complex, Region{}, 12, work.ring));
-    work.stars = {keep_link(complex, work.ring)};
+    work.stars = {keep_star(complex, work.ring, {})};
     complex.set_position(Vertex{11}, {1.9, 1.2});
     Ring<double> walked;
     ASSERT_TRUE(gather(complex, Region{}, 12, walked));
-    ASSERT_TRUE(gather_link(complex, Region{}, work.stars[0], work.ring));
+    ASSERT_TRUE(gather_kept(complex, Region{}, work.stars[0], work.ring));
     ASSERT_EQ(work.ring.size, walked.size);
     for (std::uint32_t i = 0; i < walked.padded(); ++i) {
         EXPECT_EQ(work.ring.x[i], walked.x[i]);

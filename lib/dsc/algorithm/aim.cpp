@@ -15,15 +15,14 @@ IntegratorStep<Real> step_of(Work<Real>& work) {
 }
 
 // The number of the star that upkeep has kept of the next vertex in the list of the interface, if
-// it is still what it was: each edit of a star puts its centre into an active set, and that gives
-// it another stamp.
+// it is still what it was.
 template <class Real>
 std::uint32_t star_of(const Work<Real>& work, std::uint32_t v, std::uint32_t& next) {
     if (next == work.stars.size() || work.stars[next].vertex != v) {
         return no_id;
     }
     const std::uint32_t star = next++;
-    return work.stars[star].stamp == work.complex.vertices[v].stamp ? star : no_id;
+    return work.stars[star].is_unchanged(work.complex) ? star : no_id;
 }
 
 } // namespace

@@ -17,6 +17,13 @@ constexpr bool is_left(Phase one, Phase other) {
     return other == border_phase || (one != border_phase && one > other);
 }
 
+/// What a view says of a vertex because its record does.
+constexpr std::uint8_t own_flags(std::uint32_t record) {
+    const unsigned corner = (record & vertex_corner) != 0 ? unsigned{interface_corner} : 0U;
+    const unsigned locked = (record & vertex_locked) != 0 ? unsigned{interface_locked} : 0U;
+    return static_cast<std::uint8_t>(corner | locked);
+}
+
 } // namespace
 
 template <class Real>
@@ -41,14 +48,46 @@ void InterfaceGraph<Real>::number(Complex<Real>& complex, std::span<const std::u
 
 template <class Real>
 void InterfaceGraph<Real>::connect(const Complex<Real>& complex, std::size_t range,
-                                   std::size_t begin, std::size_t end) {
+                                   std::size_t begin, std::size_t end,
+                                   std::span<const KeptStar> stars) {
     Junctions& found = found_[range];
     found.indices.clear();
     found.begin.clear();
     found.arms.clear();
+    const auto number_of = [&](const KeptStar& star) { return complex.vertices[star.vertex].slot; };
+    auto star = std::ranges::lower_bound(stars, begin, {}, number_of);
     for (std::size_t i = begin; i < end; ++i) {
-        connect_one(complex, i, found);
+        const bool has_star = star != stars.end() && star->vertex == vertices_[i].id;
+        if (!has_star || !connect_kept(complex, i, *star)) {
+            connect_one(complex, i, found);
+        }
+        star += has_star ? 1 : 0;
     }
+}
+
+template <class Real>
+bool InterfaceGraph<Real>::has_number(const Complex<Real>& complex, std::uint32_t v) const {
+    const std::uint32_t slot = complex.vertices[v].slot;
+    return slot < vertices_.size() && vertices_[slot] == Vertex{v};
+}
+
+// A vertex of a curve, whose star need not be walked round. False if it is none.
+template <class Real>
+bool InterfaceGraph<Real>::connect_kept(const Complex<Real>& complex, std::size_t i,
+                                        const KeptStar& star) {
+    const std::uint32_t first = star.link[star.spokes.first];
+    const std::uint32_t second = star.link[star.spokes.second];
+    if (star.spokes.count != 2 || !star.is_unchanged(complex) || !has_number(complex, first) ||
+        !has_number(complex, second)) {
+        return false;
+    }
+    const bool first_is_next = is_left(star.left, star.right);
+    next_[i] = complex.vertices[first_is_next ? first : second].slot;
+    previous_[i] = complex.vertices[first_is_next ? second : first].slot;
+    left_[i] = first_is_next ? star.left : star.right;
+    right_[i] = first_is_next ? star.right : star.left;
+    flags_[i] = own_flags(complex.vertices[star.vertex].flags);
+    return true;
 }
 
 // The arms of each vertex are collected at the end of the list of its range, and stay there if they
@@ -61,10 +100,9 @@ void InterfaceGraph<Real>::connect_one(const Complex<Real>& complex, std::size_t
     const std::size_t first = arms.size();
     std::size_t spokes = 0;
     const auto add = [&](std::uint32_t to, Phase left, Phase right) {
-        const std::uint32_t slot = complex.vertices[to].slot;
         ++spokes;
-        if (slot < vertices_.size() && vertices_[slot] == Vertex{to}) {
-            arms.push_back({slot, left, right});
+        if (has_number(complex, to)) {
+            arms.push_back({complex.vertices[to].slot, left, right});
         }
     };
     bool is_on_boundary = false;
@@ -82,12 +120,8 @@ void InterfaceGraph<Real>::connect_one(const Complex<Real>& complex, std::size_t
             }
         }
     });
-    const std::uint32_t record_flags = complex.vertices[vertex.id].flags;
-    unsigned flags = 0;
-    const auto mark = [&](bool holds, unsigned flag) { flags |= holds ? flag : 0U; };
-    mark(is_on_boundary, interface_boundary);
-    mark((record_flags & vertex_corner) != 0, interface_corner);
-    mark((record_flags & vertex_locked) != 0, interface_locked);
+    unsigned flags = own_flags(complex.vertices[vertex.id].flags);
+    flags |= is_on_boundary ? unsigned{interface_boundary} : 0U;
     if (spokes == 2 && arms.size() - first == 2 && arms[first].left == arms[first + 1].right &&
         arms[first].right == arms[first + 1].left) {
         const bool first_is_next = is_left(arms[first].left, arms[first].right);
@@ -129,7 +163,7 @@ template <class Real>
 void InterfaceGraph<Real>::build(Complex<Real>& complex, std::span<const std::uint32_t> list) {
     resize(list.size(), 1);
     number(complex, list, 0);
-    connect(complex, 0, 0, list.size());
+    connect(complex, 0, 0, list.size(), {});
     join();
 }
 
@@ -162,7 +196,7 @@ void InterfaceSight<Real>::look(Work<Real>& work, std::span<const std::size_t> e
         graph_.number(work.complex, list.subspan(begin, ends_[range] - begin), begin);
     };
     const auto connect = [&](std::size_t range) {
-        graph_.connect(work.complex, range, begin_of(range), ends_[range]);
+        graph_.connect(work.complex, range, begin_of(range), ends_[range], work.stars);
     };
     run_ranges_(std::cref(number)); // by reference: no allocation
     run_ranges_(std::cref(connect));

@@ -30,9 +30,10 @@ public:
     void number(Complex<Real>& complex, std::span<const std::uint32_t> list, std::size_t begin);
     /// Finds the neighbours of numbers `begin` to `end`, which are range `range`. A neighbour
     /// without a number is left out: a pass of the application may just have put it on the
-    /// interface, and it is listed from the next sub-step on. O(stars).
+    /// interface, and it is listed from the next sub-step on. `stars` are those that upkeep has
+    /// kept of vertices in the list, in its order. O(stars).
     void connect(const Complex<Real>& complex, std::size_t range, std::size_t begin,
-                 std::size_t end);
+                 std::size_t end, std::span<const KeptStar> stars);
     /// Puts the junctions of all ranges together. O(junctions).
     void join();
     /// All three rounds at once. O(stars of list).
@@ -48,6 +49,8 @@ private:
         std::vector<std::uint32_t> begin;
         std::vector<InterfaceArm> arms;
     };
+    [[nodiscard]] bool has_number(const Complex<Real>& complex, std::uint32_t v) const;
+    bool connect_kept(const Complex<Real>& complex, std::size_t i, const KeptStar& star);
     void connect_one(const Complex<Real>& complex, std::size_t i, Junctions& found);
 
     std::vector<Vertex> vertices_;

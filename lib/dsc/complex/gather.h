@@ -67,17 +67,6 @@ struct Ring {
     }
 };
 
-/// The link of a closed star of at most eight triangles, kept so that the star can be gathered
-/// again without a walk from triangle to triangle, as long as no edit has changed it.
-struct KeptLink {
-    static constexpr std::uint32_t capacity = 8;
-
-    std::uint32_t vertex = no_id;             ///< the centre
-    std::uint32_t size = 0;                   ///< triangles of the star
-    std::uint32_t stamp = 0;                  ///< of the centre, at that time
-    std::array<std::uint32_t, capacity> link; ///< ids; from `size` on the first one again
-};
-
 /// The interface spokes of a ring; more than two make a junction.
 struct Spokes {
     std::uint32_t count = 0;  ///< how many there are
@@ -87,6 +76,28 @@ struct Spokes {
     /// Of two spokes, the one that is not `spoke`.
     [[nodiscard]] std::uint32_t other(std::uint32_t spoke) const {
         return first == spoke ? second : first;
+    }
+};
+
+/// A closed star of at most eight triangles, kept so that it can be gathered again without a walk
+/// from triangle to triangle, and its neighbours on the interface be known, as long as no edit has
+/// changed it.
+struct KeptStar {
+    static constexpr std::uint32_t capacity = 8;
+
+    std::uint32_t vertex = no_id; ///< the centre
+    std::uint32_t size = 0;       ///< triangles of the star
+    std::uint32_t stamp = 0;      ///< of the centre, at that time
+    Spokes spokes;                ///< those of the interface
+    Phase left = border_phase;    ///< of the first of these spokes, seen from the centre
+    Phase right = border_phase;   ///< of the same one
+    std::array<std::uint32_t, capacity> link; ///< ids; from `size` on the first one again
+
+    /// Whether the star is what it was: each edit puts the centre into an active set, and that
+    /// gives it another stamp. O(1).
+    template <class Real>
+    [[nodiscard]] bool is_unchanged(const Complex<Real>& complex) const {
+        return complex.vertices[vertex].stamp == stamp;
     }
 };
 
@@ -332,7 +343,7 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
 
 /// Whether the region owns the vertices of a link and its centre, where they are now.
 template <class Real>
-bool owns_link(const Complex<Real>& complex, const Region& region, const KeptLink& kept) {
+bool owns_kept(const Complex<Real>& complex, const Region& region, const KeptStar& kept) {
     bool is_owned = owns(complex, region, kept.vertex);
     for (std::uint32_t i = 0; i < kept.size; ++i) {
         is_owned = is_owned && owns(complex, region, kept.link[i]);
@@ -342,11 +353,17 @@ bool owns_link(const Complex<Real>& complex, const Region& region, const KeptLin
 
 } // namespace detail
 
-/// Keeps the link of a closed star that has room in it. O(1).
+/// Keeps a closed star that has room. O(1).
 template <class Real>
-KeptLink keep_link(const Complex<Real>& complex, const Ring<Real>& ring) {
-    KeptLink kept{ring.vertex, ring.size, complex.vertices[ring.vertex].stamp, {}};
-    for (std::uint32_t i = 0; i < KeptLink::capacity; ++i) {
+KeptStar keep_star(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes) {
+    KeptStar kept{.vertex = ring.vertex,
+                  .size = ring.size,
+                  .stamp = complex.vertices[ring.vertex].stamp,
+                  .spokes = spokes,
+                  .left = ring.phase_after(spokes.first),
+                  .right = ring.phase_before(spokes.first),
+                  .link = {}};
+    for (std::uint32_t i = 0; i < KeptStar::capacity; ++i) {
         kept.link[i] = ring.link[i < ring.size ? i : 0];
     }
     return kept;
@@ -356,10 +373,10 @@ KeptLink keep_link(const Complex<Real>& complex, const Ring<Real>& ring) {
 /// coordinates, but no corners, phases and predecessors. Returns false, and has gathered nothing,
 /// if the region does not own all of the star. O(1).
 template <class Real>
-bool gather_link(const Complex<Real>& complex, const Region& region, const KeptLink& kept,
+bool gather_kept(const Complex<Real>& complex, const Region& region, const KeptStar& kept,
                  Ring<Real>& ring) {
-    constexpr std::uint32_t lanes = KeptLink::capacity;
-    if (!region.is_whole() && !detail::owns_link(complex, region, kept)) {
+    constexpr std::uint32_t lanes = KeptStar::capacity;
+    if (!region.is_whole() && !detail::owns_kept(complex, region, kept)) {
         return false;
     }
     const auto* const vertices = complex.vertices.data();

@@ -116,7 +116,7 @@ struct Work {
     std::vector<Mover<Real>> movers;      ///< vertices that have not reached their target yet
     /// Stars that the interface upkeep has left as they are, in the order of `interface`: movement
     /// need not walk round them again. Of no use once a pass of motion has been run.
-    std::vector<KeptLink> stars;
+    std::vector<KeptStar> stars;
     std::vector<std::uint32_t> active;    ///< vertices whose star must be looked at; no duplicates
     std::uint32_t epoch = 0;              ///< a vertex with this stamp is in `active` already
     /// Vertices to be looked at in the next mesh update because the target length of edges changes

@@ -60,7 +60,7 @@ template <class Real>
 bool gather_mover(Work<Real>& work, const Mover<Real>& mover) {
     const Region& region = work.submesh.region;
     return (mover.star < work.stars.size() &&
-            gather_link(work.complex, region, work.stars[mover.star], work.ring)) ||
+            gather_kept(work.complex, region, work.stars[mover.star], work.ring)) ||
            gather(work.complex, region, mover.vertex, work.ring);
 }
 

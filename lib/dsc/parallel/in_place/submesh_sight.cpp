@@ -13,16 +13,19 @@ template <class Real>
 void SubmeshExecutor<Real>::join_interface() {
     auto& list = joined_->work.interface;
     auto& ends = joined_->ends;
+    auto& stars = joined_->work.stars;
     list.clear();
     ends.clear();
-    const auto append = [&](const std::vector<std::uint32_t>& part) {
-        list.insert(list.end(), part.begin(), part.end());
+    stars.clear();
+    const auto append = [&](const Work<Real>& part) {
+        list.insert(list.end(), part.interface.begin(), part.interface.end());
         ends.push_back(list.size());
+        stars.insert(stars.end(), part.stars.begin(), part.stars.end());
     };
     for (std::size_t i = 0; i < first_colour_; ++i) {
-        append(parts_[i]->work.interface);
+        append(parts_[i]->work);
     }
-    append(whole_.interface);
+    append(whole_);
 }
 
 template <class Real>

@@ -192,6 +192,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
 template <class Real>
 AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real time, Real dt) {
     whole_.interface.clear();
+    whole_.stars.clear();
     listed_.clear();
     for (std::size_t i = 0; i < first_colour_; ++i) {
         for (const Deferred<Real>& one : parts_[i]->work.deferred.entries) {

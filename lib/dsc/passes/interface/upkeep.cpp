@@ -95,9 +95,9 @@ private:
             }
         } else if (!(should_collapse(ring, spokes) && try_collapse(ring, spokes)) &&
                    !(wants_wall_upkeep(ring) && keep_wall(v, ring)) && !refine(v, ring, spokes)) {
-            if (ring.closed && ring.size <= KeptLink::capacity &&
+            if (ring.closed && ring.size <= KeptStar::capacity &&
                 complex_.vertices[v].stamp != work_.epoch) {
-                work_.stars.push_back(keep_link(complex_, ring));
+                work_.stars.push_back(keep_star(complex_, ring, spokes));
             }
             show(ring, spokes);
         }
