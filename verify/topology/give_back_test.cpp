@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Area that a change of topology takes is given back, to the rounding of the positions.
+// Area that a change of topology takes is given back, to the rounding of the positions; and the
+// area that two ends of an edge sweep as they merge is noted.
 #include "topology/give_back.h"
 
 #include "support/random/scene.h"
-#include "support/topology/changing.h"
-#include "support/topology/topology_testing.h"
 
-#include "dsc/algorithm/simulation.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/initial/initial_complex.h"
-#include "dsc/parallel/parallel.h"
 #include "dsc/queries/locate.h"
 #include "dsc/queries/validate.h"
-#include "geometric_flows/curvature_flow.h"
+#include "topology/junctions/merging.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -154,63 +151,41 @@ TYPED_TEST(GiveBackTyped, MovesASingleVertexThatLiesAtTheVeryPlace) {
     EXPECT_NEAR(areas_of(complex).at(1), areas_of(before).at(1) + 1e-5, 4 * rounding);
 }
 
-TEST(GiveBack, DoesNothingUnlessItIsAskedFor) {
-    auto complex = test::disc_complex<double>(0.02);
-    Work<double> of{complex, {.rule = Topology::change}};
-    take<double>(of.work, {0.745, 0.5}, exterior_phase);
-    EXPECT_TRUE(of.work.transfers.empty());
+// --- two ends of a short edge that merge ---------------------------------------------------------
+
+// v is (0.1, 0) and w the origin. Where v goes to w, the triangle of v, p and q becomes one of w,
+// p and q, which lie on a line but for `height`; q is inside the phase, p is not.
+Complex<double> with_sliver() {
+    constexpr double height = 0.1;
+    const std::vector<Point<double>> points{{0.1, 0}, {0, 0},    {0.5, 0.5 + height}, {1, 1},
+                                            {0, -1},  {1, -0.5}, {-0.2, 1},           {-1, -0.3}};
+    enum : std::uint32_t { v, w, q, p, e, f, g, i };
+    const std::vector<std::array<std::uint32_t, 3>> triangles{{v, e, f}, {v, f, p}, {v, p, q},
+                                                              {v, q, w}, {v, w, e}, {q, p, g},
+                                                              {q, g, w}, {w, g, i}, {w, i, e}};
+    return make_complex<double>(points, triangles, std::vector<Phase>(triangles.size(), 1));
 }
 
-struct Course {
-    AreaAccount account;
-    double worst = 0; ///< difference of a phase's area before and after a change of topology
-    std::size_t events = 0;
-};
+TEST(Merging, LeavesEverythingInPlaceWhereAVertexIsLocked) {
+    auto complex = with_sliver();
+    complex.set_locked(Vertex{0}, true);
+    Work<double> of{complex};
+    EXPECT_FALSE(merge_ends(of.work, Vertex{0}, Vertex{1}, false).is_valid());
+    EXPECT_EQ(complex.vertex_count(), 8U);
+    EXPECT_EQ(validate(complex).problem, "");
+}
 
-// Grains move by their curvature; the topology changes between the steps, so that the areas before
-// and after can be compared.
-Course change_grains(bool gives_back) {
-    constexpr double h = 0.03;
-    auto complex = test::random_grains(40, h, 5);
-    test::ChangingOptions<double> options;
-    options.edge_length = h;
-    options.interface.corner_degrees = 180;
-    test::ChangingSimulation<double> simulation(complex, options);
-    Course course;
-    for (int i = 0; i < 60; ++i) {
-        simulation.step(curvature_flow<double>(), 0, 0.2 * h * h);
-        std::vector<Suspect<double>> suspects;
-        for (const Vertex v : vertices(complex)) {
-            const Point<double> p = complex.position(v);
-            suspects.push_back({p.x(), p.y(), v.id, true, true, true, true});
-        }
-        const auto before = areas_of(complex);
-        std::vector<Event> events;
-        const TopologyOptions<double> topology{.rule = Topology::change,
-                                               .gives_back_area = gives_back};
-        const AreaAccount account =
-            change_topology<double>(complex, topology, h, suspects, 0, events);
-        EXPECT_EQ(validate(complex).problem, "");
-        auto after = areas_of(complex);
-        double all = 0;
-        for (const auto& [phase, area] : before) {
-            all += std::abs(after[phase] - area) / 2;
-        }
-        EXPECT_NEAR(all, account.owed, gives_back ? 1e-14 : 1);
-        course.worst = std::max(course.worst, all);
-        course.account += account;
-        course.events += events.size();
+// The curves from v to p and to f sweep a triangle each, of 0.1 along the abscissa and the height
+// of their other end.
+TEST(Merging, NotesTheAreaThatCurvesSweep) {
+    auto complex = with_sliver();
+    constexpr std::array<Phase, 9> phases{1, 2, 3, 3, 1, 3, 3, 4, 1};
+    for (std::uint32_t t = 0; t < 9; ++t) {
+        complex.set_phase(Triangle{t + 1}, phases[t]);
     }
-    return course;
-}
-
-TEST(GiveBack, KeepsTheAreasOfGrainsThatExchangeTheirNeighbours) {
-    const Course lost = change_grains(false);
-    const Course kept = change_grains(true);
-    ASSERT_GT(kept.events, 10U);
-    EXPECT_GT(lost.worst, 1e-4);
-    EXPECT_EQ(lost.account.given_back + lost.account.owed, 0);
-    EXPECT_GT(kept.account.given_back, 1e-4);
+    Work<double> of{complex};
+    ASSERT_EQ(merge_ends(of.work, Vertex{0}, Vertex{1}, false), Vertex{1});
+    EXPECT_NEAR(of.work.swept, 0.1 * 1 / 2 + 0.1 * 0.5 / 2, 1e-12);
 }
 
 } // namespace

@@ -70,12 +70,5 @@ TEST(Grains, CoarsenToATenthAndNothingIsStuck) {
     EXPECT_LT(coarsen(complex, h, 1, 3, 5000).steps, 5000);
 }
 
-// Grains of four edges: films open between grains that are still jagged, at their junctions.
-TEST(Grains, OfACoarseStartLeaveNoCrowdedVertex) {
-    constexpr double h = 0.03;
-    auto complex = test::random_grains(60, h, 17);
-    EXPECT_EQ(coarsen(complex, h, 1, 3, 12).steps, 12);
-}
-
 } // namespace
 } // namespace dsc::grains_test

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Junctions: four sectors come apart as the energy wants it, or stay together. How fast they do is
-// tested by the scene t1, and how a network of grains coarsens in grains_test.cpp.
-#include "topology/junctions/junctions.h"
+// Junctions inside and at the sides of the domain: four sectors that come apart, ends of curves
+// that meet on the wall, junctions that reach it, and corners; and to whom small pieces go.
 
-#include "support/topology/changing.h"
+#include "support/topology/topology_testing.h"
 
-#include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "dsc/complex/ranges.h"
-#include "dsc/queries/validate.h"
-#include "geometric_flows/curvature_flow.h"
 
 #include <gtest/gtest.h>
 
@@ -21,114 +16,281 @@
 namespace dsc::junctions_test {
 namespace {
 
+using test::cells_of;
+using test::change;
+using test::changing;
+using test::Ends;
+using test::ends_of;
+using test::film;
+using test::grid;
+using test::Meeting;
+using test::meeting_at;
+using test::nothing;
 using P = Point<double>;
 
-// Sectors 1 (right), 2 (above), 3 (left) and 4 (below) meet at the origin; rays at +-`degrees` from
-// the x axis bound 1 and 3. Square cells, each cut along both diagonals, with y scaled, so that the
-// rays run along edges.
-Complex<double> four_sectors(double degrees, double h) {
-    const double scale = std::tan(degrees * std::numbers::pi / 180);
-    const auto half = static_cast<int>(0.5 / (1.2 * h));
-    const int n = 2 * half;
-    const double size = 0.5 / half;
-    std::vector<P> points;
-    std::vector<std::array<std::uint32_t, 3>> cells;
-    std::vector<Phase> phases;
-    for (int y = 0; y <= n; ++y) {
-        for (int x = 0; x <= n; ++x) {
-            points.emplace_back((x - half) * size, (y - half) * size * scale);
+// Phase 2 stands on the wall, 0.1 wide, between 1 and 3; its sides move apart by `slope` upwards.
+Complex<double> narrow_foot(double slope) {
+    std::vector<std::vector<P>> rows;
+    for (int y = 0; y <= 4; ++y) {
+        auto& row = rows.emplace_back();
+        for (const int x : {-3, -2, -1, 1, 2, 3}) {
+            const double half = 0.05 + slope * y;
+            row.emplace_back(x > 0 ? half + x - 1 : -half + x + 1, y);
         }
     }
-    const auto corner = [&](int x, int y) { return static_cast<std::uint32_t>(y * (n + 1) + x); };
-    for (int y = 0; y < n; ++y) {
-        for (int x = 0; x < n; ++x) {
-            const auto centre = static_cast<std::uint32_t>(points.size());
-            points.emplace_back((x - half + 0.5) * size, (y - half + 0.5) * size * scale);
-            const std::array<std::uint32_t, 4> around{corner(x, y), corner(x + 1, y),
-                                                      corner(x + 1, y + 1), corner(x, y + 1)};
-            for (std::size_t k = 0; k < 4; ++k) {
-                cells.push_back({around[k], around[(k + 1) % 4], centre});
-                const P p = (points[around[k]] + points[around[(k + 1) % 4]] + points[centre]) / 3;
-                const bool is_beside = std::abs(p.y()) < std::abs(p.x()) * scale;
-                phases.push_back(is_beside ? (p.x() > 0 ? 1U : 3U) : (p.y() > 0 ? 2U : 4U));
-            }
-        }
-    }
-    return make_complex<double>(points, cells, phases);
+    return cells_of(rows, [&](const P& p) {
+        const double half = 0.05 + slope * p.y();
+        return p.x() < -half ? 1U : (p.x() > half ? 3U : 2U);
+    });
 }
 
-// Interface edges at each inner vertex with more than two; the places of these vertices.
-std::vector<P> junctions(const Complex<double>& complex, std::size_t edges) {
+// Phase 2 is a wedge with its point at (0, height) and sides that rise by `slope`.
+Complex<double> wedge(double height, double slope) {
+    std::vector<double> ys{0};
+    for (int y = height > 0 ? 0 : 1; y <= 3; ++y) {
+        ys.push_back(height + slope * y);
+    }
+    return grid({-4, -3, -2, -1, 0, 1, 2, 3, 4}, ys, [&](const P& p) {
+        return p.y() - height > slope * std::abs(p.x()) ? 2U : (p.x() < 0 ? 1U : 3U);
+    });
+}
+
+std::vector<P> on_floor(const std::vector<P>& places) {
     std::vector<P> found;
-    for (const Vertex v : vertices(complex)) {
-        std::size_t count = 0;
-        bool is_inside = true;
-        for_each_corner(complex, v, [&](Corner c) {
-            const Corner across = complex.twin(prev(c));
-            is_inside = is_inside && !is_border(across) && !is_border(complex.twin(next(c)));
-            count += complex.phase_at(across) != complex.phase_at(c) ? 1U : 0U;
-        });
-        if (is_inside && count == edges) {
-            found.push_back(complex.position(v));
+    for (const P& p : places) {
+        if (p.y() == 0) {
+            found.push_back(p);
         }
     }
     return found;
 }
 
-test::ChangingOptions<double> options(double h) {
-    test::ChangingOptions<double> result;
-    result.edge_length = h;
-    result.topology.rule = Topology::change;
-    result.interface.corner_degrees = 180; // curvature flow knows no corners
-    return result;
+Phase phase_at_corner(const Complex<double>& complex, const P& place) {
+    for (const Vertex v : vertices(complex)) {
+        if (complex.position(v) == place) {
+            const Meeting meeting = meeting_at(complex, v);
+            return meeting.phases.size() == 1 ? meeting.phases[0] : nothing;
+        }
+    }
+    return nothing;
 }
 
-std::vector<Event> run(test::ChangingSimulation<double>& simulation, Complex<double>& complex,
-                       double dt, int steps) {
-    const InterfaceMotion<double> motion = curvature_flow<double>();
-    std::vector<Event> events;
-    for (int step = 0; step < steps; ++step) {
-        const test::ChangingReport report = simulation.step(motion, step * dt, dt);
-        events.insert(events.end(), report.events.begin(), report.events.end());
-        EXPECT_EQ(validate(complex).problem, "");
+// --- ends that meet on the wall -----------------------------------------------------------------
+
+TEST(WallJunctions, APhaseLeavesTheWallWhereItsFootIsShort) {
+    auto complex = narrow_foot(0.3);
+    ASSERT_EQ(on_floor(ends_of(complex).on_wall).size(), 2U);
+    const auto events = change(complex);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].kind, EventKind::exchange);
+    EXPECT_EQ(events[0].lost, 2U);
+    EXPECT_EQ((std::set<Phase>{events[0].taken[0], events[0].taken[1]}), (std::set<Phase>{1, 3}));
+    EXPECT_GT(events[0].area, 0);
+    const Ends ends = ends_of(complex);
+    EXPECT_EQ(on_floor(ends.on_wall).size(), 1U);
+    ASSERT_EQ(ends.inside.size(), 1U);
+    EXPECT_GT(ends.inside[0].y(), 0.05);
+    EXPECT_EQ(ends.crowded, 0U);
+}
+
+TEST(WallJunctions, APhaseStaysAtTheWallWhereThatCostsLess) {
+    auto complex = narrow_foot(1.0); // its sides pull its foot open
+    EXPECT_TRUE(change(complex).empty());
+    auto dear = narrow_foot(0.3);
+    TopologyOptions<double> options = changing();
+    options.energy = [](Phase one, Phase other) { return one + other == 4 ? 5.0 : 1.0; };
+    EXPECT_TRUE(change(dear, options).empty());
+    EXPECT_EQ(on_floor(ends_of(dear).on_wall).size(), 2U);
+}
+
+TEST(WallJunctions, NothingChangesWhereThePairHasToStay) {
+    auto foot = narrow_foot(0.3);
+    TopologyOptions<double> options = changing();
+    options.pairs = {{.one = 2, .other = 3, .rule = Topology::keep}};
+    EXPECT_TRUE(change(foot, options).empty());
+    auto point = wedge(0.1, 1);
+    EXPECT_TRUE(change(point, options).empty());
+}
+
+// --- junctions that reach the wall --------------------------------------------------------------
+
+TEST(WallJunctions, TheCurveToTheWallVanishesWhereItIsShort) {
+    auto complex = wedge(0.1, 1);
+    ASSERT_EQ(on_floor(ends_of(complex).on_wall).size(), 1U);
+    const auto events = change(complex);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].kind, EventKind::exchange);
+    EXPECT_EQ(events[0].taken, (std::array<Phase, 2>{2, 2}));
+    EXPECT_GT(events[0].area, 0);
+    const Ends ends = ends_of(complex);
+    EXPECT_EQ(on_floor(ends.on_wall).size(), 2U);
+    EXPECT_TRUE(ends.inside.empty());
+    EXPECT_EQ(ends.crowded, 0U);
+}
+
+TEST(WallJunctions, TheCurveToTheWallStaysWhereTheJunctionPullsAway) {
+    auto complex = wedge(0.1, 5);
+    EXPECT_TRUE(change(complex).empty());
+    EXPECT_EQ(ends_of(complex).inside.size(), 1U);
+}
+
+// --- several curves that end at one place -------------------------------------------------------
+
+TEST(WallJunctions, TwoCurvesAtOnePlaceComeApartAsTheEnergyWants) {
+    auto narrow = wedge(0, 5);
+    ASSERT_EQ(ends_of(narrow).crowded, 1U);
+    auto events = change(narrow);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].lost, 2U);
+    EXPECT_EQ(on_floor(ends_of(narrow).on_wall).size(), 1U);
+    EXPECT_EQ(ends_of(narrow).inside.size(), 1U);
+
+    auto wide = wedge(0, 0.5);
+    events = change(wide);
+    ASSERT_EQ(events.size(), 1U);
+    // Either side would gain the same: the smaller phase gives way.
+    EXPECT_EQ(events[0].lost, 1U);
+    EXPECT_EQ(events[0].taken, (std::array<Phase, 2>{2, 2}));
+    EXPECT_EQ(on_floor(ends_of(wide).on_wall).size(), 2U);
+    EXPECT_TRUE(ends_of(wide).inside.empty());
+}
+
+TEST(WallJunctions, FourSectorsAtOnePlaceComeApart) {
+    auto complex = grid({-3, -2, -1, 0, 1, 2, 3}, {0, 1, 2, 3}, [](const P& p) {
+        return p.y() < std::abs(p.x()) ? (p.x() > 0 ? 1U : 4U) : (p.x() > 0 ? 2U : 3U);
+    });
+    ASSERT_EQ(ends_of(complex).crowded, 1U);
+    const auto events = change(complex);
+    EXPECT_GE(events.size(), 2U);
+    EXPECT_EQ(ends_of(complex).crowded, 0U);
+}
+
+// --- corners of the domain ----------------------------------------------------------------------
+
+TEST(WallJunctions, AnEndThatReachesACornerGoesOnAlongTheOtherWall) {
+    std::vector<double> ys;
+    for (int y = 0; y <= 14; ++y) {
+        ys.push_back(y);
     }
-    return events;
+    auto complex = grid({0, 0.1, 1.1, 2.1}, ys, [](const P& p) { return p.x() < 0.1 ? 1U : 2U; });
+    const auto events = change(complex);
+    ASSERT_EQ(events.size(), 2U); // at both ends
+    for (const Event& event : events) {
+        EXPECT_EQ(event.kind, EventKind::exchange);
+        EXPECT_EQ(event.lost, 1U);
+        EXPECT_EQ(event.taken, (std::array<Phase, 2>{2, 2}));
+    }
+    EXPECT_EQ(phase_at_corner(complex, P(0, 0)), 2U);
+    EXPECT_EQ(phase_at_corner(complex, P(0, 14)), 2U);
+    const Ends ends = ends_of(complex);
+    ASSERT_EQ(ends.on_wall.size(), 2U);
+    for (const P& end : ends.on_wall) {
+        EXPECT_EQ(end.x(), 0);
+        EXPECT_LT(std::min(end.y(), 14 - end.y()), 0.3);
+        EXPECT_GT(std::min(end.y(), 14 - end.y()), 0.1);
+    }
+}
+
+// A curve from the corner (0, 0) that rises by `slope`.
+Complex<double> from_corner(double slope) {
+    return grid({0, 1, 2, 3, 4}, {0, slope, 2 * slope, 3 * slope, 4 * slope, 5 * slope},
+                [&](const P& p) { return p.y() > slope * p.x() ? 1U : 2U; });
+}
+
+TEST(WallJunctions, ACurveInACornerStaysUntilItLiesAlongAWall) {
+    for (const double slope : {1.0, 2.0, 0.4}) {
+        auto complex = from_corner(slope);
+        EXPECT_TRUE(change(complex).empty()) << slope;
+    }
+    auto steep = from_corner(5);
+    auto events = change(steep);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].lost, 1U);
+    EXPECT_EQ(phase_at_corner(steep, P(0, 0)), 2U);
+    auto flat = from_corner(0.2);
+    events = change(flat);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].lost, 2U);
+    EXPECT_EQ(phase_at_corner(flat, P(0, 0)), 1U);
+}
+
+TEST(WallJunctions, AnEndThatReachesAReentrantCornerStaysThere) {
+    auto complex =
+        grid({-3, -2, -1, -0.1, 0, 1, 2, 3, 4}, {-3, -2, -1, 0, 1, 2, 3}, [](const P& p) {
+            return p.x() < 0 && p.y() < 0 ? nothing : (p.x() < -0.1 ? 1U : 2U);
+        });
+    // The curve stands upright on the wall that ends in the corner.
+    EXPECT_TRUE(change(complex).empty());
+    EXPECT_EQ(phase_at_corner(complex, P(0, 0)), nothing);
+}
+
+// --- what other changes leave behind ------------------------------------------------------------
+
+TEST(WallJunctions, WhereAFilmOpensAtAJunctionTheVertexComesApartAtOnce) {
+    std::vector<double> xs;
+    for (int x = -8; x <= 8; ++x) {
+        xs.push_back(x);
+    }
+    auto complex = grid(xs, {-2, -1, 0, 0.2, 1.2, 2.2}, [](const P& p) {
+        return p.y() < 0 ? 1U : (p.y() < 0.2 ? film : (p.x() < 0 ? 2U : 3U));
+    });
+    TopologyOptions<double> options = changing();
+    options.opening = Opening::thin;
+    EXPECT_FALSE(change(complex, options).empty());
+    EXPECT_EQ(ends_of(complex).crowded, 0U);
+}
+
+// --- inside -------------------------------------------------------------------------------------
+
+// Sectors 1 (right), 2 (above), 3 (left) and 4 (below) about the origin; 1 and 3 are of 80 degrees.
+Complex<double> four_sectors() {
+    const double scale = std::tan(40 * std::numbers::pi / 180);
+    return grid({-3, -2, -1, 0, 1, 2, 3},
+                {-3 * scale, -2 * scale, -scale, 0, scale, 2 * scale, 3 * scale}, [=](const P& p) {
+                    return std::abs(p.y()) < std::abs(p.x()) * scale ? (p.x() > 0 ? 1U : 3U)
+                                                                     : (p.y() > 0 ? 2U : 4U);
+                });
 }
 
 TEST(Junctions, TheEnergyDecidesWhichSectorsPart) {
-    constexpr double h = 0.02;
     for (const bool is_dear : {false, true}) {
-        auto complex = four_sectors(40, h);
-        test::ChangingOptions<double> dear = options(h);
+        auto complex = four_sectors();
+        TopologyOptions<double> options = changing();
         if (is_dear) { // an interface between 2 and 4
-            dear.topology.energy = [](Phase one, Phase other) {
+            options.energy = [](Phase one, Phase other) {
                 return one + other == 6 && one != other ? 5.0 : 1.0;
             };
         }
-        test::ChangingSimulation<double> simulation(complex, dear);
-        const std::vector<Event> events = run(simulation, complex, 1e-6, 3);
+        const auto events = change(complex, options);
         ASSERT_GE(events.size(), 1U);
         const std::set<Phase> taken{events[0].taken[0], events[0].taken[1]};
         EXPECT_EQ(taken, is_dear ? (std::set<Phase>{1, 3}) : (std::set<Phase>{2, 4}));
+        EXPECT_EQ(ends_of(complex).crowded, 0U);
     }
 }
 
 TEST(Junctions, ANegativeEnergyIsRefused) {
-    auto complex = four_sectors(40, 0.02);
-    test::ChangingOptions<double> bad = options(0.02);
-    bad.topology.energy = [](Phase, Phase) { return -1.0; };
-    test::ChangingSimulation<double> simulation(complex, bad);
-    EXPECT_THROW((void)run(simulation, complex, 1e-6, 3), InputError);
+    auto complex = four_sectors();
+    TopologyOptions<double> options = changing();
+    options.energy = [](Phase, Phase) { return -1.0; };
+    EXPECT_THROW((void)change(complex, options), InputError);
     EXPECT_EQ(validate(complex).problem, "");
 }
 
-TEST(Junctions, FourSectorsStayTogetherWhereTheTopologyIsKept) {
-    auto complex = four_sectors(40, 0.02);
-    test::ChangingOptions<double> keeping = options(0.02);
-    keeping.topology.rule = Topology::keep;
-    test::ChangingSimulation<double> simulation(complex, keeping);
-    EXPECT_TRUE(run(simulation, complex, 1e-5, 5).empty());
-    EXPECT_EQ(junctions(complex, 4).size(), 1U);
+TEST(Pieces, GoToThePhaseThatTheyBorderOnMost) {
+    for (const Phase most : {Phase{2}, Phase{3}}) {
+        auto complex = grid({-2, -1, 0, 1, 2}, {-2, -1, 0, 1, 2}, [most](const P& p) {
+            const bool is_piece = std::abs(p.x() + 0.5) < 0.5 && std::abs(p.y() + 0.5) < 0.5;
+            return is_piece ? 1U : (p.x() < 0 ? most : 5 - most);
+        });
+        TopologyOptions<double> options = changing();
+        options.least_area = 1.01; // the piece has 1
+        const auto events = change(complex, options);
+        ASSERT_EQ(events.size(), 1U);
+        EXPECT_EQ(events[0].kind, EventKind::remove);
+        EXPECT_NEAR(events[0].area, 1, 1e-12);
+        EXPECT_EQ(phase_at_corner(complex, P(-0.5, -0.5)), most);
+    }
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 // At which area pieces of a phase vanish, whatever their shape and the number of their vertices.
 #include "support/topology/growing_discs.h"
 
-#include "dsc/passes/interface/list.h"
 #include "topology/notes.h"
 
 #include <cmath>
@@ -85,26 +84,6 @@ TEST(Remnants, VanishAtTheWallBelowTheLeastArea) {
             expect_vanishes_below(
                 squares * h * h, initial_complex<double>({}, curves, {.edge_length = h}), place, h);
         }
-    }
-}
-
-// No vertex of a disc that is much larger than the least area is looked at.
-TEST(Remnants, AreNotSoughtAtLargePieces) {
-    const double least_area = 20 * h * h;
-    const double radius = std::sqrt(least_area / std::numbers::pi);
-    for (const double times : {1.2, 3.0, 5.0}) {
-        const std::vector<Shape> shapes{
-            {test::circle_points({0.5, 0.5}, times * radius, static_cast<int>(40 * times)), 1}};
-        auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-        const auto large = options();
-        Work<double> work(complex, large);
-        work.interface = collect_interface(complex);
-        note_stars(work,
-                   {.contact = default_contact * h, .curvature = curvature_around(least_area)}, 1);
-        const auto sharp = std::ranges::count_if(work.interface, [&](std::uint32_t v) {
-            return (notes_of(complex)[Vertex{v}].what & noted_sharp) != 0;
-        });
-        EXPECT_EQ(sharp > 0, times < 2) << times;
     }
 }
 

@@ -6,7 +6,6 @@
 #include "dsc/base/error.h"
 
 #include <array>
-#include <cmath>
 #include <stdexcept>
 
 namespace dsc::rules_test {
@@ -65,25 +64,29 @@ TEST(Topology, EachPairOfPhasesHasItsOwnRule) {
     EXPECT_TRUE(run(kept, keeping).events.empty());
 }
 
+// Films open by triangles, and at a contact distance of several edges by rays across them.
 TEST(Topology, TheApplicationMaySayNo) {
-    test::ChangingOptions<double> asked = options();
-    int times = 0;
-    Contact seen;
-    asked.topology.may_change = [&](const Contact& contact) {
-        ++times;
-        seen = contact;
-        return false;
-    };
-    auto complex = discs_nearby();
-    test::ChangingSimulation<double> simulation(complex, asked);
-    const Grown grown = run(complex, simulation);
-    EXPECT_TRUE(grown.events.empty());
-    EXPECT_EQ(grown.outlines, 2U);
-    EXPECT_GT(times, 0);
-    EXPECT_EQ(seen.film, exterior_phase);
-    EXPECT_EQ(seen.sides, (std::array<Phase, 2>{1, 1}));
-    EXPECT_LE(seen.thickness, default_contact * h);
-    EXPECT_NEAR(seen.x, 0.5, h);
+    for (const double contact : {0.0, 2 * h}) {
+        test::ChangingOptions<double> asked = options();
+        asked.topology.contact = contact;
+        int times = 0;
+        Contact seen;
+        asked.topology.may_change = [&](const Contact& film) {
+            ++times;
+            seen = film;
+            return false;
+        };
+        auto complex = discs_nearby();
+        test::ChangingSimulation<double> simulation(complex, asked);
+        const Grown grown = run(complex, simulation);
+        EXPECT_TRUE(grown.events.empty());
+        EXPECT_EQ(grown.outlines, 2U);
+        EXPECT_GT(times, 0);
+        EXPECT_EQ(seen.film, exterior_phase);
+        EXPECT_EQ(seen.sides, (std::array<Phase, 2>{1, 1}));
+        EXPECT_LE(seen.thickness, contact == 0 ? default_contact * h : contact);
+        EXPECT_NEAR(seen.x, 0.5, h);
+    }
 }
 
 TEST(Topology, WhatTheApplicationThrowsComesOut) {
@@ -151,6 +154,14 @@ TEST(TopologyOptions, BadOnesAreRefused) {
     refused([](auto& t) { t.pairs = {{.one = 1, .other = 1}}; });
     refused([](auto& t) { t.pairs = {{.one = 1, .other = 0}, {.one = 0, .other = 1}}; });
     refused([](auto& t) { t.pairs = {{.one = 1, .other = 0, .contact = -1}}; });
+    const auto of_pair = [](Phase other) -> PairTopology<double> {
+        return {.one = 1, .other = other, .rule = Topology::change, .contact = 100};
+    };
+    refused([&](auto& t) { t.pairs = {of_pair(0)}; });
+    auto complex = discs_nearby();
+    test::ChangingOptions<double> of_others = options();
+    of_others.topology.pairs = {of_pair(77)};
+    EXPECT_NO_THROW(test::ChangingSimulation<double>(complex, of_others));
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Phases that meet, merge and part: what happens, where and when, is the same in every division of
 // the mesh and for any number of threads, and each event is told once.
-#include "topology/change.h"
 
 #include "support/topology/growing_discs.h"
 #include "support/ways.h"
@@ -154,12 +153,6 @@ TEST_P(EveryWay, WhatIsSetFreeStillArrives) {
     expect_arrival_once_free(complex, *executor);
 }
 
-TEST(Topology, WhatIsSetFreeStillArrives) {
-    auto complex = discs_that_nearly_meet();
-    Executor<double> executor(complex, options_of_one_stage(), default_algorithm<double>());
-    expect_arrival_once_free(complex, executor);
-}
-
 INSTANTIATE_TEST_SUITE_P(Topology, EveryWay,
                          testing::Values(Division::fixed, Division::counting, Division::active,
                                          Division::blocks, Division::cells, copy_division),
@@ -272,29 +265,6 @@ TEST(Topology, AFilamentIsDrawnOutWithoutEnd) {
         EXPECT_EQ(events.empty(), opening == Opening::squeezed)
             << name_in(opening_names, opening) << ": the filament is a tenth of an edge thick";
     }
-}
-
-TEST(Topology, SmallPiecesVanish) {
-    const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.1, 40), 1}};
-    auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-    const Velocity<double> shrink = [](std::span<const Point<double>> positions, double,
-                                       std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = (Point<double>(0.5, 0.5) - positions[i]).normalized();
-        }
-    };
-    test::ChangingSimulation<double> simulation(complex, options());
-    std::vector<Event> events;
-    for (double time = 0; time < 0.1; time += 0.002) {
-        const test::ChangingReport report = simulation.step(shrink, time, 0.002);
-        events.insert(events.end(), report.events.begin(), report.events.end());
-    }
-    ASSERT_EQ(events.size(), 1U);
-    EXPECT_EQ(events[0].kind, EventKind::remove);
-    EXPECT_LE(events[0].area, h * h);
-    EXPECT_EQ(area_of(complex, 1), 0);
-    EXPECT_EQ(simulation.interface_size(), 0U);
-    EXPECT_EQ(validate(complex).problem, "");
 }
 
 // All vertices of a small disc are sent to their mirror images, which they cannot reach. As the

@@ -2,7 +2,6 @@
 // Films between the interface and the domain boundary open as those between two sheets do; what is
 // thin there for other reasons stays.
 #include "support/topology/growing_discs.h"
-#include "support/ways.h"
 
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/phases.h"
@@ -147,19 +146,6 @@ TEST(WallFilms, OpenAtAContactOfSeveralEdges) {
     }
 }
 
-TEST(WallFilms, TheFirstEventTellsOfTheWall) {
-    const Wetted one = run(falls, changing(h));
-    ASSERT_FALSE(one.events.empty());
-    const Event& first = one.events.front();
-    EXPECT_EQ(first.kind, EventKind::meet);
-    EXPECT_EQ(first.lost, exterior_phase);
-    EXPECT_EQ(first.taken, (std::array<Phase, 2>{1, 1}));
-    EXPECT_NEAR(first.x, 0.5, 2 * h);
-    EXPECT_NEAR(first.y, 0, default_contact * h / 2);
-    EXPECT_GT(first.area, 0);
-    EXPECT_LT(first.area, 10 * default_contact * h * h);
-}
-
 TEST(WallFilms, StayWhereTheApplicationSaysNo) {
     auto asked = changing(h);
     int times = 0;
@@ -175,49 +161,6 @@ TEST(WallFilms, StayWhereTheApplicationSaysNo) {
     auto kept = changing(h);
     kept.topology.pairs = {{.one = 0, .other = 1, .rule = Topology::keep}};
     EXPECT_TRUE(run(falls, kept).events.empty());
-}
-
-// A disc of two halves: the film below both is asked for with either phase, and only one may wet
-// the wall.
-TEST(WallFilms, EachPhaseBeyondAFilmIsAskedFor) {
-    std::array<Curve, 3> curves;
-    for (const std::size_t side : {0U, 1U}) {
-        for (int i = 0; i <= 30; ++i) {
-            const double angle = std::numbers::pi * (i / 30.0 + (side == 0 ? 0.5 : -0.5));
-            const double across = i % 30 == 0 ? 0 : std::cos(angle);
-            const double up = i % 30 == 0 ? (i == 0) == (side == 0) ? 1 : -1 : std::sin(angle);
-            curves[side].points.push_back(falls.centre + radius * P(across, up));
-        }
-        curves[side].left = side == 0 ? 1 : 2;
-    }
-    curves[2] = {{curves[0].points.back(), curves[0].points.front()}, 1, 2};
-    auto complex = initial_complex<double>({}, curves, {.edge_length = h});
-    test::ChangingOptions<double> options = changing(h, 2 * h);
-    std::array<int, 3> asked{};
-    options.topology.may_change = [&](const Contact& contact) {
-        ++asked.at(contact.sides[0]);
-        EXPECT_EQ(contact.sides[1], border_phase);
-        return contact.sides[0] == 1;
-    };
-    test::ChangingSimulation<double> simulation(complex, options);
-    const Velocity<double> fall = [](std::span<const P> positions, double,
-                                     std::span<P> velocities) {
-        std::ranges::fill(velocities.first(positions.size()), falls.way);
-    };
-    std::vector<Event> events;
-    for (int step = 0; step < 45 && events.empty(); ++step) {
-        events = simulation.step(fall, 0, 1 / 60.0).events;
-    }
-    EXPECT_GT(asked[1], 0);
-    EXPECT_GT(asked[2], 0);
-    ASSERT_FALSE(events.empty());
-    EXPECT_EQ(events.front().kind, EventKind::meet);
-    EXPECT_EQ(events.front().taken, (std::array<Phase, 2>{1, 1}));
-    for (const Triangle t : triangles(complex)) {
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            EXPECT_FALSE(complex.phase(t) == 2 && is_border(complex.twin(corner_of(t.id, k))));
-        }
-    }
 }
 
 // A cap on the wall that is pressed against it: without a refusal it spreads.

@@ -1,76 +1,103 @@
 // SPDX-License-Identifier: MIT
 // Films that open at a contact distance of several edge lengths: each as one event, at the time
-// when it is that thin, without holes, in every division of the mesh and for any number of threads.
-#include "support/topology/wide_contact.h"
-#include "support/ways.h"
+// when it is that thin, without holes. What is no film stays: round ends, tips, shapes wider than
+// that, sheets that move apart.
+#include "support/random/scene.h"
+#include "support/small_meshes.h"
+#include "support/topology/changing.h"
 
+#include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "dsc/parallel/parallel.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/initial/initial_complex.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/locate.h"
+#include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
+#include "topology/films/film_region.h"
 #include "topology/region.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace dsc::wide_contact_test {
 namespace {
 
-using test::count;
-using test::Events;
-using test::grow_apart;
-using test::pieces;
-using test::run_on;
-using test::two_discs_apart;
-using test::velocity_of;
-using test::wide_options;
+using test::circle_points;
+
+using Events = std::vector<Event>;
+
+test::ChangingOptions<double> wide_options(double contact, double edge_length) {
+    test::ChangingOptions<double> result;
+    result.edge_length = edge_length;
+    result.topology.rule = Topology::change;
+    result.topology.contact = contact;
+    return result;
+}
+
+// Two discs of radius 0.1, `gap` apart, side by side in the middle of the unit square.
+Complex<double> two_discs_apart(double gap, double edge_length, Phase second = 1) {
+    const int n = static_cast<int>(std::ceil(0.2 * std::numbers::pi / edge_length));
+    const std::vector<Shape> shapes{{circle_points({0.4 - gap / 2, 0.5}, 0.1, n), 1},
+                                    {circle_points({0.6 + gap / 2, 0.5}, 0.1, n), second}};
+    return initial_complex<double>({}, shapes, {.edge_length = edge_length});
+}
+
+// The velocity at one place.
+template <class At>
+Velocity<double> velocity_of(At at) {
+    return [at](std::span<const Point<double>> positions, double,
+                std::span<Point<double>> velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = at(positions[i]);
+        }
+    };
+}
+
+// Each disc grows about its own centre, or shrinks.
+Velocity<double> grow_apart(double gap, double speed = 1) {
+    return velocity_of([=](const Point<double>& p) {
+        const double side = p.x() < 0.5 ? -1 : 1;
+        const Point<double> centre(0.5 + side * (0.1 + gap / 2), 0.5);
+        return Point<double>(speed * (p - centre).normalized());
+    });
+}
+
+// The number of pieces of a phase.
+std::ptrdiff_t pieces(const Complex<double>& complex, Phase phase) {
+    const Components all = components(complex);
+    return std::ranges::count(all.list, phase, &Component::phase);
+}
+
+std::size_t count(const Events& events, EventKind kind) {
+    return static_cast<std::size_t>(std::ranges::count(events, kind, &Event::kind));
+}
+
+// Steps on, with `after(events of the step)` after each, and returns all events. The complex is
+// validated after every step.
+template <class After>
+Events run_on(Complex<double>& complex, test::ChangingSimulation<double>& simulation,
+              const Velocity<double>& velocity, double dt, int steps, After after) {
+    Events events;
+    for (int step = 0; step < steps; ++step) {
+        const test::ChangingReport report = simulation.step(velocity, step * dt, dt);
+        events.insert(events.end(), report.events.begin(), report.events.end());
+        EXPECT_EQ(validate(complex).problem, "") << "step " << step;
+        after(report.events);
+    }
+    return events;
+}
+Events run_on(Complex<double>& complex, test::ChangingSimulation<double>& simulation,
+              const Velocity<double>& velocity, double dt, int steps) {
+    return run_on(complex, simulation, velocity, dt, steps, [](const Events&) {});
+}
 
 constexpr double h = 0.02;
 constexpr double dt = 0.3 * h;
-
-class WideContact : public testing::TestWithParam<Division> {
-protected:
-    // The same events and the same mesh with one thread and with three.
-    template <class Make, class Check>
-    void in_threads(Make make, double contact, const Velocity<double>& velocity, double step,
-                    int steps, Check check) {
-        std::uint64_t hash = 0;
-        for (const std::uint32_t threads : {1U, 3U}) {
-            Complex<double> complex = make();
-            test::ChangingSimulation<double> simulation(
-                complex, wide_options(contact, h),
-                Parallel{.threads = threads, .division = GetParam(), .always_all_threads = true});
-            const Events events = run_on(complex, simulation, velocity, step, steps);
-            check(complex, events);
-            hash = hash == 0 ? mesh_hash(complex) : hash;
-            EXPECT_EQ(mesh_hash(complex), hash) << "the number of threads makes a difference";
-        }
-    }
-};
-
-TEST_P(WideContact, TwoDiscsMergeOnce) {
-    constexpr double gap = 0.12;
-    for (const double contact : {2 * h, 4 * h}) {
-        const auto make = [] { return two_discs_apart(gap, h); };
-        const auto check = [&](const Complex<double>& complex, const Events& events) {
-            ASSERT_EQ(count(events, EventKind::merge), 1U);
-            EXPECT_EQ(count(events, EventKind::widen) + 1, events.size());
-            const Event& merge = events.front();
-            EXPECT_EQ(merge.kind, EventKind::merge);
-            EXPECT_NEAR(merge.time, (gap - contact) / 2, dt);
-            EXPECT_NEAR(merge.x, 0.5, h);
-            EXPECT_NEAR(merge.y, 0.5, h);
-            EXPECT_EQ(merge.lost, exterior_phase);
-            EXPECT_EQ(merge.taken[0], 1U);
-            EXPECT_EQ(pieces(complex, 1), 1);
-            EXPECT_EQ(pieces(complex, exterior_phase), 1) << "a hole";
-        };
-        in_threads(make, contact, grow_apart(gap), dt, 12, check);
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Topology, WideContact,
-                         testing::Values(Division::fixed, Division::counting, Division::active,
-                                         Division::blocks, Division::cells, copy_division),
-                         [](const auto& one) { return test::name_of(one.param); });
 
 // From the sub-step in which the film opens on, there is one piece and no hole.
 TEST(WideContactOf, DiscsLeaveNoHole) {
@@ -190,31 +217,6 @@ TEST(WideContactOf, EachPairIsItsOwn) {
     EXPECT_TRUE(run_on(different, other, grow_apart(gap), dt, 8).empty());
 }
 
-TEST(WideContactOf, TheApplicationMaySayNo) {
-    constexpr double gap = 0.1;
-    test::ChangingOptions<double> asked = wide_options(4 * h, h);
-    int times = 0;
-    Contact seen;
-    asked.topology.may_change = [&](const Contact& contact) {
-        ++times;
-        seen = contact;
-        return false;
-    };
-    auto complex = two_discs_apart(gap, h);
-    test::ChangingSimulation<double> simulation(complex, asked);
-    std::uint32_t sub_steps = 0;
-    for (int step = 0; step < 5; ++step) {
-        sub_steps += simulation.step(grow_apart(gap), step * dt, dt).sub_steps;
-    }
-    EXPECT_EQ(pieces(complex, 1), 2);
-    EXPECT_GT(times, 0);
-    EXPECT_LE(times, static_cast<int>(sub_steps)) << "there is one film";
-    EXPECT_EQ(seen.film, exterior_phase);
-    EXPECT_EQ(seen.sides, (std::array<Phase, 2>{1, 1}));
-    EXPECT_NEAR(seen.thickness, gap - 2 * 5 * dt, 1e-3);
-    EXPECT_NEAR(seen.x, 0.5, 0.1 * h);
-}
-
 TEST(WideContactOf, EveryAreaThatChangesHandsIsTold) {
     constexpr double gap = 0.12;
     auto complex = two_discs_apart(gap, h);
@@ -299,6 +301,128 @@ TEST(WideContactOf, AShrunkenPhaseIsNotRefused) {
     options.insertion = Insertion::linear;
     EXPECT_NO_THROW(simulation.set_options(options));
     EXPECT_THROW(test::ChangingSimulation<double>(complex, options), InputError);
+}
+
+// Vertex 0 lies on the left of the line from vertex 1 to vertex 2, by less than the rounding of a
+// product; the middle between these two lies on its right, where the sign of the product says left.
+TEST(WideContactOf, AFilmIsStraightenedOnlyToWhereNoTriangleIsTurnedOver) {
+    const std::vector<Point<double>> points{{0x1.d244a038274dcp-2, 0x1.d30c0e5967d9bp-2},
+                                            {0x1.2785a781dd289p-3, 0x1.2f23ee84f2e01p-3},
+                                            {0x1.88633657b0033p-1, 0x1.874312b82b214p-1},
+                                            {0.3, 0.61},
+                                            {0.64, 0.27},
+                                            {0.58, 0.95},
+                                            {-0.04, 0.33}};
+    auto complex = test::build<double>(
+        points, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 4, 2}, {2, 5, 3}, {3, 6, 1}},
+        {exterior_phase, exterior_phase, exterior_phase, 2, 1, 1});
+    ASSERT_EQ(validate(complex).problem, "");
+    const Point<double> middle = (points[1] + points[2]) / 2;
+    ASSERT_LT(orientation<double>(middle, points[1], points[2]), 0);
+    ASSERT_GT(cross<double>(points[1] - middle, points[2] - middle), 0);
+    const TopologyOptions<double> options{.rule = Topology::change, .contact = 4};
+    Events events;
+    TopologyWork<double> work{
+        .complex = complex, .options = options, .edge_length = 1, .time = 0, .events = events};
+    FilmRegion<double> region(work, exterior_phase, 4);
+    for (const Triangle t : triangles(complex, exterior_phase)) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t.id, i);
+            if (complex.phase_at(complex.twin(c)) == 1) {
+                region.add_ray(c);
+            }
+        }
+    }
+    region.smooth();
+    EXPECT_EQ(complex.position(Vertex{0}), points[0]);
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
+// --- what is no film -----------------------------------------------------------------------------
+
+// Everything comes closer to the middle, or goes away from it.
+Velocity<double> scale(double rate) {
+    return velocity_of([rate](const Point<double>& p) {
+        return Point<double>(rate * (p - Point<double>(0.5, 0.5)));
+    });
+}
+
+void expect_nothing(const std::vector<Shape>& shapes, double contact,
+                    const Velocity<double>& velocity, double step, int steps,
+                    Opening opening = Opening::squeezed) {
+    auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
+    test::ChangingOptions<double> options = wide_options(contact, h);
+    options.topology.opening = opening;
+    test::ChangingSimulation<double> simulation(complex, options);
+    const Events events = run_on(complex, simulation, velocity, step, steps);
+    for (const Event& event : events) {
+        ADD_FAILURE() << to_string(event.kind) << " of phase " << event.lost << " at " << event.x
+                      << ", " << event.y << ", time " << event.time;
+    }
+}
+
+// Also one that has become smaller than the contact distance.
+TEST(WideContactOfNone, ADisc) {
+    const std::vector<Shape> disc{{test::circle_points({0.5, 0.5}, 0.12, 40), 1}};
+    expect_nothing(disc, 4 * h, scale(-1), 0.05, 20);
+    expect_nothing(disc, 4 * h, scale(1), 0.05, 20);
+    expect_nothing(disc, 4 * h, scale(-1), 0.05, 20, Opening::thin);
+}
+
+std::vector<Point<double>> star(int tips, double inner, double outer) {
+    std::vector<Point<double>> points;
+    for (int i = 0; i < 2 * tips; ++i) {
+        const double angle = std::numbers::pi * i / tips;
+        points.emplace_back(0.5 + (i % 2 == 0 ? outer : inner) * std::cos(angle),
+                            0.5 + (i % 2 == 0 ? outer : inner) * std::sin(angle));
+    }
+    return points;
+}
+
+TEST(WideContactOfNone, AStarWithSharpTips) {
+    for (const int tips : {3, 5, 8}) {
+        const std::vector<Shape> shapes{{star(tips, 0.14, 0.4), 1}};
+        expect_nothing(shapes, 2 * h, scale(-1), 0.05, 10);
+        expect_nothing(shapes, 4 * h, scale(-1), 0.05, 10);
+        expect_nothing(shapes, 4 * h, scale(0.5), 0.05, 4);
+    }
+}
+
+// Tips so long that their sheets are far from each other along the outline.
+TEST(WideContactOfNone, ALongThinTip) {
+    const std::vector<Shape> shapes{{{{0.05, 0.4}, {0.95, 0.5}, {0.05, 0.6}}, 1}};
+    expect_nothing(shapes, 1.5 * h, scale(-1), 0.05, 10);
+    const std::vector<Shape> rhombus{{{{0.02, 0.5}, {0.5, 0.4}, {0.98, 0.5}, {0.5, 0.6}}, 1}};
+    expect_nothing(rhombus, 1.5 * h, scale(-1), 0.05, 10);
+}
+
+TEST(WideContactOfNone, SheetsThatMoveApart) {
+    auto complex = two_discs_apart(2 * h, h);
+    test::ChangingSimulation<double> simulation(complex, wide_options(4 * h, h));
+    EXPECT_TRUE(run_on(complex, simulation, grow_apart(2 * h, -1), dt, 8).empty());
+    EXPECT_EQ(pieces(complex, 1), 2);
+    // If thinness is enough, they merge at once and once.
+    auto another = two_discs_apart(2 * h, h);
+    test::ChangingOptions<double> thin = wide_options(4 * h, h);
+    thin.topology.opening = Opening::thin;
+    test::ChangingSimulation<double> thinning(another, thin);
+    const Events events = run_on(another, thinning, grow_apart(2 * h, -0.1), dt, 8);
+    EXPECT_EQ(count(events, EventKind::merge), 1U);
+    EXPECT_EQ(count(events, EventKind::split), 0U);
+    EXPECT_EQ(pieces(another, 1), 1);
+}
+
+// The neck that a film leaves is as thin as the film was, and does not close again.
+TEST(WideContactOfNone, ANeckThatAFilmHasLeft) {
+    constexpr double gap = 3.7 * h;
+    auto complex = two_discs_apart(gap, h);
+    test::ChangingOptions<double> thin = wide_options(4 * h, h);
+    thin.topology.opening = Opening::thin;
+    test::ChangingSimulation<double> simulation(complex, thin);
+    const Events events = run_on(complex, simulation, grow_apart(gap, 0.02), dt, 12);
+    EXPECT_EQ(count(events, EventKind::merge), 1U);
+    EXPECT_EQ(count(events, EventKind::split), 0U);
+    EXPECT_EQ(pieces(complex, 1), 1);
 }
 
 } // namespace
