@@ -60,6 +60,7 @@ TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
     for (const NamedPartitioner& way : ways_to_divide(4)) {
         SCOPED_TRACE(way.name);
         Waiting stars;
+        Waiting movers;
         Waiting upkeep;
         auto algorithm = default_algorithm<double>();
         auto& first = algorithm.upkeep;
@@ -68,18 +69,30 @@ TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
         first.push_back(
             {"after", [&](Work<double>& work) { upkeep.add(DeferredKind::upkeep, work); }});
         auto& motion = algorithm.motion;
+        motion.insert(motion.begin(), {"first", [&](Work<double>& work) {
+                                           std::vector<std::uint32_t> on_their_way;
+                                           for (const auto& mover : work.movers) {
+                                               on_their_way.push_back(mover.vertex);
+                                           }
+                                           movers.look_at(on_their_way, work);
+                                       }});
         motion.insert(motion.end() - 1,
                       {"before", [&](Work<double>& work) { stars.look_at(work.active, work); }});
-        motion.push_back(
-            {"after", [&](Work<double>& work) { stars.add(DeferredKind::star, work); }});
+        motion.push_back({"after", [&](Work<double>& work) {
+                              stars.add(DeferredKind::star, work);
+                              movers.add(DeferredKind::mover, work);
+                          }});
         Growing disc(way.make(), 1, algorithm); // one thread: they may write to these
         for (int step = 0; step < 12; ++step) {
             const StepReport report = disc.simulation->step(disc.grow, 0, 0.5 * Growing::h);
             ASSERT_EQ(report.sub_steps, 1U) << "the next one would hide what this one forgot";
+            EXPECT_EQ(report.unreached, 0U);
             EXPECT_EQ(stars.take_forgotten(disc.complex), 0U) << "step " << step;
+            EXPECT_EQ(movers.take_forgotten(disc.complex), 0U) << "step " << step;
             EXPECT_EQ(upkeep.take_forgotten(disc.complex), 0U) << "step " << step;
         }
         EXPECT_GT(stars.added(), 100U);
+        EXPECT_GT(movers.added(), 5U);
         EXPECT_GT(upkeep.added(), 5U);
     }
 }
