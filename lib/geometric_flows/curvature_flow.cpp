@@ -6,7 +6,9 @@
 #include "geometric_flows/kept_areas.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -97,50 +99,86 @@ double wall_energy(const CurvatureFlowOptions& options, Phase phase) {
     return found != options.walls.end() && found->phase == phase ? found->energy : 0.0;
 }
 
-/// One step and two of half the length; their errors of first order cancel in twice the one minus
-/// the other, which is still damped for stiff modes.
-std::vector<Point<double>> extrapolated(const CurveNetwork& network, std::span<const KeptArea> kept,
-                                        double dt) {
-    CurveSystem system(network);
-    const auto step = [&](std::span<const Point<double>> positions, double time) {
-        std::vector<Point<double>> way = system.step(positions, time);
-        if (!kept.empty()) {
-            keep_areas(network, kept, positions, way, &system);
-        }
-        return way;
-    };
-    const std::span<const Point<double>> start = network.positions;
-    const std::vector<Point<double>> whole = step(start, dt);
-    std::vector<Point<double>> halves = step(start, dt / 2);
-    std::vector<Point<double>> middle(start.begin(), start.end());
-    for (std::size_t i = 0; i < middle.size(); ++i) {
-        middle[i] += halves[i];
-    }
-    const std::vector<Point<double>> second = step(middle, dt / 2);
-    for (std::size_t i = 0; i < halves.size(); ++i) {
-        halves[i] = 2 * (halves[i] + second[i]) - whole[i];
-    }
-    if (!kept.empty()) {
-        keep_areas(network, kept, start, halves, nullptr);
-    }
-    return halves;
-}
-
 } // namespace
+
+namespace detail {
+
+/// What a call works with. Its memory serves the next one.
+struct CurvatureWork {
+    CurveNetwork network;
+    CurveSystem system;
+    AreaKeeper keeper;
+    std::vector<Point<double>> whole;
+    std::vector<Point<double>> first;
+    std::vector<Point<double>> middle;
+    std::vector<Point<double>> second;
+
+    /// The displacements of the network in dt, in `first`. One step and two of half the length;
+    /// their errors of first order cancel in twice the one minus the other, which is still damped
+    /// for stiff modes.
+    void extrapolate(std::span<const KeptArea> kept, double dt) {
+        system.begin(network);
+        keeper.begin(network, kept);
+        const std::span<const Point<double>> start = network.positions;
+        step(start, dt, whole);
+        step(start, dt / 2, first);
+        middle.resize(start.size());
+        for (std::size_t i = 0; i < middle.size(); ++i) {
+            middle[i] = start[i] + first[i];
+        }
+        step(middle, dt / 2, second);
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            first[i] = 2 * (first[i] + second[i]) - whole[i];
+        }
+        keeper.keep(start, first, nullptr);
+    }
+
+private:
+    void step(std::span<const Point<double>> positions, double dt,
+              std::vector<Point<double>>& displacements) {
+        system.step(positions, dt, displacements);
+        keeper.keep(positions, displacements, &system);
+    }
+};
+
+/// The workspace of a call that is over. A call takes it, and makes one of its own while another
+/// thread has it, so that simulations in different threads can share a flow.
+class SpareWork {
+public:
+    SpareWork() = default;
+    ~SpareWork() { delete kept_.load(); }
+    SpareWork(const SpareWork&) = delete;
+    SpareWork& operator=(const SpareWork&) = delete;
+    SpareWork(SpareWork&&) = delete;
+    SpareWork& operator=(SpareWork&&) = delete;
+
+    std::unique_ptr<CurvatureWork> take() {
+        std::unique_ptr<CurvatureWork> taken(kept_.exchange(nullptr));
+        return taken ? std::move(taken) : std::make_unique<CurvatureWork>();
+    }
+    void give(std::unique_ptr<CurvatureWork> work) { delete kept_.exchange(work.release()); }
+
+private:
+    std::atomic<CurvatureWork*> kept_{nullptr};
+};
+
+} // namespace detail
 
 template <class Real>
 InterfaceMotion<Real> curvature_flow(const CurvatureFlowOptions& options) {
-    return [options = checked(options)](const InterfaceView<Real>& view, Real, Real dt,
-                                        std::span<Point<Real>> displacements) {
-        const CurveNetwork network = curve_network(
-            view, [&](Phase left, Phase right) { return forces_between(options, left, right); },
-            [&](Phase phase) { return wall_energy(options, phase); });
-        const std::vector<Point<double>> ways =
-            extrapolated(network, options.kept_areas, static_cast<double>(dt));
-        for (std::size_t i = 0; i < ways.size(); ++i) {
-            displacements[i] = ways[i].template cast<Real>();
-        }
-    };
+    return
+        [options = checked(options), spare = std::make_shared<detail::SpareWork>()](
+            const InterfaceView<Real>& view, Real, Real dt, std::span<Point<Real>> displacements) {
+            std::unique_ptr<detail::CurvatureWork> work = spare->take();
+            find_network(
+                view, [&](Phase left, Phase right) { return forces_between(options, left, right); },
+                [&](Phase phase) { return wall_energy(options, phase); }, work->network);
+            work->extrapolate(options.kept_areas, static_cast<double>(dt));
+            for (std::size_t i = 0; i < displacements.size(); ++i) {
+                displacements[i] = work->first[i].template cast<Real>();
+            }
+            spare->give(std::move(work));
+        };
 }
 
 template InterfaceMotion<double> curvature_flow(const CurvatureFlowOptions&);

@@ -58,27 +58,6 @@ Freedom rest_of(const Freedom& one) { return anywhere + -1.0 * one; }
 /// piece is that has collapsed onto a straight line.
 constexpr double drag_along = 1e-9;
 
-/// The drag of a vertex between two edges of a curve.
-struct Drag {
-    double size = 0;
-    Point<double> tangent{0, 0}; ///< the sum of the two directions, one way or the other
-
-    void add(double more, const Point<double>& outwards) {
-        const bool is_first = size == 0;
-        size += more;
-        tangent = is_first ? outwards : Point<double>(tangent - outwards);
-    }
-    /// Across the curve, but in all directions at the tip of a spike.
-    [[nodiscard]] Freedom across() const {
-        if (size == 0) {
-            return nowhere;
-        }
-        const double length = tangent.norm();
-        return length < 1e-3 ? size * anywhere
-                             : size * (rest_of(along(tangent, length)) + drag_along * anywhere);
-    }
-};
-
 } // namespace
 
 template <class Real>
@@ -111,15 +90,35 @@ Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i) {
     return is_straight ? along(after, after.norm()) : nowhere;
 }
 
-std::vector<double> lumped_drag(const CurveNetwork& network,
-                                std::span<const Point<double>> positions) {
-    std::vector<double> drag(positions.size(), 0.0);
+void lump_drag(const CurveNetwork& network, std::span<const Point<double>> positions,
+               std::vector<double>& drag) {
+    drag.assign(positions.size(), 0.0);
     for (const CurveEdge& edge : network.edges) {
         const double half = edge.forces.drag * length_of(edge, positions) / 2;
         drag[edge.from] += half;
         drag[edge.to] += half;
     }
-    return drag;
+}
+
+void CurveSystem::begin(const CurveNetwork& network) {
+    network_ = &network;
+    solver_.begin(network);
+}
+
+void CurveSystem::Drag::add(double more, const Point<double>& outwards) {
+    const bool is_first = size == 0;
+    size += more;
+    tangent = is_first ? outwards : Point<double>(tangent - outwards);
+}
+
+// Across the curve, but in all directions at the tip of a spike.
+Freedom CurveSystem::Drag::across() const {
+    if (size == 0) {
+        return nowhere;
+    }
+    const double length = tangent.norm();
+    return length < 1e-3 ? size * anywhere
+                         : size * (rest_of(along(tangent, length)) + drag_along * anywhere);
 }
 
 // For the displacements d: (drag / dt) d + A d = -A x, where A x is the sum of the tensions at each
@@ -129,15 +128,16 @@ std::vector<double> lumped_drag(const CurveNetwork& network,
 // curve resisted motion along it, a junction that slides would stretch those next to it alone, and
 // not balance its tensions: an error of the order of sqrt(dt). Without, all of the curve stretches
 // alike, which is an error of the order of dt.
-void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) {
+void CurveSystem::assemble(std::span<const Point<double>> positions, double dt,
+                           std::vector<Point<double>>& forces) {
     const std::size_t n = positions.size();
-    std::vector<Freedom> diagonal(n, nowhere);
-    std::vector<Drag> between(n);
-    const double shortest = shortest_in_step(network_, dt);
-    forces_.assign(n, Point<double>(0, 0));
-    coupling_.resize(network_.edges.size());
-    for (std::size_t e = 0; e < network_.edges.size(); ++e) {
-        const CurveEdge& edge = network_.edges[e];
+    own_.assign(n, nowhere);
+    between_.assign(n, {});
+    const double shortest = shortest_in_step(*network_, dt);
+    forces.assign(n, Point<double>(0, 0));
+    coupling_.resize(network_->edges.size());
+    for (std::size_t e = 0; e < network_->edges.size(); ++e) {
+        const CurveEdge& edge = network_->edges[e];
         const Point<double> way = positions[edge.to] - positions[edge.from];
         const double length = length_of(edge, positions, shortest);
         const double stiffness = edge.forces.tension / length;
@@ -145,59 +145,53 @@ void CurveSystem::assemble(std::span<const Point<double>> positions, double dt) 
         const Freedom normal = rest_of(along(way, length));
         const auto add_at = [&](std::uint32_t i, const Point<double>& outwards) {
             Freedom drag = half * anywhere;
-            if (network_.is_junction[i] != 0) {
+            if (network_->is_junction[i] != 0) {
                 // A junction that moves along one of its curves does not move the curve.
                 drag = half * normal;
-            } else if (network_.is_between[i] != 0 && edge.forces.tension > 0) {
-                between[i].add(half, outwards);
+            } else if (network_->is_between[i] != 0 && edge.forces.tension > 0) {
+                between_[i].add(half, outwards);
                 drag = nowhere;
             }
-            diagonal[i] = diagonal[i] + (stiffness * anywhere + drag);
+            own_[i] = own_[i] + (stiffness * anywhere + drag);
         };
         add_at(edge.from, way / length);
         add_at(edge.to, -way / length);
-        forces_[edge.from] += stiffness * way;
-        forces_[edge.to] -= stiffness * way;
-        const Freedom& one = network_.freedom[edge.from];
-        const Freedom& other = network_.freedom[edge.to];
+        forces[edge.from] += stiffness * way;
+        forces[edge.to] -= stiffness * way;
+        const Freedom& one = network_->freedom[edge.from];
+        const Freedom& other = network_->freedom[edge.to];
         coupling_[e] = {-stiffness, 0, 0, -stiffness};
         if (!one.is_full() || !other.is_full()) {
             coupling_[e] = block_of(one) * coupling_[e] * block_of(other);
         }
     }
-    for (const EndForce& end : network_.ends) {
-        forces_[end.vertex] += end.force;
+    for (const EndForce& end : network_->ends) {
+        forces[end.vertex] += end.force;
     }
     diagonal_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Freedom& free = network_.freedom[i];
-        diagonal_[i] = block_of(diagonal[i] + between[i].across());
+        const Freedom& free = network_->freedom[i];
+        diagonal_[i] = block_of(own_[i] + between_[i].across());
         if (!free.is_full()) {
             diagonal_[i] = block_of(free) * diagonal_[i] * block_of(free);
             diagonal_[i] += block_of(rest_of(free));
-            forces_[i] = free.of(forces_[i]);
+            forces[i] = free.of(forces[i]);
         }
     }
 }
 
-std::vector<Point<double>> CurveSystem::step(std::span<const Point<double>> positions, double dt) {
-    assemble(positions, dt);
+void CurveSystem::step(std::span<const Point<double>> positions, double dt,
+                       std::vector<Point<double>>& displacements) {
+    assemble(positions, dt, displacements);
     solver_.factorise(diagonal_, coupling_);
-    solver_.solve(forces_);
-    return forces_;
+    solver_.solve(displacements);
 }
 
-Eigen::VectorXd CurveSystem::response_to(const Eigen::VectorXd& forces) const {
-    std::vector<Point<double>> columns(network_.freedom.size());
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        columns[i] = network_.freedom[i].of(forces.segment<2>(static_cast<Eigen::Index>(2 * i)));
+void CurveSystem::respond(std::span<Point<double>> forces) const {
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        forces[i] = network_->freedom[i].of(forces[i]);
     }
-    solver_.solve(columns);
-    Eigen::VectorXd response(forces.size());
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        response.segment<2>(static_cast<Eigen::Index>(2 * i)) = columns[i];
-    }
-    return response;
+    solver_.solve(forces);
 }
 
 template Freedom freedom_of(const InterfaceView<double>&, std::size_t);

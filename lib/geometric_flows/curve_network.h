@@ -56,13 +56,13 @@ struct CurveNetwork {
     std::vector<EndForce> ends;           ///< those that are not zero
 };
 
-/// `forces_of(left, right)` is asked for each edge between two phases; edges of the domain boundary
-/// get a tension that is negligible, and no drag: their vertices spread evenly between the curves
-/// that arrive there. `wall_energy(phase)` is the energy per length of the boundary under a phase,
-/// which pulls at the ends of curves. O(interface).
+/// Makes the network anew, in its memory. `forces_of(left, right)` is asked for each edge between
+/// two phases; edges of the domain boundary get a tension that is negligible, and no drag: their
+/// vertices spread evenly between the curves that arrive there. `wall_energy(phase)` is the energy
+/// per length of the boundary under a phase, which pulls at the ends of curves. O(interface).
 template <class Real, class ForcesOf, class WallEnergy>
-[[nodiscard]] CurveNetwork curve_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
-                                         const WallEnergy& wall_energy);
+void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
+                  const WallEnergy& wall_energy, CurveNetwork& network);
 
 /// In which directions the vertex can move: none if it is locked or a corner of the domain, and
 /// along the boundary if it lies there. O(star) on the boundary, else O(1).
@@ -70,39 +70,50 @@ template <class Real>
 [[nodiscard]] Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i);
 
 /// Half of the drag of its edges, for each vertex: the lumped mass of a scalar. O(edges).
-[[nodiscard]] std::vector<double> lumped_drag(const CurveNetwork& network,
-                                              std::span<const Point<double>> positions);
+void lump_drag(const CurveNetwork& network, std::span<const Point<double>> positions,
+               std::vector<double>& drag);
 
-/// Implicit Euler steps of one network, which must outlive it.
+/// Implicit Euler steps of one network after the other. Reuses its memory.
 class CurveSystem {
 public:
-    explicit CurveSystem(const CurveNetwork& network) : network_(network), solver_(network) {}
+    /// Takes up a network, which must live as long as steps of it are made. O(vertices and edges).
+    void begin(const CurveNetwork& network);
     /// The displacements in a time dt of vertices that are at `positions`; NaN where the system
     /// cannot be solved. O(vertices).
-    [[nodiscard]] std::vector<Point<double>> step(std::span<const Point<double>> positions,
-                                                  double dt);
-    /// The additional displacements in the last step if these forces had acted as well: x and y of
-    /// each vertex. Only after a step that was not NaN.
-    [[nodiscard]] Eigen::VectorXd response_to(const Eigen::VectorXd& forces) const;
+    void step(std::span<const Point<double>> positions, double dt,
+              std::vector<Point<double>>& displacements);
+    /// Turns forces on the vertices into the additional displacements in the last step if they had
+    /// acted as well. Only after a step that was not NaN. O(vertices).
+    void respond(std::span<Point<double>> forces) const;
 
 private:
-    void assemble(std::span<const Point<double>> positions, double dt);
+    /// The drag of a vertex between two edges of a curve.
+    struct Drag {
+        double size = 0;
+        Point<double> tangent{0, 0}; ///< the sum of the two directions, one way or the other
 
-    const CurveNetwork& network_;
-    std::vector<Block> diagonal_;       ///< by vertex
-    std::vector<Block> coupling_;       ///< by edge
-    std::vector<Point<double>> forces_; ///< by vertex
+        void add(double more, const Point<double>& outwards);
+        [[nodiscard]] Freedom across() const;
+    };
+    void assemble(std::span<const Point<double>> positions, double dt,
+                  std::vector<Point<double>>& forces);
+
+    const CurveNetwork* network_ = nullptr;
+    std::vector<Freedom> own_;    ///< by vertex: what its edges add to its block
+    std::vector<Drag> between_;   ///< by vertex
+    std::vector<Block> diagonal_; ///< by vertex
+    std::vector<Block> coupling_; ///< by edge
     CurveSolver solver_;
 };
 
 template <class Real, class ForcesOf, class WallEnergy>
-CurveNetwork curve_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
-                           const WallEnergy& wall_energy) {
-    CurveNetwork network;
+void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
+                  const WallEnergy& wall_energy, CurveNetwork& network) {
     const std::size_t n = view.size();
-    network.positions.reserve(n);
-    network.freedom.reserve(n);
-    network.edges.reserve(n + view.arms.size());
+    network.positions.clear();
+    network.freedom.clear();
+    network.edges.clear();
+    network.ends.clear();
     network.is_junction.assign(n, 0);
     network.is_between.assign(n, 0);
     const auto add = [&](std::size_t from, std::uint32_t to, Phase left, Phase right) {
@@ -149,7 +160,6 @@ CurveNetwork curve_network(const InterfaceView<Real>& view, const ForcesOf& forc
             network.ends.push_back({i, pull});
         }
     }
-    return network;
 }
 
 } // namespace dsc

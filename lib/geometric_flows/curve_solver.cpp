@@ -23,7 +23,14 @@ Block inverse_of(const Block& block) {
 
 } // namespace
 
-CurveSolver::CurveSolver(const CurveNetwork& network) : network_(network) {
+void CurveSolver::begin(const CurveNetwork& network) {
+    network_ = &network;
+    for (auto* list : {&junctions_, &bridges_}) {
+        list->clear();
+    }
+    loops_.clear();
+    curves_.clear();
+    places_.clear();
     find_sides();
     find_curves();
     left_.resize(junctions_.size());
@@ -33,20 +40,20 @@ CurveSolver::CurveSolver(const CurveNetwork& network) : network_(network) {
 
 // A vertex that has not just two edges counts as a junction.
 void CurveSolver::find_sides() {
-    const std::size_t n = network_.positions.size();
-    std::vector<std::uint32_t> degree(n, 0);
+    const std::size_t n = network_->positions.size();
+    degree_.assign(n, 0);
     edges_at_.assign(n, {no_id, no_id});
-    for (std::uint32_t e = 0; e < network_.edges.size(); ++e) {
-        for (const std::uint32_t v : {network_.edges[e].from, network_.edges[e].to}) {
-            if (degree[v] < 2) {
-                edges_at_[v][degree[v]] = e;
+    for (std::uint32_t e = 0; e < network_->edges.size(); ++e) {
+        for (const std::uint32_t v : {network_->edges[e].from, network_->edges[e].to}) {
+            if (degree_[v] < 2) {
+                edges_at_[v][degree_[v]] = e;
             }
-            ++degree[v];
+            ++degree_[v];
         }
     }
     number_.assign(n, no_id);
     for (std::uint32_t v = 0; v < n; ++v) {
-        if (network_.is_junction[v] != 0 || degree[v] != 2) {
+        if (network_->is_junction[v] != 0 || degree_[v] != 2) {
             number_[v] = static_cast<std::uint32_t>(junctions_.size());
             junctions_.push_back(v);
         }
@@ -55,9 +62,9 @@ void CurveSolver::find_sides() {
 
 void CurveSolver::find_curves() {
     places_.reserve(number_.size() - junctions_.size());
-    is_taken_.assign(network_.edges.size(), 0);
-    for (std::uint32_t e = 0; e < network_.edges.size(); ++e) {
-        const CurveEdge& edge = network_.edges[e];
+    is_taken_.assign(network_->edges.size(), 0);
+    for (std::uint32_t e = 0; e < network_->edges.size(); ++e) {
+        const CurveEdge& edge = network_->edges[e];
         const bool starts = number_[edge.from] != no_id;
         const bool ends = number_[edge.to] != no_id;
         if (starts && ends) {
@@ -67,15 +74,15 @@ void CurveSolver::find_curves() {
             follow(starts ? edge.from : edge.to, e);
         }
     }
-    for (std::uint32_t e = 0; e < network_.edges.size(); ++e) {
+    for (std::uint32_t e = 0; e < network_->edges.size(); ++e) {
         if (is_taken_[e] == 0) {
-            follow(network_.edges[e].from, e);
+            follow(network_->edges[e].from, e);
         }
     }
 }
 
 std::uint32_t CurveSolver::far_end(std::uint32_t edge, std::uint32_t vertex) const {
-    const CurveEdge& e = network_.edges[edge];
+    const CurveEdge& e = network_->edges[edge];
     return e.from == vertex ? e.to : e.from;
 }
 
@@ -86,13 +93,13 @@ void CurveSolver::follow(std::uint32_t anchor, std::uint32_t edge) {
     std::uint32_t v = far_end(edge, anchor);
     for (; number_[v] == no_id && v != anchor; v = far_end(edge, v)) {
         is_taken_[edge] = 1;
-        places_.push_back({.vertex = v, .before = {edge, network_.edges[edge].from == v}});
+        places_.push_back({.vertex = v, .before = {edge, network_->edges[edge].from == v}});
         edge = edges_at_[v][edges_at_[v][0] == edge ? 1 : 0];
     }
     is_taken_[edge] = 1;
     curve.end = places_.size();
     curve.to = v;
-    curve.last = {edge, network_.edges[edge].from == places_.back().vertex};
+    curve.last = {edge, network_->edges[edge].from == places_.back().vertex};
     (is_loop ? loops_ : curves_).push_back(curve);
 }
 
@@ -155,7 +162,7 @@ void CurveSolver::factorise(std::span<const Block> diagonal, std::span<const Blo
         }
     }
     for (const std::uint32_t e : bridges_) {
-        add_block(number_[network_.edges[e].from], number_[network_.edges[e].to], coupling[e]);
+        add_block(number_[network_->edges[e].from], number_[network_->edges[e].to], coupling[e]);
     }
     factorise_junctions();
 }
@@ -182,14 +189,7 @@ void CurveSolver::factorise_junctions() {
         entries_.emplace_back(i + 1, i, left_[k].yx);
         entries_.emplace_back(i + 1, i + 1, left_[k].yy);
     }
-    const auto size = static_cast<Eigen::Index>(2 * junctions_.size());
-    matrix_.resize(size, size);
-    matrix_.setFromTriplets(entries_.begin(), entries_.end());
-    if (!is_analysed_) {
-        solver_.analyzePattern(matrix_);
-        is_analysed_ = true;
-    }
-    solver_.factorize(matrix_);
+    (void)junction_solver_.factorise(static_cast<Eigen::Index>(2 * junctions_.size()), entries_);
 }
 
 // --- solution ------------------------------------------------------------------------------------
@@ -239,8 +239,8 @@ void CurveSolver::solve_junctions(std::span<Point<double>> columns) const {
     for (std::size_t k = 0; k < junctions_.size(); ++k) {
         sides.segment<2>(static_cast<Eigen::Index>(2 * k)) = columns[junctions_[k]];
     }
-    if (solver_.info() == Eigen::Success) {
-        sides = solver_.solve(sides).eval();
+    if (junction_solver_.is_solvable()) {
+        sides = junction_solver_.solve(sides);
     } else {
         sides.setConstant(std::numeric_limits<double>::quiet_NaN());
     }

@@ -5,8 +5,7 @@
 
 #include "dsc/base/types.h"
 
-#include <Eigen/Sparse>
-#include <Eigen/SparseCholesky>
+#include "geometric_flows/sparse_solver.h"
 
 #include <array>
 #include <cstdint>
@@ -47,11 +46,13 @@ struct Block {
 
 /// A block elimination in the order of the curves (Cholesky's method for a block tridiagonal matrix
 /// with a border). It leaves a sparse system of the junctions alone; a closed curve is cut at one
-/// of its vertices. Without pivots: the matrix has to be symmetric and positive definite.
+/// of its vertices. Without pivots: the matrix has to be symmetric and positive definite. One
+/// solver serves many networks, one after the other, and reuses its memory.
 class CurveSolver {
 public:
-    /// Finds the curves. O(vertices and edges).
-    explicit CurveSolver(const CurveNetwork& network);
+    /// Finds the curves of a network, which must live as long as it is solved for. O(vertices and
+    /// edges).
+    void begin(const CurveNetwork& network);
 
     /// `diagonal` has the block of each vertex, `coupling` that of each edge: rows of its first
     /// vertex, columns of its second. O(vertices), and a sparse factorisation of the junctions.
@@ -102,7 +103,8 @@ private:
     void solve_junctions(std::span<Point<double>> columns) const;
     void add_block(std::uint32_t row, std::uint32_t column, const Block& block);
 
-    const CurveNetwork& network_;
+    const CurveNetwork* network_ = nullptr;
+    std::vector<std::uint32_t> degree_;                  ///< edges at each vertex
     std::vector<std::array<std::uint32_t, 2>> edges_at_; ///< of each vertex that has just two
     std::vector<std::uint8_t> is_taken_;                 ///< by edge: it is part of a curve
     std::vector<Curve> loops_;
@@ -114,9 +116,7 @@ private:
 
     std::vector<Block> left_; ///< diagonal blocks of the junctions
     std::vector<Eigen::Triplet<double>> entries_;
-    Eigen::SparseMatrix<double> matrix_; ///< of the junctions
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
-    bool is_analysed_ = false;
+    SparseSolver junction_solver_;
 };
 
 } // namespace dsc

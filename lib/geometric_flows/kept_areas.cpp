@@ -10,78 +10,11 @@ namespace dsc {
 
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
-
 /// The place of the phase in the list, which is sorted by phase, or -1.
 int place_in(std::span<const KeptArea> kept, Phase phase) {
     const auto found = std::ranges::lower_bound(kept, phase, {}, &KeptArea::phase);
     return found == kept.end() || found->phase != phase ? -1
                                                         : static_cast<int>(found - kept.begin());
-}
-
-/// The areas of all kept phases.
-Eigen::VectorXd areas(const CurveNetwork& network, std::span<const Point<double>> positions,
-                      std::span<const KeptArea> kept) {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(kept.size()));
-    for (const CurveEdge& edge : network.edges) {
-        // Relative to a vertex, so that an offset of all costs no digits.
-        const double part =
-            cross<double>(positions[edge.from] - positions[0], positions[edge.to] - positions[0]) /
-            2;
-        if (const int left = place_in(kept, edge.left); left >= 0) {
-            sum[left] += part;
-        }
-        if (const int right = place_in(kept, edge.right); right >= 0) {
-            sum[right] -= part;
-        }
-    }
-    return sum;
-}
-
-/// A column for each kept phase: the derivatives of its area by the coordinates of the vertices.
-Matrix area_gradients(const CurveNetwork& network, std::span<const Point<double>> positions,
-                      std::span<const KeptArea> kept) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const CurveEdge& edge : network.edges) {
-        const Point<double> way = positions[edge.to] - positions[edge.from];
-        const auto add = [&](int column, double sign) {
-            if (column < 0) {
-                return;
-            }
-            for (const std::uint32_t i : {edge.from, edge.to}) {
-                const auto row = static_cast<int>(2 * i);
-                entries.emplace_back(row, column, sign * way.y() / 2);
-                entries.emplace_back(row + 1, column, -sign * way.x() / 2);
-            }
-        };
-        add(place_in(kept, edge.left), 1);
-        add(place_in(kept, edge.right), -1);
-    }
-    Matrix gradients(static_cast<Eigen::Index>(2 * positions.size()),
-                     static_cast<Eigen::Index>(kept.size()));
-    gradients.setFromTriplets(entries.begin(), entries.end());
-    return gradients;
-}
-
-/// How vertices move under a pressure in each phase: along the gradient of its area, as far as they
-/// are free to, and the less the more drag they have.
-Matrix responses(const CurveNetwork& network, std::span<const Point<double>> positions,
-                 const Matrix& gradients) {
-    const std::vector<double> drag = lumped_drag(network, positions);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (drag[i] > 0) {
-            const Freedom& free = network.freedom[i];
-            const auto row = static_cast<int>(2 * i);
-            entries.emplace_back(row, row, free.xx / drag[i]);
-            entries.emplace_back(row, row + 1, free.xy / drag[i]);
-            entries.emplace_back(row + 1, row, free.xy / drag[i]);
-            entries.emplace_back(row + 1, row + 1, free.yy / drag[i]);
-        }
-    }
-    Matrix mobility(gradients.rows(), gradients.rows());
-    mobility.setFromTriplets(entries.begin(), entries.end());
-    return mobility * gradients;
 }
 
 /// Those of the phases whose areas can be kept. A phase that is absent or locked has none that
@@ -117,95 +50,253 @@ std::vector<KeptArea> changeable(const CurveNetwork& network, std::span<const Ke
     return list;
 }
 
-/// What changes areas: by pressures alone, without tension.
-struct Pressing {
-    Matrix gradients;
-    Matrix responses;
-    Eigen::SimplicialLDLT<Matrix> solver; ///< from areas to pressures
-};
-
-/// False if the pressures cannot be found.
-bool prepare(const CurveNetwork& network, std::span<const Point<double>> positions,
-             std::span<const KeptArea> kept, Pressing& pressing) {
-    pressing.gradients = area_gradients(network, positions, kept);
-    pressing.responses = responses(network, positions, pressing.gradients);
-    const Matrix system = pressing.gradients.transpose() * pressing.responses;
-    pressing.solver.compute(system);
-    return pressing.solver.info() == Eigen::Success;
-}
-
 /// Written out: the compiler warns of Eigen's own.
 double dot(const Eigen::VectorXd& one, const Eigen::VectorXd& other) {
     return std::inner_product(one.begin(), one.end(), other.begin(), 0.0);
 }
 
-/// The displacements by pressures during a step of the system that change the areas by `change`:
-/// conjugate gradients for the pressures, preconditioned by what they do without tension.
-Eigen::VectorXd press(const CurveSystem& system, const Pressing& pressing,
-                      const Eigen::VectorXd& change) {
+void add_to(std::span<Point<double>> sum, std::span<const Point<double>> more, double factor = 1) {
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+        sum[i] += factor * more[i];
+    }
+}
+
+} // namespace
+
+// --- once for each network -----------------------------------------------------------------------
+
+void AreaKeeper::begin(const CurveNetwork& network, std::span<const KeptArea> kept) {
+    network_ = &network;
+    kept_ = changeable(network, kept);
+    pressures_ = Vector::Zero(static_cast<Eigen::Index>(kept_.size()));
+    if (!kept_.empty()) {
+        find_sides(kept_);
+    }
+}
+
+void AreaKeeper::find_sides(std::span<const KeptArea> kept) {
+    const auto ordered = [](const Sides& sides) {
+        return sides.left < sides.right ? sides : Sides{sides.right, sides.left};
+    };
+    sides_.clear();
+    pairs_.clear();
+    for (const CurveEdge& edge : network_->edges) {
+        sides_.push_back({place_in(kept, edge.left), place_in(kept, edge.right)});
+        if (pairs_.empty() || pairs_.back() != ordered(sides_.back())) { // along a curve they stay
+            pairs_.push_back(ordered(sides_.back()));
+        }
+    }
+    std::ranges::sort(pairs_);
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    pair_of_.clear();
+    curve_of_.assign(network_->positions.size(), no_id);
+    arms_.clear();
+    for (std::uint32_t e = 0; e < sides_.size(); ++e) {
+        const auto place = std::ranges::lower_bound(pairs_, ordered(sides_[e])) - pairs_.begin();
+        pair_of_.push_back(static_cast<std::uint32_t>(place));
+        for (const std::uint32_t v : {network_->edges[e].from, network_->edges[e].to}) {
+            if (network_->is_junction[v] != 0) {
+                arms_.emplace_back(v, e);
+            } else {
+                curve_of_[v] = e;
+            }
+        }
+    }
+    std::ranges::sort(arms_);
+}
+
+// --- areas and their derivatives -----------------------------------------------------------------
+
+// Relative to a vertex, so that an offset of all costs no digits.
+void AreaKeeper::find_missing(std::span<const Point<double>> positions,
+                              std::span<const Point<double>> displacements) {
+    missing_.resize(static_cast<Eigen::Index>(kept_.size()));
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+        missing_[static_cast<Eigen::Index>(k)] = kept_[k].area;
+    }
+    const Point<double> origin = positions[0] + displacements[0];
+    const auto at = [&](std::uint32_t v) {
+        return Point<double>(positions[v] + displacements[v] - origin);
+    };
+    for (std::size_t e = 0; e < sides_.size(); ++e) {
+        const CurveEdge& edge = network_->edges[e];
+        const double part = cross<double>(at(edge.from), at(edge.to)) / 2;
+        if (sides_[e].left >= 0) {
+            missing_[sides_[e].left] -= part;
+        }
+        if (sides_[e].right >= 0) {
+            missing_[sides_[e].right] += part;
+        }
+    }
+}
+
+// What pressures do without tension: vertices move along the gradients of the areas, as far as they
+// are free to, and the less the more drag they have. False if the pressures cannot be found.
+bool AreaKeeper::prepare(std::span<const Point<double>> positions,
+                         std::span<const Point<double>> displacements) {
+    const auto at = [&](std::uint32_t v) { return Point<double>(positions[v] + displacements[v]); };
+    moves_.resize(positions.size());
+    for (std::uint32_t v = 0; v < positions.size(); ++v) {
+        moves_[v] = at(v);
+    }
+    lump_drag(*network_, moves_, drag_);
+    normals_.resize(sides_.size());
+    across_.assign(positions.size(), Point<double>(0, 0));
+    for (std::size_t e = 0; e < sides_.size(); ++e) {
+        const CurveEdge& edge = network_->edges[e];
+        const Point<double> way = moves_[edge.to] - moves_[edge.from];
+        normals_[e] = Point<double>(way.y(), -way.x()) / 2;
+        for (const std::uint32_t v : {edge.from, edge.to}) {
+            if (network_->is_junction[v] == 0) {
+                const bool is_turned = sides_[curve_of_[v]] != sides_[e];
+                across_[v] += is_turned ? Point<double>(-normals_[e]) : normals_[e];
+            }
+        }
+    }
+    sums_.assign(pairs_.size(), 0.0);
+    for (std::uint32_t v = 0; v < positions.size(); ++v) {
+        if (curve_of_[v] != no_id && drag_[v] > 0) {
+            sums_[pair_of_[curve_of_[v]]] +=
+                across_[v].dot(network_->freedom[v].of(across_[v])) / drag_[v];
+        }
+    }
+    entries_.clear();
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+        const auto [low, high] = pairs_[k];
+        if (low >= 0) {
+            entries_.emplace_back(low, low, sums_[k]);
+            entries_.emplace_back(high, low, -sums_[k]);
+        }
+        if (high >= 0) {
+            entries_.emplace_back(high, high, sums_[k]);
+        }
+    }
+    add_junctions();
+    return solver_.factorise(static_cast<Eigen::Index>(kept_.size()), entries_);
+}
+
+// Where the edges of a vertex lie between different phases, each is paired with each.
+void AreaKeeper::add_junctions() {
+    for (std::size_t i = 0; i < arms_.size(); ++i) {
+        const auto [v, e] = arms_[i];
+        if (!(drag_[v] > 0)) {
+            continue;
+        }
+        const Point<double> move = network_->freedom[v].of(normals_[e]) / drag_[v];
+        const auto add = [&](int row, int column, double value) {
+            if (row >= column && column >= 0) { // the solver reads the lower half
+                entries_.emplace_back(row, column, value);
+            }
+        };
+        std::size_t k = i;
+        while (k > 0 && arms_[k - 1].first == v) {
+            --k;
+        }
+        for (; k < arms_.size() && arms_[k].first == v; ++k) {
+            const std::uint32_t f = arms_[k].second;
+            const double value = normals_[f].dot(move);
+            add(sides_[f].left, sides_[e].left, value);
+            add(sides_[f].left, sides_[e].right, -value);
+            add(sides_[f].right, sides_[e].left, -value);
+            add(sides_[f].right, sides_[e].right, value);
+        }
+    }
+}
+
+// The forces of pressures on the vertices.
+void AreaKeeper::push(const Vector& pressures, std::span<Point<double>> forces) const {
+    std::ranges::fill(forces, Point<double>(0, 0));
+    const auto in = [&](int place) { return place >= 0 ? pressures[place] : 0.0; };
+    for (std::size_t e = 0; e < sides_.size(); ++e) {
+        const Point<double> force = (in(sides_[e].left) - in(sides_[e].right)) * normals_[e];
+        forces[network_->edges[e].from] += force;
+        forces[network_->edges[e].to] += force;
+    }
+}
+
+// By how much the areas grow, to first order.
+AreaKeeper::Vector AreaKeeper::gained_by(std::span<const Point<double>> displacements) const {
+    Vector gain = Vector::Zero(static_cast<Eigen::Index>(kept_.size()));
+    for (std::size_t e = 0; e < sides_.size(); ++e) {
+        const CurveEdge& edge = network_->edges[e];
+        const double part = normals_[e].dot(displacements[edge.from] + displacements[edge.to]);
+        if (sides_[e].left >= 0) {
+            gain[sides_[e].left] += part;
+        }
+        if (sides_[e].right >= 0) {
+            gain[sides_[e].right] -= part;
+        }
+    }
+    return gain;
+}
+
+// --- pressures -----------------------------------------------------------------------------------
+
+// Pressures during a step of the system that give the areas what is missing: conjugate gradients,
+// preconditioned by what pressures do without tension, and from those of the step before.
+void AreaKeeper::press(const CurveSystem& system, std::span<Point<double>> displacements) {
     constexpr int most_rounds = 30;
     constexpr double tolerance = 1e-8; // what remains is left to a shift
-    Eigen::VectorXd displacements = Eigen::VectorXd::Zero(pressing.gradients.rows());
-    Eigen::VectorXd left = change;
-    Eigen::VectorXd preconditioned = pressing.solver.solve(left);
-    Eigen::VectorXd direction = preconditioned;
+    const double all = dot(missing_, missing_);
+    const double enough = tolerance * tolerance * all;
+    total_.assign(displacements.size(), Point<double>(0, 0));
+    Vector left = missing_;
+    if (dot(pressures_, pressures_) > 0) {
+        push(pressures_, total_);
+        system.respond(total_);
+        left -= gained_by(total_);
+    }
+    Vector preconditioned = solver_.solve(left);
+    Vector direction = preconditioned;
     double size = dot(left, preconditioned);
-    const double enough = tolerance * tolerance * dot(change, change);
     for (int round = 0; round < most_rounds && dot(left, left) > enough; ++round) {
-        const Eigen::VectorXd response = system.response_to(pressing.gradients * direction);
-        const Eigen::VectorXd by_direction = pressing.gradients.transpose() * response;
-        const double slope = dot(direction, by_direction);
+        push(direction, moves_);
+        system.respond(moves_);
+        const Vector gain = gained_by(moves_);
+        const double slope = dot(direction, gain);
         if (!(slope > 0)) {
             break;
         }
-        displacements += (size / slope) * response;
-        left -= (size / slope) * by_direction;
-        preconditioned = pressing.solver.solve(left);
+        add_to(total_, moves_, size / slope);
+        pressures_ += (size / slope) * direction;
+        left -= (size / slope) * gain;
+        preconditioned = solver_.solve(left);
         const double next = dot(left, preconditioned);
         direction = preconditioned + (next / size) * direction;
         size = next;
     }
     // Rounding errors alone would be left over by targets that contradict each other.
-    if (!(dot(left, left) <= dot(change, change))) {
-        displacements.setZero();
+    if (dot(left, left) <= all) {
+        add_to(displacements, total_);
+    } else {
+        pressures_.setZero();
     }
-    return displacements;
 }
 
-} // namespace
+// Without tension, by the shortest way.
+void AreaKeeper::shift(std::span<Point<double>> displacements) {
+    push(solver_.solve(missing_), moves_);
+    for (std::size_t i = 0; i < moves_.size(); ++i) {
+        if (drag_[i] > 0) {
+            displacements[i] += network_->freedom[i].of(moves_[i]) / drag_[i];
+        }
+    }
+}
 
-void keep_areas(const CurveNetwork& network, std::span<const KeptArea> kept,
-                std::span<const Point<double>> positions, std::span<Point<double>> displacements,
-                const CurveSystem* system) {
+void AreaKeeper::keep(std::span<const Point<double>> positions,
+                      std::span<Point<double>> displacements, const CurveSystem* system) {
     // Area is quadratic in the displacement: a shift leaves about its square.
     constexpr int shifts = 3;
-    const std::vector<KeptArea> list = changeable(network, kept);
-    if (list.empty()) {
-        return;
-    }
-    std::vector<Point<double>> moved(positions.begin(), positions.end());
-    const auto move = [&](const Eigen::VectorXd& by) {
-        for (std::size_t i = 0; i < moved.size(); ++i) {
-            const Point<double> way = by.segment<2>(static_cast<Eigen::Index>(2 * i));
-            displacements[i] += way;
-            moved[i] = positions[i] + displacements[i];
-        }
-    };
-    move(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * positions.size())));
-    Eigen::VectorXd wanted(static_cast<Eigen::Index>(list.size()));
-    for (std::size_t k = 0; k < list.size(); ++k) {
-        wanted[static_cast<Eigen::Index>(k)] = list[k].area;
-    }
-    Pressing pressing;
-    if (!prepare(network, moved, list, pressing)) {
+    if (kept_.empty() || !prepare(positions, displacements)) {
         return;
     }
     if (system != nullptr) {
-        move(press(*system, pressing, wanted - areas(network, moved, list)));
+        find_missing(positions, displacements);
+        press(*system, displacements);
     }
-    for (int shift = 0; shift < shifts; ++shift) {
-        const Eigen::VectorXd change = wanted - areas(network, moved, list);
-        move(pressing.responses * pressing.solver.solve(change));
+    for (int done = 0; done < shifts; ++done) {
+        find_missing(positions, displacements);
+        shift(displacements);
     }
 }
 

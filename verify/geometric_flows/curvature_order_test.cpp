@@ -103,9 +103,10 @@ public:
 
 private:
     double area() {
-        const CurveNetwork network = curve_network(
+        CurveNetwork network;
+        find_network(
             graph_.view(complex_, positions), [](Phase, Phase) { return EdgeForces{}; },
-            [](Phase) { return 0.0; });
+            [](Phase) { return 0.0; }, network);
         double sum = 0;
         for (const CurveEdge& edge : network.edges) {
             const Point<double>& from = positions[edge.from];

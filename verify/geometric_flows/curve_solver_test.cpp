@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "geometric_flows/curve_solver.h"
+
+#include "geometric_flows/curve_network.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace dsc::curve_solver_test {
+namespace {
+
+// Vertices of no place in particular: the solver asks for edges and junctions alone.
+class Network {
+public:
+    std::uint32_t vertex(bool is_junction) {
+        network.positions.emplace_back(0, 0);
+        network.is_junction.push_back(is_junction ? 1 : 0);
+        return static_cast<std::uint32_t>(network.positions.size() - 1);
+    }
+    void edge(std::uint32_t from, std::uint32_t to) {
+        const bool is_turned = std::bernoulli_distribution(0.5)(lot);
+        network.edges.push_back({.from = is_turned ? to : from, .to = is_turned ? from : to});
+    }
+    void curve(std::uint32_t from, std::uint32_t to, int between) {
+        for (int i = 0; i < between; ++i) {
+            const std::uint32_t next = vertex(false);
+            edge(from, next);
+            from = next;
+        }
+        edge(from, to);
+    }
+
+    CurveNetwork network;
+    std::mt19937 lot;
+};
+
+// Curves between junctions, side by side, back to where they began and without a vertex between;
+// closed ones down to two vertices; and a vertex without edges.
+CurveNetwork draw(unsigned seed) {
+    Network made;
+    made.lot.seed(seed);
+    const auto below = [&](int n) { return std::uniform_int_distribution(0, n - 1)(made.lot); };
+    std::vector<std::uint32_t> junctions;
+    for (int i = below(5); i > 0; --i) {
+        junctions.push_back(made.vertex(true));
+    }
+    const int curves = junctions.empty() ? 0 : below(9);
+    for (int i = 0; i < curves; ++i) {
+        const auto any = [&] {
+            return junctions[static_cast<std::size_t>(below(static_cast<int>(junctions.size())))];
+        };
+        const std::uint32_t from = any();
+        const std::uint32_t to = any();
+        made.curve(from, to, from == to ? 2 + below(5) : below(6));
+    }
+    for (int i = below(3); i > 0; --i) {
+        const std::uint32_t start = made.vertex(false);
+        made.curve(start, start, 1 + below(6));
+    }
+    if (below(3) == 0) {
+        (void)made.vertex(true);
+    }
+    std::ranges::shuffle(made.network.edges, made.lot);
+    return made.network;
+}
+
+using Column = Point<double>;
+
+// What the rows of the whole matrix give.
+std::vector<Column> product(const CurveNetwork& network, const std::vector<Block>& diagonal,
+                            const std::vector<Block>& coupling,
+                            const std::vector<Column>& columns) {
+    std::vector<Column> sum;
+    for (std::uint32_t v = 0; v < diagonal.size(); ++v) {
+        sum.emplace_back(diagonal[v].of(columns[v]));
+    }
+    for (std::size_t e = 0; e < coupling.size(); ++e) {
+        const auto [from, to] = std::pair(network.edges[e].from, network.edges[e].to);
+        sum[from] += coupling[e].of(columns[to]);
+        sum[to] += coupling[e].transposed().of(columns[from]);
+    }
+    return sum;
+}
+
+TEST(CurveSolver, SolvesNetworksOfEveryShape) {
+    CurveSolver solver; // of one network after the other
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        const CurveNetwork network = draw(seed);
+        const std::size_t n = network.positions.size();
+        std::mt19937 lot(seed);
+        std::uniform_real_distribution<double> number(-1, 1);
+        const auto block = [&] {
+            return Block{number(lot), number(lot), number(lot), number(lot)};
+        };
+        std::vector<Block> diagonal(n, Block{0.1, 0, 0, 0.1});
+        std::vector<Block> coupling;
+        for (const CurveEdge& edge : network.edges) { // (a b) (a b)^T, which is semidefinite
+            const Block a = block();
+            const Block b = block();
+            diagonal[edge.from] += a * a.transposed();
+            diagonal[edge.to] += b * b.transposed();
+            coupling.emplace_back(a * b.transposed());
+        }
+        solver.begin(network);
+        for (int round = 0; round < 2; ++round) { // the second one has what the first has left
+            solver.factorise(diagonal, coupling);
+            std::vector<Column> columns;
+            for (std::size_t v = 0; v < n; ++v) {
+                columns.emplace_back(number(lot), number(lot));
+            }
+            const std::vector<Column> wanted = columns;
+            solver.solve(columns);
+            const std::vector<Column> found = product(network, diagonal, coupling, columns);
+            for (std::uint32_t v = 0; v < n; ++v) {
+                EXPECT_LT((found[v] - wanted[v]).norm(), 1e-10)
+                    << "seed " << seed << ", vertex " << v << " of " << n;
+            }
+        }
+    }
+}
+
+TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
+    Network made;
+    for (int i = 0; i < 2; ++i) {
+        const std::uint32_t start = made.vertex(false);
+        made.curve(start, start, 3);
+    }
+    std::vector<Block> diagonal(8, Block{3, 0, 0, 3});
+    const std::vector<Block> coupling(8, Block{-1, 0, 0, -1});
+    diagonal[5] = {};
+    CurveSolver solver;
+    solver.begin(made.network);
+    solver.factorise(diagonal, coupling);
+    std::vector<Column> columns(8, Column(1, 1));
+    solver.solve(columns);
+    for (std::size_t v = 0; v < 4; ++v) {
+        EXPECT_NEAR(columns[v].x(), 1, 1e-12);
+        EXPECT_TRUE(std::isnan(columns[v + 4].x()));
+    }
+}
+
+} // namespace
+} // namespace dsc::curve_solver_test
