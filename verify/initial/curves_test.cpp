@@ -3,6 +3,7 @@
 // on both sides, and the triangles are as good as the angles between the curves allow.
 #include "dsc/queries/validate.h"
 #include "shapes/shapes.h"
+#include "shapes/voronoi.h"
 #include "support/curve_testing.h"
 
 #include <numbers>
@@ -166,6 +167,32 @@ TEST(InitialCurvesSizes, CurvesToTheSidesAnywhereGetGoodTriangles) {
                           1, 0};
         const auto complex = test::complex_of<double>({{curve}, 0.05 - 0.0007 * i});
         EXPECT_GE(test::smallest_angle(complex), 29) << i;
+    }
+}
+
+// Hundreds of curves and junctions, in general position.
+TEST(InitialCurvesOfCells, HaveTheCellsAsPhases) {
+    struct Grains {
+        std::size_t count;
+        int rounds; // of relaxation
+        std::uint64_t seed;
+        double h;
+    };
+    for (const Grains& g : {Grains{100, 0, 1, 0.02}, Grains{100, 3, 2, 0.02},
+                            Grains{1000, 0, 2, 0.006}, Grains{1000, 3, 1, 0.006}}) {
+        const auto random = dsc::scenes::random_sites({}, g.count, g.seed);
+        const auto sites = dsc::scenes::relaxed_sites({}, random, g.rounds);
+        const dsc::scenes::VoronoiOptions options{.shortest = 0.3 * g.h};
+        const CurveScenery scenery{dsc::scenes::voronoi_curves({}, sites, options), g.h};
+        const auto complex = test::complex_of<double>(scenery);
+        test::expect_sound(complex, scenery);
+        const auto cells = dsc::scenes::voronoi_cells({}, sites, options);
+        const auto areas = test::areas_by_phase(complex);
+        ASSERT_EQ(areas.size(), cells.size());
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            EXPECT_NEAR(areas.at(static_cast<Phase>(i + 1)), dsc::scenes::signed_area(cells[i]),
+                        1e-15);
+        }
     }
 }
 

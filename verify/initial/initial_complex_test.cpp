@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
 #include <string>
 
 namespace dsc::initial_complex_test {
@@ -269,25 +268,6 @@ TEST(InitialComplexSizes, ACircleGetsTrianglesOfTheSizeAskedFor) {
     EXPECT_GE(sizes.shortest, 0.45 * h);
     EXPECT_LE(sizes.longest, 1.8 * h);
     EXPECT_NEAR(complex.triangle_count(), 1 / (0.4330127 * h * h), 0.02 / (0.4330127 * h * h));
-}
-
-TEST(InitialComplexSizes, CirclesAnywhereGetGoodTriangles) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> share(0, 1);
-    for (int i = 0; i < 60; ++i) {
-        const double h = 0.012 + 0.04 * share(random);
-        const double radius = 0.1 + 0.2 * share(random);
-        const double room = 1 - 2 * radius - 4 * h;
-        const std::vector<Shape> shapes{circle(radius + 2 * h + room * share(random),
-                                               radius + 2 * h + room * share(random), radius, h)};
-        const auto complex = dsc::initial_complex<double>({}, shapes, {.edge_length = h});
-        SCOPED_TRACE("h " + std::to_string(h) + ", radius " + std::to_string(radius));
-        const Sizes sizes = test::sizes_of(complex);
-        EXPECT_GE(sizes.worst_quality, 0.5);
-        EXPECT_GE(sizes.shortest, 0.44 * h);
-        EXPECT_LE(sizes.longest, 1.8 * h);
-        EXPECT_EQ(sizes.not_delaunay, 0U);
-    }
 }
 
 // Scale must not matter, down to where products of four lengths underflow.
