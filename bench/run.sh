@@ -13,8 +13,7 @@ usage: bench/run.sh [--quick] [--suite FILE] [--only WHAT] [Google Benchmark opt
   --only WHAT   nothing else: speedup (of the suite bench/suites/speedup.toml unless one is given),
                 precision, hard or gallery; earlier results stay as they are
 Other options go to dsc_bench after our own and win over them, e.g. --benchmark_filter=flip.
-Installs missing Debian packages as root or through sudo. DSC_JOBS sets the number of build jobs,
-PYTHON the interpreter for the plots.
+Installs missing Debian packages as root or through sudo.
 Exit code: 0 done, 1 something failed, 2 bad usage or nothing was run.
 USAGE
 }
@@ -316,8 +315,8 @@ draw() {
         cp build/faults/faults.json "$report/faults.json"
         cases+=(--faults "$report/faults.json")
     fi
-    if [[ -f build/mutants/score.json ]]; then
-        cp build/mutants/score.json "$report/mutants.json"
+    if [[ -f build/faults/mutants.json ]]; then
+        cp build/faults/mutants.json "$report/mutants.json"
         cases+=(--mutants "$report/mutants.json")
     fi
     say "plots"

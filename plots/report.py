@@ -43,7 +43,7 @@ def arguments(argv):
                             help=what)
     parser.add_argument("--hard", metavar="FILE", help="JSON of dsc_hard")
     parser.add_argument("--faults", metavar="FILE", help="faults.json of verify/faults.sh")
-    parser.add_argument("--mutants", metavar="FILE", help="score.json of verify/faults.sh --mutants")
+    parser.add_argument("--mutants", metavar="FILE", help="mutants.json of verify/faults.sh --mutants")
     parser.add_argument("--frames", metavar="DIR", help="frames that dsc_scene wrote")
     parser.add_argument("--published", metavar="DIR", help="the figures to compare with")
     parser.add_argument("--out", required=True, metavar="DIR", help="where the report goes")

@@ -6,49 +6,30 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-usage: verify/faults.sh [--tenth HASH | --room NAME | --only NAME...] [--own] [--jobs N]
-       verify/faults.sh --mutants [--count N] [--seed TEXT] [--seconds S] [--programs TEST...] [--jobs N]
-  --tenth HASH  the rooms that belong to a commit, with about a tenth of the faults
-  --room NAME   the faults of one room
-  --only NAME   these faults alone, tried anew
+usage: verify/faults.sh [--tenth HASH | --only NAME... | --mutants N [--seed TEXT]] [--own] [--jobs N]
+  --tenth HASH  the faults of about a tenth of the rooms, those that belong to a commit
+  --only NAME   these faults, or rooms
+  --mutants N   in place of them N small changes of the library, made by rule; nine in ten have to be caught
   --own         by the tests of each fault's own room alone; no others are built
   --jobs N      so many faults at the same time; by default one for each core
-  --mutants     in place of them a sample of small changes of the library made by rule, 1000 by default, in
-                a build of their own: a score for each room, and what survives, in
-                build/mutants/mutants.md; --seconds: CPU time of tests that one has to survive;
-                --programs TEST...: by these alone, e.g. test_io. Half an hour of CPU time beside the
-                build. Exit code: 0 nine in ten were caught of those that are not in
-                verify/faults/equivalent.toml, 1 fewer
-The build takes a quarter of an hour of CPU time, and all faults another half at least; an interrupted run
-goes on where it stopped. The results are in build/faults/faults.json.
-Installs missing Debian packages as root or through sudo. Exit code: 0 all were caught, 1 some were not, 2 nothing was run.
+The build takes a quarter of an hour of CPU time, all faults another half, and 1,000 mutants some hours. The
+results are in build/faults/faults.json and mutants.json. Installs missing Debian packages as root or through
+sudo. Exit code: 0 all were caught, 1 some were not, 2 nothing was run.
 USAGE
 }
 
-# Refused before anything is installed or built; the programs in Python look at the values.
-refuse() {
-    printf '%s: unknown option: %s; --help shows those that there are\n' "$0" "$1" >&2
-    exit 2
-}
+# Refused before anything is installed or built; faults.py looks at the values.
 for argument in "$@"; do
     case $argument in
         -h | --help) usage; exit 0 ;;
-        --tenth | --room | --only | --own | --jobs) ;;
-        --mutants | --count | --seed | --seconds | --programs) ;;
-        -*) refuse "$argument" ;;
+        --tenth | --only | --mutants | --seed | --own | --jobs) ;;
+        -*)
+            printf '%s: unknown option: %s; --help shows those that there are\n' "$0" "$argument" >&2
+            exit 2
+            ;;
     esac
 done
-if [[ ${1:---} != --* ]]; then
-    refuse "$1"
-fi
 # shellcheck source=verify/setup.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
 set_up plain
-
-if [[ ${1:-} == --mutants ]]; then
-    shift
-    mkdir -p build/mutants
-    exec "$python" verify/faults/mutants.py build/mutants --jobs "$jobs" "$@"
-fi
-mkdir -p build/faults
 exec "$python" verify/faults/faults.py build/faults --jobs "$jobs" "$@"

@@ -187,7 +187,7 @@ fi
 await_gate
 if $all && $with_release && $with_search; then
     say "seeded faults"
-    verify/faults.sh --tenth "$commit" --own --jobs "$jobs" </dev/null || failed+=("seeded faults")
+    verify/faults.sh --tenth "$commit" --own </dev/null || failed+=("seeded faults")
 fi
 if [[ ${#failed[@]} -gt 0 ]]; then
     printf 'failed: %s\n' "${failed[@]}"
