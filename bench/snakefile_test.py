@@ -5,6 +5,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -41,7 +42,7 @@ class BySnakemake(unittest.TestCase):
         return subprocess.run(
             ["snakemake", "-s", BENCH / "Snakefile", *words, "--config", "suite=suite.toml",
              "out=runs", "repeats=2", f"build={os.environ['DSC_BUILD']}",
-             f"python={os.environ['DSC_PYTHON']}"],
+             f"python={sys.executable}"],
             cwd=self.folder, env={**os.environ, **environment}, capture_output=True, text=True,
             check=False, timeout=300)
 

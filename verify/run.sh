@@ -17,8 +17,7 @@ usage: verify/run.sh [--quick | --all] [--sanitizers | --no-sanitizers | --fault
   --no-sanitizers  everything but them
   --faults         nothing but this tenth of the seeded faults
 Other options go to each run of ctest, e.g. -R test_geometry; nothing is searched and no faults are seeded
-then. Installs missing Debian packages as root or through sudo. DSC_JOBS sets the number of jobs, PYTHON
-the interpreter for the plots.
+then. Installs missing Debian packages as root or through sudo.
 Exit code: 0 all passed, 1 something failed, 2 nothing was run.
 USAGE
 }

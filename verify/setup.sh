@@ -19,7 +19,7 @@ workflow_packages=(snakemake)
 # The sanitizer's own runtime is only recommended by clang-14, so it is named.
 tsan_packages=(clang-14 lld-14 libclang-rt-14-dev libomp-14-dev)
 
-jobs=${DSC_JOBS:-$(env -u OMP_NUM_THREADS nproc)}
+jobs=$(env -u OMP_NUM_THREADS nproc)
 
 say() {
     printf '== %s [%d:%02d]\n' "$*" $((SECONDS / 60)) $((SECONDS % 60))
@@ -78,7 +78,7 @@ Install them with: sudo apt-get install --no-install-recommends ${missing[*]}"
 # on PATH: Debian's packages serve /usr/bin/python3 alone.
 find_python() {
     local candidate
-    for candidate in ${PYTHON:+"$PYTHON"} python3 /usr/bin/python3; do
+    for candidate in python3 /usr/bin/python3; do
         if "$candidate" -c 'import matplotlib' >/dev/null 2>&1; then
             python=$(command -v "$candidate")
             return 0
@@ -99,7 +99,7 @@ set_up() {
     install_packages "${packages[@]}"
     if ! find_python; then
         give_up "neither python3 nor /usr/bin/python3 can import matplotlib (Debian: \
-python3-matplotlib); set PYTHON to an interpreter that can"
+python3-matplotlib); put one that can on PATH, as python3"
     fi
     say "set-up done; plots by $python"
 }

@@ -42,7 +42,7 @@ public:
         }
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             for (std::size_t code = 0; code < groups_[g].is_open.size(); ++code) {
-                if (groups_[g].is_open[code] == 0 || result.rows.size() >= task_.most_rows) {
+                if (groups_[g].is_open[code] == 0) {
                     continue;
                 }
                 std::optional<Bits> best = best_with(groups_[g], code);

@@ -17,7 +17,6 @@ struct CoverTask {
     std::span<const std::size_t> counts; ///< of the values of each feature, the deciding ones first
     std::size_t strength = 2;            ///< so many features at a time
     std::uint64_t seed = 1;              ///< another one gives other rows
-    std::size_t most_rows = 1'000'000;   ///< stops early, with fewer combinations
     /// Whether those values of `row` that `is_set` names may stand together.
     std::function<bool(std::span<const std::uint8_t> row, std::span<const bool> is_set)>
         makes_sense;

@@ -85,8 +85,8 @@ std::string words_of(const Values& values) {
     for (std::size_t i = 0; i < feature_count; ++i) {
         if (values[i] != 0) {
             const Feature& feature = features()[i];
-            words += (words.empty() ? "" : " ") + std::string(feature.name) + '=' +
-                     std::string(feature.values[values[i]]);
+            words.append(words.empty() ? "" : " ").append(feature.name).append("=");
+            words.append(feature.values[values[i]]);
         }
     }
     return words;

@@ -194,7 +194,7 @@ std::string_view nonsense_in(const Values& values) {
     return nonsense_in(values, all);
 }
 
-Cover cover_features(std::size_t strength, std::uint64_t seed, std::size_t most_rows) {
+Cover cover_features(std::size_t strength, std::uint64_t seed) {
     std::vector<std::size_t> counts;
     for (const Feature& feature : features()) {
         counts.push_back(feature.values.size());
@@ -202,7 +202,6 @@ Cover cover_features(std::size_t strength, std::uint64_t seed, std::size_t most_
     return cover({.counts = counts,
                   .strength = strength,
                   .seed = seed,
-                  .most_rows = most_rows,
                   .makes_sense = [](std::span<const std::uint8_t> row, std::span<const bool> set) {
                       Values values{};
                       for (std::size_t i = 0; i < feature_count; ++i) {

@@ -18,8 +18,7 @@ namespace dsc::combinations {
 [[nodiscard]] std::string_view nonsense_in(const Values& values);
 
 /// Rows in which every combination of so many values stands that makes sense.
-[[nodiscard]] Cover cover_features(std::size_t strength, std::uint64_t seed = 1,
-                                   std::size_t most_rows = 1'000'000);
+[[nodiscard]] Cover cover_features(std::size_t strength, std::uint64_t seed = 1);
 
 /// Rows that failed once, cut down to the features that they needed for that.
 [[nodiscard]] std::span<const std::string_view> found_rows();

@@ -307,7 +307,6 @@ Findings try_in(const Row& row, double fineness) {
                                             ? std::to_string(threads) + " threads give another mesh"
                                             : std::string("two runs give different meshes"));
         }
-        findings.threads = std::max(findings.threads, outcome.threads);
         if (is_parallel && outcome.threads < std::min(threads, outcome.submeshes)) {
             findings.problems.push_back("of " + std::to_string(threads) + " threads " +
                                         std::to_string(outcome.threads) + " were used");

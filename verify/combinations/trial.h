@@ -21,8 +21,7 @@ struct Findings {
     /// From the exact shapes, of the phase that is off most: symmetric difference over the length
     /// of the interface...
     Distance mean;
-    Distance farthest;         ///< ...and that of the farthest vertex of the interface
-    std::uint32_t threads = 1; ///< most that were used in a run
+    Distance farthest; ///< ...and that of the farthest vertex of the interface
 };
 
 /// Runs a row with one, two and three threads, the last of them twice (the sequential method:

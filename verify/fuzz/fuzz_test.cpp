@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The targets of the fuzzer in any build: each input of the corpus (what searches began with, and
-// what they found and has been mended), and inputs drawn from fixed seeds. DSC_FUZZ_SEEDS=N draws N
-// of them for each target, and DSC_FUZZ_FIRST says where to begin.
+// what they found and has been mended), and inputs drawn from fixed seeds.
 #include "fuzz/target.h"
 #include "support/environment.h"
 
@@ -136,12 +135,13 @@ TEST_P(Fuzz, HasNoFindingsAtRandom) {
     const Target& target = GetParam();
     const bool is_drawn = target.name == "operations" || target.name == "steps";
     const auto inputs = inputs_of(target);
-    const std::uint64_t first = test::from_environment("DSC_FUZZ_FIRST", 1);
-    const std::uint64_t seeds = test::from_environment("DSC_FUZZ_SEEDS", 300);
+    const bool are_long = test::are_asked_for("long");
+    const std::uint64_t first = are_long ? 1000 : 1;
+    const std::uint64_t seeds = are_long ? 2000 : test::are_asked_for("few") ? 40 : 300;
     const std::uint64_t count = is_drawn ? seeds : 5 * seeds; // most are refused, in no time
     std::uint64_t operations = 0;
     for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
-        SCOPED_TRACE("DSC_FUZZ_FIRST=" + std::to_string(seed));
+        SCOPED_TRACE("seed " + std::to_string(seed));
         Draw draw(seed);
         const std::string input =
             is_drawn ? draw.bytes(1000) : draw.mutated(inputs[seed % inputs.size()]);

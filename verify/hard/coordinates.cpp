@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Coordinates far from the origin, scenes of any size, and where the scalar ends.
-#include "cases.h"
 #include "scene.h"
 #include "watch.h"
 
@@ -124,7 +123,7 @@ HardResult offset_case(double offset, bool with_frame) {
         unshifted = std::max(unshifted, at_origin);
     }
     result.error = worst;
-    result.error_is = "symmetric difference to the exact shape, relative";
+    result.error_is = shape_error_words;
     result.values = {{"error without the offset", unshifted},
                      {"cost of rounding the coordinates once", once},
                      {"error added, in such roundings", worst_share}};
@@ -149,7 +148,7 @@ HardResult size_case(double size) {
                "error " + text(here) + ", at unit size " + text(at_one));
     }
     result.error = worst;
-    result.error_is = "symmetric difference to the exact shape, relative";
+    result.error_is = shape_error_words;
     result.happened = "as at unit size";
     expect_sound(result, Targets::reachable);
     return result;
@@ -171,7 +170,7 @@ HardResult power_case(int exponent, bool with_frame) {
         same = same && here == at_one && (!with_frame || scaled == one);
         result.error = error_of(here, motion, 0.05);
     }
-    result.error_is = "symmetric difference to the exact shape, relative";
+    result.error_is = shape_error_words;
     expect(result, same, "not the bits of the run at unit size");
     result.happened = same ? "the same bits as at unit size" : "other bits than at unit size";
     expect_sound(result, Targets::reachable);
@@ -254,9 +253,7 @@ HardResult float_mapped_case() {
     for (const Motion motion : {Motion::translation, Motion::rotation}) {
         worst = std::max(worst, error_of(run_at<float>(there, motion, true, result), motion));
     }
-    result.error = worst;
-    result.error_is = "symmetric difference to the exact shape, relative";
-    expect(result, worst <= allowed, "error " + text(worst) + ", allowed " + text(allowed));
+    note_error(result, worst, allowed);
     result.happened = "as at the origin: only the roundings of the steps in float remain";
     expect_sound(result, Targets::reachable);
     return result;

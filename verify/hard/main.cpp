@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // dsc_hard list
-// dsc_hard run [CASE]... [--long] [--json FILE] [--markdown FILE]
+// dsc_hard run [CASE]... [--long] [--json FILE]
 // Exit: 0 all cases hold; 1 one does not, or a file could not be written; 2 bad usage.
 #include "table.h"
 
@@ -20,7 +20,6 @@ struct Arguments {
     std::vector<std::string> cases;
     bool with_long = false;
     std::string json;
-    std::string markdown;
 };
 
 // Those that are named; none named: all, the long ones only where asked for.
@@ -60,11 +59,8 @@ Row run_case(const HardCase& one) {
 
 int run(const Arguments& arguments) {
     const auto selected = select(arguments);
-    for (const auto& [path, option] :
-         {std::pair{arguments.json, "--json"}, std::pair{arguments.markdown, "--markdown"}}) {
-        if (!path.empty()) {
-            dsc::scenes::check_writable(path, option);
-        }
+    if (!arguments.json.empty()) {
+        dsc::scenes::check_writable(arguments.json, "--json");
     }
     std::vector<Row> rows;
     print_heading(std::cout);
@@ -78,9 +74,6 @@ int run(const Arguments& arguments) {
     try {
         if (!arguments.json.empty()) {
             dsc::scenes::write_file(arguments.json, to_json(rows));
-        }
-        if (!arguments.markdown.empty()) {
-            dsc::scenes::write_file(arguments.markdown, to_markdown(rows));
         }
     } catch (const dsc::FileError& error) {
         std::cerr << "dsc_hard: " << error.what() << '\n';
@@ -101,7 +94,6 @@ int main(int argc, char** argv) {
     run_command->add_option("cases", arguments.cases, "names from the list");
     run_command->add_flag("--long", arguments.with_long, "the long ones too (some minutes)");
     run_command->add_option("--json", arguments.json, "file for all that was measured");
-    run_command->add_option("--markdown", arguments.markdown, "file for the table");
     const auto list_cases = [] {
         for (const HardCase& one : all_cases()) {
             std::cout << one.name << (one.is_long ? "  (long)" : "") << '\n';

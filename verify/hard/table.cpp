@@ -23,21 +23,6 @@ Json finite(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-// A bar would end the cell.
-std::string cell(std::string words) {
-    for (std::size_t at = 0; (at = words.find('|', at)) != std::string::npos; at += 2) {
-        words.insert(at, "\\");
-    }
-    return words;
-}
-
-std::string end_text(const HardResult& result) {
-    if (!result.gave_up.empty()) {
-        return result.gave_up;
-    }
-    return result.error_message;
-}
-
 } // namespace
 
 void print_heading(std::ostream& out) {
@@ -63,26 +48,6 @@ void print_row(std::ostream& out, const Row& row) {
         }
     }
     out << std::endl;
-}
-
-std::string to_markdown(const std::vector<Row>& rows) {
-    std::string table =
-        "| case | what is asked | steps | most sub-steps of a step | inverted | unreached | held | "
-        "uncounted | error | what happens | how it ended |\n"
-        "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- | --- |\n";
-    for (const Row& row : rows) {
-        const HardResult& r = row.result;
-        std::string happened = r.happened;
-        for (const auto& failure : r.failures) {
-            happened += "; **fails: " + failure + "**";
-        }
-        table += "| " + row.one->name + " | " + cell(r.asked) + " | " + std::to_string(r.steps) +
-                 " | " + std::to_string(r.most_sub_steps) + " | " + std::to_string(r.inverted) +
-                 " | " + std::to_string(r.unreached) + " | " + std::to_string(r.held) + " | " +
-                 std::to_string(r.uncounted) + " | " + error_text(r) + " | " + cell(happened) +
-                 " | " + cell(end_text(r).empty() ? "to the end" : end_text(r)) + " |\n";
-    }
-    return table;
 }
 
 std::string to_json(const std::vector<Row>& rows) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of what happens: for a terminal, for Markdown, for JSON.
+// The table of what happens: for a terminal and as JSON.
 #pragma once
 
 #include "result.h"
@@ -20,7 +20,6 @@ struct Row {
 
 void print_heading(std::ostream& out);
 void print_row(std::ostream& out, const Row& row);
-[[nodiscard]] std::string to_markdown(const std::vector<Row>& rows);
 /// A list of objects, one for each row; with a trailing newline.
 [[nodiscard]] std::string to_json(const std::vector<Row>& rows);
 

@@ -171,6 +171,30 @@ bool Watch<Real>::run(const Velocity<Real>& velocity, double time, double dt, st
     return true;
 }
 
+HardResult carry(const Carried& carried,
+                 const std::function<void(const Complex<double>&, HardResult&)>& more) {
+    HardResult result;
+    result.asked = carried.asked;
+    result.happened = carried.happened;
+    auto scene = scene_of<double>(carried.domain, carried.outlines, carried.h);
+    Watch<double> watch(scene.complex, scene.options,
+                        {.domain = carried.domain, .thorough_every = carried.thorough_every},
+                        result);
+    expect(result, watch.run(carried.flow, 0, carried.dt, carried.steps), "the run ended early");
+    note_error(result, shape_error<double>(scene.complex, carried.exact), carried.allowed);
+    if (more) {
+        more(scene.complex, result);
+    }
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
+void note_error(HardResult& result, double error, double allowed) {
+    result.error = error;
+    result.error_is = shape_error_words;
+    expect(result, error <= allowed, "error " + text(error) + ", allowed " + text(allowed));
+}
+
 void expect_sound(HardResult& result, Targets targets) {
     expect(result, result.steps > 0, "nothing was run");
     expect(result, result.inverted == 0,

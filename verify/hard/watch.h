@@ -4,11 +4,12 @@
 // triangle is asked of the exact predicate after every step.
 #pragma once
 
-#include "result.h"
+#include "scene.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -82,6 +83,29 @@ private:
     StepReport last_;
     bool sound_ = true;
 };
+
+/// A shape in a flow, and what it has to be at the end.
+struct Carried {
+    std::string asked;
+    std::vector<scenes::Outline> outlines;
+    double h;
+    Velocity<double> flow;
+    double dt;
+    std::uint64_t steps;
+    std::vector<scenes::Outline> exact;
+    double allowed; ///< of `shape_error`
+    std::string happened{};
+    Rectangle domain = unit_square;
+    int thorough_every = 50; ///< as of a watch
+};
+
+/// Runs it, with no vertex left behind. `more`: what else is measured of the complex at the end.
+[[nodiscard]] HardResult
+carry(const Carried& carried,
+      const std::function<void(const Complex<double>&, HardResult&)>& more = nullptr);
+
+/// Notes the error against the exact shape; more than is allowed fails.
+void note_error(HardResult& result, double error, double allowed);
 
 /// The faults that no hard case may have: triangles inverted, vertices lost without being counted.
 /// `reachable`: no vertex may be left behind at all, and no step may give up.

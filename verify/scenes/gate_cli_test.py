@@ -146,11 +146,10 @@ class HardCases(CommandLine):
         self.assertIn("zalesak-100  (long)", done.stdout)
 
     def test_run_writes_its_results(self):
-        done = self.call("run", *self.cheap, "--json", self.path("hard.json"),
-                         "--markdown", self.path("hard.md"))
+        done = self.call("run", *self.cheap, "--json", self.path("hard.json"))
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
         self.assertIn("2 cases, 0 do not hold", done.stdout)
-        self.assertEqual(self.files(), ["hard.json", "hard.md"])
+        self.assertEqual(self.files(), ["hard.json"])
         with open(self.path("hard.json"), encoding="utf-8") as stream:
             cases = json.load(stream)
         self.assertEqual([case["name"] for case in cases], list(self.cheap))
@@ -161,10 +160,6 @@ class HardCases(CommandLine):
         self.assertGreater(held["held"], 0)
         self.assertIsNone(held["error"])
         self.assertIn("choose_frame", refused["error_message"])
-        with open(self.path("hard.md"), encoding="utf-8") as stream:
-            rows = stream.read().splitlines()
-        self.assertEqual(len(rows), 4)
-        self.assertEqual({row.replace(r"\|", "").count("|") for row in rows}, {12})
 
     def test_no_or_wrong_command(self):
         self.expect_refusal()
@@ -177,9 +172,8 @@ class HardCases(CommandLine):
             self.expect_refusal("run", name, words=[f"'{name}'", "dsc_hard list"])
 
     def test_result_file_that_cannot_be_written(self):
-        for option in ("--json", "--markdown"):
-            self.expect_refusal("run", self.cheap[0], option, self.path("no/such/folder"),
-                                words=[option, "no/such/folder"])
+        self.expect_refusal("run", self.cheap[0], "--json", self.path("no/such/folder"),
+                            words=["--json", "no/such/folder"])
 
     def test_a_full_disk(self):
         # The table on standard output is written all the same: it goes to a pipe.

@@ -6,7 +6,8 @@
 //   DSC_TESTS=long    runs each scene to its end, not only for its first steps
 //   DSC_TESTS=few     only the quickest scenes, without the reference: enough to notice that a
 //                      build with other flags, or without optimisation, computes something else
-//   DSC_RECORD=FILE    replaces the hashes in FILE by those found, in place of comparing them
+//   DSC_TESTS=record  replaces the hashes in the table by those found, in place of comparing them;
+//                      "record long" those of whole runs
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/run/run.h"
 #include "support/environment.h"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -110,15 +110,15 @@ class MeshHashes : public testing::TestWithParam<std::string> {};
 
 TEST_P(MeshHashes, AreThoseOfTheTable) {
     const Scene& scene = find_scene(GetParam());
-    const char* recorded = std::getenv("DSC_RECORD");
-    Table table = read_table(recorded != nullptr ? recorded : DSC_HASHES_FILE);
+    const bool are_recorded = test::are_asked_for("record");
+    Table table = read_table(DSC_HASHES_FILE);
     for (const Strategy strategy : all_strategies()) {
         for (const RealType real : {RealType::double_precision, RealType::single_precision}) {
             if (!runs(scene, strategy, real)) {
                 continue;
             }
             std::string& hash = table[{scene.name, to_string(strategy)}].at(column_of(real));
-            if (recorded != nullptr) {
+            if (are_recorded) {
                 hash = run_hash(scene, strategy, real, 1);
                 continue;
             }
@@ -132,8 +132,8 @@ TEST_P(MeshHashes, AreThoseOfTheTable) {
             }
         }
     }
-    if (recorded != nullptr) {
-        record(recorded, table);
+    if (are_recorded) {
+        record(DSC_HASHES_FILE, table);
     }
 }
 

@@ -31,10 +31,9 @@ class Project(unittest.TestCase):
     def git(cls, *arguments):
         subprocess.run(["git", *arguments], cwd=cls.project, check=True, capture_output=True)
 
-    def gate(self, *arguments, **variables):
-        return subprocess.run(["./gate.sh", *arguments], cwd=self.project, capture_output=True,
-                              text=True, check=False,
-                              env={**os.environ, "DSC_PREFIX": self.prefix, **variables})
+    def gate(self, *arguments, prefix=None):
+        return subprocess.run(["./gate.sh", prefix or self.prefix, *arguments], cwd=self.project,
+                              capture_output=True, text=True, check=False)
 
     def path(self, *names):
         return os.path.join(self.project, *names)
@@ -52,7 +51,7 @@ class Project(unittest.TestCase):
 
     def test_2_it_is_compared_with_a_base_commit(self):
         """Nothing is said about the times of so few runs."""
-        done = self.gate("HEAD", COMPARE_OPTIONS="--pairs 5")
+        done = self.gate("HEAD", "--pairs", "5")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertRegex(done.stdout, r"program/whole run, CPU +.* UNDECIDED")
         self.assertRegex(done.stdout, "program/instructions +(1.0000|0.9999)|not counted|installed")
@@ -71,9 +70,9 @@ class Project(unittest.TestCase):
         self.assertTrue(os.listdir(self.path("build/gate/failures")))
 
     def test_4_no_library(self):
-        done = self.gate(DSC_PREFIX=self.path("none"))
+        done = self.gate(prefix=self.path("none"))
         self.assertEqual(done.returncode, 2)
-        self.assertIn("DSC_PREFIX", done.stderr)
+        self.assertIn("no dsc is installed", done.stderr)
 
 
 if __name__ == "__main__":

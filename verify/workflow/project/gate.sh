@@ -6,9 +6,10 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-usage: ./gate.sh [BASE]
-  BASE  a commit of this project, which is built beside it in build/base and run in turn with it
-DSC_PREFIX says where dsc is installed (default ~/dsc), COMPARE_OPTIONS what else compare.py is told.
+usage: ./gate.sh PREFIX [BASE [OPTIONS]]
+  PREFIX   where dsc is installed
+  BASE     a commit of this project, which is built beside it in build/base and run in turn with it
+  OPTIONS  of compare.py, which compares their times
 Results: build/gate/verify.json and verify.xml, pictures of what failed in build/gate/failures, and
 build/gate/tests.xml. Limits are in scenes/*.toml and gate.toml; to measure those of gate.toml anew:
   dsc_verify propose ./gate.toml --update
@@ -18,14 +19,14 @@ USAGE
 
 case ${1:-} in
     -h | --help) usage; exit 0 ;;
-    -*) usage >&2; exit 2 ;;
+    -* | "") usage >&2; exit 2 ;;
 esac
-base=${1:-}
+prefix=$(realpath -- "$1")
+base=${2:-}
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")"
-prefix=${DSC_PREFIX:-$HOME/dsc}
 verify=$prefix/bin/dsc_verify
 if [[ ! -x $verify ]]; then
-    printf '%s: no dsc in %s: set DSC_PREFIX to where it is installed\n' "$0" "$prefix" >&2
+    printf '%s: no dsc is installed in %s\n' "$0" "$prefix" >&2
     exit 2
 fi
 
@@ -49,9 +50,8 @@ if [[ -n $base ]]; then
     git worktree add --force --detach build/base "$base"
     build "build/base/$inside" build/of_base
     code=0
-    # shellcheck disable=SC2086
     python3 "$prefix/share/dsc/compare/compare.py" --bare --base build/of_base/droplet \
-        --new build/new/droplet --out build/gate ${COMPARE_OPTIONS:-} || code=$?
+        --new build/new/droplet --out build/gate "${@:3}" || code=$?
     if [[ $code -ne 0 && $code -ne 3 ]]; then # 3: this machine is too noisy to say
         failed+=("speed")
     fi
