@@ -20,7 +20,7 @@ enum class Of : std::uint8_t {
     worst_parallel, ///< the worst of the parallel runs
     all_parallel,   ///< the sum over the parallel runs
     difference,     ///< the largest difference of a parallel run from the sequential one
-    reference,      ///< the difference of the sequential run from that of the literal method
+    reference,      ///< the mean difference from the literal method, over the starts of the case
     threads,        ///< how many results different numbers of threads give
     series,         ///< the order, over the sizes of a series, in which the figure falls
 };

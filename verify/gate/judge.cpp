@@ -6,6 +6,7 @@
 #include "scenes/file/nearest.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 
@@ -87,7 +88,10 @@ Row judge(const Task& task, std::span<const Outcome* const> outcomes,
     Row row{.of = task.of, .check = task.held->check.get(), .limit = task.held->limit};
     const bool at_least = row.check->at_least;
     try {
-        const Measured measured = measure(*row.check, outcomes);
+        Measured measured = measure(*row.check, outcomes);
+        if (row.limit.around) {
+            measured.value = std::abs(measured.value - *row.limit.around);
+        }
         row.measured = measured.value;
         row.run = measured.run;
         // Written so that NaN fails.

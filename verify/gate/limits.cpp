@@ -45,7 +45,8 @@ public:
         }
         for (const auto& table : {own_, default_}) {
             if (table) {
-                table->allow({"at_most", "at_least", "measured", "rule", "orders", "note", "at"});
+                table->allow(
+                    {"at_most", "at_least", "around", "measured", "rule", "orders", "note", "at"});
             }
         }
     }
@@ -124,7 +125,7 @@ const Rule& find_rule(const std::string& name) {
 }
 
 std::string Limit::reason() const {
-    std::string text = rule;
+    std::string text = rule + (around ? ", off " + few_digits(*around, 5) : "");
     if (measured) {
         text += (orders > 0 ? "; in " + std::to_string(orders) + " orders " : "; measured ") +
                 few_digits(*measured, 3);
@@ -144,6 +145,9 @@ Limit read_limit(const TableReader& limits, const std::optional<TableReader>& de
                  const Check& check) {
     const LimitReader reader(limits, defaults, check.name);
     Limit limit{.value = read_value(limits, reader, check), .where = limits.where(check.name)};
+    if (const TableReader* table = reader.with("around")) {
+        limit.around = table->number("around", any);
+    }
     if (const TableReader* table = reader.with("measured")) {
         limit.measured = table->number("measured", any);
     }

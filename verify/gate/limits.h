@@ -25,6 +25,7 @@ struct Rule {
 
 struct Limit {
     double value = 0;
+    std::optional<double> around{};   ///< what is published: the distance to it is limited
     std::optional<double> measured{}; ///< by the run, or the worst of `orders` shuffled ones
     std::string rule = "required";
     int orders = 0; ///< of the interface, in which `measured` was found; 0: the scene's own alone
@@ -47,8 +48,9 @@ struct Limit {
 inline constexpr double rounding_error = 1e-12;
 
 /// The limit that stands under the check's name: a number, or a table of `at_most` or `at_least`,
-/// `measured`, `rule`, `orders`, `note` and `at`. What the table leaves out is taken from that of
-/// the same name in `defaults`. Throws InputError, also for a limit that does not follow its rule.
+/// `around`, `measured`, `rule`, `orders`, `note` and `at`. What the table leaves out is taken from
+/// that of the same name in `defaults`. Throws InputError, also for a limit that does not follow
+/// its rule.
 [[nodiscard]] Limit read_limit(const scenes::TableReader& limits,
                                const std::optional<scenes::TableReader>& defaults,
                                const Check& check);

@@ -71,6 +71,16 @@ Measured distinct_results(std::span<const Outcome* const> outcomes) {
     return most;
 }
 
+// From one start to another either method ends with another mesh: the mean says what they differ
+// by.
+Measured mean_difference(const Check& check, std::span<const Outcome* const> outcomes) {
+    double sum = 0;
+    for (std::size_t i = 0; i < outcomes.size(); i += 2) {
+        sum += check.difference(finished(*outcomes[i]), finished(*outcomes[i + 1]));
+    }
+    return {2 * sum / static_cast<double>(outcomes.size()), outcomes.front()->configuration};
+}
+
 Measured order_of(const Check& check, std::span<const Outcome* const> outcomes) {
     std::vector<double> sizes;
     std::vector<double> errors;
@@ -88,10 +98,13 @@ std::string why_not(const Check& check, const Case& of) {
     if (check.of == Of::series) {
         return of.series.empty() ? "the case has no series of sizes" : "";
     }
-    if (check.figures.empty()) {
+    if (check.figures.empty() && check.group != "fluid") {
         return "";
     }
     const scenes::Setup setup = of.file.scene.prepare(of.parameters);
+    if (check.group == "fluid" && !setup.fluid) {
+        return "the scene has no fluid";
+    }
     scenes::Measured measured =
         scenes::measured_by(of.file.measures, of.file.measures_shape, setup);
     if (of.path.empty()) {
@@ -122,8 +135,13 @@ std::vector<Configuration> configurations_of(const Check& check, const Case& of)
     switch (check.of) {
     case Of::sequential: return {base};
     case Of::reference:
-        all = {base, base};
-        all.back().strategy = Strategy::reference;
+        for (int start = 0; start < of.starts; ++start) {
+            all.insert(all.end(), {base, base});
+            all.back().strategy = Strategy::reference;
+            for (Configuration& one : std::span(all).last(2)) {
+                one.parameters.h *= 1 + 0.002 * start;
+            }
+        }
         return all;
     case Of::series:
         for (const scenes::Parameters& parameters : of.series) {
@@ -157,8 +175,7 @@ Measured measure(const Check& check, std::span<const Outcome* const> outcomes) {
     case Of::worst_parallel: return worst(outcomes, 0, check.at_least, check.figure);
     case Of::all_parallel: return sum_of(check, outcomes);
     case Of::difference: return worst(outcomes, 1, false, difference);
-    case Of::reference:
-        return {check.difference(finished(base), finished(*outcomes[1])), base.configuration};
+    case Of::reference: return mean_difference(check, outcomes);
     case Of::threads: return distinct_results(outcomes);
     case Of::series: return order_of(check, outcomes);
     }

@@ -45,7 +45,8 @@ bool is_count(const Check& check) {
 // What sequential runs in other orders say about the check: parallel runs are held to what these
 // do.
 bool is_of_orders(const Check& check) {
-    return check.of != Of::all_parallel && check.of != Of::threads && check.of != Of::series;
+    return check.of != Of::all_parallel && check.of != Of::threads && check.of != Of::series &&
+           check.of != Of::reference;
 }
 
 Limit new_limit(const Check& check, int orders) {
@@ -88,10 +89,6 @@ std::vector<Configuration> in_orders(const Held& held, const Case& of) {
         return configurations_of(*held.check, of);
     }
     std::vector<Configuration> all;
-    if (held.check->of == Of::reference) {
-        all.push_back(
-            {.of = &of, .parameters = of.parameters, .strategy = scenes::Strategy::reference});
-    }
     for (int order = 0; order < held.limit.orders; ++order) {
         all.push_back({.of = &of, .parameters = of.parameters});
         if (order > 0) {
@@ -110,8 +107,6 @@ std::vector<double> values_of(const Held& held, const std::vector<const Outcome*
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         if (check.figure) {
             values.push_back(check.figure(finished(*outcomes[i])));
-        } else if (check.of == Of::reference && i > 0) {
-            values.push_back(check.difference(finished(*outcomes[i]), finished(*outcomes[0])));
         }
         for (std::size_t j = 0; check.of == Of::difference && j < i; ++j) {
             const auto& a = finished(*outcomes[i]);

@@ -34,6 +34,7 @@ struct Case {
     std::vector<scenes::Parameters> series{};   ///< over which an order is fitted
     std::vector<scenes::Strategy> strategies{}; ///< parallel ones, which are compared
     std::vector<std::uint32_t> threads{};       ///< of these; empty: as each check has them
+    int starts = 1; ///< in which library and reference are compared: edges longer by 0.2 % each
     std::vector<Held> held{};
     std::vector<std::string> missing{}; ///< checks that every case of the suite is to have
     std::optional<std::size_t> table{}; ///< its [[case]], if it has one to itself

@@ -156,6 +156,9 @@ void read_rows(const CaseReader& reader, const Common& common, std::optional<std
         c.parameters = c.file.scene.defaults;
         scenes::read_settings(reader, "set", c.file.scene, c.parameters);
         read_strategies(reader, c);
+        if (reader.has("starts")) {
+            c.starts = reader.of("starts").integer("starts", 1, 1000);
+        }
         for (const CaseSize& size : sizes) {
             Case sized = c;
             sized.parameters.h = size.h > 0 ? size.h : sized.parameters.h;

@@ -283,7 +283,7 @@ class Proposed(OwnScenes):
         self.expect_refusal("propose", self.scene(MINE), "--orders", "2", "--out", before,
                             words=["--out", "l.toml", "--overwrite"])
         self.assertEqual(self.read("l.toml"), "mine")
-        done = self.propose("--out", before, "--overwrite")
+        done = self.call("propose", self.scene(MINE), "--orders", "2", "--out", before, "--overwrite")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("[case.limits]", self.read("l.toml"))
 

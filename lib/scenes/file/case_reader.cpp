@@ -27,7 +27,7 @@ const std::vector<std::string>& keys_of_verify() {
 }
 
 const std::vector<std::string>& case_keys_of_verify() {
-    static const std::vector<std::string> keys{"limits", "series"};
+    static const std::vector<std::string> keys{"limits", "series", "starts"};
     return keys;
 }
 
