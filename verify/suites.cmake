@@ -2,8 +2,8 @@
 # Registers the suites of one GoogleTest program. CTest reads this when it starts, not the build when
 # it ends: the sanitizers' environment comes from the test preset. Set before: `name`, `program`,
 # `results`, `labels`, `timeout`, and `each_case`, which names the suites whose cases take long and are
-# run each by itself; of all others one process runs the whole suite. Nothing is compared with a clock,
-# so that tests of threads may share the cores.
+# run each by itself, and first; of all others one process runs the whole suite. Nothing is compared
+# with a clock, so that tests of threads may share the cores.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -28,6 +28,7 @@ set(known)
 foreach(line IN LISTS lines)
     if(line MATCHES "^([^ ].*)\\.$")
         set(suite ${CMAKE_MATCH_1})
+        set(cost 0)
         string(REGEX REPLACE "/[0-9]$" "" base ${suite})
         set(test ${base})
         if(suite STREQUAL base)
@@ -40,6 +41,7 @@ foreach(line IN LISTS lines)
         if(base MATCHES "(^|/)(${each_case})$")
             set(test ${suite}.${case})
             set(filter ${test})
+            set(cost 50)
         endif()
         if(test IN_LIST known)
             continue()
@@ -49,6 +51,6 @@ foreach(line IN LISTS lines)
         add_test(${name}.${test} ${program} --gtest_filter=${filter} --gtest_brief=1
             --gtest_also_run_disabled_tests=0 --gtest_output=xml:${results}/${file}.xml)
         set_tests_properties(${name}.${test} PROPERTIES LABELS "${labels}"
-            TIMEOUT ${timeout})
+            TIMEOUT ${timeout} COST ${cost})
     endif()
 endforeach()
