@@ -65,23 +65,17 @@ class Gate(CommandLine):
         self.assertEqual(suites.get("tests"), str(len(self.result()["checks"])))
         self.assertEqual(len(suites.findall(".//failure")), 1)
 
-    def test_no_or_wrong_command(self):
-        self.expect_refusal()
-        self.expect_refusal("walk", words=["walk"])
-        self.expect_refusal("run", "--colour", words=["--colour"])
-        self.expect_refusal("run", "--limits")
-
     def test_what_is_run(self):
         """A scene, a group of checks, and runs side by side, which print the same."""
         printed = set()
         for jobs in (1, 2):
-            done = self.call("run", "translation", "scaling", "--only", "area,inverted", "--jobs", jobs,
-                             "--out", "out")
+            done = self.call("run", "translation", "scaling", "--only", "validity,area_ratio",
+                             "--jobs", jobs, "--out", "out")
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             printed.add(done.stdout)
             self.assertEqual({(c["check"], c["scene"]) for c in self.result()["checks"]},
                              {(check, scene) for scene in ("translation", "scaling") for check in
-                              ("inverted", "area_ratio", "reference_area", "parallel_area")})
+                              ("inverted", "unreached", "parallel_unreached", "area_ratio")})
         self.assertEqual(len(printed), 1)
 
     def test_what_has_become_worse(self):
@@ -92,23 +86,10 @@ class Gate(CommandLine):
                              *(["--drift", drift] if drift else []))
             self.assertEqual(done.returncode, code, done.stdout)
 
-    def test_unknown_words(self):
-        for name in ("areas", "", "AREA_RATIO"):
-            self.expect_refusal("run", name, words=[f"'{name}'", "area_ratio", "mesh_hash"])
-            self.expect_refusal("run", "--only", f"inverted,{name}x", words=[f"'{name}x'"])
-        self.expect_refusal("run", "--jobs", "0", words=["--jobs"])
-        self.expect_refusal("run", "--drift", "-1", words=["--drift"])
-        self.expect_refusal("run", "mesh_hash", "t1", words=["mesh_hash", "no limit"])
-
     def test_a_missing_limit(self):
         path = self.suite("scenes.toml", "\nmin_quality = { at_least = 0.26, measured = 0.292, "
                           "orders = 9 }", "")
         self.expect_refusal("run", path, words=["suite.toml", "min_quality", "swirl"])
-
-    def test_unreadable_suites(self):
-        for path in (self.path("none.toml"), self.folder, "/proc/self/mem", ""):
-            self.expect_refusal("run", "--limits", path, words=[path])
-        self.expect_refusal("run", self.path("none.toml"), words=["none.toml"])
 
     def test_truncated_suites(self):
         with open(os.path.join(SUITES, "reference.toml"), encoding="utf-8") as stream:
@@ -116,11 +97,6 @@ class Gate(CommandLine):
         for length in (0, 400, len(text) // 2, len(text) - 1):
             path = self.write("suite.toml", text[:length])
             self.expect_refusal("run", "--limits", path, words=["suite.toml"])
-
-    def test_folder_that_cannot_be_written(self):
-        self.write("file", "here before")
-        for path in (self.path("file"), self.path("file/out"), "/proc/out", ""):
-            self.expect_refusal("run", self.cheap, "--out", path, words=[f"'{path}'"])
 
     def test_a_full_disk(self):
         self.expect_refusal("run", self.cheap, "--out", self.path("out"), words=["out"],
@@ -158,20 +134,6 @@ class HardCases(CommandLine):
         self.assertGreater(held["held"], 0)
         self.assertIsNone(held["error"])
         self.assertIn("choose_frame", refused["error_message"])
-
-    def test_no_or_wrong_command(self):
-        self.expect_refusal()
-        self.expect_refusal("walk", words=["walk"])
-        self.expect_refusal("run", "--colour", words=["--colour"])
-        self.expect_refusal("run", "--json")
-
-    def test_unknown_case(self):
-        for name in ("nan", "", "NAN-SOME"):
-            self.expect_refusal("run", name, words=[f"'{name}'", "dsc_hard list"])
-
-    def test_result_file_that_cannot_be_written(self):
-        self.expect_refusal("run", self.cheap[0], "--json", self.path("no/such/folder"),
-                            words=["--json", "no/such/folder"])
 
     def test_a_full_disk(self):
         # The table on standard output is written all the same: it goes to a pipe.

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""The command line of dsc_scene: good calls, and every kind of bad one."""
+"""The command line of dsc_scene; and bad calls of it, of dsc_verify and of dsc_hard (refusals.txt)."""
 import csv
 import json
 import os
-import signal
-import subprocess
-import time
+import re
+import shlex
 import unittest
 import xml.etree.ElementTree as xml
 
-from command_line import SCENE, SHORT, PROMPTLY, limited_to, CommandLine
+from command_line import HARD, ROOM, SCENE, SHORT, VERIFY, limited_to, CommandLine
 
 
 class SceneGood(CommandLine):
@@ -117,20 +116,6 @@ class SceneGood(CommandLine):
         for name in names:
             xml.parse(os.path.join(self.path("frames"), name))
 
-    def test_a_described_scene_runs_to_the_same_mesh(self):
-        described = self.call("describe", "zalesak", *SHORT)
-        self.assertEqual((described.returncode, described.stderr), (0, ""))
-        with open(self.path("mine.toml"), "w", encoding="utf-8") as stream:
-            stream.write(described.stdout)
-        results = []
-        for scene in (["zalesak", *SHORT], ["mine.toml"]):
-            done = self.call("run", *scene, "--json", self.path("r.json"))
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
-            with open(self.path("r.json"), encoding="utf-8") as stream:
-                result = json.load(stream)
-            results.append([result[key] for key in ("scene", "mesh_hash", "sd_rel_last")])
-        self.assertEqual(*results)
-
     def test_a_scene_file_takes_settings(self):
         with open(self.path("mine.toml"), "w", encoding="utf-8") as stream:
             stream.write("[options]\nh = 0.1\ndt = 0.1\nsteps = 9\n[flow]\nu = '-y'\nv = 'x'\n")
@@ -144,128 +129,36 @@ class SceneGood(CommandLine):
         self.assertTrue(all(name.startswith(("mine", "r.json")) for name in self.files()),
                         self.files())
 
-    def test_an_interrupted_run_keeps_its_result(self):
-        # Of one that is stretched more and more, the exact shape takes long.
-        with subprocess.Popen([SCENE, "run", "translation", "--set", "h=0.02", "--set",
-                               "steps=1000000", "--json", self.path("r.json")],
-                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
-            time.sleep(1)
-            process.send_signal(signal.SIGINT)
-            _, errors = process.communicate(timeout=PROMPTLY)
-        self.assertEqual(process.returncode, 1, errors)
-        self.assertIn("interrupted", errors)
-        with open(self.path("r.json"), encoding="utf-8") as stream:
-            self.assertTrue(json.load(stream)["interrupted"])
+
+class Refusals(CommandLine):
+    def test_bad_calls(self):
+        with open(os.path.join(ROOM, "refusals.txt"), encoding="utf-8") as stream:
+            lines = [line for line in stream if not line.startswith("#")]
+        with open(self.path("file"), "w", encoding="utf-8") as stream:
+            stream.write("here before")
+        for line in lines:
+            with self.subTest(line=line):
+                call, words = line.split(" |")
+                program, *arguments = shlex.split(call)
+                self.program = {"dsc_scene": SCENE, "dsc_verify": VERIFY, "dsc_hard": HARD}[program]
+                # Quotes are a part of the sentence where they are single.
+                self.expect_refusal(*arguments, words=[word.strip('"') for word in
+                                                       re.findall(r'"[^"]+"|\S+', words)])
+        with open(self.path("file"), encoding="utf-8") as stream:
+            self.assertEqual(stream.read(), "here before")
 
 
 class SceneBad(CommandLine):
     program = SCENE
 
-    def test_no_or_wrong_command(self):
-        self.expect_refusal()
-        self.expect_refusal("walk", words=["walk"])
-        self.expect_refusal("run")
-        self.expect_refusal("run", "swirl", "scaling", words=["scaling"])
-        self.expect_refusal("run", "swirl", "--colour", "red", words=["--colour"])
-        self.expect_refusal("list", "everything", words=["everything"])
-
-    def test_unknown_scene(self):
-        for name in ("swril", "", "SWIRL", "../swirl"):
-            self.expect_refusal("run", name, words=[f"'{name}'", "swirl", "scaling"])
-
     def test_bad_scene_file(self):
-        self.expect_refusal("run", "none.toml", words=["none.toml", "No such file", "swirl"])
-        self.expect_refusal("run", "/dev/zero", words=["/dev/zero", "regular"])
         with open(self.path("mine.toml"), "w", encoding="utf-8") as stream:
             stream.write("[options]\nh = 0.1\n\nstpes = 9\n")
         self.expect_refusal("run", "mine.toml", words=["mine.toml:4", "'stpes'", "steps"])
-        self.expect_refusal("describe", "none", words=["'none'", "swirl"])
-        self.expect_refusal("describe")
-
-    def test_unknown_strategy(self):
-        for name in ("cubes", "", "Fixed"):
-            self.expect_refusal("run", "swirl", "--strategy", name,
-                                words=[f"'{name}'", "sequential", "counting"])
-
-    def test_unknown_key(self):
-        self.expect_refusal("run", "swirl", "--set", "size=3", words=["'size'", "integrator"])
-        self.expect_refusal("run", "swirl", "--set", "=3", words=["''"])
-        self.expect_refusal("run", "translation", "--set", "period=3", words=["'period'"])
-
-    def test_a_setting_without_a_value(self):
-        self.expect_refusal("run", "swirl", "--set", "h", words=["'h'", "key=value"])
-        self.expect_refusal("run", "swirl", "--set")
-        self.expect_refusal("run", "swirl", "--set", "h=", words=["h", "''"])
-
-    def test_bad_numbers(self):
-        for value in ("abc", "0", "-0.1", "nan", "inf", "1e300", "1e-300", "0.1x", "1,5"):
-            for key in ("h", "dt"):
-                self.expect_refusal("run", "swirl", "--set", f"{key}={value}",
-                                    words=[key, f"'{value}'", "allowed"])
-        for value in ("abc", "0", "-1", "1.5", "nan", "1e9", "99999999999999999999"):
-            self.expect_refusal("run", "swirl", "--set", f"steps={value}",
-                                words=["steps", f"'{value}'", "allowed"])
-        for value in ("-1", "x", "1.5"):
-            self.expect_refusal("run", "swirl", "--set", f"seed={value}", words=[f"'{value}'"])
-        for value in ("abc", "0", "-8", "nan"):
-            self.expect_refusal("run", "single-vortex", "--set", f"period={value}",
-                                words=["period", f"'{value}'"])
-
-    def test_bad_words(self):
-        for key, value, allowed in (("integrator", "rk5", "midpoint"), ("real", "half", "float"),
-                                    ("insertion", "quintic", "cubic")):
-            self.expect_refusal("run", "swirl", "--set", f"{key}={value}",
-                                words=[key, f"'{value}'", allowed])
-
-    def test_a_mesh_too_fine_for_any_memory(self):
-        self.expect_refusal("run", "scaling", "--set", "h=0.00001", words=["allowed"])
-
-    def test_bad_counts(self):
-        for option in ("--threads", "--submeshes"):
-            for value in ("0", "-1", "x", "1.5", "1000000", "99999999999", "nan", ""):
-                self.expect_refusal("run", "swirl", *SHORT, "--strategy", "fixed",
-                                    f"{option}={value}", words=[option])
-
-    def test_bad_series(self):
-        for value in ("0", "-1", "x", "1.5"):
-            self.expect_refusal("run", "swirl", *SHORT, "--series", self.path("s.csv"),
-                                f"--every={value}", words=["--every"])
-        self.expect_refusal("run", "swirl", *SHORT, "--every", "2", words=["--every", "--series"])
-        self.expect_refusal("run", "swirl", *SHORT, "--series", self.path("none/s.csv"),
-                            words=["--series", "allowed"])
-
-    def test_bad_angles(self):
-        for value in ("x", "nan", "inf", "", "9o"):
-            self.expect_refusal("run", "swirl", *SHORT, "--strategy", "fixed", f"--angle={value}",
-                                words=["--angle"])
-
-    def test_what_does_not_go_together(self):
-        self.expect_refusal("run", "swirl", *SHORT, "--strategy", "sequential", "--threads", "2",
-                            words=["--threads"])
-        self.expect_refusal("run", "swirl", *SHORT, "--strategy", "reference", "--set",
-                            "real=float", words=["float"])
 
     def test_a_step_that_no_mesh_can_follow(self):
         self.expect_refusal("run", "scaling", "--set", "h=0.02", "--set", "dt=999", "--set",
                             "steps=1", words=["sub-steps"], code=(1,))
-
-    def test_result_file_that_cannot_be_written(self):
-        with open(self.path("file"), "w", encoding="utf-8") as stream:
-            stream.write("here before")
-        for path in (self.path("none/r.json"), self.path("file/r.json"), self.folder, "",
-                     "/proc/r.json", "/dev/null/r.json"):
-            done = self.expect_refusal("run", "swirl", *SHORT, "--json", path, code=(1, 2),
-                                       words=[path])
-            if not path.startswith("/proc"):
-                self.assertEqual(done.returncode, 2, path)
-        with open(self.path("file"), encoding="utf-8") as stream:
-            self.assertEqual(stream.read(), "here before")
-
-    def test_folder_for_frames_that_cannot_be_written(self):
-        with open(self.path("file"), "w", encoding="utf-8"):
-            pass
-        for path in (self.path("file/frames"), self.path("file"), "/proc/frames"):
-            self.expect_refusal("run", "swirl", *SHORT, "--frames", path, words=[path])
 
     def test_a_full_disk(self):
         for size in (0, 100, 1000):
