@@ -177,8 +177,8 @@ def all_mutants():
 
 
 def equivalent_ones():
-    return {(entry["file"], entry["code"], entry["changed"])
-            for entry in read_toml(ROOT / "verify/faults/equivalent.toml")["mutant"]}
+    return {(file, *mutant.split(" => ")) for file, reasons in
+            read_toml(ROOT / "verify/faults/equivalent.toml").items() for mutant in reasons}
 
 
 def sample_of_mutants(count, seed):

@@ -121,27 +121,6 @@ TEST(SceneFile, HoldsVerticesWhereAFormulaHasNoValue) {
     EXPECT_EQ(result.inverted, 0U);
 }
 
-TEST(SceneFile, RunsToTheSameBitsOnAnyNumberOfThreads) {
-    const Scene scene =
-        read("[options]\nh = 0.02\ndt = 0.05\nsteps = 6\n[flow]\nu = 'sin(2*pi*y) + x*t'\n"
-             "v = 'exp(-x) - 1'\n" +
-             disc)
-            .scene;
-    for (const Strategy strategy : {Strategy::active, Strategy::cells}) {
-        std::vector<std::uint64_t> hashes;
-        for (const std::uint32_t threads : {1U, 2U, 4U}) {
-            RunOptions run;
-            run.strategy = strategy;
-            run.submeshing.submeshes = 4;
-            run.submeshing.threads = threads;
-            run.submeshing.always_all_threads = true;
-            hashes.push_back(run_scene(scene, scene.defaults, run).mesh_hash);
-        }
-        EXPECT_EQ(hashes[0], hashes[1]);
-        EXPECT_EQ(hashes[0], hashes[2]);
-    }
-}
-
 struct Wrong {
     std::string text;
     std::vector<std::string> words; ///< of the sentence
