@@ -295,12 +295,8 @@ run_suite() {
 
 # The figures of the thesis, which the page shows as a section.
 run_gallery() {
-    local options=()
-    if $quick; then
-        options=(--quick)
-    fi
     say "the thesis's figures"
-    "$python" plots/gallery/make.py --scene "$scene" --out "$report/gallery" "${options[@]}" \
+    "$python" plots/gallery/make.py --scene "$scene" --out "$report/gallery" \
         </dev/null || failed+=("the thesis's figures")
 }
 

@@ -2,29 +2,23 @@
 # SPDX-License-Identifier: MIT
 """Draws the flow of a fluid from frames that `dsc_scene run --frames` wrote.
 
-flow.py FRAME.vtu [FRAME.vtu ...] --out PICTURE.png
+flow.py FRAME.vtu... --out PICTURE.png
 
-A panel for each frame: the speed as a colour, one scale for all, and the interface bold. Exit 0
-done; 2 bad usage or a file that cannot be used, with one sentence on the error stream.
+A panel for each frame: the speed as a colour, one scale for all, and the interface bold.
 """
-import argparse
 import os
 import sys
 
-from look import style  # first: it says which Python has no matplotlib
+from look import script, style  # first: it says which Python has no matplotlib
 
 import numpy
 from matplotlib.collections import LineCollection
 
-from mesh import frames
-from results import load_frames
+import frames
+from results import load, load_frames
 
 SIDE = 3.0       # inches, the width of a panel
 TALLEST = 7.0    # inches
-
-
-class Unusable(Exception):
-    """A file that cannot be used; its text is one sentence."""
 
 
 def read(path):
@@ -32,14 +26,14 @@ def read(path):
     name = os.path.basename(path)
     match = load_frames.FRAME_NAME.match(name)
     frame = load_frames.read_frame(path)
-    if "velocity" not in frame.vectors or not len(frame.triangles):
-        raise Unusable(f"{path}: no velocity at the vertices of triangles.")
+    if "velocity" not in frame.at_vertices:
+        raise load.InputFault(f"{path}: no velocity at the vertices of triangles.")
     return (match["scene"], int(match["number"]), frame) if match else (name, None, frame)
 
 
 def speed(frame):
     """Of each vertex."""
-    return numpy.hypot(*frame.vectors["velocity"].T)
+    return numpy.hypot(*frame.at_vertices["velocity"].T)
 
 
 def panel(axes, frame, most):
@@ -65,27 +59,16 @@ def picture(shown):
         axes.set_title("" if number is None else f"step {number}", fontsize=9)
     figure.colorbar(scale, ax=list(grid[0]), label="speed", fraction=0.05, pad=0.02)
     counts = style.listing(style.whole(len(frame.triangles)) for _, _, frame in shown)
-    style.finish(figure, f"{shown[0][0]}: speed and interface",
-                 f"{counts} triangles; the largest speed at a vertex is {style.digits(most)}")
-    return figure
+    title = f"{shown[0][0]}: speed and interface"
+    sentence = f"{counts} triangles; the largest speed at a vertex is {style.digits(most)}"
+    style.finish(figure, title, sentence)
+    return style.Picture("flow", title, sentence, figure)
 
 
-def main(argv):
-    parser = argparse.ArgumentParser(prog="flow.py", description=__doc__.split("\n\n")[0])
-    parser.add_argument("frames", nargs="+", metavar="FRAME.vtu", help="what --frames wrote")
-    parser.add_argument("--out", required=True, metavar="PICTURE", help="png, svg or pdf")
-    given = parser.parse_args(argv)
-    name, form = os.path.splitext(os.path.basename(given.out))
-    try:
-        if form not in (".png", ".svg", ".pdf"):
-            raise Unusable(f"{given.out}: allowed are .png, .svg and .pdf.")
-        figure = picture([read(path) for path in given.frames])
-        style.save(figure, os.path.dirname(given.out) or ".", name, [form[1:]])
-    except (Unusable, load_frames.InputFault, OSError) as error:
-        sys.stderr.write(f"flow.py: {error}\n")
-        return 2
-    return 0
+def main(argv=None):
+    return script.main(__doc__, lambda given: [picture(
+        [read(path) for path in given.files])], argv)
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -5,20 +5,18 @@
 over_time.py SERIES.csv --out PICTURE.png [--json RESULT.json]
 
 Four panels: the error (or the length of the interface, where no exact shape is known), the worst
-triangle, how many triangles and living phases there are, and the operations of a step. The result of the same
-run, given by --json, adds machine and commit to the caption. Exit 0 done; 2 bad usage or a file
-that cannot be used, with one sentence on the error stream.
+triangle, how many triangles and living phases there are, and the operations of a step. The result of
+the same run, given by --json, adds machine and commit to the caption.
 """
-import argparse
 import csv
-import json
 import math
-import os
 import sys
 
-from look import style  # first: it says which Python has no matplotlib
+from look import script, style  # first: it says which Python has no matplotlib
 
 from matplotlib.ticker import MaxNLocator
+
+from results.load import InputFault, need, read_json, read_text
 
 OPERATIONS = {"splits": (style.BLUE, "splits"), "collapses": (style.VERMILLION, "collapses"),
               "flips": (style.GREEN, "flips"), "smoothed": (style.ORANGE, "smoothed")}
@@ -26,35 +24,23 @@ NEEDED = ("step", "time", "triangles", "phases", "interface_length", "min_angle_
           "wall_us", *OPERATIONS)
 
 
-class Unusable(Exception):
-    """A file that cannot be used; its text is one sentence."""
-
-
 def read(path):
     """{column: numbers}; an empty cell is NaN."""
-    try:
-        with open(path, encoding="utf-8", newline="") as stream:
-            text = stream.read()
-        reader = csv.DictReader(text.splitlines())
-        rows = list(reader)
-        names = reader.fieldnames or []
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise Unusable(f"{path}: cannot be read ({error}).") from error
+    text = read_text(path)
+    reader = csv.DictReader(text.splitlines())
+    rows, names = list(reader), reader.fieldnames or []
     missing = [name for name in NEEDED if name not in names]
     if missing:
-        raise Unusable(f"{path}: no column '{missing[0]}'; the file is written by "
-                       "dsc_scene run --series.")
-    if not text.endswith("\n") or any(None in row.values() for row in rows):
-        raise Unusable(f"{path}: the last row is not whole, so the file may be truncated.")
-    if len(rows) < 2:
-        raise Unusable(f"{path}: {len(rows)} rows; at least two are needed.")
-    columns = {}
-    for name in names:
-        try:
-            columns[name] = [float(row[name]) if row[name] else math.nan for row in rows]
-        except (TypeError, ValueError) as error:
-            raise Unusable(f"{path}: column '{name}' has a cell that is no number.") from error
-    return columns
+        raise InputFault(f"{path} has no column '{missing[0]}'; such a file is written by "
+                         "dsc_scene run --series.")
+    if not text.endswith("\n") or any(None in row.values() for row in rows) or len(rows) < 2:
+        raise InputFault(f"{path} has {len(rows)} rows, of which the last may be truncated; at least "
+                         "two whole ones are needed.")
+    try:
+        return {name: [float(row[name]) if row[name] else math.nan for row in rows]
+                for name in names}
+    except (TypeError, ValueError) as error:
+        raise InputFault(f"{path} has a cell that is no number ({error}).") from error
 
 
 def between(columns, name):
@@ -142,36 +128,21 @@ def words(columns, result):
     return title, f"{where}\n{facts}, {style.counted(result['threads'], 'thread')}"
 
 
-def main(argv):
-    parser = argparse.ArgumentParser(prog="over_time.py", description=__doc__.split("\n\n")[0])
-    parser.add_argument("series", metavar="SERIES.csv", help="what --series wrote")
-    parser.add_argument("--out", required=True, metavar="PICTURE", help="png, svg or pdf")
-    parser.add_argument("--json", metavar="RESULT.json", help="what --json wrote of the same run")
-    given = parser.parse_args(argv)
-    name, form = os.path.splitext(os.path.basename(given.out))
-    try:
-        if form not in (".png", ".svg", ".pdf"):
-            raise Unusable(f"{given.out}: allowed are .png, .svg and .pdf.")
-        result = None
-        if given.json:
-            try:
-                with open(given.json, encoding="utf-8") as stream:
-                    result = json.load(stream)
-                if not isinstance(result, dict):
-                    raise ValueError("not a result of dsc_scene")
-                words_needed = ("scene", "strategy", "machine", "commit", "threads")
-                if not all(key in result for key in words_needed):
-                    raise ValueError("not a result of dsc_scene")
-            except (OSError, ValueError, RecursionError) as error:
-                raise Unusable(f"{given.json}: cannot be used ({error}).") from error
-        columns = read(given.series)
-        figure = picture(columns, *words(columns, result))
-        style.save(figure, os.path.dirname(given.out) or ".", name, [form[1:]])
-    except (Unusable, OSError) as error:
-        sys.stderr.write(f"over_time.py: {error}\n")
-        return 2
-    return 0
+def draw(given):
+    result = read_json(given.json) if given.json else None
+    for key in ("scene", "strategy", "machine", "commit", "threads") if given.json else ():
+        need(result, key, given.json)
+    for path in given.files:
+        columns = read(path)
+        title, caption = words(columns, result)
+        yield style.Picture("over_time", title, caption.split("\n")[1],
+                            picture(columns, title, caption))
+
+
+def main(argv=None):
+    return script.main(__doc__, draw, argv, json={
+        "metavar": "RESULT.json", "help": "what --json wrote of the same run"})
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -2,60 +2,47 @@
 # SPDX-License-Identifier: MIT
 """Draws every picture and writes index.html from result files.
 
-report.py --bench FILE... --scenes FILE... --precision FILE... --hard FILE --verify FILE...
-          --faults FILE --mutants FILE --frames DIR --published DIR --out DIR
-          [--formats png,svg,pdf] [--jobs N]
+report.py --bench FILE... --scenes FILE... --precision FILE... --hard FILE --verify FILE... --faults FILE --mutants FILE --frames DIR --published DIR --out DIR [--formats png,svg,pdf] [--jobs N]
 
-What was not run is said plainly in the page and is no error. Exit 0 done; 2 bad usage or a file
-that cannot be used, with one sentence on the error stream.
+What was not run is said plainly in the page and is no error.
 """
-import argparse
 import os
 import sys
 
-from look import style  # first: it says which Python has no matplotlib
+from look import script, style  # first: it says which Python has no matplotlib
 
-from accuracy import hard_cases, precision_data
-from mesh import frames
-from page import contents, drawing, faults
-from page import document as page
-from parallel import submeshes
-from results import load
+import frames
+import submeshes
+from page import contents, document as page, drawing, faults, hard_cases
+from results import load, precision_data
 
 FORMATS = ("png", "svg", "pdf")
 
 
-class Usage(Exception):
-    """A wrong command line; its text is one sentence."""
-
-
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        raise Usage(f"{message} (see report.py --help).")
-
-
 def arguments(argv):
-    parser = Parser(prog="report.py", description=__doc__.split("\n\n")[0])
+    words = script.parser(__doc__)
     for name, what in (("bench", "Google Benchmark JSON of dsc_bench"),
                        ("scenes", "JSON of dsc_scene"),
                        ("precision", "JSON of dsc_precision"), ("verify", "JSON of dsc_verify")):
-        parser.add_argument(f"--{name}", nargs="*", action="extend", default=[], metavar="FILE",
-                            help=what)
-    parser.add_argument("--hard", metavar="FILE", help="JSON of dsc_hard")
-    parser.add_argument("--faults", metavar="FILE", help="faults.json of verify/faults.sh")
-    parser.add_argument("--mutants", metavar="FILE", help="mutants.json of verify/faults.sh --mutants")
-    parser.add_argument("--frames", metavar="DIR", help="frames that dsc_scene wrote")
-    parser.add_argument("--published", metavar="DIR", help="the figures to compare with")
-    parser.add_argument("--out", required=True, metavar="DIR", help="where the report goes")
-    parser.add_argument("--formats", default=",".join(FORMATS), metavar="LIST",
-                        help="of png,svg,pdf (default: all)")
-    parser.add_argument("--jobs", type=int, default=drawing.cores(), metavar="N",
-                        help="pictures drawn at the same time (default: one for each core)")
-    options = parser.parse_args(argv)
+        words.add_argument(f"--{name}", nargs="*", action="extend", default=[], metavar="FILE",
+                           help=what)
+    for name, kind, what in (
+            ("hard", "FILE", "JSON of dsc_hard"),
+            ("faults", "FILE", "faults.json of verify/faults.sh"),
+            ("mutants", "FILE", "mutants.json of verify/faults.sh --mutants"),
+            ("frames", "DIR", "frames that dsc_scene wrote"),
+            ("published", "DIR", "the figures to compare with"),
+            ("out", "DIR", "where the report goes")):
+        words.add_argument(f"--{name}", required=name == "out", metavar=kind, help=what)
+    words.add_argument("--formats", default=",".join(FORMATS), metavar="LIST",
+                       help="of png,svg,pdf (default: all)")
+    words.add_argument("--jobs", type=int, default=drawing.cores(), metavar="N",
+                       help="pictures drawn at the same time (default: one for each core)")
+    options = words.parse_args(argv)
     options.formats = [f for f in options.formats.split(",") if f]
-    for form in options.formats:
-        if form not in FORMATS:
-            raise Usage(f"--formats has '{form}', where {style.listing(FORMATS)} are allowed.")
+    if not set(options.formats) <= set(FORMATS):
+        words.error(f"--formats has '{','.join(options.formats)}', where {style.listing(FORMATS)} are "
+                    "allowed.")
     return options
 
 
@@ -107,18 +94,15 @@ def _head(context):
         ("build", context.build_type), ("commit", context.commit), ("date", context.date)])
 
 
-def main(argv):
+def main(argv=None):
+    options = arguments(argv)
     try:
-        build(arguments(argv))
-    except (load.InputFault, Usage) as fault:
+        build(options)
+    except (load.InputFault, OSError) as fault:
         sys.stderr.write(f"report.py: {fault}\n")
-        return 2
-    except OSError as fault:
-        sys.stderr.write(f"report.py: {fault.filename or 'a file'} cannot be written: "
-                         f"{fault.strerror}.\n")
         return 2
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -9,12 +9,12 @@ cd -- "$project_root" || exit 2
 build_packages=(cmake g++ ninja-build git libeigen3-dev libmetis-dev libboost-dev zlib1g-dev
     nlohmann-json3-dev libtomlplusplus-dev libcli11-dev googletest libgtest-dev libbenchmark-dev
     python3-yaml pybind11-dev python3-dev python3-numpy)
-plot_packages=(python3 python3-matplotlib)
+plot_packages=(python3 python3-matplotlib python3-meshio)
 # For the tests that only `verify/run.sh --all` needs: the reference pages, a browser for the page of
 # the report, programs that read frames, and the workflow engine of bench/Snakefile.
 guide_packages=(doxygen)
 browser_packages=(chromium chromium-driver python3-selenium)
-reader_packages=(python3-vtk9 python3-meshio)
+reader_packages=(python3-vtk9)
 workflow_packages=(snakemake)
 # The sanitizer's own runtime is only recommended by clang-14, so it is named.
 tsan_packages=(clang-14 lld-14 libclang-rt-14-dev libomp-14-dev)
@@ -74,12 +74,12 @@ Install them with: sudo apt-get install --no-install-recommends ${missing[*]}"
         give_up "apt-get could not install ${missing[*]}"
 }
 
-# Sets `python` to the first interpreter that can import matplotlib, which is not always the first
+# Sets `python` to the first interpreter that can draw, which is not always the first
 # on PATH: Debian's packages serve /usr/bin/python3 alone.
 find_python() {
     local candidate
     for candidate in python3 /usr/bin/python3; do
-        if "$candidate" -c 'import matplotlib' >/dev/null 2>&1; then
+        if "$candidate" -c 'import matplotlib, meshio' >/dev/null 2>&1; then
             python=$(command -v "$candidate")
             return 0
         fi
@@ -98,8 +98,8 @@ set_up() {
     fi
     install_packages "${packages[@]}"
     if ! find_python; then
-        give_up "neither python3 nor /usr/bin/python3 can import matplotlib (Debian: \
-python3-matplotlib); put one that can on PATH, as python3"
+        give_up "neither python3 nor /usr/bin/python3 can import matplotlib and meshio (Debian: \
+python3-matplotlib, python3-meshio); put one that can on PATH, as python3"
     fi
     say "set-up done; plots by $python"
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -88,6 +89,14 @@ void add_context() {
     benchmark::AddCustomContext("dsc_build_type", DSC_BUILD_TYPE);
     benchmark::AddCustomContext("dsc_native", DSC_NATIVE_BUILD);
     benchmark::AddCustomContext("dsc_load", load);
+    const auto set_to = [](const char* name, const char* otherwise) {
+        const char* value = std::getenv(name); // NOLINT: nobody here sets variables
+        return std::string(value != nullptr ? value : otherwise);
+    };
+    benchmark::AddCustomContext("dsc_clock", "wall time by a steady clock");
+    benchmark::AddCustomContext("dsc_binding", "OMP_PROC_BIND " + set_to("OMP_PROC_BIND", "unset") +
+                                                   ", OMP_WAIT_POLICY " +
+                                                   set_to("OMP_WAIT_POLICY", "unset"));
 }
 
 } // namespace dsc::bench

@@ -14,6 +14,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace dsc::bench {
@@ -45,22 +46,23 @@ WholeRun run_whole(const Start& start, Complex<double>& complex, const scenes::R
     const auto choices = scenes::scene_options<double>(start.setup, start.parameters);
     WholeRun run;
     const auto begin = Clock::now();
-    const auto simulation = scenes::make_simulation(
-        complex, choices, scenes::topology_options<double>(start.parameters), options.strategy,
-        options.submeshing);
+    const Prepared made = prepare(start, complex, choices, options.strategy, options.submeshing);
     run.construction_s = seconds_since(begin);
     for (int step = 0; step < start.setup.steps; ++step) {
         work_for(between_us);
         const auto step_begin = Clock::now();
-        const StepReport report = advance(*simulation, start.setup, step);
+        const StepReport report = advance(*made.simulation, start.setup, step);
         const double seconds = seconds_since(step_begin);
         run.first_step_s = step == 0 ? seconds : run.first_step_s;
         run.steps_s += seconds;
+        run.steps.threads_used = std::max(run.steps.threads_used, made.threads_used());
         run.steps.vertex_steps += report.interface_vertices;
         run.steps.unreached += report.unreached;
         run.steps.gave_up = run.steps.gave_up || report.gave_up != GiveUp::none;
     }
     run.steps.steps = start.setup.steps;
+    made.add_work(run.steps, 1);
+    run.steps.busy_s += run.steps_s;
     return run;
 }
 

@@ -25,7 +25,8 @@ ITERATION = {
 }
 STEP = {**ITERATION, **dict.fromkeys((
     "us_per_step", "cpu_us_per_step", "us_per_vertex_step", "interface_vertices", "triangles",
-    "min_quality", "area_error_rel", "load", "oversubscribed", "peak_memory_mb",
+    "min_quality", "area_error_rel", "load", "oversubscribed", "threads_used", "utilisation",
+    "serial_share", "peak_memory_mb",
     "flips_per_step", "examined_per_step"), "number")}
 MODEL = {**ITERATION, **dict.fromkeys((
     "us_per_step", "modelled", "serial_share", "busy_share", "fork_join_us", "section_start_us",
@@ -34,7 +35,8 @@ MODEL = {**ITERATION, **dict.fromkeys((
     "us_velocities", "us_movement", "us_mesh_update", "us_later_colours"), "number")}
 RUN = {**ITERATION, **dict.fromkeys((
     "us_per_step", "construction_us", "first_step_us", "us_per_vertex_step", "interface_vertices",
-    "triangles", "min_quality", "area_error_rel", "load", "oversubscribed"), "number")}
+    "triangles", "min_quality", "area_error_rel", "load", "oversubscribed", "threads_used",
+    "utilisation", "serial_share"), "number")}
 OPERATION = {**ITERATION, "items_per_second": "number", "batch": "number", "label": "text"}
 FLOW = {**ITERATION, "items_per_second": "number", "ratio": "number", "label": "text"}
 OPTION = {**ITERATION, **dict.fromkeys((
@@ -43,7 +45,7 @@ OPTION = {**ITERATION, **dict.fromkeys((
 KERNEL = {**ITERATION, "items_per_second": "number", "label": "text"}
 ROUNDING = 1e-9
 CONTEXT = ("dsc_machine", "dsc_commit", "dsc_cores", "dsc_compiler", "dsc_build_type",
-           "dsc_native", "dsc_load")
+           "dsc_native", "dsc_load", "dsc_clock", "dsc_binding")
 
 
 def run(*arguments):
@@ -147,6 +149,16 @@ class Schema(unittest.TestCase):
                 self.assertEqual(row["iterations"], 1)
                 # One iteration is 64 steps.
                 self.assertAlmostEqual(row["real_time"] * 1e3 / row["us_per_step"], 64, delta=0.1)
+
+    def test_threads_are_busy_for_a_part_of_the_time(self):
+        for family in ("scaling_run", "scaling_step", "four_circles_step"):
+            for row in self.family(family):
+                threads = int((re.search(r"/threads:(\d+)/", row["name"]) or ["", 1])[1])
+                self.assertTrue(1 <= row["threads_used"] <= threads, row)
+                self.assertTrue(0 < row["utilisation"] <= 1 + ROUNDING, row)
+                self.assertTrue(0 < row["serial_share"] <= 1 + ROUNDING, row)
+                if row["threads_used"] == 1:  # it never waits
+                    self.assertAlmostEqual(row["utilisation"] * threads, 1, msg=row["name"])
 
     def test_threads_and_repetitions_give_one_answer(self):
         for family in ("scaling_step", "four_circles_step"):

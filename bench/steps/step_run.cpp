@@ -62,27 +62,54 @@ void add(StepRun& run, const StepReport& report) {
 
 } // namespace
 
+Prepared prepare(const Start& start, Complex<double>& complex, const Options<double>& choices,
+                 scenes::Strategy strategy, const scenes::Submeshing& submeshing) {
+    auto executor = scenes::make_executor(complex, choices, strategy, submeshing);
+    const Executor<double>& seen = *executor;
+    auto simulation = std::make_unique<Simulation<double>>(complex, choices, std::move(executor));
+    if (const auto topology = scenes::topology_options<double>(start.parameters);
+        topology.changes()) {
+        simulation->add_stage(std::make_shared<TopologyStage<double>>(topology));
+    }
+    return {std::move(simulation), seen};
+}
+
+void Prepared::add_work(StepRun& run, double sign) const {
+    const auto submeshes = submeshes_in(executor);
+    run.busy_s +=
+        submeshes ? sign * submeshes->work.beyond_one() : std::numeric_limits<double>::quiet_NaN();
+    run.sections_s += submeshes ? sign * submeshes->work.sections_s : 0;
+}
+
+std::uint32_t Prepared::threads_used() const {
+    const auto submeshes = submeshes_in(executor);
+    return submeshes ? submeshes->threads_used : 1;
+}
+
 StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& options) {
     const auto choices = scenes::scene_options<double>(start.setup, start.parameters);
-    const auto simulation = scenes::make_simulation(
-        complex, choices, scenes::topology_options<double>(start.parameters), options.strategy,
-        options.submeshing);
+    const Prepared made = prepare(start, complex, choices, options.strategy, options.submeshing);
+    Simulation<double>& simulation = *made.simulation;
     StepRun run;
     run.steps = timed_steps;
     int step = start.step;
     wake(options.submeshing.threads);
     for (int i = 0; i < warm_up_steps; ++i, ++step) {
-        add(run, advance(*simulation, start.setup, step));
+        add(run, advance(simulation, start.setup, step));
     }
+    made.add_work(run, -1);
     const scenes::Stopwatch watch;
     for (int i = 0; i < timed_steps; ++i, ++step) {
-        const StepReport report = advance(*simulation, start.setup, step);
+        const StepReport report = advance(simulation, start.setup, step);
+        run.threads_used = std::max(run.threads_used, made.threads_used());
         run.vertex_steps += report.interface_vertices;
         run.operations += report.operations;
         add(run, report);
     }
     run.wall_s = watch.wall();
     run.cpu_s = watch.cpu();
+    made.add_work(run, 1);
+    run.busy_s += run.wall_s;
     return run;
 }
 
@@ -91,25 +118,19 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
     const auto choices = scenes::scene_options<double>(start.setup, start.parameters);
     scenes::Submeshing submeshing = options.submeshing;
     submeshing.profile = true;
-    auto executor = scenes::make_executor(complex, choices, options.strategy, submeshing);
-    const Executor<double>& seen = *executor;
-    if (!submeshes_in(seen)) {
+    const Prepared made = prepare(start, complex, choices, options.strategy, submeshing);
+    if (!submeshes_in(made.executor)) {
         throw InvariantError("this strategy keeps no account of its tasks");
-    }
-    Simulation<double> simulation(complex, choices, std::move(executor));
-    if (const auto topology = scenes::topology_options<double>(start.parameters);
-        topology.changes()) {
-        simulation.add_stage(std::make_shared<TopologyStage<double>>(topology));
     }
     ModelRun run;
     int step = start.step;
     wake(submeshing.threads);
     for (int i = 0; i < warm_up_steps + timed_steps; ++i, ++step) {
         const auto begin = std::chrono::steady_clock::now();
-        (void)advance(simulation, start.setup, step);
+        (void)advance(*made.simulation, start.setup, step);
         const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
         if (i >= warm_up_steps) {
-            add_step(run, *submeshes_in(seen), wall.count());
+            add_step(run, *submeshes_in(made.executor), wall.count());
         }
     }
     return run;
@@ -185,6 +206,12 @@ void count(benchmark::State& state, const Row& row, const StepRun& run, double s
         counters["area_error_rel"] = answer.area_error_rel;
     }
     counters["load"] = load;
+    counters["threads_used"] = run.threads_used;
+    const double busy_s = scenes::is_parallel(row.strategy) ? run.busy_s : seconds;
+    if (!std::isnan(busy_s)) {
+        counters["utilisation"] = busy_s / (row.threads * seconds);
+        counters["serial_share"] = (seconds - run.sections_s) / busy_s; // of the work
+    }
     counters["oversubscribed"] = row.threads > core_count() ? 1 : 0;
 }
 

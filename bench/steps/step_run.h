@@ -19,12 +19,27 @@ namespace dsc::bench {
 struct StepRun {
     int steps = 0;
     double wall_s = 0;
-    double cpu_s = 0;            ///< of all threads
-    double vertex_steps = 0;     ///< interface vertices, summed over the steps
+    double cpu_s = 0;               ///< of all threads
+    double vertex_steps = 0;        ///< interface vertices, summed over the steps
+    std::uint32_t threads_used = 1; ///< the most that a step has used
+    double busy_s = 0;           ///< of all threads, at work and not waiting; NaN if not measured
+    double sections_s = 0;       ///< of these steps, in parallel sections
     OperationCounts operations;  ///< of the library's strategies
     std::uint64_t unreached = 0; ///< warm-up included
     bool gave_up = false;
 };
+
+/// A simulation, and its executor to look at.
+struct Prepared {
+    std::unique_ptr<Simulation<double>> simulation;
+    const Executor<double>& executor;
+
+    [[nodiscard]] std::uint32_t threads_used() const; ///< by the last step
+    /// Adds `sign` times what threads have done so far to `run`, whose wall time is added apart.
+    void add_work(StepRun& run, double sign) const;
+};
+Prepared prepare(const Start& start, Complex<double>& complex, const Options<double>& choices,
+                 scenes::Strategy strategy, const scenes::Submeshing& submeshing);
 
 /// Goes on from `start.step` with a copy of `start.complex`: warm-up, then the timed steps.
 StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& run);

@@ -1,131 +1,151 @@
 # SPDX-License-Identifier: MIT
 """Runs what the table of figures names, draws it, and gives one Block for each figure."""
-from gallery import animation, charts, compare, distribution, figures, layout, mesh, runs, times
-from gallery.shared import style
+import colorsys
 
-PIXELS = 300         # of a frame
-MOVING_FRAMES = 24   # of an animation
+from look import style  # first: it says which Python has no matplotlib
 
+import numpy
+from matplotlib.colors import ListedColormap
 
-def value_of(frame):
-    """The attribute at the vertices; throws NotRun where a frame has none."""
-    if not frame.values:
-        raise runs.NotRun("The frames carry no value at their vertices.")
-    return next(iter(frame.values.values()))
+import frames
+import histograms
+from gallery import figures, layout, runs
+from results import load, load_frames
 
-
-def look_of(row):
-    """The function from a frame to what mesh.draw is told about it."""
-    if row.look == "values":
-        return lambda frame: {"fills": mesh.value_fills(frame, value_of(frame)),
-                              "edge": mesh.NO_EDGE, "line": style.SKY}
-    return lambda frame: {}
+SIDE = 2.5  # inches of a frame
+NONE = "–"
+# The thesis's colours of section 10.5: red whose lightness is the value, from black to white.
+REDS = ListedColormap([colorsys.hls_to_rgb(0, step / 255, 1) for step in range(256)])
 
 
-def labelled(row, text):
-    """A sentence with the row's label before it, beginning with a capital."""
-    text = f"{row.label}, {text}" if row.label else text
+def blocks(program, published):
+    """(blocks, sentences on the runs that failed)"""
+    made, failures = [], []
+    for figure in figures.FIGURES:
+        known = published["thesis"]["figures"][figure.number]
+        block = layout.Block(figure.number, known["title"], known["shows"], known["source"],
+                             [figure.see] if figure.see else [])
+        for index, part in enumerate(figure.parts):
+            add = frames_of if isinstance(part, figures.Row) else histogram_of
+            try:
+                add(block, part, program, published, f"-{'abcd'[index]}" if index else "")
+            except (runs.NotRun, load.InputFault) as fault:
+                failures.append(f"{layout.heading(block)}: {fault}")
+                block.ours.append(str(fault))
+        made.append(block)
+    return made, failures
+
+
+def frames_of(block, row, program, published, letter):
+    run = program.run(row.plan, row.steps)
+    block.ours.append(sentence(row, run.scene))
+    block.notes.append(conditions(row, run.scene))
+    block.rows += rows_of(row, run, published)
+    pictures = [(f"step-{step}", step, None) for step in row.steps]
+    pictures += [("near", row.steps[-1], row.near)] if row.near else []
+    for name, step, window in pictures:
+        if step not in run.frames:
+            raise runs.NotRun(f"{row.plan.scene} wrote no frame after step {step}.")
+        frame = load_frames.read_frame(run.frames[step])
+        text = f"a part of step {step}, {window[2]:g} of the domain wide" if window else \
+            f"step {step}: {style.whole(len(frame.triangles))} triangles"
+        text = f"{row.label}, {text}." if row.label else f"{text}."
+        block.pictures.append(layout.Picture(
+            f"figure-{block.number}{letter}-{name}.webp", drawn(row, frame, window),
+            text[0].upper() + text[1:], letter))
+
+
+def drawn(row, frame, window):
+    """WebP of a frame."""
+    low, high = frame.points.min(axis=0), frame.points.max(axis=0)
+    if window:
+        low = numpy.array(window[:2])
+        high = low + window[2]
+    shaded = row.look == "shaded"
+    fig, grid = style.figure(SIDE + 1.6 * shaded, SIDE * (high[1] - low[1]) / (high[0] - low[0]))
+    axes = grid[0][0]
+    values = None
+    if row.look != "phases":
+        values = next((v for v in frame.at_vertices.values() if v.ndim == 1), None)
+        if values is None:
+            raise runs.NotRun("The frames carry no value at their vertices.")
+    fills = None if values is None or shaded else REDS(values[frame.triangles].mean(axis=1).clip(0, 1))
+    frames.mesh(axes, frame, SIDE, low, high, fills, values is None,
+                style.INTERFACE if values is None else style.SKY)
+    if shaded:
+        scale = axes.tripcolor(*frame.points.T, frame.triangles, values, shading="gouraud",
+                               cmap="turbo", vmin=0, vmax=max(float(values.max()), 1e-9))
+        fig.colorbar(scale, ax=axes, label="value at the vertices")
+    axes.grid(False)
+    return webp(fig)
+
+
+def webp(fig):
+    png = style.png_bytes(fig)
+    style.plt.close(fig)
+    return style.for_page(png, is_mesh=True)[0]
+
+
+def histogram_of(block, part, program, published, _):
+    run = program.run(part.plan, (part.step,))
+    # Of the frame: the program's own bins end before the largest triangles.
+    areas = frames.triangle_areas(load_frames.read_frame(run.frames[part.step]))
+    counts, edges = numpy.histogram(areas, bins=60, range=(0, areas.max()))
+    run.scene.histograms = [load.Histogram(run.scene.name, run.scene.strategy, "area", list(edges),
+                                           list(counts))]
+    picture, = histograms.draw([run.scene], None, published, run.scene.context)
+    block.ours.append(picture.sentence)
+    block.pictures.append(layout.Picture(f"figure-{block.number}.webp", webp(picture.figure),
+                                         f"{picture.title}.", is_wide=True))
+
+
+def _theirs(published, identifier):
+    return load.entry(published, "thesis", identifier)
+
+
+def sentence(row, scene):
+    """What came out of a run."""
+    text = (f"{row.label + ': ' if row.label else ''}the scene {scene.name} goes from "
+            f"{style.whole(scene.value('triangles_first'))} to "
+            f"{style.whole(scene.value('triangles_last'))} triangles in "
+            f"{style.counted(scene.value('steps'), 'step')}")
+    error, sd, area = (scene.value(k) for k in ("attribute_error_last", "sd_last", "area_exact_last"))
+    if error is not None:
+        text += f"; its value, from 0 to 1, is off by at most {style.digits(error)} at the end"
+    elif sd is not None and area:
+        text += (f"; its symmetric difference with the exact shape is {style.digits(sd / area)} of "
+                 "that shape's area at the end")
+    bad = [f"{style.whole(scene.value(key))} {what}" for key, what in (
+        ("inverted", "inverted triangles"), ("unreached", "vertices that did not arrive"))
+        if scene.value(key)]
+    text += f"; there were {style.listing(bad)}." if bad else \
+        "; no triangle was inverted and every vertex arrived."
     return text[0].upper() + text[1:]
 
 
-class Builder:
-    def __init__(self, program, facts, quick=False):
-        self.program, self.facts, self.quick = program, facts, quick
-        self.context = []   # of (name, text): where the runs were made
-        self.failures = []  # sentences; a scene that is not there yet is no failure
-
-    def blocks(self):
-        return [self.block(figure) for figure in figures.FIGURES]
-
-    def block(self, figure):
-        known = self.facts.figure(figure.number)
-        section = known.source.split("section ")[1].split(",")[0]
-        block = layout.Block(figure.number, section, known.title, known.shows, known.source,
-                             [], [], [], [])
-        add = {figures.Row: self.frames, figures.Histogram: self.histogram,
-               figures.Times: self.times}
-        for index, part in enumerate(figure.parts):
-            try:
-                add[type(part)](block, part, index)
-            except runs.NotRun as fault:
-                if not isinstance(fault, runs.Missing):
-                    self.failures.append(f"{layout.heading(block)}: {fault}")
-                if str(fault) not in block.ours:
-                    block.ours.append(str(fault))
-        if all(theirs == compare.NONE for _, theirs, _, _ in block.rows):
-            block.rows = []  # nothing to compare with
-        return block
-
-    def frames(self, block, row, index):
-        moves = row.moves and not self.quick
-        run = self.program.run(row.plan, row.steps, MOVING_FRAMES if moves else 0)
-        self.context = self.context or compare.machine(run)
-        block.ours.append(compare.sentence(row, run, self.facts))
-        block.notes.append(compare.conditions(run, row.insertion))
-        block.rows += compare.rows_of(row, run, self.facts)
-        pictures = [*stills(row, run), *close_up(row, run), *(moving(row, run) if moves else ())]
-        letter = f"-{'abcd'[index]}" if index else ""
-        for picture in pictures:
-            picture.name = f"figure-{block.number}{letter}-{picture.name}.webp"
-            picture.row = index
-        block.pictures += pictures
-
-    def histogram(self, block, part, _):
-        found = [(label, self.program.run(plan, (part.frame,) if part.frame else ()))
-                 for label, plan in part.runs]
-        shown = [(label, distribution.measure(run, part)) for label, run in found]
-        block.ours.append(distribution.sentence(part, shown))
-        others = "; dashed: the first panel's outline" if len(shown) > 1 else ""
-        block.notes.append(f"Dotted: the median{others}. {compare.conditions(found[0][1])}")
-        block.pictures.append(layout.Picture(
-            f"figure-{block.number}.webp", charts.histogram(part.quantity, shown),
-            f"The {distribution.MEANING[part.quantity]} of the triangles after the last step.",
-            wide=2))
-        block.rows += distribution.rows_of(part, shown, self.facts)
-
-    def times(self, block, part, index):
-        text, note, rows = times.table(self.program, part, self.facts)
-        block.ours.append(text)
-        block.notes += [] if index else [note]
-        block.rows += rows
+def conditions(row, scene):
+    """How a run is repeated."""
+    p = scene.data["parameters"]
+    words = [f"h = {p['h']:g}", f"dt = {p['dt']:.4g}", str(p.get("integrator", "")),
+             f"{row.insertion or p.get('insertion', '')} insertion", scene.strategy]
+    return f"dsc_scene {' '.join(row.plan.words())}: " + ", ".join(w for w in words if w.strip()) + "."
 
 
-def stills(row, run):
-    """A picture of each step, or of the frames nearest to them."""
-    pictures = {}
-    for step in row.steps:
-        number, path = run.nearest(step)
-        if number in pictures:
-            continue  # fewer frames were written than are wanted
-        frame = run.frame(path)
-        nearest = "" if number == step else f" (the frame nearest to step {step})"
-        text = labelled(row, f"step {number}{nearest}: "
-                             f"{style.whole(len(frame.triangles))} triangles.")
-        if row.look == "shaded":
-            data = charts.shaded(frame, value_of(frame), row.label)
-        else:
-            data = mesh.webp(mesh.draw(frame, PIXELS, **look_of(row)(frame)))
-        pictures[number] = layout.Picture(f"step-{number}", data, text,
-                                          wide=1 if row.look == "shaded" else 0)
-    return pictures.values()
-
-
-def close_up(row, run):
-    """A part of the last frame, where the row asks for it."""
-    if not row.near:
-        return []
-    step, path = run.nearest(row.steps[-1])
-    frame = run.frame(path)
-    image = mesh.draw(frame, PIXELS, window=row.near, **look_of(row)(frame))
-    text = f"a part of step {step}, {row.near[2]:g} of the domain wide."
-    return [layout.Picture("near", mesh.webp(image), labelled(row, text))]
-
-
-def moving(row, run):
-    """The animation; none where it cannot be made small enough."""
-    made = animation.animate([run.frame(path) for _, path in run.frames], look_of(row))
-    if made is None:
-        return []
-    data, still, count = made
-    text = f"the run in motion, in {style.counted(count, 'frame')}."
-    return [layout.Picture("moving", data, labelled(row, text), still)]
+def rows_of(row, run, published):
+    """Rows of (what, thesis, ours, ours / thesis); none where the thesis gives no number."""
+    before = f"{row.label}: " if row.label else ""
+    rows = [(f"{before}triangles at step {item['step']}", style.whole(item["triangles"]),
+             style.whole(ours), style.digits(ours / item["triangles"]))
+            for item in (_theirs(published, row.triangles)["values"] if row.triangles else ())
+            if (ours := run.counts.get(item["step"]))]
+    area = run.scene.value("area_ratio")
+    if row.area_ratio and area is not None:
+        known = _theirs(published, row.area_ratio)["value"]
+        rows += [(f"{before}last area / first area", f"{known:.7f}", f"{area:.7f}",
+                  style.digits(area / known, 5)),
+                 (f"{before}area lost or gained / first area", style.digits(abs(known - 1)),
+                  style.digits(abs(area - 1)), style.digits(abs(area - 1) / abs(known - 1)))]
+        rows += [(f"{before}symmetric difference {when} / first area", NONE, style.digits(value), NONE)
+                 for key, when in (("sd_rel_half", "half-way"), ("sd_rel_last", "at the end"))
+                 if (value := run.scene.value(key)) is not None]
+    return rows

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The table of the gallery: for each figure of the thesis's section 10, what we run and show.
 
-A scene that the program does not know yet is said to be missing, and appears as soon as it does.
 Edge lengths are those that come nearest to the thesis's first number of triangles (translation,
 vortex, interpolation; ours changes by whole rows of triangles) or to its first edges (the swirling
 circle, of 48 by its area).
@@ -29,7 +28,6 @@ class Row:
     steps: tuple              # frames to be shown
     label: str = ""           # tells rows of one figure apart
     look: str = "phases"      # phases, values (the thesis's reds) or shaded (Gouraud)
-    moves: bool = True        # an animation beside the frames
     triangles: str = ""       # the thesis's counts of triangles: an entry of the published figures
     area_ratio: str = ""      # the thesis's ratio of areas: such an entry
     insertion: str = ""       # of a scene that has one besides those of --set
@@ -38,34 +36,21 @@ class Row:
 
 @dataclass(frozen=True)
 class Histogram:
-    """The distribution of a quantity at the end of several runs."""
+    """The distribution of the triangles' areas after a step."""
 
-    quantity: str             # area or quality
-    runs: tuple               # of (label, Plan); the first is what the others are compared with
-    triangles: str = ""       # the thesis's number of triangles of the first: such an entry
-    frame: int = 0            # the step whose frame is measured, where the program's bins end early
-
-
-@dataclass(frozen=True)
-class Times:
-    """Times of one scene by numbers of threads."""
-
-    scene: str
-    entry: str                # the thesis's times
-    label: str
+    plan: Plan
+    step: int
 
 
 @dataclass(frozen=True)
 class Figure:
     number: str               # as in the thesis
-    parts: tuple              # of Row, Histogram and Times
+    parts: tuple = ()         # of Row and Histogram
+    see: str = ""             # where else ours are
 
 
-SCALING = (("sequential", Plan("speedup-scaling")),
-           ("four slabs", Plan("speedup-scaling", strategy="fixed", submeshes=4)),
-           ("four submeshes, created and merged",
-            Plan("speedup-scaling", strategy="copy", submeshes=4)))
 VARYING = Plan("quality-varying", (SMALL, ("steps", 100)))
+HISTOGRAMS = "Ours are in the part \"Areas and qualities of the triangles\" of the report."
 
 
 def rotation(scene):
@@ -81,7 +66,7 @@ def interpolation(edge, look, steps, **more):
 def combination(inside, outside):
     """One of the four panels of figure 10.15."""
     return Row(Plan("quality-combinations", (("inside", inside), ("outside", outside))), (30,),
-               label=f"{inside} inside, {outside} outside", moves=False)
+               label=f"{inside} inside, {outside} outside")
 
 
 FIGURES = (
@@ -89,7 +74,7 @@ FIGURES = (
                         triangles="translation_triangles"),)),
     Figure("10.2", (Row(Plan("translation-phase", (LARGE,)), (0, 120, 240, 360)),)),
     Figure("10.3", (Row(Plan("scaling", (LARGE, ("steps", 100))), (0, 50, 100)),
-                    Row(Plan("scaling-round", (LARGE, ("steps", 100))), (100,), moves=False,
+                    Row(Plan("scaling-round", (LARGE, ("steps", 100))), (100,),
                         label="vertices put on the circle", insertion="the scene's own"))),
     Figure("10.4", rotation("rotation-rectangle")),
     Figure("10.5", rotation("rotation-crescent")),
@@ -97,26 +82,25 @@ FIGURES = (
                         triangles="vortex_triangles", area_ratio="vortex_area_ratio"),)),
     Figure("10.7", (interpolation(LARGE, "values", (0, 60, 100, 160),
                                   triangles="interpolation_triangles"),)),
-    Figure("10.8", (interpolation(SMALL, "values", (0, 60, 100, 160), moves=False),)),
-    Figure("10.9", (interpolation(LARGE, "shaded", (60,), label="large triangles", moves=False),
-                    interpolation(SMALL, "shaded", (60,), label="small triangles", moves=False))),
+    Figure("10.8", (interpolation(SMALL, "values", (0, 60, 100, 160)),)),
+    Figure("10.9", (interpolation(LARGE, "shaded", (60,), label="large triangles"),
+                    interpolation(SMALL, "shaded", (60,), label="small triangles"))),
     Figure("10.10", (Row(Plan("zalesak", (SWIRL,)), (0, 314, 628)),)),
     Figure("10.11", (Row(Plan("swirl", (SWIRL, ("steps", 260))), (0, 260, 520),
                          label="2 x 260 steps", area_ratio="swirl_260_area_ratio", near=TOP),
                      Row(Plan("swirl", (SWIRL, ("steps", 420))), (420, 840),
-                         label="2 x 420 steps", area_ratio="swirl_420_area_ratio", near=TOP,
-                         moves=False),
-                     Row(Plan("swirl", (SWIRL, ("steps", 260), *CHOICES)), (520,), moves=False,
+                         label="2 x 420 steps", area_ratio="swirl_420_area_ratio", near=TOP),
+                     Row(Plan("swirl", (SWIRL, ("steps", 260), *CHOICES)), (520,),
                          label="2 x 260 steps, the thesis's choices",
                          area_ratio="swirl_260_area_ratio", near=TOP))),
     Figure("10.12", (Row(Plan("swirl-zalesak", (LEGS, ("steps", 800), ("dt", 0.005))),
                          (0, 400, 800), near=(0.42, 0.14, 0.06)),)),
-    Figure("Table 10.1", (Times("speedup-scaling", "scaling_table_10_1", "growing circle"),
-                          Times("speedup-four-circles", "four_circles", "four circles"))),
-    Figure("10.13", (Histogram("area", SCALING, "histogram_triangles_sequential"),)),
-    Figure("10.14", (Histogram("quality", SCALING, "histogram_triangles_sequential"),)),
+    Figure("Table 10.1", see="Ours are in the part \"Several threads\" of the report, with the "
+                             "thesis's beside them."),
+    Figure("10.13", see=HISTOGRAMS),
+    Figure("10.14", see=HISTOGRAMS),
     Figure("10.15", tuple(combination(inside, outside) for inside in ("coarse", "fine")
                            for outside in ("coarse", "fine"))),
     Figure("10.16", (Row(VARYING, (0, 50, 100)),)),
-    Figure("10.17", (Histogram("area", (("step 100", VARYING),), frame=100),)),
+    Figure("10.17", (Histogram(VARYING, 100),)),
 )

@@ -2,34 +2,54 @@
 # SPDX-License-Identifier: MIT
 """Draws the figures of the thesis's section 10 with ours under them: gallery.html and pictures.
 
-make.py --scene build/release/lib/scenes/dsc_scene --out DIR [--quick]
+make.py --scene build/release/lib/scenes/dsc_scene --out DIR
 
-Everything is run anew, in less than a minute of CPU time. Exit 0 done (a scene that the program
-does not know is said to be missing, in the page); 1 a run failed; 2 bad usage.
+Everything is run anew, in less than a minute of CPU time. Exit 1: a run failed.
 """
-import argparse
+import os
 import pathlib
 import sys
+import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-import gallery  # noqa: E402  (the folder above must be on the path first)
+from look import script, style  # noqa: E402  (the folder above must be on the path first)
+
+import gallery  # noqa: E402
+from gallery import build, layout, runs  # noqa: E402
+from page import document as page  # noqa: E402
+from results import load  # noqa: E402
+
+PUBLISHED = pathlib.Path(__file__).resolve().parents[2] / "reference" / "published"
 
 
-def main(argv):
-    parser = argparse.ArgumentParser(prog="make.py", description=__doc__.split("\n\n")[0])
-    parser.add_argument("--scene", required=True, metavar="FILE", help="the program dsc_scene")
-    parser.add_argument("--out", required=True, metavar="DIR", help="where the gallery goes")
-    parser.add_argument("--quick", action="store_true", help="no animations")
-    options = parser.parse_args(argv)
+def write(scene, out):
+    """Returns a sentence for each run that failed."""
+    with tempfile.TemporaryDirectory() as folder:
+        blocks, failures = build.blocks(runs.Program(scene, folder), load.read_published(PUBLISHED))
+    os.makedirs(out, exist_ok=True)
+    for picture in (picture for block in blocks for picture in block.pictures):
+        style.write_bytes(os.path.join(out, picture.name), picture.data)
+    parts = [layout.block_html(block) for block in blocks]
+    whole = page.document(
+        "The thesis's figures, and ours", "Each figure and table of section 10 of the thesis in "
+        "our own words, and what this library makes of the same experiment.", "",
+        [(f"figure-{block.number.replace(' ', '-')}", block.number, part)
+         for block, part in zip(blocks, parts)])
+    for name, text in (("gallery.html", whole), (gallery.PART, "".join(parts))):
+        style.write_bytes(os.path.join(out, name), text.encode("utf-8"))
+    return failures
+
+
+def main(argv=None):
+    words = script.parser(__doc__)
+    words.add_argument("--scene", required=True, metavar="FILE", help="the program dsc_scene")
+    words.add_argument("--out", required=True, metavar="DIR", help="where the gallery goes")
+    given = words.parse_args(argv)
     try:
-        failures = gallery.write(options.scene, pathlib.Path(options.out), options.quick)
-    except gallery.NotRun as fault:
+        failures = write(given.scene, given.out)
+    except (runs.NotRun, load.InputFault, OSError) as fault:
         sys.stderr.write(f"make.py: {fault}\n")
-        return 2
-    except OSError as fault:
-        sys.stderr.write(f"make.py: {fault.filename or 'a file'} cannot be written: "
-                         f"{fault.strerror}.\n")
         return 2
     for failure in failures:
         sys.stderr.write(f"make.py: {failure}\n")
@@ -37,4 +57,4 @@ def main(argv):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

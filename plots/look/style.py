@@ -7,7 +7,9 @@ marker of its own besides, so that no picture depends on colour alone.
 import io
 import math
 import os
+import statistics
 from dataclasses import dataclass, field
+from itertools import accumulate
 
 import matplotlib
 
@@ -52,8 +54,7 @@ MESH_QUALITY = 50   # of 100
 
 @dataclass
 class Picture:
-    """A figure with one plain sentence on what it shows, and what is folded beneath it: all that
-    its numbers say, and rows for a table if there are any."""
+    """A figure with one plain sentence on what it shows, and rows for a table if there are any."""
 
     name: str
     title: str
@@ -61,7 +62,6 @@ class Picture:
     figure: object
     header: list = field(default_factory=list)
     rows: list = field(default_factory=list)
-    details: str = ""
     is_mesh: bool = False  # of so many triangles that a vector format would be tens of megabytes
 
 
@@ -158,6 +158,34 @@ def square(label, colour):
     return handle
 
 
+def interval(values):
+    """(low, median, high) with the 95 % interval of the median by ranks, whatever the distribution
+    (Hoefler and Belli 2015); fewer than six values have none, and all of them are spanned."""
+    ordered, count = sorted(values), len(values)
+    chances = accumulate(math.comb(count, rank) / 2 ** count for rank in range(count))
+    cut = max(sum(chance <= 0.025 for chance in chances) - 1, 0)
+    return ordered[cut], statistics.median(ordered), ordered[-1 - cut]
+
+
+def bars_text(counts):
+    """What the bars of medians of so many values are."""
+    few = min(counts)
+    if few >= 6:
+        return "Medians; bars: their 95 % intervals by ranks."
+    return (f"Medians; bars: the range of {few} values, which holds the median with "
+            f"{100 - 100 / 2 ** (few - 1):.0f} %." if few > 1 else "Single values, without bars.")
+
+
+def points(axes, entries, colour, marker, **more):
+    """entries: [(x, (low, middle, high), whether it is doubtful)]. Markers with bars, and no line:
+    nothing is known between two measurements."""
+    for x, (low, middle, high), is_doubtful in entries:
+        axes.errorbar([x], [middle], yerr=[[middle - low], [high - middle]], fmt="none",
+                      ecolor=colour, elinewidth=1, capsize=2.5, zorder=3.2)
+        axes.plot([x], [middle], marker=marker, color=colour, linestyle="none", zorder=4,
+                  **(doubtful(colour) if is_doubtful else solid(colour)), **more)
+
+
 def figure(width, height, rows=1, columns=1, **keywords):
     """A figure and its axes (always a 2D array), laid out below a title and above a caption."""
     apply()
@@ -181,6 +209,7 @@ def caption_text(context, conditions=""):
             parts.append(context.build_type)
         if context.commit:
             parts.append(f"commit {context.commit[:12]}")
+        parts += [text for text in (context.clock, context.binding) if text]
     # Lines are broken between parts only.
     parts = [part.replace(" ", "\N{NO-BREAK SPACE}") for part in parts]
     first = "  ·  ".join(parts) if parts else "machine and commit not recorded"

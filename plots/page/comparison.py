@@ -2,10 +2,10 @@
 """What the project was made to show, on one table: how far each scene of the gate is from the exact
 shape, its parallel runs from the sequential one, and the library from the literal method, each beside
 the band that it may be in; and what threads bring."""
+import whole_runs
 from look import style
 from page import document as page
-from parallel import series, whole_runs
-from results import load
+from results import load, series
 
 EXACT = (("area ratio, off 1", ("area_ratio", "accuracy_area")),
          ("symmetric difference", ("symmetric_difference", "accuracy")))

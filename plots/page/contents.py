@@ -1,28 +1,33 @@
 # SPDX-License-Identifier: MIT
 """What stands on the page and in which order: what was found, then what is shown, then what can be
 looked up, which is folded."""
-import importlib
-import os
 import pathlib
 from functools import partial
 
-from accuracy import convergence, hard_cases, precision, precision_data
-from look import style
-from mesh import frames, histograms
-from page import document as page
-from page import comparison, drawing, faults, findings, tables, verdicts
-from parallel import (breakdown, granularity, per_operation, series, speedup, step_cost,
-                      submeshes, whole_runs)
-from results import load
+from look import style  # first: it says which Python has no matplotlib
+
+import breakdown
+import convergence
+import frames
+import gallery
+import granularity
+import histograms
+import operations
+import precision
+import speedup
+import step_cost
+import submeshes
+import whole_runs
+from page import comparison, document as page, faults, findings, hard_cases, tables, verdicts
+from results import load, precision_data, series
 
 FIRST = ("swirl", "drop-and-pool", "grains")  # the meshes that are shown before others
-PLOTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
 def tasks(results):
     """[(section, function that gives Pictures)]"""
     bench, published = results["bench"], results["published"]
-    scenes, drawn_by = results["scenes"], _context_of_scenes(results)
+    drawn_by = results["scenes"][0].context if results["scenes"] else None
     runs = sorted(results["runs"], key=lambda run: (
         FIRST.index(run[0]) if run[0] in FIRST else len(FIRST)))
     found = [("frames", partial(frames.draw, [run], drawn_by)) for run in runs]
@@ -32,16 +37,17 @@ def tasks(results):
                   ("speedup", partial(speedup.draw, bench, published)),
                   ("breakdown", partial(breakdown.draw, bench)),
                   ("granularity", partial(granularity.draw, bench)),
-                  ("operations", partial(per_operation.draw, bench, published))]
+                  ("operations", partial(operations.draw, bench, published))]
     errors = results["precision"]
-    for flow in precision_data.flows(errors):
-        mine = [run for run in errors if run.flow == flow]
-        found.append(("precision", partial(precision.draw, mine, published)))
+    found += [("precision", partial(precision.draw, [run for run in errors if run.flow == flow],
+                                    published)) for flow in precision_data.flows(errors)]
     found.append(("convergence", partial(convergence.draw, errors)))
     found += [("submeshes", partial(submeshes.draw, [one], drawn_by))
               for one in results["divided"]]
-    found.append(("histograms", partial(histograms.draw, scenes, results["verify"], published,
-                                        context(results, of_meshes=True))))
+    # The others are in the results of the runs: three pictures for each scene would say little more.
+    found.append(("histograms", partial(histograms.draw, results["scenes"], results["verify"],
+                                        published, context(results, of_meshes=True),
+                                        histograms.SHOWN)))
     return found
 
 
@@ -52,18 +58,6 @@ def context(results, of_meshes=False):
         return bench.context
     known = ([verify.context] if verify else []) + [s.context for s in results["scenes"]]
     return next((c for c in known if c.machine), None)
-
-
-def _context_of_scenes(results):
-    return results["scenes"][0].context if results["scenes"] else None
-
-
-def gallery(results, out):
-    """The section of the room `gallery` as HTML, or nothing where there is no such room."""
-    if not os.path.isdir(os.path.join(PLOTS, "gallery")):
-        return ""
-    section = getattr(importlib.import_module("gallery"), "section", None)
-    return (section(results, pathlib.Path(out)) if section else None) or ""
 
 
 def _no_bench(bench):
@@ -113,7 +107,7 @@ def build(results, drawn, out):
                   "Neither the gate nor whole runs were made, so there is nothing to compare.")
     contents.show("frames", "The meshes", contents.pictures("frames", len(FIRST)),
                   _no_frames(results))
-    contents.show("thesis", "The thesis's figures", gallery(results, out))
+    contents.show("thesis", "The thesis's figures", gallery.section(pathlib.Path(out)))
     contents.show("steps", "Time of a step", contents.pictures("steps", 1), _no_bench(bench))
     contents.show("speedup", "Several threads", contents.pictures("speedup", 1), _no_bench(bench))
     contents.show("precision", "Error against time",
@@ -147,9 +141,6 @@ def _details(contents, results, out):
     contents.look_up(
         "granularity", "How much work threads need", "to pay for themselves",
         contents.pictures("granularity"), _no_bench(bench))
-    contents.look_up(
-        "copies", "Copies of submeshes against work in place", "the thesis's way and ours",
-        tables.copied(bench), _no_bench(bench))
     contents.look_up("submeshes", "Submeshes", "how the mesh is divided among threads",
                      contents.pictures("submeshes"), _no_frames(results))
     contents.look_up("operations", "Cost of an operation", "in nanoseconds",

@@ -85,7 +85,7 @@ def link(path, text):
 
 
 def figure(drawn):
-    """A picture embedded as a data URI with its sentence; its details, numbers and files folded."""
+    """A picture embedded as a data URI with its sentence; its numbers and files folded."""
     data = base64.b64encode(drawn.webp).decode("ascii")
     width, height = drawn.size
     title = escape(drawn.title)
@@ -94,13 +94,11 @@ def figure(drawn):
               f'<img alt="{title}" width="{width}" height="{height}" style="max-width:{width}px" '
               f'src="data:image/webp;base64,{data}"></div>\n'
               f"<figcaption>{escape(sentence)}</figcaption></figure>\n")
-    more = paragraph(drawn.details) if drawn.details else ""
-    if drawn.rows:
-        more += table(drawn.header, drawn.rows, name=f"The numbers of: {drawn.title}")
+    more = table(drawn.header, drawn.rows, name=f"The numbers of: {drawn.title}") if drawn.rows else ""
     if drawn.files:
         more += ("<p>The picture as " + ", ".join(
             link(name, name.rpartition(".")[2].upper()) for name in drawn.files) + ".</p>")
-    return inside + (fold("The numbers" if drawn.rows else "Details", more) if more else "")
+    return inside + (fold("The numbers" if drawn.rows else "Files", more) if more else "")
 
 
 def facts(pairs):

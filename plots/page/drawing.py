@@ -14,7 +14,6 @@ class Drawn:
     name: str
     title: str
     sentence: str
-    details: str
     header: list
     rows: list
     webp: bytes
@@ -34,8 +33,8 @@ def _draw(index):
         png = style.save(picture.figure, out, picture.name, kept, picture.is_mesh,
                          shown=True)
         webp, size = style.for_page(png, picture.is_mesh)
-        result.append(Drawn(picture.name, picture.title, picture.sentence, picture.details,
-                            picture.header, picture.rows, webp, size,
+        result.append(Drawn(picture.name, picture.title, picture.sentence, picture.header,
+                            picture.rows, webp, size,
                             tuple(f"{picture.name}.{form}" for form in kept)))
     return result
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """What was found: five sentences for a reader in a hurry, each from the figures that were measured;
 one that has nothing to say says what was not measured."""
+import whole_runs
 from look import style
-from parallel import series, whole_runs
-from results import load
+from results import load, series
 
 
 def sentences(results):

@@ -7,7 +7,6 @@ from look import style
 from page import document as page
 from page.findings import lost, thesis_ratio
 from page.verdicts import show
-from parallel import copies
 from results import load
 
 
@@ -87,12 +86,6 @@ def refusals(bench):
     return page.paragraph(f"{style.counted(len(bench.refused), 'benchmark')} refused "
                           "to time a wrong answer:") \
         + page.table(["benchmark", "reason"], bench.refused, name="Refused benchmarks")
-
-
-def copied(bench):
-    """The sentence and the table of what copies cost."""
-    found = copies.table(bench) if bench else None
-    return page.paragraph(found[0]) + page.table(*found[1:], name="Copies") if found else ""
 
 
 def files(paths, out):

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The one table of verdicts at the top of the report: a row for each thing that is held to
 something, with the worst of its figures; what failed comes first, what was not run last."""
-from accuracy import precision_data
 from look import style
 from page.findings import lost
-from results import load
+from results import load, precision_data
 
 PASS, FAIL, OPEN = "✓ pass", "✗ fail", "not run"
 CLASSES = {PASS: "good", FAIL: "bad", OPEN: "open"}

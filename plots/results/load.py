@@ -26,6 +26,8 @@ class Context:
     build_type: str = ""
     load: str = ""
     date: str = ""
+    clock: str = ""
+    binding: str = ""
 
 
 @dataclass
@@ -73,23 +75,27 @@ NOT_COUNTERS = {"real_time", "cpu_time", "iterations", "repetitions", "repetitio
                 "family_index", "per_family_instance_index"}
 
 
-def read_json(path):
-    """The JSON object in a file."""
+def read_text(path):
     try:
         with open(path, encoding="utf-8") as stream:
-            text = stream.read()
+            return stream.read()
     except (OSError, UnicodeDecodeError) as fault:
         reason = getattr(fault, "strerror", None) or "it is not text"
         raise InputFault(f"{path} cannot be read: {reason}.") from fault
+
+
+def read_json(path, kind=dict):
+    """The JSON object, or the one of another kind, in a file."""
     try:
-        data = json.loads(text)
+        data = json.loads(read_text(path))
     except json.JSONDecodeError as fault:
         raise InputFault(f"{path} is not whole JSON (line {fault.lineno}, column {fault.colno}: "
                          f"{fault.msg}), so it may be truncated.") from fault
     except RecursionError as fault:
         raise InputFault(f"{path} is nested too deeply to be a result.") from fault
-    if not isinstance(data, dict):
-        raise InputFault(f"{path} holds a JSON {type(data).__name__} where an object is expected.")
+    if not isinstance(data, kind):
+        raise InputFault(f"{path} holds a JSON {type(data).__name__} where "
+                         f"{'an object' if kind is dict else f'a {kind.__name__}'} is expected.")
     return data
 
 
@@ -135,7 +141,7 @@ def _context(data):
     except ValueError:
         cores = 0
     return Context(text("dsc_machine"), text("dsc_commit"), cores, text("dsc_compiler"),
-                   text("dsc_build_type"), text("dsc_load"), text("date"))
+                   text("dsc_build_type"), text("dsc_load"), text("date"), text("dsc_clock"), text("dsc_binding"))
 
 
 def read_bench(paths):

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""Reads frames in VTK's XML, and the submeshes beside them, into plain records."""
+"""Reads frames (VTK's XML, by meshio), the submeshes beside them and the events of a run, into plain
+records."""
 import json
 import math
 import os
 import re
+import sys
 import xml.etree.ElementTree as xml
 from dataclasses import dataclass
 
+import numpy
 
-from results import vtu
-from results.load import InputFault, need, read_json
-
+from results.load import InputFault, need, read_json, read_text
 
 FRAME_NAME = re.compile(r"^(?P<scene>.+)_(?P<strategy>[^_]+)_(?P<number>\d+)\.vtu$")
 
@@ -23,12 +24,11 @@ def frame_files(folder):
     for name in sorted(os.listdir(folder)):
         path = os.path.join(folder, name)
         if name.endswith(".pvd"):
-            for item in _xml(path).iter("DataSet"):
-                try:
+            try:
+                for item in xml.parse(path).iter("DataSet"):
                     times[os.path.basename(item.get("file", ""))] = float(item.get("timestep"))
-                except (TypeError, ValueError) as fault:
-                    raise InputFault(f"{path} has a data set without a number as its "
-                                     "timestep.") from fault
+            except (OSError, xml.ParseError, TypeError, ValueError) as fault:
+                raise InputFault(f"{path} is not a whole list of frames ({fault}).") from fault
             continue
         match = FRAME_NAME.match(name)
         if match:
@@ -38,21 +38,42 @@ def frame_files(folder):
                   for number, name in sorted(files)] for key, files in sequences.items()}
 
 
-def _xml(path):
-    try:
-        return xml.parse(path).getroot()
-    except OSError as fault:
-        raise InputFault(f"{path} cannot be read: {fault.strerror}.") from fault
-    except xml.ParseError as fault:
-        raise InputFault(f"{path} is not whole XML ({fault}), so it may be truncated.") from fault
+@dataclass
+class Frame:
+    """A mesh at one time."""
+
+    points: numpy.ndarray     # n x 2
+    triangles: numpy.ndarray  # m x 3, vertex numbers
+    phases: numpy.ndarray     # m
+    at_vertices: dict         # {name: n numbers, or n x 2}
 
 
 def read_frame(path):
     """The Frame in one VTU file (triangles only)."""
     try:
-        return vtu.read(path)
-    except vtu.BadFrame as fault:
-        raise InputFault(str(fault)) from fault
+        import meshio
+    except ImportError as fault:
+        raise InputFault(f"{sys.executable} has no meshio, which reads frames (Debian: package "
+                         "python3-meshio and /usr/bin/python3).") from fault
+    try:
+        mesh = meshio.vtu.read(path)
+    except OSError as fault:
+        raise InputFault(f"{path} cannot be read: {fault.strerror}.") from fault
+    except Exception as fault:  # of many kinds, as files can be broken in many ways
+        raise InputFault(f"{path} is not a whole VTU file ({type(fault).__name__}: "
+                         f"{' '.join(str(fault).split())}), so it may be truncated.") from fault
+    kinds = {block.type for block in mesh.cells}
+    if kinds != {"triangle"} or "phase" not in mesh.cell_data:
+        raise InputFault(f"{path} has cells of {', '.join(sorted(kinds)) or 'no kind'} and the data "
+                         f"{', '.join(mesh.cell_data) or 'nothing'}, where triangles with 'phase' are "
+                         "expected.")
+    triangles = mesh.cells[0].data.astype(int)
+    if not 0 <= triangles.min() <= triangles.max() < len(mesh.points):
+        raise InputFault(f"{path} has a triangle whose vertex is outside 0 to {len(mesh.points) - 1}.")
+    return Frame(mesh.points[:, :2].astype(float), triangles,
+                 mesh.cell_data["phase"][0].astype(int).ravel(),
+                 {name: numbers[:, :2] if numbers.ndim > 1 else numbers
+                  for name, numbers in mesh.point_data.items()})
 
 
 @dataclass
@@ -72,13 +93,7 @@ def read_events(path):
     """The events of a run, in order; none if there is no such file."""
     if not os.path.exists(path):
         return []
-    events = []
-    try:
-        with open(path, encoding="utf-8") as file:
-            lines = file.read().splitlines()
-    except (OSError, UnicodeDecodeError) as fault:
-        reason = getattr(fault, "strerror", None) or "it is not text"
-        raise InputFault(f"{path} cannot be read: {reason}.") from fault
+    events, lines = [], read_text(path).splitlines()
     for number, line in enumerate(lines, 1):
         try:
             data = json.loads(line)

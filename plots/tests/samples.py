@@ -15,15 +15,41 @@ PUBLISHED = os.path.join(PLOTS, "..", "reference", "published")
 
 # One square of four triangles around a middle vertex; the right triangle is of phase 1.
 VTU = """<?xml version="1.0"?>
-<VTKFile type="UnstructuredGrid"><UnstructuredGrid><Piece NumberOfPoints="5" NumberOfCells="4">
-<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<UnstructuredGrid><Piece NumberOfPoints="5" NumberOfCells="4">
+<PointData><DataArray type="Float64" Name="velocity" NumberOfComponents="3" format="ascii">
+0 0 0  0 0 0  0 0 0  0 0 0  3 4 0</DataArray></PointData>
+<CellData><DataArray type="UInt32" Name="phase" format="ascii">0 1 0 0</DataArray></CellData>
+<Points><DataArray type="Float64" Name="Points" NumberOfComponents="3" format="ascii">
 0 0 0  2 0 0  2 2 0  0 2 0  {x} 1 0</DataArray></Points>
-<Cells><DataArray Name="connectivity" format="ascii">0 1 4 1 2 4 2 3 4 3 0 4</DataArray>
-<DataArray Name="offsets" format="ascii">3 6 9 12</DataArray>
-<DataArray Name="types" format="ascii">5 5 5 5</DataArray></Cells>
-<CellData><DataArray Name="phase" format="ascii">0 1 0 0</DataArray></CellData>
+<Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 4 1 2 4 2 3 4 3 0 4</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">3 6 9 12</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">5 5 5 5</DataArray></Cells>
 </Piece></UnstructuredGrid></VTKFile>
 """
+# What dsc_scene run --series writes, and its result.
+SERIES = """step,time,triangles,phases,sd_rel,interface_length,min_angle_deg,collapses,flips,smoothed,splits,events,wall_us
+0,0,100,2,0.001,4,30,0,0,0,0,0,0
+10,0.5,110,2,0.002,4.5,25,40,20,30,10,0,1000
+14,0.7,90,1,0.003,5,20,8,12,16,4,1,400
+"""
+RESULT = {"scene": "swirl", "strategy": "cells", "machine": "a machine", "commit": "c0ffee",
+          "threads": 2}
+PROFILE = {"us_set_up": 1, "us_hand_over": 0, "us_clean_up": 0, "us_driver": 1,
+           "us_upkeep": 10, "us_velocities": 5, "us_movement": 8, "us_mesh_update": 70,
+           "us_later_colours": 5}
+
+
+def box(normal=(1.0, 0.0), low=None, high=None, side_low=None, side_high=None, work=1.0):
+    return {"kind": "box", "normal": list(normal), "low": low, "high": high,
+            "side_low": side_low, "side_high": side_high, "work_us": work}
+
+
+# The square of VTU divided: one cut at x = 0.5 of colour 1, one at y = 0.5 of colour 2.
+DIVIDED = {"colours": [
+    {"regions": [box(high=0.5, work=3.0), box(low=0.5, work=5.0)]},
+    {"regions": [box((0.0, 1.0), high=0.5, work=1.0), box((0.0, 1.0), low=0.5, work=0.5)]},
+    {"regions": [{"kind": "whole", "work_us": 0.5}]}]}
 
 
 def row(name, times_us, **counters):
@@ -52,6 +78,54 @@ def bench(machine="a machine", commit="c0ffee"):
     return {"context": {"date": "2020-01-01", "dsc_machine": machine, "dsc_commit": commit,
                         "dsc_cores": "2", "dsc_compiler": "g++", "dsc_build_type": "Release",
                         "dsc_load": "0.1"}, "benchmarks": rows}
+
+
+def name(strategy, triangles, threads=0, cells=0, family="scaling_step", modelled=False):
+    text = f"{family}/strategy:{strategy}/triangles:{triangles}"
+    if threads:
+        text += f"/submeshes:{cells}/threads:{threads}"
+    return text + ("/modelled:1" if modelled else "") + "/iterations:1/manual_time"
+
+
+def model(triangles, threads, us, cells=0, **more):
+    """A modelled row: two per cent of the work is serial."""
+    return row(name("cells", triangles, threads, cells, modelled=True), [us], modelled=1.0,
+               serial_share=0.02, busy_share=0.9, fork_join_us=0.5, section_start_us=0.8,
+               bandwidth_of_one_gb_s=12.5, bandwidth_of_all_gb_s=19.0, load=0.5, **PROFILE, **more)
+
+
+def parallel_bench(**context):
+    rows = row(name("sequential", 28000), [100, 104, 96], load=0.5, us_per_vertex_step=0.5)
+    for strategy, ones, twos in (("cells", 105, 60), ("active", 110, 70), ("copy", 900, 600)):
+        rows += row(name(strategy, 28000, 1, 8), [ones], load=0.5, utilisation=1, threads_used=1)
+        rows += row(name(strategy, 28000, 2, 8), [twos], load=0.5, utilisation=0.9, threads_used=2,
+                    serial_share=0.1)
+    rows += model(28000, 1, 102) + model(28000, 2, 54) + model(28000, 4, 30)
+    rows += model(28000, 8, 20) + model(28000, 8, 16, cells=8) + model(28000, 16, 19)
+    for triangles, us, two in ((1800, 20, 40), (7000, 40, 40 / 1.5), (28000, 80, 50)):
+        family = "granularity_step"
+        rows += row(name("sequential", triangles, family=family), [us])
+        rows += row(name("cells", triangles, 2, family=family), [two])
+    for between, sequential, cells in ((0, 100, 50), (1000, 130, 100)):
+        of = "scaling_run/strategy:{}/triangles:28000/{}between_us:" + str(between)
+        counters = {"construction_us": 500 + between, "first_step_us": 70}
+        rows += row(of.format("sequential", ""), [sequential] * 3, **counters)
+        rows += row(of.format("cells", "threads:2/"), [cells, cells - 10, cells + 10], **counters)
+    return {"context": {"dsc_machine": "a machine", "dsc_commit": "c0ffee", "dsc_cores": "2",
+                        **context}, "benchmarks": rows}
+
+
+def own_suite(strategies=("sequential", "cells")):
+    """A scene that is named by its edge lengths: strategies differ in the triangles they count."""
+    rows = []
+    for h, us in (("0.02", 100), ("0.01", 400)):
+        for strategy in strategies:
+            for threads in (1, 2) if strategy == "cells" else (0,):
+                words = f"/threads:{threads}" if threads else ""
+                rows += row(f"mine_run/strategy:{strategy}/h:{h}{words}/between_us:0/iterations:1/"
+                            "manual_time", [us * k / max(threads, 1) for k in (1, 1.1, 0.9)],
+                            us_per_step=us / max(threads, 1), triangles=1000 + threads)
+    return {**bench(), "benchmarks": rows}
 
 
 def scene(h, error, seconds, **more):
@@ -140,7 +214,10 @@ class Case(unittest.TestCase):
         errors = io.StringIO()
         out = os.path.join(self.folder, "out")
         with contextlib.redirect_stderr(errors):
-            status = report.main(["--jobs", "1", *words, "--out", out])
+            try:
+                status = report.main(["--jobs", "1", *words, "--out", out])
+            except SystemExit as end:  # by argparse
+                status = end.code
         page = os.path.join(out, "index.html")
         text = ""
         if os.path.exists(page):
@@ -151,8 +228,8 @@ class Case(unittest.TestCase):
     def assert_refused(self, words, *expected):
         status, errors, page = self.run_report(*words)
         self.assertEqual(status, 2)
-        self.assertEqual(errors.count("\n"), 1, errors)
-        self.assertTrue(errors.startswith("report.py: ") and errors.endswith(".\n"), errors)
+        last = errors.splitlines()[-1]
+        self.assertTrue(last.startswith("report.py: ") and last.endswith("."), errors)
         for word in expected:
             self.assertIn(word, errors)
         self.assertEqual(page, "", "a refused input must leave no report")

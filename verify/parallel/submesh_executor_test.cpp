@@ -237,6 +237,43 @@ TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
     EXPECT_EQ(threads_of(4, 2 * vertices), 1U);
 }
 
+TEST(SubmeshExecutor, ThreadsAreBusyForAPartOfTheirSections) {
+    constexpr double h = 0.02;
+    for (const std::uint32_t threads : {1U, 3U}) {
+        auto complex = test::disc_complex<double>(h);
+        Options<double> options;
+        options.edge_length = h;
+        auto executor = std::make_unique<SubmeshExecutor<double>>(
+            complex, options, default_algorithm<double>(),
+            std::make_unique<SlabPartitioner<double>>(
+                SlabOptions{.submeshes = 4, .least_width = 4}),
+            SubmeshOptions{.threads = threads, .vertices_per_thread = 1, .adapts_threads = false});
+        const SubmeshExecutor<double>& seen = *executor;
+        Simulation<double> simulation(complex, options, std::move(executor));
+        const Velocity<double> move = [](std::span<const Point<double>>, double,
+                                         std::span<Point<double>> velocities) {
+            std::ranges::fill(velocities, Point<double>(0.1, 0));
+        };
+        Timer timer;
+        for (int step = 0; step < 5; ++step) {
+            (void)simulation.step(move, 0.1 * step, 0.1);
+        }
+        const double wall_s = timer.lap();
+        const ThreadWork& work = seen.view().work;
+        ASSERT_EQ(work.busy_s.size(), threads);
+        for (const double busy_s : work.busy_s) {
+            EXPECT_GE(busy_s, 0);
+            EXPECT_LE(busy_s, work.sections_s);
+        }
+        EXPECT_EQ(work.sections_s > 0, threads > 1);
+        EXPECT_EQ(work.busy_s.front() > 0, threads > 1);
+        EXPECT_LT(work.sections_s, wall_s);
+        const double utilisation = (wall_s + work.beyond_one()) / (threads * wall_s);
+        EXPECT_GT(utilisation, 0);
+        EXPECT_LE(utilisation, 1);
+    }
+}
+
 // The addresses of all arrays that grow with the mesh.
 std::vector<const void*> storage_of(Complex<double>& complex) {
     return {complex.vertices.data(), complex.triangles.data(),

@@ -74,9 +74,10 @@ RunOptions options_of(const Broken& run) {
 // All but times, in the result and in its rows.
 nlohmann::json figures_of(RunResult result) {
     auto json = nlohmann::json::parse(to_json(result));
-    for (const char* time : {"cpu_s", "wall_s", "run_s", "first_step_us", "step_us_median",
-                             "us_per_vertex_step", "peak_memory_mb", "threads", "threads_used",
-                             "machine", "commit", "solve_s", "assembly_s", "dsc_s"}) {
+    for (const char* time :
+         {"cpu_s", "wall_s", "run_s", "first_step_us", "step_us_median", "us_per_vertex_step",
+          "peak_memory_mb", "threads", "threads_used", "utilisation", "machine", "commit",
+          "solve_s", "assembly_s", "dsc_s"}) {
         json.erase(time);
     }
     for (SeriesRow& row : result.series) {

@@ -110,6 +110,7 @@ TEST(RunScene, WritesTheContractsKeys) {
                             "step_us_median",
                             "threads",
                             "threads_used",
+                            "utilisation",
                             "strategy",
                             "submeshes",
                             "mesh_hash",

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -181,12 +182,25 @@ struct StepProfile {
     double serial_outside = 0;             ///< the rest of the step: the driver's own
 };
 
+/// What threads have done since the executor was made, in seconds of a steady clock.
+struct ThreadWork {
+    double sections_s = 0;        ///< wall time of the parallel sections
+    std::vector<double> busy_s{}; ///< by thread, in them: with a task, rather than waiting for one
+
+    /// How much longer all threads together were busy than a caller that never waits: the busy time
+    /// of a run is its wall time and this. Negative if threads mostly waited.
+    [[nodiscard]] double beyond_one() const {
+        return std::accumulate(busy_s.begin(), busy_s.end(), -sections_s);
+    }
+};
+
 /// What an executor in submeshes shows. All of it changes with the next step.
 struct SubmeshView {
     const Partition& partition; ///< in force
     const TaskGraph& tasks;     ///< which waits for which: task i of `SubStepProfile::move`
     const StepProfile& profile; ///< of the last step, if `Parallel::profile` is set
     std::uint32_t threads_used; ///< by the last step
+    const ThreadWork& work;     ///< of all steps
 };
 
 /// Of an executor that `make_executor` has made; nothing for one that has no submeshes of this

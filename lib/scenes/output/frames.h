@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes of a run as a series of files that ParaView and plots/mesh/frames.py can read.
+// Meshes of a run as a series of files that ParaView and plots/frames.py can read.
 #pragma once
 
 #include "dsc/base/archive.h"

@@ -166,6 +166,15 @@ public:
         const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);
         return submeshes ? submeshes->threads_used : threads_of_copies_;
     }
+    /// Seconds that all threads have been busy beyond one that never waits; nothing where that is
+    /// not measured.
+    [[nodiscard]] std::optional<double> busy_beyond_one() const {
+        if (threads_of_copies_ > 1) {
+            return std::nullopt;
+        }
+        const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);
+        return submeshes ? submeshes->work.beyond_one() : 0;
+    }
     /// To be called before a step after which there is a frame...
     void begin_frame() { begin_displacements(complex_); }
     /// ...for its arrays. `velocity`: null where the flow is none.

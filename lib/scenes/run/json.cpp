@@ -167,6 +167,7 @@ std::string to_json(const RunResult& r) {
         {"peak_memory_mb", r.peak_memory_mb},
         {"threads", r.threads},
         {"threads_used", r.threads_used},
+        {"utilisation", finite(r.utilisation())},
         {"submeshes", r.submeshes},
         {"strategy", to_string(r.strategy)},
         {"mesh_hash", hash},

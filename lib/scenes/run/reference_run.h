@@ -26,6 +26,7 @@ public:
     [[nodiscard]] std::uint64_t interface_vertices();
     [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
     [[nodiscard]] std::uint32_t threads_used() const { return 1; }
+    [[nodiscard]] std::optional<double> busy_beyond_one() const { return 0; }
 
 private:
     reference::Complex method_;

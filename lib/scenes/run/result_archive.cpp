@@ -29,7 +29,7 @@ void archive(Archive& archive, RunResult& result) {
             result.area_first, result.area_exact_first, result.half, result.min_quality_ever,
             result.quality_sampled_every, result.inverted, result.unreached, result.held,
             result.sub_steps, result.vertex_passes, result.operations, result.events, result.area,
-            result.series, result.cpu_s, result.wall_s);
+            result.series, result.cpu_s, result.wall_s, result.busy_s);
 }
 
 std::string identity_of(const RunResult& result, const Submeshing& submeshing) {

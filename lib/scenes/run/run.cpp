@@ -57,10 +57,15 @@ public:
             const double begin = (step - 1) * setup_.dt;
             const double end = step * setup_.dt;
             begin_frame(step);
+            const std::optional<double> busy_before = method_.busy_beyond_one();
             const Stopwatch watch;
             advance(begin, end);
-            step_us_.push_back(watch.wall() * 1e6);
-            result_.wall_s += watch.wall();
+            const double wall_s = watch.wall();
+            step_us_.push_back(wall_s * 1e6);
+            result_.wall_s += wall_s;
+            result_.busy_s +=
+                busy_before ? (wall_s + *method_.busy_beyond_one() - *busy_before) / result_.threads
+                            : std::numeric_limits<double>::quiet_NaN();
             result_.cpu_s += watch.cpu();
             result_.threads_used = std::max(result_.threads_used, method_.threads_used());
             result_.steps = step;

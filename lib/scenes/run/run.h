@@ -88,6 +88,11 @@ struct RunResult {
     std::vector<SeriesRow> series; ///< with the first and the last step, if it was asked for
     double cpu_s = 0;              ///< of all steps, without measuring
     double wall_s = 0;
+    /// The mean over the threads that a step may use of the time that each was at work and did not
+    /// wait; NaN where that is not measured.
+    double busy_s = 0;
+    /// U(n) as measured: the share of the wall time of all steps.
+    [[nodiscard]] double utilisation() const { return busy_s / wall_s; }
     double first_step_us = 0; ///< wall time, as the next
     double step_us_median = 0;
     double us_per_vertex_step = 0; ///< CPU time over interface vertices, summed over steps

@@ -80,10 +80,12 @@ void Schedule::run_one(std::size_t task, FunctionRef<void(std::size_t)> run) {
     states_[task].store(outcome, std::memory_order_release);
 }
 
-void Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
-                    FunctionRef<void(std::size_t)> run) {
+double Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
+                      FunctionRef<void(std::size_t)> run) {
     const bool takes_over = assignment == Assignment::queue;
     WaitingTurns turns;
+    Timer round; // a clock is read once for each round and not for each task
+    double busy_s = 0;
     while (true) {
         bool is_any_left = false; // that this thread has to see to
         bool has_run = false;
@@ -112,9 +114,11 @@ void Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assi
             }
         }
         if (!is_any_left && !has_run) {
-            return;
+            return busy_s;
         }
+        const double round_s = round.lap();
         if (has_run) {
+            busy_s += round_s;
             turns.start_over();
         } else {
             turns.wait();
@@ -137,7 +141,9 @@ void Schedule::run(ThreadPool& pool, std::uint32_t threads, Assignment assignmen
             run_one(task, run);
         }
     } else {
-        pool.run(threads, [&](std::uint32_t thread) { work(thread, threads, assignment, run); });
+        pool.run(threads, [&](std::uint32_t thread) {
+            pool.add_busy(thread, work(thread, threads, assignment, run));
+        });
     }
     if (has_failed_.exchange(false)) {
         const auto first =

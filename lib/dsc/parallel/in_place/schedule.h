@@ -32,8 +32,9 @@ private:
     [[nodiscard]] bool is_ready(std::size_t task) const;
     [[nodiscard]] bool follows_failure(std::size_t task) const;
     bool claim(std::size_t task);
-    void work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
-              FunctionRef<void(std::size_t)> run);
+    /// Returns for how many seconds the thread was busy with tasks.
+    double work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
+                FunctionRef<void(std::size_t)> run);
     void run_one(std::size_t task, FunctionRef<void(std::size_t)> run);
 
     std::unique_ptr<std::atomic<std::uint8_t>[]> states_;

@@ -56,7 +56,7 @@ public:
 
     /// The partition in force, and how the last step went in it.
     [[nodiscard]] SubmeshView view() const {
-        return {partition_, moving_.tasks, profile_, threads_};
+        return {partition_, moving_.tasks, profile_, threads_, pool_.work_so_far()};
     }
 
 protected:

@@ -124,6 +124,7 @@ void ThreadPool::start(std::uint32_t threads) {
         return;
     }
     const std::vector<int> cores = cores_of_openmp();
+    done_.busy_s.resize(std::max<std::size_t>(threads, done_.busy_s.size()));
     for (std::uint32_t thread = size(); thread < threads; ++thread) {
         workers_.push_back(std::make_unique<Worker>());
         Worker& worker = *workers_.back();
@@ -166,6 +167,7 @@ void ThreadPool::run(std::uint32_t threads, FunctionRef<void(std::uint32_t)> wor
         work(0);
         return;
     }
+    const Clock::time_point begin = Clock::now();
     work_ = &work;
     wanted_ = threads;
     ++section_;
@@ -176,6 +178,7 @@ void ThreadPool::run(std::uint32_t threads, FunctionRef<void(std::uint32_t)> wor
     for (WaitingTurns turns; door_.load(std::memory_order_acquire) != 0;) {
         turns.wait(); // for those who are still inside
     }
+    done_.sections_s += std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 void ThreadPool::serve(std::uint32_t thread, Worker& worker) {

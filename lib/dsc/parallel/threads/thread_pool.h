@@ -6,6 +6,8 @@
 // done, whoever did it.
 #pragma once
 
+#include "dsc/parallel/parallel.h"
+
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -97,6 +99,12 @@ public:
         return static_cast<std::uint32_t>(workers_.size()) + 1;
     }
 
+    /// What threads have done in the sections of more than one thread. Not to be called in one.
+    [[nodiscard]] const ThreadWork& work_so_far() const { return done_; }
+    /// Adds to the caller's or a worker's own share of it; to be called by that thread in a
+    /// section.
+    void add_busy(std::uint32_t thread, double seconds) { done_.busy_s[thread] += seconds; }
+
     /// A section for so many threads follows soon: workers that sleep get up. Does not wait.
     void wake(std::uint32_t threads);
 
@@ -117,6 +125,7 @@ private:
     std::chrono::microseconds awake_;
     std::vector<std::unique_ptr<Worker>> workers_;
     bool is_refused_ = false; ///< the system grants no more
+    ThreadWork done_{.busy_s = {0.0}};
     std::atomic<bool> has_ended_ = false;
     std::atomic<int> callers_core_ = -1; ///< at its last call of `start` or `wake`
     // The section: written while the door is closed and nobody is inside.

@@ -1,14 +1,22 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Meshes drawn from frame files: first, middle and last frame of each run, triangles coloured by
-phase, the interface (edges between two phases) drawn bold; a close-up below each large mesh."""
+"""Draws meshes: first, middle and last frame of each run, triangles coloured by phase, the interface
+(edges between two phases) bold; a close-up below each large mesh.
+
+frames.py FOLDER... --out PICTURE.png
+
+A folder is one of `dsc_scene run --frames FOLDER`.
+"""
 import os
+import sys
+
+from look import script, style  # first: it says which Python has no matplotlib
 
 import numpy
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Rectangle
 
 from results import load_frames
-from look import style
 
 CLOSE_UP = 6_000  # from this many triangles on, a second row shows about CLOSE_COUNT of them
 CLOSE_COUNT = 500
@@ -35,12 +43,15 @@ def interface(frame):
     return edges[1:][same]
 
 
+def triangle_areas(frame):
+    a, b, c = (frame.points[frame.triangles[:, k]] for k in range(3))
+    return numpy.cross(b - a, c - a) / 2
+
+
 def areas(frame):
     """{phase: area} of a mesh."""
-    a, b, c = (frame.points[frame.triangles[:, k]] for k in range(3))
-    twice = ((b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1])
-             - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0]))
-    return {int(p): float(twice[frame.phases == p].sum() / 2) for p in numpy.unique(frame.phases)}
+    each = triangle_areas(frame)
+    return {int(p): float(each[frame.phases == p].sum()) for p in numpy.unique(frame.phases)}
 
 
 def window(frame, count=CLOSE_COUNT, centre=None):
@@ -65,9 +76,9 @@ def centre_of(events):
     return numpy.array([first[0].x, first[0].y]) if first else None
 
 
-def mesh(axes, frame, inches, low, high, fills=None):
+def mesh(axes, frame, inches, low, high, fills=None, edges=True, line=style.INTERFACE):
     """Draws the part of a mesh in the rectangle between low and high; fills: one colour for each
-    triangle, in place of that of its phase."""
+    triangle, in place of that of its phase; line: the colour of the interface."""
     corners = frame.points[frame.triangles]
     inside = ((corners.max(axis=1) >= low) & (corners.min(axis=1) <= high)).all(axis=1)
     corners = corners[inside]
@@ -76,9 +87,9 @@ def mesh(axes, frame, inches, low, high, fills=None):
     # The more triangles share the panel, the thinner the edges; with very many there are none.
     width = min(0.6, 4.5 * inches / max(1.0, len(corners) ** 0.5))
     axes.add_collection(PolyCollection(
-        corners, facecolors=fills[inside], edgecolors=style.EDGE if width > 0.02 else "face",
+        corners, facecolors=fills[inside], edgecolors=style.EDGE if edges and width > 0.02 else "face",
         linewidths=max(width, 0.02)))
-    axes.add_collection(LineCollection(frame.points[interface(frame)], colors=style.INTERFACE,
+    axes.add_collection(LineCollection(frame.points[interface(frame)], colors=line,
                                        linewidths=1.5, capstyle="round", zorder=3))
     axes.set_xlim(low[0], high[0])
     axes.set_ylim(low[1], high[1])
@@ -89,25 +100,14 @@ def mesh(axes, frame, inches, low, high, fills=None):
         spine.set_visible(False)
 
 
-def _change(first, last):
-    percent = f"{100 * (last / first - 1):+.3f}"
-    return "unchanged to 0.001 %" if float(percent) == 0 else f"{percent} %"
-
-
 def _grown(first, last):
-    """'0.045 % larger', in words for somebody who reads one sentence only."""
-    if _change(first, last).startswith("unchanged"):
+    """'0.045 % larger'."""
+    if abs(last / first - 1) < 5e-6:
         return "the same to 0.001 %"
     if last > 2 * first:
         return f"{style.digits(last / first)} times as large"
     return (f"{style.digits(100 * abs(last / first - 1), 2)} % "
             f"{'larger' if last > first else 'smaller'}")
-
-
-def _counted(events):
-    """'2 merge, 1 split'"""
-    kinds = [event.kind for event in events]
-    return ", ".join(f"{kinds.count(kind)} {kind}" for kind in sorted(set(kinds)))
 
 
 def plain(scene, shown, events=()):
@@ -122,26 +122,6 @@ def plain(scene, shown, events=()):
         text += f"; at the end its area is {_grown(first[phases[0]], last.get(phases[0], 0.0))}"
     if events:
         text += f"; phases met or parted {style.counted(len(events), 'time')}"
-    return text + "."
-
-
-def sentence(scene, strategy, shown, events=()):
-    """shown: [(number, time, Frame)]"""
-    counts = style.listing(style.whole(len(f.triangles)) for _, _, f in shown)
-    numbers = style.listing(number for number, _, _ in shown)
-    text = (f"{scene} ({strategy}): {counts} triangles in "
-            f"{'frame' if len(shown) == 1 else 'frames'} {numbers}")
-    first, last = areas(shown[0][2]), areas(shown[-1][2])
-    phases = [p for p in sorted(first) if p != 0]
-    if len(phases) > MANY:
-        text += f"; {len(phases)} phases, of which {sum(p in last for p in phases)} are left"
-    elif phases and len(shown) > 1:
-        text += "; " + style.listing(
-            f"the area of phase {p} goes from {style.digits(first[p], 5)} to "
-            f"{style.digits(last.get(p, 0.0), 5)} ({_change(first[p], last.get(p, 0.0))})"
-            for p in phases)
-    if events:
-        text += f"; changes of topology: {_counted(events)}"
     return text + "."
 
 
@@ -179,25 +159,18 @@ def mark_events(axes, events, low, high):
                          edgecolors=style.INK, linewidths=0.8, zorder=5)
 
 
-def _phase_handles(shown):
+def _handles(shown, events):
+    """The phases, unless they are many, the interface, and the kinds of events."""
     phases = sorted({int(p) for _, _, f in shown for p in numpy.unique(f.phases)})
-    if len(phases) > MANY:
-        return []
-    handles = [style.key(f"phase {p}", style.PHASE_FILLS[p % len(style.PHASE_FILLS)], "s", "none")
-               for p in phases]
+    handles = [style.square(f"phase {p}", style.PHASE_FILLS[p % len(style.PHASE_FILLS)])
+               for p in (phases if len(phases) <= MANY else ())]
     for handle in handles:
-        handle.set(markersize=9, markeredgecolor=style.EDGE)
-    return handles
-
-
-def _event_handles(events):
-    handles = []
-    for kind, marker in EVENT_MARKS.items():
-        if any(event.kind == kind for event in events):
-            handle = style.key(f"{kind}, since the frame before", style.INK, marker, "none")
-            handle.set(markersize=5, markerfacecolor="none", markeredgecolor=style.INK)
-            handles.append(handle)
-    return handles
+        handle.set(markeredgecolor=style.EDGE)
+    handles.append(style.key("interface", style.INTERFACE, width=1.8))
+    kinds = {event.kind for event in events}
+    return handles + [style.key(f"{kind}, since the frame before", style.INK, line="none", marks={
+        "marker": marker, "markersize": 5, "markerfacecolor": "none", "markeredgecolor": style.INK})
+        for kind, marker in EVENT_MARKS.items() if kind in kinds]
 
 
 def _one(scene, strategy, shown, events, context):
@@ -230,10 +203,15 @@ def _one(scene, strategy, shown, events, context):
                 spine.set(visible=True, color=style.FAINT)
             grid[0][column].add_patch(Rectangle(low, *(high - low), fill=False, linewidth=0.8,
                                                 edgecolor=style.INK, zorder=4))
-    handles = _phase_handles(shown)
-    handles.append(style.key("interface", style.INTERFACE, width=1.8))
-    handles += _event_handles(events)
-    style.finish(fig, f"{scene} ({strategy})", style.caption_text(context), handles)
+    style.finish(fig, f"{scene} ({strategy})", style.caption_text(context), _handles(shown, events))
     return style.Picture(f"frames_{scene}_{strategy}", f"{scene} ({strategy})",
-                         plain(scene, shown, events), fig,
-                         details=sentence(scene, strategy, shown, events), is_mesh=True)
+                         plain(scene, shown, events), fig, is_mesh=True)
+
+
+def main(argv=None):
+    return script.main(__doc__, lambda given: draw(
+        run for folder in given.files for run in read(folder)), argv)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

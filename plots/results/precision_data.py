@@ -102,14 +102,6 @@ def time_at(line, error, moment="last"):
     return min(found, default=None)
 
 
-def time_to(line, error, moment="last"):
-    """The shortest CPU time in seconds in which a line reaches this error or a smaller one; None if
-    it never does. For a line that begins below the error it is the time of its first point."""
-    found = [t for e, t, _ in points(line, moment) if e <= error]
-    passed = time_at(line, error, moment)
-    return min(found + ([passed] if passed is not None else []), default=None)
-
-
 @dataclass(frozen=True)
 class Order:
     """The fitted order of convergence and the range of that between neighbouring sizes."""

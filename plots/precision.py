@@ -1,13 +1,20 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Work against precision, a picture for each flow: the error on x, the CPU time on y, a line for
-each method and a point for each edge length, with other programs beside ours."""
+"""Draws work against precision, a picture for each flow: the error on x, the CPU time on y, a line for
+each method and a point for each edge length.
+
+precision.py RESULT.json... --out PICTURE.pdf
+
+The files are results of dsc_precision, one for each method and edge length.
+"""
 import math
+import sys
+
+from look import script, style  # first: it says which Python has no matplotlib
 
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from accuracy import precision_data as data
-from accuracy import precision_text
-from look import style
+from results import precision_data as data
 
 # method -> (colour, marker); those of one panel differ in both.
 LOOKS = {
@@ -185,11 +192,33 @@ def _one(flow, lines, peers, marks):
     title = f"Error against time: {next(iter(lines.values()))[0].title}"
     first = next(iter(lines.values()))[0]
     style.finish(fig, title, style.caption_text(first.context, notes(lines, peers, marks)))
-    return style.Picture(f"precision_{flow}", title, precision_text.plain(lines, peers), fig,
+    return style.Picture(f"precision_{flow}", title, plain(lines, peers), fig,
                          ["method", "h", "error at T", "error at T/2", "CPU s"],
                          [[m, data.length(r.h), style.digits(r.error), style.digits(r.half),
-                           style.digits(r.seconds)] for m, line in lines.items() for r in line],
-                         precision_text.sentence(lines, peers))
+                           style.digits(r.seconds)] for m, line in lines.items() for r in line])
+
+
+def plain(lines, peers):
+    """The default beside the most precise point of another program that it reaches, or alone."""
+    title = next(iter(lines.values()))[0].title
+    if data.DEFAULT not in lines:
+        return f"{title}: the default method was not run, so there is nothing to compare with."
+    reached = [(e, t, p.tool, mine) for p in peers if p.is_measured for e, t in p.points
+               if (mine := data.time_at(lines[data.DEFAULT], e)) is not None]
+    if reached:
+        error, theirs, tool, mine = min(reached)
+        factor = style.digits(max(theirs / mine, mine / theirs), 2)
+        text = (f"At an error of {style.digits(error)}, that of {tool} after "
+                f"{style.duration(theirs * 1e6)}, the default takes {style.duration(mine * 1e6)}, "
+                f"{factor} times {'less' if theirs >= mine else 'as much'}")
+    else:
+        error, mine, run = data.points(lines[data.DEFAULT])[-1]
+        text = (f"With edges of length {data.length(run.h)} the default errs by "
+                f"{style.digits(error)} after {style.duration(mine * 1e6)}")
+    broken = {r.method for line in lines.values() for r in line if not r.holds}
+    return f"{title}: {text[0].lower()}{text[1:]}" + (
+        f"; a triangle was inverted or a vertex did not arrive with {style.listing(sorted(broken))}."
+        if broken else ".")
 
 
 def notes(lines, peers, marks):
@@ -210,3 +239,12 @@ def notes(lines, peers, marks):
     if marks:
         text += " Letters on the axis: errors stated without a time."
     return text
+
+
+def main(argv=None):
+    return script.main(__doc__, lambda given: draw(
+        [data.read(path) for path in given.files], {}), argv)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -61,21 +61,28 @@ class Row:
 
 @dataclass(frozen=True)
 class Point:
-    """S(n) of a row, the range over its repetitions, and what it was computed from."""
+    """S(n) of a row and of the ends of its time's interval, and what it was computed from."""
 
     row: Row
     base: Row
-    s: float
-    low: float
-    high: float
 
     @property
     def n(self):
         return self.row.threads
 
     @property
+    def interval(self):
+        """(low, S, high)"""
+        low, middle, high = style.interval(self.row.times)
+        return tuple(self.base.median / time for time in (high, middle, low))
+
+    @property
+    def s(self):
+        return self.base.median / self.row.median
+
+    @property
     def u(self):
-        return self.s / self.row.threads
+        return self.s / self.n
 
     @property
     def doubtful(self):
@@ -179,15 +186,9 @@ def base_of(row, found):
 def speedups(found, bases=None):
     """A Point for each parallel row that has a sequential run beside it (in `bases`, which for
     modelled rows are the measured ones)."""
-    points = []
-    for row in found:
-        base = None
-        if row.strategy not in SERIAL:
-            base = base_of(row, found if bases is None else bases)
-        if base is not None:
-            points.append(Point(row, base, base.median / row.median,
-                                base.median / max(row.times), base.median / min(row.times)))
-    return points
+    pairs = [(row, base_of(row, found if bases is None else bases)) for row in found
+             if row.strategy not in SERIAL]
+    return [Point(row, base) for row, base in pairs if base]
 
 
 def strategy_of(label):

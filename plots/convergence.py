@@ -1,12 +1,21 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""How the error falls with the edge length: fitted orders with their spread, and guide lines
-of slope two and four."""
+"""Draws how the error falls with the edge length: fitted orders with their spread, and guide lines of
+slope two and four.
+
+convergence.py RESULT.json... --out PICTURE.pdf
+
+The files are results of dsc_precision, of at least four edge lengths.
+"""
+import sys
+
+from look import script, style  # first: it says which Python has no matplotlib
+
 import numpy
 from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 
-from accuracy import precision
-from accuracy import precision_data as data
-from look import style
+import precision
+from results import precision_data as data
 
 FLOWS = ["single-vortex-8", "swirl-260"]
 METHODS = ["default", "linear insertion", "never coarsened", "fourth order",
@@ -46,7 +55,7 @@ def draw(runs):
         "In brackets: the orders between neighbouring edge lengths, smallest and largest."))
     return [style.Picture("precision_convergence", title, plain(found), fig,
                           ["flow", "method", "moment", "order", "smallest", "largest", "sizes"],
-                          list(_rows(found, moments)), sentence(found))]
+                          list(_rows(found, moments)))]
 
 
 def _rows(found, moments):
@@ -111,12 +120,10 @@ def plain(found):
         f"{2 ** order.fitted:.1f} ({title})" for title, order in orders) + "."
 
 
-def sentence(found):
-    parts = []
-    for lines in found.values():
-        orders = {m: data.order(line) for m, line in lines.items() if line[0].group != "markers"}
-        parts.append(f"in {next(iter(lines.values()))[0].title} the error at the end falls with h "
-                     "to the power " + style.listing(f"{o} ({m})".replace(") (", "; ", 1)
-                                                     for m, o in orders.items()))
-    text = "; ".join(parts)
-    return text[0].upper() + text[1:] + "."
+def main(argv=None):
+    return script.main(__doc__, lambda given: draw(
+        [data.read(path) for path in given.files]), argv)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

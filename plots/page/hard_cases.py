@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The table of hard cases: what was asked, what was measured, and what happened."""
-import json
-
-from results import load
-from page import document as page
 from look import style
+from page import document as page
+from results import load
 
 FIXED = ("name", "asked", "what_happened", "holds")
 ALWAYS = ("inverted", "unreached")
@@ -12,17 +10,7 @@ ALWAYS = ("inverted", "unreached")
 
 def read(path):
     """The list of dsc_hard: each case an object with name, asked, what_happened and holds."""
-    try:
-        with open(path, encoding="utf-8") as stream:
-            cases = json.load(stream)
-    except OSError as fault:
-        raise load.InputFault(f"{path} cannot be read: {fault.strerror}.") from fault
-    except (ValueError, RecursionError) as fault:
-        raise load.InputFault(f"{path} is not whole JSON ({fault}), so it may be "
-                              "truncated.") from fault
-    if not isinstance(cases, list):
-        raise load.InputFault(f"{path} holds a JSON {type(cases).__name__} where a list of cases "
-                              "is expected.")
+    cases = load.read_json(path, list)
     for index, case in enumerate(cases):
         for key in ("name", "asked", "what_happened"):
             load.need(case, key, path, str, f"case {index}")

@@ -1,19 +1,26 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Histograms of triangle area, quality and angle for each strategy (thesis, figures 10.13, 10.14
-and 10.17): a panel each, with the outline of the sequential run in all of them."""
+"""Draws histograms of triangle area, quality and angle for each strategy (thesis, figures 10.13, 10.14
+and 10.17): a panel each, with the outline of the sequential run in all of them.
+
+histograms.py RESULT.json... --out PICTURE.pdf
+
+The files are results of `dsc_scene run --json`, of one scene in one strategy each.
+"""
+import sys
 from itertools import accumulate
+
+from look import script, style  # first: it says which Python has no matplotlib
 
 import numpy
 
 from results import load
-from look import style
 
 AXES = {"area": "area (units squared)", "angle": "smallest angle of a triangle (degrees)",
         "quality": r"quality of a triangle  $(2/\sqrt{3})\,\sin\,\theta_{\min}$"}
 FIGURES = {("speedup-scaling", "area"): "figure 10.13",
            ("speedup-scaling", "quality"): "figure 10.14",
            ("quality-varying", "area"): "figure 10.17"}
-# The others are in the results of the runs: three pictures for each scene would say little more.
 SHOWN = set(FIGURES) | {("speedup-scaling", "angle")}
 UNITS = {"angle": "°"}
 COLUMNS = 3
@@ -71,24 +78,11 @@ def plain(scene, quantity, found):
     return text + "."
 
 
-def sentence(scene, quantity, found):
-    base = base_of(found)
-    unit = UNITS.get(quantity, "")
-    text = (f"In {scene} the median {quantity} is "
-            + style.listing(f"{style.digits(median(h))}{unit} ({s}, "
-                            f"{style.whole(sum(h.counts))} triangles)" for s, h in found.items()))
-    most = furthest(found)
-    if most:
-        text += (f"; the cumulative curves differ from that of {base.strategy} by at most "
-                 f"{100 * most[0]:.1f} % of the triangles ({most[1]})")
-    return text + "."
-
-
-def draw(scenes, verify, published, context=None):
-    """A Picture for each scene and quantity that the thesis shows."""
-    for (scene, quantity), found in groups(scenes, verify).items():
-        if (scene, quantity) in SHOWN:
-            yield _one(scene, quantity, found, published, context)
+def draw(scenes, verify, published, context=None, shown=None):
+    """A Picture for each scene and quantity, or only those shown."""
+    return [_one(scene, quantity, found, published, context)
+            for (scene, quantity), found in groups(scenes, verify).items()
+            if shown is None or (scene, quantity) in shown]
 
 
 def _one(scene, quantity, found, published, context):
@@ -137,4 +131,13 @@ def _one(scene, quantity, found, published, context):
     name = f"{quantity[0].upper()}{quantity[1:]} of the triangles: {scene}"
     style.finish(fig, name, style.caption_text(context, conditions))
     return style.Picture(f"histogram_{scene}_{quantity}", name, plain(scene, quantity, found),
-                         fig, details=sentence(scene, quantity, found))
+                         fig)
+
+
+def main(argv=None):
+    return script.main(__doc__, lambda given: draw(
+        [load.read_scene(path) for path in given.files], None, {}), argv)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+"""What every script that draws does: it reads files, draws, saves, and prints what the pictures say.
+A file that cannot be used is one sentence on the error stream."""
+import argparse
+import os
+import sys
+
+from look import style
+from results.load import InputFault
+
+FORMATS = (".png", ".svg", ".pdf")
+NOTE = "Exit 0 done; 2 bad usage or a file that cannot be used, with one sentence on the error stream."
+
+
+def parser(doc):
+    """For a script whose docstring begins with what it does and how it is called."""
+    what, call, *more = doc.strip().split("\n\n")
+    return argparse.ArgumentParser(
+        prog=call.split()[0], usage=call, description=what, epilog="\n\n".join([*more, NOTE]),
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+
+
+def main(doc, draw, argv=None, **options):
+    """Saves the Pictures that draw(given) makes of given.files: into given.out, or into a file for
+    each, if they are several. options: {name: keywords of argparse} of the script's own."""
+    words = parser(doc)
+    words.add_argument("files", nargs="+", metavar="FILE")
+    words.add_argument("--out", required=True, metavar="PICTURE", help="png, svg or pdf")
+    for name, keywords in options.items():
+        words.add_argument(f"--{name}", **keywords)
+    given = words.parse_args(argv)
+    stem, form = os.path.splitext(given.out)
+    try:
+        if form not in FORMATS:
+            raise InputFault(f"--out has '{given.out}', where names ending in "
+                             f"{style.listing(FORMATS)} are allowed.")
+        pictures = list(draw(given))
+        if not pictures:
+            raise InputFault(f"{given.files[0]} has nothing that this picture shows.")
+        for picture in pictures:
+            path = given.out if len(pictures) == 1 else f"{stem}-{picture.name}{form}"
+            folder, name = os.path.split(path)
+            style.save(picture.figure, folder or ".", os.path.splitext(name)[0], [form[1:]])
+            print(f"{path}: {picture.sentence}")
+    except (InputFault, OSError) as fault:
+        sys.stderr.write(f"{words.prog}: {fault}\n")
+        return 2
+    return 0

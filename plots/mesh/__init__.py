@@ -1,2 +1,0 @@
-# SPDX-License-Identifier: MIT
-"""Pictures of meshes and of how their triangles are distributed, from dsc_scene."""
