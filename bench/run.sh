@@ -306,15 +306,6 @@ draw() {
     if [[ -f $report/hard.json ]]; then
         cases=(--hard "$report/hard.json")
     fi
-    # What verify/faults.sh has left; it takes longer than all of this, so a person runs it.
-    if [[ -f build/faults/faults.json ]]; then
-        cp build/faults/faults.json "$report/faults.json"
-        cases+=(--faults "$report/faults.json")
-    fi
-    if [[ -f build/faults/mutants.json ]]; then
-        cp build/faults/mutants.json "$report/mutants.json"
-        cases+=(--mutants "$report/mutants.json")
-    fi
     say "plots"
     MPLBACKEND=Agg "$python" plots/report.py --bench "$report/bench.json" \
         --scenes "${scenes[@]}" --precision "${errors[@]}" "${cases[@]}" \

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Draws every picture and writes index.html from result files.
 
-report.py --bench FILE... --scenes FILE... --precision FILE... --hard FILE --verify FILE... --faults FILE --mutants FILE --frames DIR --published DIR --out DIR [--formats png,svg,pdf] [--jobs N]
+report.py --bench FILE... --scenes FILE... --precision FILE... --hard FILE --verify FILE... --frames DIR --published DIR --out DIR [--formats png,svg,pdf] [--jobs N]
 
 What was not run is said plainly in the page and is no error.
 """
@@ -13,7 +13,7 @@ from look import script, style  # first: it says which Python has no matplotlib
 
 import frames
 import submeshes
-from page import contents, document as page, drawing, faults, hard_cases
+from page import contents, document as page, drawing, hard_cases
 from results import load, precision_data
 
 FORMATS = ("png", "svg", "pdf")
@@ -28,8 +28,6 @@ def arguments(argv):
                            help=what)
     for name, kind, what in (
             ("hard", "FILE", "JSON of dsc_hard"),
-            ("faults", "FILE", "faults.json of verify/faults.sh"),
-            ("mutants", "FILE", "mutants.json of verify/faults.sh --mutants"),
             ("frames", "DIR", "frames that dsc_scene wrote"),
             ("published", "DIR", "the figures to compare with"),
             ("out", "DIR", "where the report goes")):
@@ -54,16 +52,13 @@ def read(options):
         "precision": [precision_data.read(path) for path in options.precision],
         "hard": hard_cases.read(options.hard) if options.hard else None,
         "verify": load.read_verify(options.verify) if options.verify else None,
-        "faults": faults.read(options.faults) if options.faults else None,
-        "mutants": faults.read_mutants(options.mutants) if options.mutants else None,
         "published": load.read_published(options.published) if options.published else {},
         "frames": options.frames,
         "runs": frames.read(options.frames) if options.frames else [],
         "divided": submeshes.read(options.frames) if options.frames else [],
     }
     found["files"] = [*options.bench, *options.scenes, *options.verify,
-                      *(one for one in (options.hard, options.faults, options.mutants) if one),
-                      *options.precision]
+                      *([options.hard] if options.hard else []), *options.precision]
     return found
 
 

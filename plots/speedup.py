@@ -113,8 +113,9 @@ def gather(bench, published):
 
 
 def draw(bench, published):
-    """A Picture for each family of step benchmarks that has parallel rows."""
-    return [picture(family, bench.context) for family in gather(bench, published)]
+    """A Picture for each family that has parallel rows: of whole runs first."""
+    return [picture(family, bench.context)
+            for family in gather_runs(bench) + gather(bench, published)]
 
 
 def error(model, points):

@@ -2,7 +2,6 @@
 """What the project was made to show, on one table: how far each scene of the gate is from the exact
 shape, its parallel runs from the sequential one, and the library from the literal method, each beside
 the band that it may be in; and what threads bring."""
-import whole_runs
 from look import style
 from page import document as page
 from results import load, series
@@ -51,15 +50,17 @@ def _table(title, columns, checks):
 
 def _threads(bench):
     """S(n) and U(n) of whole runs without other work, by strategy and size."""
-    found = [p for p in (whole_runs.points(bench) if bench else [])
-             if whole_runs.between(p.row) == 0]
-    rows = [[series.title(p.row.family), p.row.size, p.row.strategy, str(p.n), f"{p.s:.2f}",
-             f"{p.s / p.n:.2f}"]
-            for p in sorted(found, key=lambda p: (p.row.family, p.row.triangles, p.row.strategy, p.n))]
+    rows = []
+    for p in sorted(series.undisturbed(bench), key=lambda p: (
+            p.row.family, p.row.triangles, p.row.strategy, p.n)):
+        used, busy = (p.row.measurement.counter(k) for k in ("threads_used", "utilisation"))
+        rows.append([series.title(p.row.family), p.row.size, p.row.strategy, str(p.n),
+                     "–" if used is None else f"{used:.0f}", style.duration(p.base.median),
+                     f"{p.s:.2f}", f"{p.u:.2f}", "–" if busy is None else f"{busy:.2f}"])
     return page.paragraph("Whole runs against the sequential run: S(n) is the speed-up on n threads, "
-                          "U(n) = S(n) / n.") \
-        + page.table(["scene", "mesh", "strategy", "n", "S(n)", "U(n)"], rows, name="Speed-up") \
-        if rows else ""
+                          "U(n) the share of their time for which they were busy, as measured.") \
+        + page.table(["scene", "mesh", "strategy", "n", "used", "t_s a step", "S(n)", "S(n) / n",
+                      "U(n)"], rows, name="Speed-up") if rows else ""
 
 
 def section(results):

@@ -17,8 +17,7 @@ import precision
 import speedup
 import step_cost
 import submeshes
-import whole_runs
-from page import comparison, document as page, faults, findings, hard_cases, tables, verdicts
+from page import comparison, document as page, findings, hard_cases, tables, verdicts
 from results import load, precision_data, series
 
 FIRST = ("swirl", "drop-and-pool", "grains")  # the meshes that are shown before others
@@ -33,7 +32,6 @@ def tasks(results):
     found = [("frames", partial(frames.draw, [run], drawn_by)) for run in runs]
     if bench:
         found += [("steps", partial(step_cost.draw, bench, published)),
-                  ("speedup", partial(whole_runs.draw, bench)),
                   ("speedup", partial(speedup.draw, bench, published)),
                   ("breakdown", partial(breakdown.draw, bench)),
                   ("granularity", partial(granularity.draw, bench)),
@@ -130,9 +128,6 @@ def _details(contents, results, out):
         "hard", "Hard cases", "what happens far outside of ordinary use",
         hard_cases.table(hard) if hard else "", "The hard cases (dsc_hard) were not run."
         if hard is None else "The list of hard cases is empty, so it proves nothing.")
-    contents.look_up(
-        "faults", "What the tests notice", "seeded faults, and which test caught each",
-        faults.section(results.get("faults"), results.get("mutants")), faults.NOT_RUN)
     modelled = bench and series.modelled(bench)
     contents.look_up(
         "breakdown", "Where the time of a step goes", "on one thread, and modelled on more",

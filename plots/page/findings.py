@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What was found: five sentences for a reader in a hurry, each from the figures that were measured;
 one that has nothing to say says what was not measured."""
-import whole_runs
 from look import style
 from results import load, series
 
@@ -87,8 +86,7 @@ def step(bench):
 def threads(bench, published):
     """The growing circle as an application runs it, from the first step to the last and without
     other work between the steps; what warm steps gain is in the pictures alone."""
-    points = [p for p in (whole_runs.points(bench) if bench else [])
-              if p.n > 1 and p.row.family == "scaling_run" and whole_runs.between(p.row) == 0]
+    points = [p for p in series.undisturbed(bench) if p.n > 1 and p.row.family == "scaling_run"]
     if not points:
         return "No whole run was measured with more than one thread and a core for each."
     most = max(p.n for p in points)

@@ -5,48 +5,31 @@ import os
 
 from look import style
 from page import document as page
-from page.findings import lost, thesis_ratio
+from page.findings import limits, meshes, thesis_ratio
 from page.verdicts import show
 from results import load
 
 
 def gate(verify):
     """Every check that was run, and the names of those that were not."""
-    passed = [load.passed(c) for c in verify.checks]
-    failed = [c for c, good in zip(verify.checks, passed) if not good]
     if not verify.checks:
         return page.paragraph("The report of the gate contains no check, so it proves nothing.")
-    if failed:
-        names = [f"{c['check']} ({c['scene'] or '–'})" for c in failed]
-        more = f" and {len(names) - 6} more" if len(names) > 6 else ""
-        text = (f"{len(failed)} of {style.counted(len(passed), 'check')} "
-                f"{'does' if len(failed) == 1 else 'do'} not pass: "
-                + (style.listing(names) if not more else ", ".join(names[:6]) + more) + ".")
-    else:
-        text = ("The one check passes." if len(passed) == 1 else
-                f"All {len(passed)} checks pass.")
     rows = [[c["check"], c["scene"] or "–", show(c["measured"]), show(c["limit"]),
-             c.get("unit") or "", ("✓ " if good else "✗ ") + c["verdict"]]
-            for c, good in zip(verify.checks, passed)]
+             c.get("unit") or "", ("✓ " if load.passed(c) else "✗ ") + c["verdict"]]
+            for c in verify.checks]
     rows += [[c["check"], style.counted(len(c.get("scenes") or []), "scene"), "–", "–", "",
               "not run"] for c in verify.not_run]
     marks = {(r, 5): "open" if row[5] == "not run" else "good" if row[5][0] == "✓" else "bad"
              for r, row in enumerate(rows)}
-    if verify.not_run:
-        text += (" The others are run by build/release/verify/dsc_verify run, which takes some "
-                 "minutes.")
-    return page.paragraph(text) + page.table(
+    return page.paragraph(limits(verify)) + page.table(
         ["check", "scene", "measured", "limit", "unit", "verdict"], rows, marks, "The gate")
 
 
 def scenes(runs, published):
     """What every run of a scene measured, with the thesis's area ratio beside ours."""
-    rows, closer, compared = [], 0, 0
+    rows = []
     for s in sorted(runs, key=lambda s: (s.name, style.order(s.strategy), s.path)):
         ratio, theirs = s.value("area_ratio"), thesis_ratio(s, published)
-        if ratio is not None and theirs is not None:
-            compared += 1
-            closer += abs(ratio - 1) < abs(theirs - 1)
         h = s.parameter("h")
         rows.append([
             s.name, s.strategy, f"{h:g}" if isinstance(h, float) else "–",
@@ -57,14 +40,7 @@ def scenes(runs, published):
             style.digits(s.value("min_quality_ever")), *(
                 "–" if s.value(k) is None else style.whole(s.value(k))
                 for k in ("inverted", "unreached")), style.digits(s.value("cpu_s"))])
-    bad = sorted({s.name for s in runs if lost(s) > 0})
-    text = (f"{style.counted(len(runs), 'run')}; " + (
-        f"inverted triangles or unreached vertices in {style.listing(bad)}"
-        if bad else "no inverted triangle and no unreached vertex in any"))
-    if compared:
-        text += (f"; the thesis also states the area ratio of {compared} of them; {closer} of ours "
-                 f"{'is' if closer == 1 else 'are'} closer to 1")
-    return page.paragraph(text + ".") + page.table(
+    return page.paragraph(meshes(runs)) + page.table(
         ["scene", "strategy", "h", "triangles", "area ratio", "thesis", "SD rel.", "SD at T/2",
          "worst quality", "inverted", "unreached", "CPU s"], rows, name="Runs of scenes")
 
@@ -72,12 +48,7 @@ def scenes(runs, published):
 def sources(published):
     rows = [[e["what"], e["kind"], e["source"]]
             for data in published.values() for e in data["entries"].values()]
-    text = (f"{len(rows)} figures to compare with: "
-            + style.listing(f"{sum(r[1] == k for r in rows)} {w}" for k, w in (
-                ("thesis", "of the thesis"), ("published", "published"),
-                ("measured", "measured by this project"))) + ".")
-    return page.paragraph(text) + page.table(["what", "kind", "source"], rows,
-                                             name="Published figures")
+    return page.table(["what", "kind", "source"], rows, name="Published figures")
 
 
 def refusals(bench):

@@ -119,6 +119,17 @@ def whole_runs(bench):
     return _labelled(_all(bench, "_run"))
 
 
+def between(row):
+    """Other work before each step of a whole run, in microseconds."""
+    return int(float(dict(row.other).get("between_us", 0)))
+
+
+def undisturbed(bench):
+    """The Points of whole runs without other work, with a core for each thread."""
+    return [p for p in speedups(whole_runs(bench)) if not p.row.oversubscribed
+            and between(p.row) == 0] if bench else []
+
+
 def _edge_length(measurement):
     """That in the name, where it stands for the size, or None."""
     params = measurement.params if measurement else {}

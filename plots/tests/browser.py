@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 """A headless Chromium with one page in it, and what a test asks of it."""
-import base64
-
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.keys import Keys
@@ -109,11 +107,3 @@ class Browser:
         """Moves the focus on and tells where it is."""
         self.press(Keys.TAB)
         return self.ask(FOCUS)
-
-    def screenshot(self, path, width, height):
-        """The page down to `height` as PNG."""
-        picture = self.driver.execute_cdp_cmd("Page.captureScreenshot", {
-            "captureBeyondViewport": True,
-            "clip": {"x": 0, "y": 0, "width": width, "height": height, "scale": 1}})
-        with open(path, "wb") as stream:
-            stream.write(base64.b64decode(picture["data"]))

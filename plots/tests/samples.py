@@ -160,25 +160,6 @@ def hard_cases():
             {"name": "needle", "asked": "1e-9 wide", "what_happened": "kept", "holds": True}]
 
 
-def faults():
-    """As verify/faults.sh writes them: one by a test of its room, one by another, one by nothing."""
-    said = {"room": "quality", "kind": "limit", "slow": []}
-    return {"baseline": {"quality": 0.2}, "faults": {
-        "bin-dropped": {**said, "says": "A bin is dropped.", "caught_by": "quality", "how": "failed",
-                        "test": "Histogram.Bins", "cpu_s": 0.3, "own": True},
-        "early-end": {**said, "room": "io", "says": "A file ends early.", "caught_by": "hashes",
-                      "how": "crashed", "test": "", "cpu_s": 4, "own": False},
-        "all-wrong": {**said, "says": "All is wrong.", "caught_by": None, "cpu_s": 60.5}}}
-
-
-def mutants():
-    said = {"killed_by": None, "equivalent": None}
-    return {"reached": {}, "mutants": {
-        "0a": {**said, "room": "io", "killed_by": "io"}, "0b": {**said, "room": "io"},
-        "0c": {**said, "room": "base", "killed_by": "base"},
-        "0d": {**said, "room": "base", "equivalent": "Nobody can tell."}}}
-
-
 def verify(verdict="pass"):
     def shape(strategy, counts):
         return {"scene": "speedup-scaling", "strategy": strategy, "quantity": "area",

@@ -12,7 +12,6 @@ import operations
 import speedup
 import step_cost
 import submeshes
-import whole_runs
 from look import style
 from results import load, load_frames, series
 from tests.samples import DIVIDED, PUBLISHED, VTU, Case, box, parallel_bench
@@ -57,7 +56,7 @@ class Parallel(Case):
         self.assertEqual(list(breakdown.draw(without)), [])
 
     def test_speedups_measured_and_modelled(self):
-        picture = speedup.draw(self.results(), load.read_published(PUBLISHED))[0]
+        picture = speedup.draw(self.results(), load.read_published(PUBLISHED))[1]
         kind, threads = (picture.header.index(k) for k in ("kind", "threads"))
         ours = [r for r in picture.rows if r[-1] != "another program"]
         self.assertEqual({r[kind] for r in ours if int(r[threads]) > 2}, {"modelled"})
@@ -83,7 +82,7 @@ class Parallel(Case):
         self.assertEqual(line[picture.header.index("model's error")], "+11.1 %")
 
     def test_utilisation_is_drawn_beside_s_over_n(self):
-        picture = speedup.draw(self.results(), {})[0]
+        picture = speedup.draw(self.results(), {})[1]
         lower = picture.figure.axes[1]
         busy = [y for line in lower.get_lines() if line.get_markersize() == 13 for y in line.get_ydata()]
         self.assertEqual(sorted(busy), [0.9] * 3 + [1] * 3)
@@ -144,15 +143,12 @@ class Parallel(Case):
     # Whole runs.
 
     def test_whole_runs_are_held_against_those_with_as_much_other_work(self):
-        points = whole_runs.points(self.results())
-        self.assertEqual([(whole_runs.between(p.row), p.s) for p in points], [(0, 2.0), (1000, 1.3)])
-        picture = whole_runs.draw(self.results())[0]
-        self.assertIn("2.00 (scaling of a circle", picture.sentence)
-        self.assertEqual([r[picture.header.index("construction")] for r in picture.rows],
-                         ["500 µs", "1.50 ms"])
-        self.assertEqual([t.get_text() for t in picture.figure.axes[0].get_xticklabels()],
-                         ["0", "1,000"])
-        self.assertEqual(whole_runs.draw(self.results(keep=lambda r: "_run" not in r["name"])), [])
+        picture = speedup.draw(self.results(), {})[0]
+        self.assertEqual(picture.name, "speedup_scaling_run")
+        s, label = (picture.header.index(k) for k in ("S(n)", "strategy"))
+        self.assertEqual([(r[label], r[s]) for r in picture.rows],
+                         [("cells (between_us 0)", "2.00"), ("cells (between_us 1000)", "1.30")])
+        self.assertEqual([p.s for p in series.undisturbed(self.results())], [2.0])
 
     # Submeshes.
 

@@ -16,8 +16,7 @@ import step_cost
 from look import style
 from results import load, load_frames, series
 from tests.samples import PLOTS, PUBLISHED, VTU, Case, bench, row, scene, verify
-from tests.test_faults import Faults  # noqa: F401  (the tests of these files run with these)
-from tests.test_gallery import Gallery  # noqa: F401
+from tests.test_gallery import Gallery  # noqa: F401  (the tests of these files run with these)
 from tests.test_page import Words  # noqa: F401
 from tests.test_parallel import Parallel  # noqa: F401
 from tests.test_precision import Precision  # noqa: F401
@@ -51,7 +50,7 @@ class Plots(Case):
         self.assertEqual(page.count("data:image/webp;base64,"), len(names))
         self.assertEqual([n for n in files if n.endswith(".part")], [])
         for words in ("<figcaption>Swirl at the beginning and at the end", "the mesh is not valid",
-                      "All 2 checks pass.", "0.994864"):  # the thesis's area ratio beside ours
+                      "All 2 figures that the gate compared with limits are within them.", "0.994864"):  # the thesis's area ratio beside ours
             self.assertIn(words, page)
 
     def test_the_same_results_give_the_same_bytes_in_every_format(self):

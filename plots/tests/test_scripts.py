@@ -16,9 +16,8 @@ import flow
 import over_time
 import speedup
 from results import load
-from tests.samples import (DIVIDED, PLOTS, RESULT, SERIES, VTU, Case, bench, faults, hard_cases,
-                           mutants, own_suite, parallel_bench, precision_run, precision_runs, scene,
-                           verify)
+from tests.samples import (DIVIDED, PLOTS, RESULT, SERIES, VTU, Case, bench, hard_cases, own_suite,
+                           parallel_bench, precision_run, precision_runs, scene, verify)
 
 MAGIC = {"png": b"\x89PNG", "svg": b"<?xml", "pdf": b"%PDF"}
 FOREIGN = {
@@ -28,7 +27,7 @@ FOREIGN = {
     "nesting": b"[" * 100000,
 }
 JSON = {"--bench": bench(), "--scenes": scene(0.01, 1e-3, 1), "--verify": verify(),
-        "--hard": hard_cases(), "--faults": faults(), "--mutants": mutants(),
+        "--hard": hard_cases(),
         "--precision": precision_run("swirl-260", "default", 0.01, 1e-3, 1)}
 
 
@@ -59,7 +58,7 @@ class Scripts(Case):
         shape = verify()["histograms"][0]
         errors = [self.write(f"p{k}.json", run) for k, run in enumerate(precision_runs())]
         frame = self.frame()
-        return {**dict.fromkeys(("speedup", "whole_runs", "step_cost", "breakdown", "granularity"),
+        return {**dict.fromkeys(("speedup", "step_cost", "breakdown", "granularity"),
                                 threads),
                 "operations": [self.write("bench.json", bench())],
                 "histograms": [self.write("s.json", scene(
