@@ -128,14 +128,10 @@ def error(model, points):
 
 
 def amdahl(points):
-    """{label: the measured serial share} of the points with most threads at work; as Amdahl's law
-    has it, S(n) is at most 1 / (share + (1 - share) / n)."""
-    found = {}
-    for p in sorted(points, key=lambda p: p.n):
-        share = p.row.measurement.counter("serial_share")
-        if share is not None and (p.row.measurement.counter("threads_used") or 1) > 1:
-            found[p.row.label] = share
-    return found
+    """{label: the serial share of the work as measured with most threads}; as Amdahl's law has it,
+    S(n) is at most 1 / (share + (1 - share) / n)."""
+    return {p.row.label: share for p in sorted(points, key=lambda p: p.n)
+            if (share := p.row.measurement.counter("serial_share")) is not None}
 
 
 def _axes(axes, family, quantity, cores, is_over):

@@ -265,8 +265,8 @@ TEST(SubmeshExecutor, ThreadsAreBusyForAPartOfTheirSections) {
             EXPECT_GE(busy_s, 0);
             EXPECT_LE(busy_s, work.sections_s);
         }
-        EXPECT_EQ(work.sections_s > 0, threads > 1);
-        EXPECT_EQ(work.busy_s.front() > 0, threads > 1);
+        EXPECT_GT(work.sections_s, 0);
+        EXPECT_GT(work.busy_s.front(), 0);
         EXPECT_LT(work.sections_s, wall_s);
         const double utilisation = (wall_s + work.beyond_one()) / (threads * wall_s);
         EXPECT_GT(utilisation, 0);

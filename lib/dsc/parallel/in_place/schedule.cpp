@@ -137,9 +137,11 @@ void Schedule::run(ThreadPool& pool, std::uint32_t threads, Assignment assignmen
     }
     threads = std::min(threads, pool.size());
     if (threads <= 1) {
+        Timer section;
         for (std::size_t task = 0; task < tasks.size(); ++task) {
             run_one(task, run);
         }
+        pool.add_section_alone(section.lap());
     } else {
         pool.run(threads, [&](std::uint32_t thread) {
             pool.add_busy(thread, work(thread, threads, assignment, run));

@@ -99,11 +99,16 @@ public:
         return static_cast<std::uint32_t>(workers_.size()) + 1;
     }
 
-    /// What threads have done in the sections of more than one thread. Not to be called in one.
+    /// What threads have done in sections. Not to be called in one.
     [[nodiscard]] const ThreadWork& work_so_far() const { return done_; }
     /// Adds to the caller's or a worker's own share of it; to be called by that thread in a
     /// section.
     void add_busy(std::uint32_t thread, double seconds) { done_.busy_s[thread] += seconds; }
+    /// Adds a section that the caller has worked off by itself.
+    void add_section_alone(double seconds) {
+        done_.sections_s += seconds;
+        add_busy(0, seconds);
+    }
 
     /// A section for so many threads follows soon: workers that sleep get up. Does not wait.
     void wake(std::uint32_t threads);
