@@ -18,7 +18,7 @@ import speedup
 import step_cost
 import submeshes
 from page import comparison, document as page, findings, hard_cases, tables, verdicts
-from results import load, precision_data, series
+from results import precision_data
 
 FIRST = ("swirl", "drop-and-pool", "grains")  # the meshes that are shown before others
 
@@ -72,81 +72,56 @@ def _no_frames(results):
         "The scenes were not run."
 
 
-class Contents:
-    """The sections, in the order in which they are added."""
-
-    def __init__(self, drawn):
-        self.drawn, self.sections = drawn, []
-
-    def pictures(self, name, shown=99):
-        """The first pictures of a section; the others are folded."""
-        found = [page.figure(d) for d in self.drawn.get(name, [])]
-        more = "".join(found[shown:])
-        return "".join(found[:shown]) + (page.fold(
-            f"{style.counted(len(found[shown:]), 'picture')} more", more) if more else "")
-
-    def show(self, identifier, title, inside, missing=""):
-        if inside or missing:
-            self.sections.append((identifier, title, inside or page.paragraph(missing, "note")))
-
-    def look_up(self, identifier, title, lead, inside, missing):
-        self.sections.append((identifier, title, inside or page.paragraph(missing, "note"), lead))
-
-
 def build(results, drawn, out):
-    """The sections of the page, in order."""
-    bench = results["bench"]
-    contents = Contents(drawn)
-    header, rows, classes = verdicts.verdicts(results)
-    contents.show("found", "What was found",
-                  page.listed(findings.sentences(results), "found") + tables.refusals(bench)
-                  + page.table(header, rows, classes, "Verdicts"))
-    contents.show("compared", "Area, shape, triangles and speed", comparison.section(results),
-                  "Neither the gate nor whole runs were made, so there is nothing to compare.")
-    contents.show("frames", "The meshes", contents.pictures("frames", len(FIRST)),
-                  _no_frames(results))
-    contents.show("thesis", "The thesis's figures", gallery.section(pathlib.Path(out)))
-    contents.show("steps", "Time of a step", contents.pictures("steps", 1), _no_bench(bench))
-    contents.show("speedup", "Several threads", contents.pictures("speedup", 1), _no_bench(bench))
-    contents.show("precision", "Error against time",
-                  contents.pictures("precision", 1) + contents.pictures("convergence"),
-                  "Errors against times (dsc_precision) were not measured.")
-    _details(contents, results, out)
-    return contents.sections
-
-
-def _details(contents, results, out):
+    """The sections of the page, in order: (identifier, title, HTML), and a lead for those that are
+    folded."""
     bench, published, verify = results["bench"], results["published"], results["verify"]
     scenes, hard = results["scenes"], results["hard"]
-    contents.look_up(
-        "gate", "The gate", "every figure that is held to a limit",
-        tables.gate(verify) if verify else "", "The gate (dsc_verify) was not run.")
-    contents.look_up(
-        "scenes", "Scenes", "what each run measured",
-        tables.scenes(scenes, published) if scenes else "", "The scenes were not run.")
-    contents.look_up(
-        "hard", "Hard cases", "what happens far outside of ordinary use",
-        hard_cases.table(hard) if hard else "", "The hard cases (dsc_hard) were not run."
-        if hard is None else "The list of hard cases is empty, so it proves nothing.")
-    modelled = bench and series.modelled(bench)
-    contents.look_up(
-        "breakdown", "Where the time of a step goes", "on one thread, and modelled on more",
-        contents.pictures("breakdown"), _no_bench(bench) if modelled or not bench else
-        "The benchmarks were run without modelled rows.")
-    contents.look_up(
-        "granularity", "How much work threads need", "to pay for themselves",
-        contents.pictures("granularity"), _no_bench(bench))
-    contents.look_up("submeshes", "Submeshes", "how the mesh is divided among threads",
-                     contents.pictures("submeshes"), _no_frames(results))
-    contents.look_up("operations", "Cost of an operation", "in nanoseconds",
-                     contents.pictures("operations"), _no_bench(bench))
-    contents.look_up(
-        "histograms", "Areas and qualities of the triangles", "the thesis's histograms",
-        contents.pictures("histograms"), "No run wrote histograms." if scenes or verify else
-        "Neither the scenes nor the gate were run, so there are no histograms.")
-    contents.look_up(
-        "sources", "What we compare with", "published figures and where they come from",
-        tables.sources(published) if published else "", "No published figures were given, so the "
-        "pictures show our own results only.")
-    contents.look_up("files", "Files", "the results as the programs wrote them",
-                     tables.files(results["files"], out), "No result file was given.")
+
+    def pictures(name, shown=99):
+        """The first pictures of a section; the others are folded."""
+        found = [page.figure(d) for d in drawn.get(name, [])]
+        more = page.fold(f"{style.counted(len(found[shown:]), 'picture')} more",
+                         "".join(found[shown:])) if found[shown:] else ""
+        return "".join(found[:shown]) + more
+
+    header, rows, classes = verdicts.verdicts(results)
+    shown = [
+        ("found", "What was found", page.listed(findings.sentences(results), "found")
+         + tables.refusals(bench) + page.table(header, rows, classes, "Verdicts"), ""),
+        ("compared", "Area, shape, triangles and speed", comparison.section(results),
+         "Neither the gate nor whole runs were made, so there is nothing to compare."),
+        ("frames", "The meshes", pictures("frames", len(FIRST)), _no_frames(results)),
+        ("thesis", "The thesis's figures", gallery.section(pathlib.Path(out)), ""),
+        ("steps", "Time of a step", pictures("steps", 1), _no_bench(bench)),
+        ("speedup", "Several threads", pictures("speedup", 1), _no_bench(bench)),
+        ("precision", "Error against time", pictures("precision", 1) + pictures("convergence"),
+         "Errors against times (dsc_precision) were not measured.")]
+    folded = [
+        ("gate", "The gate", "every figure that is held to a limit",
+         tables.gate(verify) if verify else "", "The gate (dsc_verify) was not run."),
+        ("scenes", "Scenes", "what each run measured",
+         tables.scenes(scenes, published) if scenes else "", "The scenes were not run."),
+        ("hard", "Hard cases", "what happens far outside of ordinary use",
+         hard_cases.table(hard) if hard else "", "The hard cases (dsc_hard) were not run."
+         if hard is None else "The list of hard cases is empty, so it proves nothing."),
+        ("breakdown", "Where the time of a step goes", "on one thread, and modelled on more",
+         pictures("breakdown"), _no_bench(bench)),
+        ("granularity", "How much work threads need", "to pay for themselves",
+         pictures("granularity"), _no_bench(bench)),
+        ("submeshes", "Submeshes", "how the mesh is divided among threads",
+         pictures("submeshes"), _no_frames(results)),
+        ("operations", "Cost of an operation", "in nanoseconds", pictures("operations"),
+         _no_bench(bench)),
+        ("histograms", "Areas and qualities of the triangles", "the thesis's histograms",
+         pictures("histograms"), "No run wrote histograms." if scenes or verify else
+         "Neither the scenes nor the gate were run, so there are no histograms."),
+        ("sources", "What we compare with", "published figures and where they come from",
+         tables.sources(published) if published else "", "No published figures were given, so the "
+         "pictures show our own results only."),
+        ("files", "Files", "the results as the programs wrote them",
+         tables.files(results["files"], out), "No result file was given.")]
+    return [(name, title, inside or page.paragraph(missing, "note"))
+            for name, title, inside, missing in shown if inside or missing] \
+        + [(name, title, inside or page.paragraph(missing, "note"), lead)
+           for name, title, lead, inside, missing in folded]
