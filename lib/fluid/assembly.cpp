@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/assembly.h"
 
-#include <Eigen/Dense>
+#include "fluid/share_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace dsc {
 
 namespace {
-
-// Unknown 2 i + k of an element is component k of the velocity at node i, unknown 12 + i the
-// pressure at vertex i.
-using ElementMatrix = Eigen::Matrix<double, 15, 15>;
-using ElementVector = Eigen::Matrix<double, 15, 1>;
-
-struct Element {
-    ElementMatrix matrix = ElementMatrix::Zero(); // symmetric
-    ElementVector forces = ElementVector::Zero();
-};
 
 // The gradients of the barycentric coordinates, as columns.
 Eigen::Matrix<double, 2, 3> slopes_of(const FrozenMesh& mesh, const FrozenTriangle& t,
@@ -30,23 +24,32 @@ Eigen::Matrix<double, 2, 3> slopes_of(const FrozenMesh& mesh, const FrozenTriang
 }
 
 // Viscous stress, 2 mu D(u) : D(v), and the divergence.
-void add_stress(Element& element, const Eigen::Matrix<double, 2, 3>& slopes, double area,
+void add_stress(FluidElement& element, const Eigen::Matrix<double, 2, 3>& slopes, double area,
                 double viscosity) {
-    for (const QuadraturePoint& point : points_of_degree_2) {
+    Eigen::Matrix<double, 6, 3> in_x; // gradients at the points, by node and point
+    Eigen::Matrix<double, 6, 3> in_y;
+    for (Eigen::Index q = 0; const QuadraturePoint& point : points_of_degree_2) {
         const Eigen::Matrix<double, 2, 6> gradients = quadratic_gradients(point.at, slopes);
-        const double weight = area * point.weight;
-        for (Eigen::Index i = 0; i < 6; ++i) {
-            for (Eigen::Index j = 0; j < 6; ++j) {
-                Eigen::Matrix2d block = gradients.col(j) * gradients.col(i).transpose();
-                block.diagonal().array() += gradients.col(i).dot(gradients.col(j));
-                element.matrix.block<2, 2>(2 * i, 2 * j) += weight * viscosity * block;
-            }
-        }
-        for (int j = 0; const double pressure : point.at) {
-            element.matrix.col(12 + j++).head<12>() -= weight * pressure * gradients.reshaped();
+        in_x.col(q) = gradients.row(0);
+        in_y.col(q++) = gradients.row(1);
+        for (Eigen::Index j = 0; const double pressure : point.at) {
+            element.matrix.row(12 + j++).head<12>() -=
+                area * point.weight * pressure * gradients.reshaped();
         }
     }
-    element.matrix.bottomLeftCorner<3, 12>() = element.matrix.topRightCorner<12, 3>().transpose();
+    const double weight = area * points_of_degree_2[0].weight * viscosity; // of all points
+    const Eigen::Matrix<double, 6, 6> xx = weight * in_x.lazyProduct(in_x.transpose());
+    const Eigen::Matrix<double, 6, 6> yy = weight * in_y.lazyProduct(in_y.transpose());
+    const Eigen::Matrix<double, 6, 6> yx = weight * in_y.lazyProduct(in_x.transpose());
+    for (Eigen::Index j = 0; j < 6; ++j) {
+        for (Eigen::Index i = 0; i < 6; ++i) {
+            element.matrix(2 * i, 2 * j) += 2 * xx(i, j) + yy(i, j);
+            element.matrix(2 * i + 1, 2 * j + 1) += xx(i, j) + 2 * yy(i, j);
+            element.matrix(2 * i, 2 * j + 1) += yx(i, j);
+            element.matrix(2 * i + 1, 2 * j) += yx(j, i);
+        }
+    }
+    element.matrix.topRightCorner<12, 3>() = element.matrix.bottomLeftCorner<3, 12>().transpose();
 }
 
 // The mean products of the shape functions.
@@ -61,7 +64,8 @@ Eigen::Matrix<double, 6, 6> mean_products() {
     return products;
 }
 
-void add_inertia(Element& element, const Eigen::Matrix<double, 6, 6>& products, double mass_rate) {
+void add_inertia(FluidElement& element, const Eigen::Matrix<double, 6, 6>& products,
+                 double mass_rate) {
     for (Eigen::Index j = 0; j < 6; ++j) {
         for (Eigen::Index i = 0; i < 6; ++i) {
             const double inertia = mass_rate * products(i, j);
@@ -71,7 +75,7 @@ void add_inertia(Element& element, const Eigen::Matrix<double, 6, 6>& products, 
     }
 }
 
-void add_force(Element& element, const QuadraturePoint& point, const Point<double>& force) {
+void add_force(FluidElement& element, const QuadraturePoint& point, const Point<double>& force) {
     const Eigen::Matrix<double, 6, 1> shapes = quadratic_shapes(point.at);
     for (Eigen::Index i = 0; i < 6; ++i) {
         element.forces.segment<2>(2 * i) += point.weight * shapes[i] * force;
@@ -80,7 +84,7 @@ void add_force(Element& element, const QuadraturePoint& point, const Point<doubl
 
 // The velocity in the middle of an edge between phases is the mean of its ends: half of its
 // equations go to each end.
-void tie_middle(Element& element, Eigen::Index i) {
+void tie_middle(FluidElement& element, Eigen::Index i) {
     const Eigen::Index middle = 2 * (3 + i);
     for (const Eigen::Index end : {2 * ((i + 1) % 3), 2 * ((i + 2) % 3)}) {
         element.matrix.middleRows<2>(end) += element.matrix.middleRows<2>(middle) / 2;
@@ -91,81 +95,75 @@ void tie_middle(Element& element, Eigen::Index i) {
     }
 }
 
-class Assembler {
-public:
-    Assembler(const FluidNumbering& numbers, std::size_t triangles) : numbers_(numbers) {
-        system_.forces = Eigen::VectorXd::Zero(numbers.size);
-        system_.pressure_scale = Eigen::VectorXd::Zero(numbers.size);
-        entries_.reserve(120 * triangles);
+// Half of the tension of the edge opposite to vertex i: the triangle beyond it has the other half.
+void add_tension(FluidElement& element, const FrozenMesh& mesh, const FrozenTriangle& triangle,
+                 std::uint32_t i, const FluidOptions& options, const FluidPast& past, double time) {
+    const std::uint32_t a = next_index(i);
+    const std::uint32_t b = prev_index(i);
+    const Point<double> way = mesh.nodes[triangle.nodes[b]] - mesh.nodes[triangle.nodes[a]];
+    const Phase beyond = mesh.triangles[triangle.across[i]].phase;
+    const double pull = pair_of(options, triangle.phase, beyond).tension / 2 / way.norm();
+    Point<double> force = pull * way;
+    double resistance = 0;
+    if (past.one != nullptr) {
+        const auto before = [&](std::uint32_t node) {
+            return last_velocity(past, mesh.nodes[node], time, node);
+        };
+        resistance = pull * options.implicitness * (time - past.one->time);
+        force -= resistance * (before(triangle.nodes[b]) - before(triangle.nodes[a]));
     }
+    const Eigen::Index from = 2 * a;
+    const Eigen::Index to = 2 * b;
+    element.forces.segment<2>(from) += force;
+    element.forces.segment<2>(to) -= force;
+    for (const Eigen::Index k : {0, 1}) {
+        element.matrix(from + k, from + k) += resistance;
+        element.matrix(to + k, to + k) += resistance;
+        element.matrix(from + k, to + k) -= resistance;
+        element.matrix(to + k, from + k) -= resistance;
+    }
+}
 
-    void add(int i, int j, double entry) {
-        if (i >= j && j != no_unknown) {
-            entries_.emplace_back(i, j, entry);
-        }
+void number(FluidElement& element, const FluidNumbering& numbers, const FrozenTriangle& triangle,
+            const std::array<int, 3>& pressures) {
+    for (std::size_t i = 0; i < 6; ++i) {
+        element.unknowns[2 * i] = numbers.velocity[triangle.nodes[i]][0];
+        element.unknowns[2 * i + 1] = numbers.velocity[triangle.nodes[i]][1];
     }
-    void add_force(int i, double force) {
-        if (i != no_unknown) {
-            system_.forces[i] += force;
+    std::ranges::copy(pressures, element.unknowns.begin() + 12);
+}
+
+// The walls pull the end of an interface along, so that the tensions are in balance at the angle
+// that is asked for (T. Young, "An essay on the cohesion of fluids", 1805).
+void add_contacts(FluidSystem& system, const FrozenMesh& mesh, const FluidOptions& options) {
+    constexpr double radians = std::numbers::pi / 180;
+    std::vector<std::uint32_t> behind(mesh.vertex_bound,
+                                      no_id); // the triangle beyond a wall's edge
+    const auto for_each_wall_edge = [&](auto visit) {
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                if (mesh.triangles[t].across[i] == no_id) {
+                    visit(t, next_index(i), prev_index(i));
+                }
+            }
         }
-    }
-    void add(const FrozenMesh& mesh, std::size_t t, const Element& element) {
+    };
+    for_each_wall_edge([&](std::uint32_t t, std::uint32_t from, std::uint32_t) {
+        behind[mesh.triangles[t].nodes[from]] = t;
+    });
+    for_each_wall_edge([&](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
         const FrozenTriangle& triangle = mesh.triangles[t];
-        Eigen::Matrix<int, 15, 1> unknowns;
-        for (int i = 0; const std::uint32_t node : triangle.nodes) {
-            unknowns[i++] = numbers_.velocity[node][0];
-            unknowns[i++] = numbers_.velocity[node][1];
+        const std::uint32_t end = triangle.nodes[to];
+        const Phase phase = triangle.phase;
+        const Phase beyond = mesh.triangles[behind[end]].phase;
+        if (phase == beyond) {
+            return;
         }
-        unknowns.tail<3>() = Eigen::Map<const Eigen::Vector3i>(numbers_.pressure[t].data());
-        for (Eigen::Index i = 0; i < 15; ++i) {
-            add_force(unknowns[i], element.forces[i]);
-            for (Eigen::Index j = 0; j < 15; ++j) {
-                add(unknowns[i], unknowns[j], element.matrix(i, j));
-            }
-        }
-    }
-    void add_pressure_scale(std::size_t t, double scale) {
-        for (const int i : numbers_.pressure[t]) {
-            if (i != no_unknown) {
-                system_.pressure_scale[i] += scale;
-            }
-        }
-    }
-    [[nodiscard]] FluidSystem finish() {
-        system_.matrix.resize(numbers_.size, numbers_.size);
-        system_.matrix.setFromTriplets(entries_.begin(), entries_.end());
-        return std::move(system_);
-    }
-
-private:
-    const FluidNumbering& numbers_;
-    std::vector<Eigen::Triplet<double>> entries_;
-    FluidSystem system_;
-};
-
-void add_tension(Assembler& assembler, const FrozenMesh& mesh, const FluidNumbering& numbers,
-                 const FluidOptions& options, const FluidPast& past, double time) {
-    for (const FrozenEdge& edge : mesh.interface) {
-        const Point<double>& from = mesh.nodes[edge.from];
-        const Point<double>& to = mesh.nodes[edge.to];
-        const double pull = tension_of(options, edge.left, edge.right) / (to - from).norm();
-        Point<double> force = pull * (to - from);
-        double resistance = 0;
-        if (past.one != nullptr) {
-            resistance = pull * options.implicitness * (time - past.one->time);
-            force -= resistance * (last_velocity(past, to, time, edge.to) -
-                                   last_velocity(past, from, time, edge.from));
-        }
-        for (const std::size_t k : {0U, 1U}) {
-            const int a = numbers.velocity[edge.from][k];
-            const int b = numbers.velocity[edge.to][k];
-            assembler.add_force(a, k == 0 ? force.x() : force.y());
-            assembler.add_force(b, k == 0 ? -force.x() : -force.y());
-            assembler.add(a, a, resistance);
-            assembler.add(b, b, resistance);
-            assembler.add(std::max(a, b), std::min(a, b), -resistance);
-        }
-    }
+        const FluidTension& pair = pair_of(options, phase, beyond);
+        const Point<double> way = (mesh.nodes[end] - mesh.nodes[triangle.nodes[from]]).normalized();
+        const double pull = pair.tension * std::cos(radians * pair.contact_angle);
+        system.elements[t].forces.segment<2>(2 * to) += (phase == pair.other ? pull : -pull) * way;
+    });
 }
 
 } // namespace
@@ -173,38 +171,41 @@ void add_tension(Assembler& assembler, const FrozenMesh& mesh, const FluidNumber
 FluidSystem assemble(const FrozenMesh& mesh, const FluidNumbering& numbers,
                      const FluidOptions& options, const FluidPast& past, double time) {
     const bool has_inertia = options.equations == FluidEquations::navier_stokes;
-    const auto accelerations = has_inertia ? past_accelerations(mesh, past, time)
-                                           : std::vector<std::array<Point<double>, 7>>();
     const double rate = has_inertia ? backward_difference(past, time).now : 0;
     const Eigen::Matrix<double, 6, 6> products = mean_products();
     // A wave of the size of the domain has this squared length, over (2 pi)^2 or so.
     const double extent = (mesh.domain.high - mesh.domain.low).squaredNorm() / 10;
-    Assembler assembler(numbers, mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    FluidSystem system{.size = numbers.size,
+                       .elements = std::vector<FluidElement>(mesh.triangles.size())};
+    share_out(mesh.triangles.size(), options.threads, [&](std::size_t t) {
         const FrozenTriangle& triangle = mesh.triangles[t];
         const FluidPhase& fluid = fluid_of(options, triangle.phase);
         const double size = area(mesh, triangle);
-        Element element;
+        FluidElement& element = system.elements[t];
+        element.matrix.setZero();
+        element.forces.setZero();
+        number(element, numbers, triangle, numbers.pressure[t]);
         add_stress(element, slopes_of(mesh, triangle, size), size, fluid.viscosity);
+        std::array<Point<double>, 7> accelerations;
+        accelerations.fill(Point<double>(0, 0));
         if (has_inertia) {
             add_inertia(element, products, size * fluid.density * rate);
+            accelerations = past_accelerations(mesh, triangle, past, time);
         }
         for (std::size_t q = 0; q < points_of_degree_5.size(); ++q) {
-            const Point<double> past_part = has_inertia ? accelerations[t][q] : Point<double>(0, 0);
             add_force(element, points_of_degree_5[q],
-                      size * fluid.density * (options.gravity - past_part));
+                      size * fluid.density * (options.gravity - accelerations[q]));
         }
         for (const std::uint32_t i : {0U, 1U, 2U}) {
             if (numbers.is_middle_of_phases[triangle.nodes[3 + i]] != 0) {
                 tie_middle(element, i);
+                add_tension(element, mesh, triangle, i, options, past, time);
             }
         }
-        assembler.add(mesh, t, element);
-        assembler.add_pressure_scale(t,
-                                     size / 3 / (fluid.viscosity + fluid.density * rate * extent));
-    }
-    add_tension(assembler, mesh, numbers, options, past, time);
-    return assembler.finish();
+        element.pressure_scale = size / 3 / (fluid.viscosity + fluid.density * rate * extent);
+    });
+    add_contacts(system, mesh, options);
+    return system;
 }
 
 } // namespace dsc

@@ -68,26 +68,23 @@ Point<double> last_velocity(const FluidPast& past, const Point<double>& at, doub
     return reader.one(at - (time - past.one->time) * reader.one(at));
 }
 
-std::vector<std::array<Point<double>, 7>> past_accelerations(const FrozenMesh& mesh,
-                                                             const FluidPast& past, double time) {
+std::array<Point<double>, 7> past_accelerations(const FrozenMesh& mesh,
+                                                const FrozenTriangle& triangle,
+                                                const FluidPast& past, double time) {
     const BackwardDifference difference = backward_difference(past, time);
-    std::vector<std::array<Point<double>, 7>> accelerations(mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const FrozenTriangle& triangle = mesh.triangles[t];
-        Reader reader(past, triangle.nodes[0]);
-        for (std::size_t q = 0; q < 7; ++q) {
-            const Barycentric& l = points_of_degree_5[q].at;
-            const Point<double> at = l[0] * mesh.nodes[triangle.nodes[0]] +
-                                     l[1] * mesh.nodes[triangle.nodes[1]] +
-                                     l[2] * mesh.nodes[triangle.nodes[2]];
-            const double dt = time - past.one->time;
-            const Point<double> one = reader.one(foot(reader, at, time, dt, reader.one(at)));
-            accelerations[t][q] = difference.one * one;
-            if (past.two != nullptr) {
-                const double both = time - past.two->time;
-                accelerations[t][q] +=
-                    difference.two * reader.two(foot(reader, at, time, both, one));
-            }
+    const double dt = time - past.one->time;
+    std::array<Point<double>, 7> accelerations;
+    Reader reader(past, triangle.nodes[0]);
+    for (std::size_t q = 0; q < 7; ++q) {
+        const Barycentric& l = points_of_degree_5[q].at;
+        const Point<double> at = l[0] * mesh.nodes[triangle.nodes[0]] +
+                                 l[1] * mesh.nodes[triangle.nodes[1]] +
+                                 l[2] * mesh.nodes[triangle.nodes[2]];
+        const Point<double> one = reader.one(foot(reader, at, time, dt, reader.one(at)));
+        accelerations[q] = difference.one * one;
+        if (past.two != nullptr) {
+            const double both = time - past.two->time;
+            accelerations[q] += difference.two * reader.two(foot(reader, at, time, both, one));
         }
     }
     return accelerations;

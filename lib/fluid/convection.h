@@ -35,9 +35,10 @@ struct BackwardDifference {
 [[nodiscard]] Point<double> last_velocity(const FluidPast& past, const Point<double>& at,
                                           double time, std::uint32_t near);
 
-/// What the past contributes to the derivative at the points of `points_of_degree_5` of each
-/// triangle of `mesh`: one * u(one's time) + two * u(two's time). O(n).
-[[nodiscard]] std::vector<std::array<Point<double>, 7>>
-past_accelerations(const FrozenMesh& mesh, const FluidPast& past, double time);
+/// What the past contributes to the derivative at the points of `points_of_degree_5` of a triangle
+/// of `mesh`: one * u(one's time) + two * u(two's time). O(1) if the searches are short.
+[[nodiscard]] std::array<Point<double>, 7> past_accelerations(const FrozenMesh& mesh,
+                                                              const FrozenTriangle& triangle,
+                                                              const FluidPast& past, double time);
 
 } // namespace dsc

@@ -1,43 +1,43 @@
 // SPDX-License-Identifier: MIT
-// L D L' of a sparse symmetric matrix without pivoting: the multifrontal method (I. S. Duff,
-// J. K. Reid, "The multifrontal solution of indefinite sparse symmetric linear equations", 1983).
-// Columns that have the same rows are eliminated together in a dense matrix, which takes a fraction
-// of the time of column by column.
+// L D L' of the matrix of a mesh without pivoting: the multifrontal method (I. S. Duff, J. K. Reid,
+// "The multifrontal solution of indefinite sparse symmetric linear equations", 1983) on the parts
+// of a dissection. The matrix of a part is the sum of those of its halves; its inner unknowns are
+// eliminated in a dense matrix, and what is left couples the unknowns on its border.
 #pragma once
 
-#include "dsc/dsc.h"
+#include "fluid/assembly.h"
 
-#include <Eigen/SparseCore>
-
-#include <vector>
+#include <memory>
 
 namespace dsc {
 
-/// Neighbouring columns with the same rows below them.
-struct FrontColumns {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-    std::vector<std::uint32_t> rows = {};     ///< below the last of the columns, ascending
-    std::vector<std::uint32_t> children = {}; ///< fronts whose first row is one of these columns
-    std::vector<double> lower = {};  ///< L by column, without its ones: first + i, then rows[i]
-    std::vector<double> pivots = {}; ///< D
+/// The inner unknowns of a part, eliminated.
+struct PartFactors {
+    std::uint32_t first = 0;                ///< inner unknown
+    std::uint32_t count = 0;                ///< inner unknowns
+    std::vector<std::uint32_t> border = {}; ///< the other unknowns of the part, ascending
+    std::vector<double> lower = {};         ///< L by column, without its ones: first + i, border[i]
+    std::vector<double> pivots = {};        ///< D
+    /// What is left for the part that this one is a half of, until it is used: by column, square.
+    std::unique_ptr<double[]> left = nullptr;
 
-    /// The rows of the dense matrix: those of the columns themselves included.
-    [[nodiscard]] std::size_t height() const { return count + rows.size(); }
+    /// The rows of L.
+    [[nodiscard]] std::size_t height() const { return count + border.size(); }
 };
 
 /// The factors of a matrix.
-struct SparseFactors {
-    std::uint32_t size = 0;
+struct Factors {
     bool has_all_pivots = true; ///< none was zero or not finite
-    std::vector<FrontColumns> fronts = {};
+    std::vector<PartFactors> parts = {};
 };
 
-/// Factorises the symmetric matrix with this lower triangle, in the order of its columns. O(n^1.5)
-/// for a mesh of n triangles in a good order. The same bits on any processor.
-[[nodiscard]] SparseFactors factorise(const Eigen::SparseMatrix<double>& lower);
+/// Factorises the matrix of the system, less `pressure_mass` times the scale of each pressure on
+/// the diagonal. O(n^1.5). The same bits on any processor and for any number of threads.
+[[nodiscard]] Factors factorise(const FluidSystem& system, const Dissection& dissection,
+                                const FluidNumbering& numbers, double pressure_mass,
+                                std::uint32_t threads);
 
 /// Replaces a right-hand side by the solution. O(entries of the factors).
-void solve_in_place(const SparseFactors& factors, Eigen::VectorXd& vector);
+void solve_in_place(const Factors& factors, Eigen::VectorXd& vector);
 
 } // namespace dsc

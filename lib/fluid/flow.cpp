@@ -4,6 +4,7 @@
 #include "fluid/assembly.h"
 #include "fluid/solve.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dsc {
@@ -34,6 +35,62 @@ InterfaceMotion<double> motion_in(const FluidPast& past, const std::vector<Phase
     };
 }
 
+// A void is a fluid without mass or pressure, and so little viscous that the others don't feel it:
+// its velocity continues theirs, so that what is looked up beside the surface is smooth.
+void fill_voids(std::vector<FluidPhase>& phases) {
+    constexpr double share = 1e-6;
+    double largest = 0;
+    for (const FluidPhase& phase : phases) {
+        largest = phase.is_void ? largest : std::max(largest, phase.viscosity);
+    }
+    for (FluidPhase& phase : phases) {
+        if (phase.is_void) {
+            phase.density = 0;
+            phase.viscosity = share * largest;
+        }
+    }
+}
+
+// The largest distance by which an end of an edge was moved wrongly, in lengths of the edge.
+double error_of_motion(const FluidField& field, const FluidPast& mover) {
+    const double dt = field.time - mover.one->time;
+    double largest = 0;
+    for (const FrozenEdge& edge : field.mesh.interface) {
+        const double length = (field.mesh.nodes[edge.to] - field.mesh.nodes[edge.from]).norm();
+        for (const std::uint32_t end : {edge.from, edge.to}) {
+            const Point<double> assumed =
+                extrapolated_velocity(mover, field.mesh.nodes[end], field.time, end);
+            largest = std::max(largest, dt * (field.velocity[end] - assumed).norm() / length);
+        }
+    }
+    return largest;
+}
+
+// The duration for which the error, which grows with its third power, is what it may be: a little
+// less, since a step that fails is not made again.
+double next_duration(double dt, double error, double tolerance) {
+    constexpr double caution = 0.8;
+    constexpr double least_factor = 0.3;
+    constexpr double largest_factor = 1.5;
+    return dt * std::clamp(caution * std::cbrt(tolerance / error), least_factor, largest_factor);
+}
+
+void add(FluidStep& all, const FluidStep& one) {
+    StepReport moved = one.moved;
+    moved.operations += all.moved.operations;
+    moved.sub_steps += all.moved.sub_steps;
+    moved.passes += all.moved.passes;
+    moved.unreached += all.moved.unreached;
+    moved.held += all.moved.held;
+    all = {.steps = all.steps + 1,
+           .error = std::max(all.error, one.error),
+           .moved = moved,
+           .solved = one.solved,
+           .move_s = all.move_s + one.move_s,
+           .assembly_s = all.assembly_s + one.assembly_s,
+           .solve_s = all.solve_s + one.solve_s};
+}
+
 void check_complex(const FrozenMesh& mesh, const FluidOptions& options) {
     if (mesh.triangles.empty()) {
         throw InputError({.what = "the complex is empty",
@@ -45,7 +102,7 @@ void check_complex(const FrozenMesh& mesh, const FluidOptions& options) {
         (void)fluid_of(options, triangle.phase);
     }
     for (const FrozenEdge& edge : mesh.interface) {
-        (void)tension_of(options, edge.left, edge.right);
+        (void)pair_of(options, edge.left, edge.right);
     }
 }
 
@@ -56,6 +113,7 @@ void archive(Archive& archive, PhaseArea& area) { archive(area.phase, area.area)
 Fluid::Fluid(const Complex<double>& complex, FluidOptions options)
     : complex_(complex), options_(std::move(options)) {
     check_fluid(options_);
+    fill_voids(options_.phases);
     FrozenMesh mesh = freeze(complex_);
     check_complex(mesh, options_);
     areas_ = phase_areas(mesh);
@@ -88,13 +146,35 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
     report.move_s = timer.lap();
     if (report.moved.gave_up == GiveUp::none) {
         auto next = solution_in(freeze(complex_), time() + dt, report);
+        report.error = error_of_motion(*next, mover);
         two_ = std::exchange(one_, std::move(next));
     }
     return report;
 }
 
+FluidStep Fluid::advance(Simulation<double>& simulation, double duration) {
+    if (options_.tolerance == 0) {
+        return step(simulation, duration);
+    }
+    require(std::isfinite(duration) && duration > 0, "duration of a fluid's motion", duration,
+            "above 0");
+    const double end = time() + duration;
+    const double shortest = duration / 1000;
+    const double longest = duration;
+    FluidStep all;
+    all.steps = 0;
+    while (all.moved.gave_up == GiveUp::none && end - time() > shortest / 2) {
+        const double wanted = std::clamp(next_dt_, shortest, longest);
+        const double dt = (end - time()) / std::ceil((end - time()) / wanted - 1e-9);
+        const FluidStep one = step(simulation, dt);
+        next_dt_ = next_duration(dt, one.error, options_.tolerance);
+        add(all, one);
+    }
+    return all;
+}
+
 void Fluid::archive(Archive& archive) {
-    archive(areas_);
+    archive(areas_, next_dt_);
     bool has_two = two_ != nullptr;
     archive(has_two);
     if (archive.is_reading()) {
@@ -111,10 +191,12 @@ void Fluid::archive(Archive& archive) {
 std::unique_ptr<FluidField> Fluid::solution_in(FrozenMesh mesh, double time,
                                                FluidStep& report) const {
     Timer timer;
-    const FluidNumbering numbers = number_unknowns(mesh, options_.walls);
+    const Dissection dissection = dissect(mesh);
+    const FluidNumbering numbers = number_unknowns(mesh, dissection, options_);
     const FluidSystem system = assemble(mesh, numbers, options_, past(), time);
     report.assembly_s += timer.lap();
-    const Eigen::VectorXd unknowns = solve(system, report.solved);
+    const Eigen::VectorXd unknowns =
+        solve(system, dissection, numbers, options_.threads, report.solved);
     auto field = std::make_unique<FluidField>(field_of(std::move(mesh), numbers, unknowns, time));
     report.solve_s += timer.lap();
     return field;

@@ -11,9 +11,11 @@
 
 namespace dsc {
 
-/// What a step of a fluid did.
+/// What a step of a fluid did, or several of them.
 struct FluidStep {
-    StepReport moved;      ///< of the simulation
+    int steps = 1;         ///< how many
+    double error = 0;      ///< of the interface: an estimate of the largest, in edges there
+    StepReport moved;      ///< of the simulation: sums, and the end of the last step
     SolveReport solved;    ///< of velocity and pressure
     double move_s = 0;     ///< seconds for the simulation, with the look-up of velocities
     double assembly_s = 0; ///< seconds for the copy of the mesh, the numbering and the matrix
@@ -37,7 +39,7 @@ struct FluidStep {
 /// brings back what is missing.
 ///
 /// A step takes O(n) time, apart from the factorisation: about O(n^1.5). Memory: the factors and
-/// two copies of the mesh. One thread; the same bits each time. Not thread-safe itself.
+/// two copies of the mesh. Any number of threads gives the same bits. Not thread-safe itself.
 class Fluid {
 public:
     /// At rest, at time 0; for `FluidEquations::stokes` with the velocity that the interface gives.
@@ -55,6 +57,11 @@ public:
     /// `moved.gave_up`. Throws InputError if dt is not above 0, or phases meet that have no
     /// tension; SolveError if the equations cannot be solved.
     FluidStep step(Simulation<double>& simulation, double dt);
+    /// Steps until `time() + duration`: one, or with a tolerance as many as meet it. The error of a
+    /// step is estimated by what the velocity differs from the one that the interface was moved
+    /// with; the next one is chosen for it, from a thousandth of the duration to all of it. Stops
+    /// where a step gives up. Throws as `step` does.
+    FluidStep advance(Simulation<double>& simulation, double duration);
     /// All that the next step depends on, apart from the simulation and its complex, which have to
     /// be archived before it. Throws FileError for what no fluid can have written.
     void archive(Archive& archive);
@@ -74,6 +81,7 @@ private:
     const Complex<double>& complex_;
     FluidOptions options_;
     std::vector<PhaseArea> areas_;    ///< to be held
+    double next_dt_ = 0;              ///< the step that meets the tolerance; 0: not known yet
     std::unique_ptr<FluidField> one_; ///< the last solution; null only during construction
     std::unique_ptr<FluidField> two_; ///< the one before; null at the start
 };

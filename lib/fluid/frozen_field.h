@@ -65,7 +65,8 @@ struct FluidField {
     /// By node; linear along each interface edge, quadratic elsewhere.
     std::vector<Point<double>> velocity = {};
     /// By triangle, at its vertices: linear, continuous in each phase, with a jump where phases
-    /// meet. Its mean over the domain is 0. Stress: force per length.
+    /// meet. Its mean over the domain is 0, unless a void is there, in which it is 0 itself.
+    /// Stress: force per length.
     std::vector<std::array<double, 3>> pressure = {};
 };
 

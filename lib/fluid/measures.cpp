@@ -124,7 +124,7 @@ FluidEnergy energy(const FluidField& field, const FluidOptions& options) {
         energy.potential -= mass * options.gravity.dot(centre);
     }
     for (const FrozenEdge& edge : mesh.interface) {
-        energy.surface += tension_of(options, edge.left, edge.right) *
+        energy.surface += pair_of(options, edge.left, edge.right).tension *
                           (mesh.nodes[edge.to] - mesh.nodes[edge.from]).norm();
     }
     return energy;

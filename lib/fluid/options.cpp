@@ -39,6 +39,8 @@ void check_tensions(const FluidOptions& options) {
         const std::string name = name_of_pair(t->one, t->other);
         require(std::isfinite(t->tension) && t->tension >= 0, "tension of " + name, t->tension,
                 "0 or more");
+        require(t->contact_angle > 0 && t->contact_angle < 180, "contact angle of " + name,
+                t->contact_angle, "above 0 and below 180 degrees");
         (void)fluid_of(options, t->one);
         (void)fluid_of(options, t->other);
         if (t->one == t->other) {
@@ -62,11 +64,21 @@ void check_tensions(const FluidOptions& options) {
 
 void check_fluid(const FluidOptions& options) {
     check_phases(options.phases);
+    if (!options.phases.empty() && std::ranges::all_of(options.phases, &FluidPhase::is_void)) {
+        throw InputError({.what = "nothing flows",
+                          .where = "FluidOptions::phases",
+                          .value = "only voids",
+                          .allowed = "a phase with fluid"});
+    }
     check_tensions(options);
     require(std::isfinite(options.gravity.x()), "gravity, x", options.gravity.x(), "finite");
     require(std::isfinite(options.gravity.y()), "gravity, y", options.gravity.y(), "finite");
     require(options.implicitness >= 0.5 && options.implicitness <= 1, "implicitness",
             options.implicitness, "0.5 to 1");
+    require(options.tolerance >= 0 && options.tolerance <= 1, "tolerance of a fluid",
+            options.tolerance, "0 to 1");
+    require(options.threads >= 1 && options.threads <= 1024, "threads of a fluid", options.threads,
+            "1 to 1024");
 }
 
 const FluidPhase& fluid_of(const FluidOptions& options, Phase phase) {
@@ -80,7 +92,7 @@ const FluidPhase& fluid_of(const FluidOptions& options, Phase phase) {
     return *found;
 }
 
-double tension_of(const FluidOptions& options, Phase one, Phase other) {
+const FluidTension& pair_of(const FluidOptions& options, Phase one, Phase other) {
     const auto found = std::ranges::find_if(
         options.tensions, [&](const FluidTension& pair) { return is_of_pair(pair, one, other); });
     if (found == options.tensions.end()) {
@@ -89,7 +101,7 @@ double tension_of(const FluidOptions& options, Phase one, Phase other) {
                           .value = name_of_pair(one, other),
                           .allowed = "a tension, or 0, for each pair that meets"});
     }
-    return found->tension;
+    return *found;
 }
 
 } // namespace dsc

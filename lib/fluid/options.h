@@ -14,6 +14,9 @@ struct FluidPhase {
     Phase phase = exterior_phase; ///< which one
     double density = 1;           ///< mass per area, 0 or more
     double viscosity = 1;         ///< dynamic: stress times time, above 0
+    /// No fluid at all, whatever the properties say: beside it the others have a free surface, with
+    /// a pressure of 0 outside.
+    bool is_void = false;
 };
 
 /// The tension of the interface between two phases.
@@ -21,6 +24,8 @@ struct FluidTension {
     Phase one = exterior_phase; ///< either phase of the pair
     Phase other = 1;            ///< the other one
     double tension = 0;         ///< energy per length, 0 or more
+    /// Between the interface and a wall that slips, inside `other`: above 0 and below 180 degrees.
+    double contact_angle = 90;
 };
 
 /// How a fluid moves at a side of the domain. Nothing flows through it.
@@ -53,6 +58,10 @@ struct FluidOptions {
     /// The tension is taken at places that are ahead by this share of what the new velocity changes
     /// in a step: from 0.5 on, no tension limits the step. More damps the shortest waves.
     double implicitness = 0.6;
+    /// By how much of an edge a step may move an end of it wrongly, for `Fluid::advance`, above 0
+    /// and up to 1. 0: steps are as long as they are asked to be.
+    double tolerance = 0;
+    std::uint32_t threads = 1; ///< 1 to 1024; any number gives the same bits
 };
 
 /// Throws InputError if a value is out of range, a phase or a pair is named twice, or a tension
@@ -64,6 +73,6 @@ void check_fluid(const FluidOptions& options);
 
 /// The tension between two phases, in either order. Throws InputError if there is none, since a
 /// tension that was forgotten would look like one of zero. O(pairs).
-[[nodiscard]] double tension_of(const FluidOptions& options, Phase one, Phase other);
+[[nodiscard]] const FluidTension& pair_of(const FluidOptions& options, Phase one, Phase other);
 
 } // namespace dsc

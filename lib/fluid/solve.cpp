@@ -18,6 +18,7 @@ namespace {
 // there are then no larger than that.
 constexpr double pressure_mass = 1e-8;
 constexpr double largest_residual = 1e-9; // above it the solution is refused
+constexpr double rounding = 1e-15;        // below it nothing is gained any more
 constexpr int most_refinements = 12;
 
 // Summed in order, so that it does not depend on how many lanes the processor has.
@@ -25,31 +26,60 @@ double norm(const Eigen::VectorXd& vector) {
     return std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
 }
 
+Eigen::VectorXd forces_of(const FluidSystem& system) {
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(system.size);
+    for (const FluidElement& element : system.elements) {
+        for (Eigen::Index i = 0; const int unknown : element.unknowns) {
+            if (unknown != no_unknown) {
+                forces[unknown] += element.forces[i];
+            }
+            ++i;
+        }
+    }
+    return forces;
+}
+
+// What is left of the forces.
+Eigen::VectorXd residual_of(const FluidSystem& system, const Eigen::VectorXd& solution) {
+    Eigen::VectorXd residual = forces_of(system);
+    for (const FluidElement& element : system.elements) {
+        Eigen::Matrix<double, 15, 1> values;
+        for (Eigen::Index i = 0; const int unknown : element.unknowns) {
+            values[i++] = unknown == no_unknown ? 0 : solution[unknown];
+        }
+        const Eigen::Matrix<double, 15, 1> products = element.matrix.lazyProduct(values);
+        for (Eigen::Index i = 0; const int unknown : element.unknowns) {
+            if (unknown != no_unknown) {
+                residual[unknown] -= products[i];
+            }
+            ++i;
+        }
+    }
+    return residual;
+}
+
 } // namespace
 
-Eigen::VectorXd solve(const FluidSystem& system, SolveReport& report) {
-    report = {.unknowns = static_cast<int>(system.forces.size())};
-    const double size = norm(system.forces);
-    Eigen::VectorXd solution = Eigen::VectorXd::Zero(system.forces.size());
+Eigen::VectorXd solve(const FluidSystem& system, const Dissection& dissection,
+                      const FluidNumbering& numbers, std::uint32_t threads, SolveReport& report) {
+    report = {.unknowns = system.size};
+    Eigen::VectorXd residual = forces_of(system);
+    const double size = norm(residual);
+    Eigen::VectorXd solution = Eigen::VectorXd::Zero(system.size);
     if (size == 0) {
         return solution;
     }
-    const Eigen::VectorXd mass = pressure_mass * system.pressure_scale;
-    Eigen::SparseMatrix<double> regular = system.matrix;
-    regular.diagonal() -= mass;
-    const SparseFactors factors = factorise(regular);
-    Eigen::VectorXd residual = system.forces;
+    const Factors factors = factorise(system, dissection, numbers, pressure_mass, threads);
     report.residual = 1;
     for (int k = 0; k <= most_refinements && factors.has_all_pivots; ++k) {
         solve_in_place(factors, residual);
         solution += residual;
-        residual = system.forces;
-        residual.noalias() -= system.matrix.selfadjointView<Eigen::Lower>() * solution;
+        residual = residual_of(system, solution);
         const double before = report.residual;
         report.residual = norm(residual) / size;
         report.refinements = k;
-        if (!(report.residual <= before / 2)) {
-            break; // rounding is reached
+        if (report.residual < rounding || !(report.residual <= before / 2)) {
+            break;
         }
     }
     if (!(report.residual <= largest_residual)) {
@@ -84,7 +114,7 @@ FluidField field_of(FrozenMesh mesh, const FluidNumbering& numbers, const Eigen:
     }
     for (auto& corners : field.pressure) {
         for (double& p : corners) {
-            p -= sum / whole;
+            p -= numbers.has_void ? 0 : sum / whole;
         }
     }
     return field;

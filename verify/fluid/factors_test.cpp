@@ -1,73 +1,117 @@
 // SPDX-License-Identifier: MIT
-// The factorisation against the matrix it was made from.
+// The factorisation against the equations that it was made from.
 #include "fluid/factors.h"
+#include "fluid/scenes.h"
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace dsc::factors_test {
 namespace {
 
-// Positive and negative definite parts that are coupled at random: no order of elimination meets a
-// pivot of zero.
-Eigen::SparseMatrix<double> quasi_definite(int size, int couplings, std::mt19937& random) {
-    std::uniform_int_distribution<int> row(0, size - 1);
-    std::uniform_real_distribution<double> entry(-1, 1);
-    std::vector<Eigen::Triplet<double>> entries;
+constexpr double mass = 1e-4; // of pressures: large enough for one solution to be exact
+
+// The equations of a drop at rest, and all that their solution needs.
+struct Equations {
+    explicit Equations(double edge_length, std::uint32_t threads = 1)
+        : tank(fluid_scenes::static_drop(edge_length, 25)), mesh(freeze(tank.complex)),
+          dissection(dissect(mesh)),
+          numbers(number_unknowns(mesh, dissection, tank.fluid.options())),
+          system(
+              assemble(mesh, numbers, tank.fluid.options(), {&tank.fluid.field(), nullptr}, 0.1)),
+          factors(factorise(system, dissection, numbers, mass, threads)) {}
+
+    // The matrix that was factorised, times a vector.
+    [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& vector) const {
+        Eigen::VectorXd product = Eigen::VectorXd::Zero(system.size);
+        for (const FluidElement& element : system.elements) {
+            for (std::size_t i = 0; i < 15; ++i) {
+                for (std::size_t j = 0; j < 15; ++j) {
+                    const double scale = i == j && i >= 12 ? mass * element.pressure_scale : 0;
+                    if (element.unknowns[i] != no_unknown && element.unknowns[j] != no_unknown) {
+                        product[element.unknowns[i]] +=
+                            (element.matrix(static_cast<Eigen::Index>(i),
+                                            static_cast<Eigen::Index>(j)) -
+                             scale) *
+                            vector[element.unknowns[j]];
+                    }
+                }
+            }
+        }
+        return product;
+    }
+
+    fluid_scenes::Tank tank;
+    FrozenMesh mesh;
+    Dissection dissection;
+    FluidNumbering numbers;
+    FluidSystem system;
+    Factors factors;
+};
+
+Eigen::VectorXd some_vector(int size) {
+    Eigen::VectorXd vector(size);
     for (int i = 0; i < size; ++i) {
-        entries.emplace_back(i, i, i % 3 == 0 ? -0.01 : 0.01);
+        vector[i] = i % 7 - 3;
     }
-    for (int k = 0; k < couplings; ++k) {
-        const int i = row(random);
-        const int j = row(random);
-        const double value = entry(random);
-        entries.emplace_back(std::max(i, j), std::min(i, j), i == j ? 0 : value);
-        if (i % 3 == 0 && j % 3 != 0) {
-            continue;
-        }
-        if (i % 3 != 0 && j % 3 == 0) {
-            continue;
-        }
-        // Within a part, dominated by the diagonal.
-        const double sign = i % 3 == 0 ? -1 : 1;
-        entries.emplace_back(i, i, sign * std::abs(value));
-        entries.emplace_back(j, j, sign * std::abs(value));
-    }
-    Eigen::SparseMatrix<double> matrix(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
+    return vector;
+}
+
+double norm(const Eigen::VectorXd& vector) {
+    return std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
+}
+
+TEST(FluidDissection, HasEachTriangleAndEachNodeOnce) {
+    const Equations equations(0.1);
+    const FrozenMesh& mesh = equations.mesh;
+    std::vector<std::uint32_t> triangles = equations.dissection.triangles;
+    std::ranges::sort(triangles);
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    EXPECT_EQ(triangles, all);
+    std::vector<std::uint32_t> nodes = equations.dissection.nodes;
+    std::ranges::sort(nodes);
+    all.resize(mesh.nodes.size());
+    std::iota(all.begin(), all.end(), 0U);
+    EXPECT_EQ(nodes, all);
+    EXPECT_EQ(equations.dissection.parts.back().triangle_count, mesh.triangles.size());
 }
 
 TEST(FluidFactors, SolveWhatTheyWereMadeFrom) {
-    std::mt19937 random(7);
-    for (const int size : {1, 2, 5, 17, 60, 300}) {
-        for (const int couplings : {0, size / 2, 2 * size, 20 * size}) {
-            const auto matrix = quasi_definite(size, couplings, random);
-            const SparseFactors factors = factorise(matrix);
-            ASSERT_TRUE(factors.has_all_pivots);
-            Eigen::VectorXd exact(size);
-            for (int i = 0; i < size; ++i) {
-                exact[i] = i % 7 - 3;
-            }
-            const Eigen::VectorXd forces = matrix.selfadjointView<Eigen::Lower>() * exact;
-            Eigen::VectorXd solution = forces;
-            solve_in_place(factors, solution);
-            const Eigen::VectorXd residual =
-                forces - matrix.selfadjointView<Eigen::Lower>() * solution;
-            for (int i = 0; i < size; ++i) {
-                EXPECT_NEAR(residual[i], 0, 1e-9) << size << " rows, " << couplings << " entries";
-            }
+    for (const double h : {0.3, 0.1, 0.05}) {
+        const Equations equations(h);
+        ASSERT_TRUE(equations.factors.has_all_pivots);
+        const Eigen::VectorXd exact = some_vector(equations.system.size);
+        Eigen::VectorXd solution = equations.times(exact);
+        const double size = norm(solution);
+        solve_in_place(equations.factors, solution);
+        solution -= exact;
+        EXPECT_LT(norm(equations.times(solution)), 1e-9 * size) << "edge length " << h;
+    }
+}
+
+TEST(FluidFactors, TheSameForAnyNumberOfThreads) {
+    const Equations alone(0.05);
+    for (const std::uint32_t threads : {2U, 3U}) {
+        const Equations together(0.05, threads);
+        ASSERT_EQ(alone.factors.parts.size(), together.factors.parts.size());
+        for (std::size_t p = 0; p < alone.factors.parts.size(); ++p) {
+            EXPECT_EQ(alone.factors.parts[p].pivots, together.factors.parts[p].pivots);
         }
     }
 }
 
 TEST(FluidFactors, APivotOfZeroIsTold) {
-    Eigen::SparseMatrix<double> matrix(2, 2);
-    matrix.insert(0, 0) = 0;
-    matrix.insert(1, 0) = 1;
-    matrix.makeCompressed();
-    EXPECT_FALSE(factorise(matrix).has_all_pivots);
+    Equations equations(0.3);
+    for (FluidElement& element : equations.system.elements) {
+        element.matrix.setZero();
+    }
+    const Factors factors =
+        factorise(equations.system, equations.dissection, equations.numbers, 0, 1);
+    EXPECT_FALSE(factors.has_all_pivots);
 }
 
 } // namespace

@@ -55,6 +55,20 @@ TEST(FluidOptions, PropertiesAreFiniteAndOfOneSign) {
     options = two_fluids();
     options.implicitness = 0.4;
     expect_refused(options, "implicitness");
+    options = two_fluids();
+    options.tolerance = -1;
+    expect_refused(options, "tolerance");
+    options = two_fluids();
+    options.threads = 0;
+    expect_refused(options, "threads");
+    options = two_fluids();
+    for (const double bad : {0.0, 180.0, not_a_number}) {
+        options.tensions[0].contact_angle = bad;
+        expect_refused(options, "contact angle of phases 0 and 1");
+    }
+    options = two_fluids();
+    options.phases[0].is_void = options.phases[1].is_void = true;
+    expect_refused(options, "nothing flows");
 }
 
 TEST(FluidOptions, EachPhaseAndEachPairThatMeetsIsGivenOnce) {

@@ -51,7 +51,7 @@ inline Tank static_drop(double edge_length, double tension) {
 
 /// Case 1 of S. Hysing et al., "Quantitative benchmark computations of two-dimensional bubble
 /// dynamics" (2009).
-inline Tank rising_bubble(double edge_length, const Parallel& parallel = {}) {
+inline Tank rising_bubble(double edge_length, const Parallel& parallel = {}, double tolerance = 0) {
     const std::vector<Shape> bubble{{disc({0.5, 0.5}, 0.25, edge_length), 1}};
     Options<double> options;
     options.edge_length = edge_length;
@@ -64,6 +64,8 @@ inline Tank rising_bubble(double edge_length, const Parallel& parallel = {}) {
     fluids.tensions = {{.tension = 24.5}};
     fluids.gravity = {0, -0.98};
     fluids.walls = {.left = Wall::slip, .right = Wall::slip};
+    fluids.threads = parallel.threads;
+    fluids.tolerance = tolerance;
     return {{{0, 0}, {1, 2}}, bubble, options, fluids, parallel};
 }
 

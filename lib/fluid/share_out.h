@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Work in threads that begin and end with it: a step takes milliseconds, to start a thread a few
+// hundredths of one.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace dsc {
+
+/// Calls `work(i)` once for each i below `count`, in any order, in so many threads with the caller.
+/// Rethrows one of the exceptions that are thrown.
+template <class Work>
+void share_out(std::size_t count, std::uint32_t threads, const Work& work, std::size_t chunk = 64) {
+    const auto run = [&](std::atomic<std::size_t>& next) {
+        for (std::size_t i = next.fetch_add(chunk); i < count; i = next.fetch_add(chunk)) {
+            for (std::size_t k = i; k < std::min(i + chunk, count); ++k) {
+                work(k);
+            }
+        }
+    };
+    std::atomic<std::size_t> next = 0;
+    if (threads <= 1 || count <= chunk) {
+        run(next);
+        return;
+    }
+    std::mutex door;
+    std::exception_ptr failure;
+    const auto guarded = [&] {
+        try {
+            run(next);
+        } catch (...) {
+            const std::scoped_lock lock(door);
+            failure = std::current_exception();
+        }
+    };
+    std::vector<std::thread> others;
+    for (std::uint32_t i = 1; i < threads; ++i) {
+        others.emplace_back(guarded);
+    }
+    guarded();
+    for (std::thread& other : others) {
+        other.join();
+    }
+    if (failure) {
+        std::rethrow_exception(failure);
+    }
+}
+
+} // namespace dsc
