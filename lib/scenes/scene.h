@@ -44,6 +44,9 @@ struct SmallWave {
 struct FluidMotion {
     FluidOptions options{};
     std::optional<SmallWave> wave{}; ///< that is measured against its exact height
+    /// Over time the exact distance from the left side at which the interface ends at the lower
+    /// one. Empty: none.
+    std::function<double(double time)> neck{};
 };
 
 /// Edges as long as the way from them to the interface divided by their number on it, and none

@@ -93,9 +93,17 @@ TEST(FluidScenes, ARunWhoseEquationsCannotBeSolvedSaysSo) {
     };
     Parameters parameters = scene.defaults;
     parameters.h = 0.08;
-    const RunResult result = run_scene(scene, parameters, {});
+    RunOptions options;
+    options.checkpoint.path = testing::TempDir() + "fluid_that_failed.checkpoint";
+    const RunResult result = run_scene(scene, parameters, options);
     EXPECT_FALSE(result.holds());
     EXPECT_NE(result.gave_up, "");
+    EXPECT_EQ(result.steps, 0) << "the step is undone";
+    EXPECT_EQ(result.triangles_last, result.triangles_first);
+    const Checkpoint saved = read_checkpoint(options.checkpoint.path);
+    options.checkpoint.path.clear();
+    options.resume = &saved;
+    EXPECT_EQ(run_scene(scene, parameters, options).gave_up, result.gave_up) << "and once more";
     EXPECT_GT(number(result.fluid, "energy_last"), 0) << "of the last good state";
 }
 

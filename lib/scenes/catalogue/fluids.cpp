@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fluids: benchmarks whose answers are exact or published, and drops and bubbles to look at. Each
 // is a table: what flows, between which walls, and from which shape.
+#include "scenes/catalogue/coalescence.h"
 #include "scenes/catalogue/families.h"
 #include "scenes/catalogue/small_waves.h"
 
@@ -24,12 +25,16 @@ struct Tank {
     double longest = 0; ///< of edges; 0: they grow without a limit
     std::function<void(double h, Setup& setup)> fill{};
     std::optional<SmallWave> wave{};
+    std::function<double(double time)> neck{};
+    double turn_degrees = 0; ///< edges along which the interface turns by more are split
     Topology topology = Topology::keep;
 };
 
 Scene scene_of(const Tank& tank) {
     InterfaceThresholds interface;
     interface.longest = 1.05; // as long as they are at the start
+    interface.turn_degrees = tank.turn_degrees;
+    interface.finest = tank.turn_degrees > 0 ? 0.02 : interface.finest;
     return {.name = tank.about.name,
             .description = tank.about.description,
             .section = tank.about.section,
@@ -45,7 +50,8 @@ Scene scene_of(const Tank& tank) {
                 setup.domain = tank.domain;
                 tank.fill(p.h, setup);
                 setup.measured = 1;
-                setup.fluid = FluidMotion{.options = tank.fluids, .wave = tank.wave};
+                setup.fluid =
+                    FluidMotion{.options = tank.fluids, .wave = tank.wave, .neck = tank.neck};
                 setup.sizes.longest = tank.longest;
                 setup.dt = times.dt;
                 setup.steps = times.steps;
@@ -196,6 +202,43 @@ Tank capillary_wave() {
                               .exact = wave_on_level({fluid, fluid, 1}, 2 * pi, depth, 0, first)}};
 }
 
+// A quarter of the plane, with the symmetry of the exact solution. The neck is as wide as two
+// tenths of a cylinder at the start: what is finer there needs edges of its own.
+Tank coalescing_cylinders() {
+    constexpr double first_neck = 0.2458;
+    constexpr double last_neck = 0.8955;
+    const double m = coalescing_at_neck(first_neck);
+    const double first = coalescing_time(m);
+    Tank tank{.about = {"coalescing-cylinders", "two viscous cylinders become one", "fluid"},
+              .h = 0.04,
+              .duration = coalescing_time(coalescing_at_neck(last_neck)) - first,
+              .dt = 0.1,
+              .domain = {{0, 0}, {2, 2}},
+              .fluids = two_fluids({.is_void = true}, {.viscosity = 1}, 1, 0, all_slip),
+              .fill =
+                  [m](double h, Setup& setup) {
+                      // The neck is about as round as the cube of its distance is long.
+                      dsc::Curve curve{.points = {}, .left = 1, .right = exterior_phase};
+                      double angle = 0;
+                      while (angle < pi / 2) {
+                          const Point<double> at = coalescing_outline(m, angle);
+                          const double length = slack * std::min(h, std::pow(at.norm(), 3) / 3);
+                          curve.points.push_back(at);
+                          const double ahead = 1e-6;
+                          angle +=
+                              ahead * length / (coalescing_outline(m, angle + ahead) - at).norm();
+                      }
+                      curve.points.back() = coalescing_outline(m, pi / 2);
+                      curve.points.back().x() = 0;
+                      setup.curves.push_back(curve);
+                  },
+              .neck = [first](double t) { return coalescing_neck(coalescing_at_time(first + t)); },
+              .turn_degrees = 10};
+    tank.fluids.equations = FluidEquations::stokes;
+    tank.fluids.tolerance = 0.01;
+    return tank;
+}
+
 // S. Hysing et al., "Quantitative benchmark computations of two-dimensional bubble dynamics"
 // (2009).
 Tank rising_bubble() {
@@ -289,8 +332,8 @@ Tank bubbles() {
 std::vector<Scene> fluid_scenes() {
     std::vector<Scene> scenes;
     for (const auto tank :
-         {static_drop, stokes_ellipse, oscillating_drop, capillary_wave, rising_bubble,
-          rising_bubble_2, falling_drop, rayleigh_taylor, bubbles}) {
+         {static_drop, stokes_ellipse, oscillating_drop, capillary_wave, coalescing_cylinders,
+          rising_bubble, rising_bubble_2, falling_drop, rayleigh_taylor, bubbles}) {
         scenes.push_back(scene_of(tank()));
     }
     return scenes;

@@ -5,9 +5,9 @@
 // same mesh as the scene. Only the exact shape stays the scene's own: [exact] scene = "NAME", which
 // is refused once the shape or the motion has been changed.
 //
-// Not in the file are the exact height of a fluid's small wave, and the keys that shape the scene
-// itself (angle, grains): what they led to is. The measures are all named, so that those of no
-// interest can be struck out.
+// Not in the file are the exact height of a fluid's small wave or neck, and the keys that shape the
+// scene itself (angle, grains): what they led to is. The measures are all named, so that those of
+// no interest can be struck out.
 #pragma once
 
 #include "scenes/file/scene_file.h"

@@ -57,25 +57,32 @@ std::string named(const std::string& key, Wall wall) {
 } // namespace
 
 FluidOptions read_fluid(const TableReader& reader) {
-    reader.allow({"equations", "gravity", "walls", "phases", "tensions"});
+    reader.allow({"equations", "gravity", "walls", "phases", "tensions", "tolerance"});
     FluidOptions options;
     options.equations =
         read_choice(reader, "equations", equations_names, FluidEquations::navier_stokes);
     options.gravity = reader.point_or({0, 0}, "gravity");
+    options.tolerance = reader.number_or(0, "tolerance", {0, 1});
     if (reader.has("walls")) {
         options.walls = read_walls(reader.table("walls"));
     }
     for (const TableReader& phase : reader.tables("phases")) {
-        phase.allow({"phase", "density", "viscosity"});
+        phase.allow({"phase", "density", "viscosity", "void"});
+        if (phase.flag_or(false, "void")) {
+            options.phases.push_back({.phase = phase_at(phase, "phase"), .is_void = true});
+            continue;
+        }
         options.phases.push_back({.phase = phase_at(phase, "phase"),
                                   .density = phase.number("density", property),
                                   .viscosity = phase.number("viscosity", positive_property)});
     }
     for (const TableReader& pair : reader.tables("tensions")) {
-        pair.allow({"one", "other", "tension"});
-        options.tensions.push_back({.one = phase_at(pair, "one"),
-                                    .other = phase_at(pair, "other"),
-                                    .tension = pair.number("tension", property)});
+        pair.allow({"one", "other", "tension", "contact-angle"});
+        options.tensions.push_back(
+            {.one = phase_at(pair, "one"),
+             .other = phase_at(pair, "other"),
+             .tension = pair.number("tension", property),
+             .contact_angle = pair.number_or(90, "contact-angle", {0, 180})});
     }
     try {
         check_fluid(options);
@@ -93,18 +100,24 @@ std::string fluid_in_toml(const FluidOptions& options) {
     std::string text = "\n[fluid]\nequations = \"" +
                        std::string(name_in(equations_names, options.equations)) +
                        "\"\ngravity = [" + shortest_digits(options.gravity.x()) + ", " +
-                       shortest_digits(options.gravity.y()) + "]\nwalls = { " +
+                       shortest_digits(options.gravity.y()) +
+                       "]\ntolerance = " + shortest_digits(options.tolerance) + "\nwalls = { " +
                        named("left", walls.left) + ", " + named("right", walls.right) + ", " +
                        named("bottom", walls.bottom) + ", " + named("top", walls.top) + " }\n";
     for (const FluidPhase& phase : options.phases) {
-        text += "[[fluid.phases]]\nphase = " + std::to_string(phase.phase) +
-                "\ndensity = " + shortest_digits(phase.density) +
+        text += "[[fluid.phases]]\nphase = " + std::to_string(phase.phase);
+        if (phase.is_void) {
+            text += "\nvoid = true\n";
+            continue;
+        }
+        text += "\ndensity = " + shortest_digits(phase.density) +
                 "\nviscosity = " + shortest_digits(phase.viscosity) + '\n';
     }
     for (const FluidTension& pair : options.tensions) {
         text += "[[fluid.tensions]]\none = " + std::to_string(pair.one) +
                 "\nother = " + std::to_string(pair.other) +
-                "\ntension = " + shortest_digits(pair.tension) + '\n';
+                "\ntension = " + shortest_digits(pair.tension) +
+                "\ncontact-angle = " + shortest_digits(pair.contact_angle) + '\n';
     }
     return text;
 }

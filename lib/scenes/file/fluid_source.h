@@ -9,10 +9,12 @@
 //         { phase = 0, density = 1000, viscosity = 10 },
 //         { phase = 1, density = 100, viscosity = 1 },
 //     ]
-//     tensions = [{ one = 0, other = 1, tension = 24.5 }]
+//     tensions = [{ one = 0, other = 1, tension = 24.5, contact-angle = 60 }]
+//     tolerance = 0.01
 //
-// Each phase of the scene needs its entry, and each pair that meets its tension. Walls are no-slip
-// and gravity is none where nothing is said.
+// Each phase of the scene needs its entry, and each pair that meets its tension. Where nothing is
+// said walls are no-slip, gravity is none, contact angles are 90 degrees, and a step is as long as
+// `dt`. A phase without fluid is { phase = 0, void = true }.
 #pragma once
 
 #include "fluid/options.h"

@@ -91,7 +91,7 @@ public:
         }
         if constexpr (std::is_same_v<Real, double>) {
             if (setup.fluid) {
-                fluid_ = std::make_unique<FluidRun>(complex_, setup);
+                fluid_ = std::make_unique<FluidRun>(complex_, setup, submeshing.threads);
             }
         }
         if (!run.edits.empty()) {

@@ -67,6 +67,20 @@ double amplitude_of(const FluidField& field, const SmallWave& wave) {
     return (weights * products - shapes * heights) / (weights * squares - shapes * shapes);
 }
 
+// How far from the left side the interface ends at the lower one.
+double neck_of(const FluidField& field) {
+    double farthest = unknown;
+    for (const FrozenEdge& edge : field.mesh.interface) {
+        for (const std::uint32_t end : {edge.from, edge.to}) {
+            const Point<double> way = field.mesh.nodes[end] - field.mesh.domain.low;
+            if (way.y() == 0) {
+                farthest = std::fmax(farthest, way.x());
+            }
+        }
+    }
+    return farthest;
+}
+
 struct Peak {
     double value = unknown;
     double time = unknown;
@@ -101,6 +115,15 @@ double amplitude_error(const std::vector<FluidMoment>& moments) {
     }
     return std::sqrt(sum / static_cast<double>(moments.size())) /
            std::abs(moments.front().exact_amplitude);
+}
+
+// By how much the neck is off at most, over what it should be.
+double neck_error(const std::vector<FluidMoment>& moments) {
+    double largest = 0;
+    for (const FluidMoment& moment : moments) {
+        largest = std::max(largest, std::abs(moment.neck / moment.exact_neck - 1));
+    }
+    return largest;
 }
 
 std::vector<double> heights(const std::vector<FluidMoment>& moments, double FluidMoment::*height) {
@@ -138,28 +161,41 @@ double frequency_error(const std::vector<FluidMoment>& moments) {
 
 void archive(Archive& archive, FluidMoment& m) {
     archive(m.time, m.circularity, m.centre, m.rise_velocity, m.area, m.largest_velocity,
-            m.pressure_jump, m.energy, m.amplitude, m.exact_amplitude);
+            m.pressure_jump, m.energy, m.amplitude, m.exact_amplitude, m.neck, m.exact_neck);
 }
 
-FluidRun::FluidRun(const Complex<double>& complex, const Setup& setup)
-    : complex_(complex), motion_(*setup.fluid), phase_(setup.measured.value_or(1)),
-      fluid_(std::make_unique<Fluid>(complex, motion_.options)) {
+FluidRun::FluidRun(const Complex<double>& complex, const Setup& setup, std::uint32_t threads)
+    : complex_(complex), motion_(*setup.fluid), phase_(setup.measured.value_or(1)) {
+    motion_.options.threads = threads;
+    fluid_ = std::make_unique<Fluid>(complex, motion_.options);
     look();
 }
 
 FluidRun::~FluidRun() = default;
 
 StepReport FluidRun::step(Simulation<double>& simulation, double dt) {
+    // A step that fails leaves a mesh without its flow, so that the state before is kept.
+    Archive before;
+    simulation.archive(before);
+    fluid_->archive(before);
+    const auto go_back = [&] {
+        Archive state(before.bytes(), "the state before the step");
+        simulation.archive(state);
+        fluid_->archive(state);
+    };
     try {
-        const FluidStep report = fluid_->step(simulation, dt);
+        const FluidStep report = fluid_->advance(simulation, dt);
         solve_s_ += report.solve_s;
         assembly_s_ += report.assembly_s;
         dsc_s_ += report.move_s;
         if (report.moved.gave_up == GiveUp::none) {
             look();
+        } else {
+            go_back();
         }
         return report.moved;
     } catch (const SolveError& error) {
+        go_back();
         failure_ = "after time " + std::to_string(fluid_->time()) + ": " + error.what();
         return {};
     }
@@ -179,15 +215,23 @@ void FluidRun::look() {
          .pressure_jump = mean_pressure(field, phase_) - mean_pressure(field, exterior_phase),
          .energy = energy(field, motion_.options).sum(),
          .amplitude = motion_.wave ? amplitude_of(field, *motion_.wave) : unknown,
-         .exact_amplitude = motion_.wave ? motion_.wave->exact(fluid_->time()) : unknown});
+         .exact_amplitude = motion_.wave ? motion_.wave->exact(fluid_->time()) : unknown,
+         .neck = motion_.neck ? neck_of(field) : unknown,
+         .exact_neck = motion_.neck ? motion_.neck(fluid_->time()) : unknown});
 }
 
 Figures FluidRun::now() const {
     const FluidMoment& m = moments_.back();
-    return {{"circularity", m.circularity},     {"centre", m.centre},
-            {"rise_velocity", m.rise_velocity}, {"largest_velocity", m.largest_velocity},
-            {"pressure_jump", m.pressure_jump}, {"energy", m.energy},
-            {"amplitude", m.amplitude},         {"amplitude_exact", m.exact_amplitude}};
+    return {{"circularity", m.circularity},
+            {"centre", m.centre},
+            {"rise_velocity", m.rise_velocity},
+            {"largest_velocity", m.largest_velocity},
+            {"pressure_jump", m.pressure_jump},
+            {"energy", m.energy},
+            {"amplitude", m.amplitude},
+            {"amplitude_exact", m.exact_amplitude},
+            {"neck", m.neck},
+            {"neck_exact", m.exact_neck}};
 }
 
 Figures FluidRun::figures() const {
@@ -207,6 +251,10 @@ Figures FluidRun::figures() const {
     if (motion_.wave) {
         figures.push_back({"amplitude_error", amplitude_error(moments_)});
         figures.push_back({"frequency_error", frequency_error(moments_)});
+    }
+    if (motion_.neck) {
+        figures.push_back({"neck_error", neck_error(moments_)});
+        figures.push_back({"neck_last", last.neck});
     }
     figures.insert(figures.end(),
                    {{"solve_s", solve_s_}, {"assembly_s", assembly_s_}, {"dsc_s", dsc_s_}});

@@ -30,13 +30,15 @@ struct FluidMoment {
     double energy = 0;           ///< kinetic, potential and of the surfaces
     double amplitude = 0;        ///< of the scene's small wave; NaN without one
     double exact_amplitude = 0;  ///< the same
+    double neck = 0;             ///< of the scene's neck; NaN without one
+    double exact_neck = 0;       ///< the same
 };
 
 /// A fluid, its moments so far and the time that it took.
 class FluidRun {
 public:
     /// The complex must outlive it. Throws InputError where `Fluid` does.
-    FluidRun(const Complex<double>& complex, const Setup& setup);
+    FluidRun(const Complex<double>& complex, const Setup& setup, std::uint32_t threads);
     ~FluidRun();
     FluidRun(const FluidRun&) = delete;
     FluidRun& operator=(const FluidRun&) = delete;

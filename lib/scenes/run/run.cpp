@@ -61,6 +61,10 @@ public:
             const Stopwatch watch;
             advance(begin, end);
             const double wall_s = watch.wall();
+            if (setup_.fluid && !result_.gave_up.empty()) {
+                frame(step); // of the state before, to which a fluid goes back
+                break;
+            }
             step_us_.push_back(wall_s * 1e6);
             result_.wall_s += wall_s;
             result_.busy_s +=

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Hopper's exact solution, and the scene that follows it.
+#include "scenes/catalogue/catalogue.h"
+#include "scenes/catalogue/coalescence.h"
+#include "scenes/run/run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace dsc::scenes::coalescence_test {
+namespace {
+
+using std::numbers::pi;
+
+// How fast the poles of the map move: the mean over the unit circle of the reciprocal of its slope,
+// weighted by Poisson's kernel at them.
+double rate_by_the_map(double m) {
+    constexpr int count = 2000;
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * pi * (i + 0.5) / count;
+        const double kernel = (1 - m) / (1 - 2 * std::sqrt(m) * std::cos(angle) + m);
+        const double slope = (1 - m * m) / std::sqrt(1 + m * m) *
+                             std::sqrt(1 + 2 * m * std::cos(2 * angle) + m * m) /
+                             (1 - 2 * m * std::cos(2 * angle) + m * m);
+        sum += kernel / slope / count;
+    }
+    return m * sum;
+}
+
+TEST(Coalescence, TimesAgreeWithTheConformalMap) {
+    for (const double m : {0.1, 0.3, 0.5, 0.7}) {
+        constexpr double step = 1e-3;
+        const double rate = 2 * step / (coalescing_time(m - step) - coalescing_time(m + step));
+        EXPECT_NEAR(rate / rate_by_the_map(m), 1, 1e-4) << "m = " << m;
+        EXPECT_NEAR(coalescing_at_time(coalescing_time(m)), m, 1e-9);
+        EXPECT_NEAR(coalescing_at_neck(coalescing_neck(m)), m, 1e-12);
+    }
+}
+
+TEST(Coalescence, OutlinesHaveTheAreaOfTheDisc) {
+    for (const double m : {0.1, 0.5, 0.9}) {
+        constexpr int count = 20000;
+        double area = 0;
+        for (int i = 0; i < count; ++i) {
+            const Point<double> a = coalescing_outline(m, 2 * pi * i / count);
+            const Point<double> b = coalescing_outline(m, 2 * pi * (i + 1) / count);
+            area += (a.x() * b.y() - a.y() * b.x()) / 2;
+        }
+        EXPECT_NEAR(area, pi, 1e-4);
+        EXPECT_NEAR(coalescing_outline(m, 0).x(), coalescing_neck(m), 1e-12);
+    }
+}
+
+// The largest error of the neck during the scene, relative to it.
+double neck_error(const std::string& h) {
+    const Scene& scene = find_scene("coalescing-cylinders");
+    Parameters parameters = scene.defaults;
+    apply_setting(parameters, scene.keys, "h=" + h);
+    const RunResult result = run_scene(scene, parameters, {});
+    EXPECT_TRUE(result.holds());
+    return number(result.fluid, "neck_error");
+}
+
+TEST(Coalescence, TheSceneHasTheExactNeck) {
+    const double coarse = neck_error("0.08");
+    const double fine = neck_error("0.04");
+    EXPECT_LT(fine, 5e-3);
+    EXPECT_LT(fine, coarse / 2);
+}
+
+} // namespace
+} // namespace dsc::scenes::coalescence_test
