@@ -38,7 +38,8 @@ public:
                 parts[d].size(), threads,
                 [&](std::size_t i) {
                     const std::size_t p = parts[d][i];
-                    d == depth ? run_all(p) : run_one(p);
+                    Places places;
+                    d == depth ? run_all(p, places) : run_one(p, places);
                 },
                 1);
         }
@@ -47,21 +48,24 @@ public:
     }
 
 private:
-    void run_all(std::size_t p) {
+    using Places = std::vector<std::uint32_t>; // of unknowns in a part that is not cut any further
+
+    void run_all(std::size_t p, Places& places) {
         for (const std::uint32_t half : dissection_.parts[p].halves) {
             if (half != no_id) {
-                run_all(half);
+                run_all(half, places);
             }
         }
-        run_one(p);
+        run_one(p, places);
     }
-    void run_one(std::size_t p) {
+    void run_one(std::size_t p, Places& places) {
         const MeshPart& part = dissection_.parts[p];
         PartFactors& own = factors_.parts[p];
         own.first = numbers_.first_of_part[p];
         own.count = numbers_.first_of_part[p + 1] - own.first;
         const bool has_halves = part.halves[0] != no_id;
-        own.border = has_halves ? border_of_halves(part, own) : border_of_triangles(part, own);
+        own.border =
+            has_halves ? border_of_halves(part, own) : border_of_triangles(part, own, places);
         own.pivots.resize(own.count);
         own.lower.assign(own.height() * own.count, 0);
         const std::size_t border = own.border.size();
@@ -76,7 +80,7 @@ private:
             }
         } else {
             for (std::uint32_t i = 0; i < part.triangle_count; ++i) {
-                add(system_.elements[dissection_.triangles[part.first_triangle + i]], own);
+                add(system_.elements[dissection_.triangles[part.first_triangle + i]], own, places);
             }
         }
         const bool is_good =
@@ -95,21 +99,37 @@ private:
                        b.end(), std::back_inserter(border));
         return border;
     }
-    [[nodiscard]] std::vector<std::uint32_t> border_of_triangles(const MeshPart& part,
-                                                                 const PartFactors& own) const {
+    // Sets the places of the unknowns as well.
+    [[nodiscard]] std::vector<std::uint32_t>
+    border_of_triangles(const MeshPart& part, const PartFactors& own, Places& places) const {
+        places.resize(static_cast<std::size_t>(system_.size));
+        for_each_unknown(part, [&](std::uint32_t unknown) { places[unknown] = no_id; });
+        for (std::uint32_t i = 0; i < own.count; ++i) {
+            places[own.first + i] = i;
+        }
         std::vector<std::uint32_t> border;
+        for_each_unknown(part, [&](std::uint32_t unknown) {
+            if (places[unknown] == no_id) {
+                places[unknown] = 0; // for now: it is known
+                border.push_back(unknown);
+            }
+        });
+        std::ranges::sort(border);
+        for (std::uint32_t place = own.count; const std::uint32_t unknown : border) {
+            places[unknown] = place++;
+        }
+        return border;
+    }
+    template <class Visit>
+    void for_each_unknown(const MeshPart& part, Visit visit) const {
         for (std::uint32_t i = 0; i < part.triangle_count; ++i) {
-            const auto t = dissection_.triangles[part.first_triangle + i];
+            const std::uint32_t t = dissection_.triangles[part.first_triangle + i];
             for (const int unknown : system_.elements[t].unknowns) {
-                if (unknown != no_unknown &&
-                    static_cast<std::uint32_t>(unknown) >= own.first + own.count) {
-                    border.push_back(static_cast<std::uint32_t>(unknown));
+                if (unknown != no_unknown) {
+                    visit(static_cast<std::uint32_t>(unknown));
                 }
             }
         }
-        std::ranges::sort(border);
-        border.erase(std::unique(border.begin(), border.end()), border.end());
-        return border;
     }
 
     // Where column `place` of a part begins, counted from its first row.
@@ -117,20 +137,13 @@ private:
         return place < own.count ? own.lower.data() + place * own.height()
                                  : own.left.get() + (place - own.count) * own.border.size();
     }
-    [[nodiscard]] static std::size_t place_of(const PartFactors& own, std::uint32_t unknown) {
-        return unknown < own.first + own.count
-                   ? unknown - own.first
-                   : own.count +
-                         static_cast<std::size_t>(std::ranges::lower_bound(own.border, unknown) -
-                                                  own.border.begin());
-    }
-    void add(const FluidElement& element, PartFactors& own) const {
+    void add(const FluidElement& element, PartFactors& own, const Places& places) const {
         std::array<std::pair<std::size_t, Eigen::Index>, 15>
             rows; // their places, and in the element
         std::size_t n = 0;
         for (Eigen::Index i = 0; const int unknown : element.unknowns) {
             if (unknown != no_unknown) {
-                rows[n++] = {place_of(own, static_cast<std::uint32_t>(unknown)), i};
+                rows[n++] = {places[static_cast<std::size_t>(unknown)], i};
             }
             ++i;
         }

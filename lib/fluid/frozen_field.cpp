@@ -11,13 +11,15 @@ namespace {
 // between two triangles, and a velocity is continuous.
 constexpr double inside = -1e-12;
 
-Barycentric coordinates(const FrozenMesh& mesh, const FrozenTriangle& t, const Point<double>& x) {
-    const Point<double>& a = mesh.nodes[t.nodes[0]];
-    const Point<double>& b = mesh.nodes[t.nodes[1]];
+inline Barycentric coordinates(const FrozenMesh& mesh, const FrozenTriangle& t,
+                               const Point<double>& x) {
     const Point<double>& c = mesh.nodes[t.nodes[2]];
-    const double whole = area(a, b, c);
-    const double first = area(x, b, c) / whole;
-    const double second = area(a, x, c) / whole;
+    const Point<double> a = mesh.nodes[t.nodes[0]] - c;
+    const Point<double> b = mesh.nodes[t.nodes[1]] - c;
+    const Point<double> way = x - c;
+    const double inverse = 1 / (a.x() * b.y() - a.y() * b.x());
+    const double first = (way.x() * b.y() - way.y() * b.x()) * inverse;
+    const double second = (a.x() * way.y() - a.y() * way.x()) * inverse;
     return {first, second, 1 - first - second};
 }
 

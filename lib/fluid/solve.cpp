@@ -40,8 +40,9 @@ Eigen::VectorXd forces_of(const FluidSystem& system) {
 }
 
 // What is left of the forces.
-Eigen::VectorXd residual_of(const FluidSystem& system, const Eigen::VectorXd& solution) {
-    Eigen::VectorXd residual = forces_of(system);
+Eigen::VectorXd residual_of(const FluidSystem& system, const Eigen::VectorXd& forces,
+                            const Eigen::VectorXd& solution) {
+    Eigen::VectorXd residual = forces;
     for (const FluidElement& element : system.elements) {
         Eigen::Matrix<double, 15, 1> values;
         for (Eigen::Index i = 0; const int unknown : element.unknowns) {
@@ -63,18 +64,19 @@ Eigen::VectorXd residual_of(const FluidSystem& system, const Eigen::VectorXd& so
 Eigen::VectorXd solve(const FluidSystem& system, const Dissection& dissection,
                       const FluidNumbering& numbers, std::uint32_t threads, SolveReport& report) {
     report = {.unknowns = system.size};
-    Eigen::VectorXd residual = forces_of(system);
-    const double size = norm(residual);
+    const Eigen::VectorXd forces = forces_of(system);
+    const double size = norm(forces);
     Eigen::VectorXd solution = Eigen::VectorXd::Zero(system.size);
     if (size == 0) {
         return solution;
     }
     const Factors factors = factorise(system, dissection, numbers, pressure_mass, threads);
+    Eigen::VectorXd residual = forces;
     report.residual = 1;
     for (int k = 0; k <= most_refinements && factors.has_all_pivots; ++k) {
         solve_in_place(factors, residual);
         solution += residual;
-        residual = residual_of(system, solution);
+        residual = residual_of(system, forces, solution);
         const double before = report.residual;
         report.residual = norm(residual) / size;
         report.refinements = k;
