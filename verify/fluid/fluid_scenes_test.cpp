@@ -84,6 +84,27 @@ TEST(FluidScenes, RunInDoubleAndNotByTheReference) {
     EXPECT_THROW(run("static-drop", {}, options), InputError);
 }
 
+TEST(FluidScenes, ATensionOfPhasesThatNeverMeetIsRefused) {
+    for (const char* topology : {"keep", "change"}) {
+        Scene scene = find_scene("rising-bubble");
+        scene.prepare = [original = scene.prepare](const Parameters& p) {
+            auto setup = original(p);
+            setup.fluid->options.phases.push_back({.phase = 2});
+            setup.fluid->options.tensions.push_back({.one = 1, .other = 2, .tension = 1});
+            return setup;
+        };
+        Parameters parameters = scene.defaults;
+        apply_setting(parameters, scene.keys, std::string("topology=") + topology);
+        apply_setting(parameters, scene.keys, "h=0.1");
+        apply_setting(parameters, scene.keys, "steps=1");
+        if (parameters.topology == Topology::keep) {
+            EXPECT_THROW((void)run_scene(scene, parameters, {}), InputError);
+        } else {
+            EXPECT_TRUE(run_scene(scene, parameters, {}).holds()) << "they may meet later";
+        }
+    }
+}
+
 TEST(FluidScenes, ARunWhoseEquationsCannotBeSolvedSaysSo) {
     Scene scene = find_scene("rising-bubble");
     scene.prepare = [original = scene.prepare](const Parameters& p) {

@@ -10,10 +10,10 @@ namespace {
 using fluid_scenes::rising_bubble;
 using fluid_scenes::Tank;
 
-// The rise velocity at time 0.2.
-double rise(double edge_length, double dt) {
+// The rise velocity at a time.
+double rise(double edge_length, double dt, double end = 0.2) {
     Tank tank = rising_bubble(edge_length);
-    for (int step = 0; step < std::lround(0.2 / dt); ++step) {
+    for (int step = 0; step < std::lround(end / dt); ++step) {
         (void)tank.fluid.step(tank.simulation, dt);
     }
     return mean_velocity(tank.fluid.field(), 1).y();
@@ -29,20 +29,20 @@ TEST(FluidRisingBubble, StepsConvergeToSecondOrder) {
 
 // The smaller the tolerance, the more steps and the smaller the error.
 TEST(FluidRisingBubble, StepsAreAsLongAsTheToleranceLetsThem) {
-    const double exact = rise(0.08, 0.0025);
+    const double exact = rise(0.1, 0.0025, 0.1);
     double last_error = 1;
     int last_steps = 0;
-    for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
-        Tank tank = rising_bubble(0.08, {}, tolerance);
-        const FluidStep all = tank.fluid.advance(tank.simulation, 0.2);
-        EXPECT_DOUBLE_EQ(tank.fluid.time(), 0.2);
+    for (const double tolerance : {3e-4, 1e-4, 1e-5}) {
+        Tank tank = rising_bubble(0.1, {}, tolerance);
+        const FluidStep all = tank.fluid.advance(tank.simulation, 0.1);
+        EXPECT_DOUBLE_EQ(tank.fluid.time(), 0.1);
         const double error = std::abs(mean_velocity(tank.fluid.field(), 1).y() - exact);
         EXPECT_LT(error, last_error);
         EXPECT_GT(all.steps, last_steps);
         last_error = error;
         last_steps = all.steps;
     }
-    EXPECT_LT(last_error, 2e-5);
+    EXPECT_LT(last_error, 5e-6);
 }
 
 TEST(FluidRisingBubble, AreaIsKeptAndEnergyOnlyLost) {

@@ -92,6 +92,9 @@ public:
         if constexpr (std::is_same_v<Real, double>) {
             if (setup.fluid) {
                 fluid_ = std::make_unique<FluidRun>(complex_, setup, submeshing.threads);
+                if (!topology_) {
+                    fluid_->check_pairs_meet();
+                }
             }
         }
         if (!run.edits.empty()) {

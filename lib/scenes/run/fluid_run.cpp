@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/run/fluid_run.h"
 
+#include "dsc/base/error.h"
 #include "dsc/queries/phases.h"
 #include "fluid/fluid.h"
 #include "fluid/solve_report.h"
@@ -172,6 +173,22 @@ FluidRun::FluidRun(const Complex<double>& complex, const Setup& setup, std::uint
 }
 
 FluidRun::~FluidRun() = default;
+
+void FluidRun::check_pairs_meet() const {
+    const std::vector<FrozenEdge>& interface = fluid_->field().mesh.interface;
+    for (const FluidTension& pair : motion_.options.tensions) {
+        const bool meet = std::ranges::any_of(interface, [&](const FrozenEdge& edge) {
+            return &pair_of(motion_.options, edge.left, edge.right) == &pair;
+        });
+        if (!meet) {
+            throw InputError(
+                {.what = "a tension of phases that never meet",
+                 .where = "FluidOptions::tensions",
+                 .value = "phases " + to_text(pair.one) + " and " + to_text(pair.other),
+                 .allowed = "pairs that meet, where the topology is kept"});
+        }
+    }
+}
 
 StepReport FluidRun::step(Simulation<double>& simulation, double dt) {
     // A step that fails leaves a mesh without its flow, so that the state before is kept.

@@ -45,7 +45,10 @@ public:
     FluidRun(FluidRun&&) = delete;
     FluidRun& operator=(FluidRun&&) = delete;
 
-    /// Moves the interface of the simulation, and measures.
+    /// Throws InputError if there is a tension of two phases that do not meet now: to be called
+    /// where the topology is kept, so that they never will.
+    void check_pairs_meet() const;
+    /// Moves the interface of the simulation, and measures. A step that fails is undone.
     StepReport step(Simulation<double>& simulation, double dt);
     /// Why the last step has no flow; empty: it has.
     [[nodiscard]] const std::string& failure() const { return failure_; }
