@@ -42,7 +42,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 COPIED = ("CMakeLists.txt", "CMakePresets.json", "README.md", "CHANGELOG.md", "LICENSE", ".clang-format",
           "lib", "reference", "verify", "bench", "plots")
 MODULES = ("fluid", "geometric_flows", "replay", "thesis", "topology")  # whose lines are mutated, as the core's are
-PLACE = re.compile(r"source/(lib/(?:dsc|fluid|geometric_flows|replay|thesis|topology)/[\w/]+\.(?:cpp|h)):(\d+)")
+PLACE = re.compile(rf"source/(lib/(?:dsc|{'|'.join(MODULES)})/[\w/]+\.(?:cpp|h)):(\d+)")
 LEAST = 0.9             # of the mutants that are not equivalent
 TRIES_OF_RACES = 3      # a race does not show in each run
 LIMITS = ["prlimit", "--cpu=300", f"--as={6 << 30}", "--core=0"]  # of each test; beyond, it "did not end"
@@ -281,8 +281,9 @@ def try_fault(folder, fault, alone):
     path = folder / "source" / fault.file
     if not fault.is_cpp:
         path.write_text(fault.applied_to(path.read_text(encoding="utf-8")), encoding="utf-8")
-    for tests, but in [(own, "")] * (TRIES_OF_RACES if fault.kind in ("race", "shared state") else 1) + \
-            ([] if alone else OTHERS):
+    tries = 0 if not own else TRIES_OF_RACES if fault.kind in ("race", "shared state") else 1
+    test, how = None, None
+    for tests, but in [(own, "")] * tries + ([] if alone else OTHERS):
         test, how, seconds = first_failure(folder, tests, but, name)
         spent += seconds
         if test:
