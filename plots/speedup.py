@@ -234,7 +234,9 @@ def picture(family, context):
     """S(n) and U(n) of a family, a column for each size."""
     looks = series.looks(series.by_label(family.points + family.models, lambda p: p.row.label))
     width = 3.7 if family.top > WIDE else 3.1
-    fig, grid = style.figure(max(7.2, 0.5 + width * len(family.sizes)), 7.4, 2, len(family.sizes),
+    legend, notes = _legend(family, looks), conditions(family)
+    fig, grid = style.figure(max(7.2, 0.5 + width * len(family.sizes)),
+                             6.6 + 0.09 * len(legend) + len(notes) / 700, 2, len(family.sizes),
                              sharey="row")
     for column, size in enumerate(family.sizes):
         here = [p for p in family.points + family.models if p.row.triangles == size]
@@ -248,11 +250,10 @@ def picture(family, context):
         grid[0][column].set_title(f"{base.size}, $t_s$ = {style.duration(middle)} a step")
         grid[1][column].set_xlabel("threads $n$")
     grid[0][0].set_ylabel("speed-up  $S(n) = t_s\\,/\\,t_n$")
-    grid[1][0].set_ylabel("$S(n)\\,/\\,n$, and utilisation $U(n)$ =\nbusy time of $n$ threads / "
+    grid[1][0].set_ylabel("$S(n)\\,/\\,n$, and utilisation\n$U(n)$ = busy time / "
                           "($n\\,\\cdot$ wall time)")
     title = f"Speed-up: {family.title}"
-    style.finish(fig, title, style.caption_text(context, conditions(family)),
-                 _legend(family, looks))
+    style.finish(fig, title, style.caption_text(context, notes), legend)
     return style.Picture(f"speedup_{family.name}", title, plain(family), fig, *table(family))
 
 

@@ -86,7 +86,7 @@ class Parallel(Case):
         lower = picture.figure.axes[1]
         busy = [y for line in lower.get_lines() if line.get_markersize() == 13 for y in line.get_ydata()]
         self.assertEqual(sorted(busy), [0.9] * 3 + [1] * 3)
-        self.assertIn("busy time of $n$ threads", lower.get_ylabel())
+        self.assertIn("$U(n)$ = busy time / ($n\\,\\cdot$ wall time)", lower.get_ylabel())
         found = {r[1]: r for r in picture.rows if r[2:4] == ["measured", "2"]}
         for name, text in (("used", "2"), ("U(n)", "0.90"), ("serial share", "10.0%")):
             self.assertEqual(found["cells"][picture.header.index(name)], text)
