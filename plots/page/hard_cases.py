@@ -2,6 +2,7 @@
 """The table of hard cases: what was asked, what was measured, and what happened."""
 from look import style
 from page import document as page
+from page.verdicts import show
 from results import load
 
 FIXED = ("name", "asked", "what_happened", "holds")
@@ -18,16 +19,6 @@ def read(path):
     return cases
 
 
-def _show(value):
-    if value is None:
-        return "–"
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, int):
-        return style.whole(value)
-    return style.digits(value) if isinstance(value, float) else str(value)
-
-
 def _measured(case):
     """'inverted 0, unreached 0, sub-steps 12': whatever else a case states, in its own order.
     Counts of zero are left out, except those that must be zero."""
@@ -38,7 +29,7 @@ def _measured(case):
         values[str(case["error_is"])] = values.pop("error")
     more = case.get("values")
     values.update(more if isinstance(more, dict) else {})
-    return ", ".join(f"{k.replace('_', ' ')} {_show(v)}" for k, v in values.items())
+    return ", ".join(f"{k.replace('_', ' ')} {show(v)}" for k, v in values.items())
 
 
 def _happened(case):

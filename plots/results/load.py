@@ -10,8 +10,6 @@ import os
 import statistics
 from dataclasses import dataclass, field
 
-import numpy
-
 
 class InputFault(Exception):
     """A result file that cannot be used; its text is one sentence for the user."""

@@ -74,13 +74,6 @@ class Page(Case):
                     self.assertEqual(self.browser.ask(OVERFLOWS), [])
                     self.assertEqual(self.browser.ask(UNREADABLE), [])
 
-    def test_dark_and_light_differ(self):
-        ground = "return getComputedStyle(document.body).backgroundColor;"
-        self.browser.show(self.page, dark=False)
-        light = self.browser.ask(ground)
-        self.browser.show(self.page, dark=True)
-        self.assertNotEqual(self.browser.ask(ground), light)
-
     def test_the_keyboard_reaches_everything_in_order(self):
         self.browser.show(self.page)
         first = self.browser.tab()
