@@ -8,12 +8,11 @@ Each result is that of a run of `dsc_scene run rising-bubble --json`, say with o
 and steps. Each of three figures has a panel of its own, since one alone can be right by luck: its
 error against CPU seconds.
 """
-import json
 import sys
 
 from look import script, style  # first: it says which Python has no matplotlib
 
-from results.load import InputFault
+from results.load import InputFault, need, read_json
 
 # Key of a result, title, the closest published series (MooNMD's, on a mesh that fits the interface)
 # and by how much the groups of the benchmark differ from it.
@@ -29,17 +28,13 @@ SMALLEST = 1e-6  # the published digits end here
 
 def read(path):
     """A result of the scene."""
-    try:
-        with open(path, encoding="utf-8") as stream:
-            result = json.load(stream)
-    except (OSError, ValueError, RecursionError) as error:
-        raise InputFault(f"{path}: cannot be used ({error}).") from error
-    if not isinstance(result, dict) or result.get("scene") != "rising-bubble":
-        raise InputFault(f"{path}: no result of the scene rising-bubble.")
-    missing = [key for key in ("cpu_s", "machine", "commit", *(f[0] for f in FIGURES))
-               if key not in result]
-    if missing:
-        raise InputFault(f"{path}: has no '{missing[0]}'.")
+    result = read_json(path)
+    if need(result, "scene", path, str) != "rising-bubble":
+        raise InputFault(f"{path} is a result of {result['scene']}, where rising-bubble is expected.")
+    for key in ("cpu_s", *(key for key, *_ in FIGURES)):
+        need(result, key, path, float)
+    for key in ("machine", "commit"):
+        need(result, key, path, str)
     return result
 
 
