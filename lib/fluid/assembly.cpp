@@ -23,6 +23,13 @@ Eigen::Matrix<double, 2, 3> slopes_of(const FrozenMesh& mesh, const FrozenTriang
     return slopes;
 }
 
+// The sum over points of the products of two nodes' values there. Written out: Eigen fuses the
+// additions of its own where the processor can, and the result would depend on that.
+double sum_of_products(const Eigen::Matrix<double, 6, 3>& one,
+                       const Eigen::Matrix<double, 6, 3>& other, Eigen::Index i, Eigen::Index j) {
+    return one(i, 0) * other(j, 0) + one(i, 1) * other(j, 1) + one(i, 2) * other(j, 2);
+}
+
 // Viscous stress, 2 mu D(u) : D(v), and the divergence.
 void add_stress(FluidElement& element, const Eigen::Matrix<double, 2, 3>& slopes, double area,
                 double viscosity) {
@@ -38,15 +45,14 @@ void add_stress(FluidElement& element, const Eigen::Matrix<double, 2, 3>& slopes
         }
     }
     const double weight = area * points_of_degree_2[0].weight * viscosity; // of all points
-    const Eigen::Matrix<double, 6, 6> xx = weight * in_x.lazyProduct(in_x.transpose());
-    const Eigen::Matrix<double, 6, 6> yy = weight * in_y.lazyProduct(in_y.transpose());
-    const Eigen::Matrix<double, 6, 6> yx = weight * in_y.lazyProduct(in_x.transpose());
     for (Eigen::Index j = 0; j < 6; ++j) {
         for (Eigen::Index i = 0; i < 6; ++i) {
-            element.matrix(2 * i, 2 * j) += 2 * xx(i, j) + yy(i, j);
-            element.matrix(2 * i + 1, 2 * j + 1) += xx(i, j) + 2 * yy(i, j);
-            element.matrix(2 * i, 2 * j + 1) += yx(i, j);
-            element.matrix(2 * i + 1, 2 * j) += yx(j, i);
+            const double xx = weight * sum_of_products(in_x, in_x, i, j);
+            const double yy = weight * sum_of_products(in_y, in_y, i, j);
+            element.matrix(2 * i, 2 * j) += 2 * xx + yy;
+            element.matrix(2 * i + 1, 2 * j + 1) += xx + 2 * yy;
+            element.matrix(2 * i, 2 * j + 1) += weight * sum_of_products(in_y, in_x, i, j);
+            element.matrix(2 * i + 1, 2 * j) += weight * sum_of_products(in_y, in_x, j, i);
         }
     }
     element.matrix.topRightCorner<12, 3>() = element.matrix.bottomLeftCorner<3, 12>().transpose();

@@ -48,7 +48,12 @@ Eigen::VectorXd residual_of(const FluidSystem& system, const Eigen::VectorXd& fo
         for (Eigen::Index i = 0; const int unknown : element.unknowns) {
             values[i++] = unknown == no_unknown ? 0 : solution[unknown];
         }
-        const Eigen::Matrix<double, 15, 1> products = element.matrix.lazyProduct(values);
+        Eigen::Matrix<double, 15, 1> products = Eigen::Matrix<double, 15, 1>::Zero();
+        for (Eigen::Index j = 0; j < 15; ++j) { // written out: Eigen's own would fuse additions
+            for (Eigen::Index i = 0; i < 15; ++i) {
+                products[i] += element.matrix(i, j) * values[j];
+            }
+        }
         for (Eigen::Index i = 0; const int unknown : element.unknowns) {
             if (unknown != no_unknown) {
                 residual[unknown] -= products[i];

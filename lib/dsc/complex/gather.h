@@ -83,7 +83,7 @@ struct Spokes {
 /// from triangle to triangle, and its neighbours on the interface be known, as long as no edit has
 /// changed it.
 struct KeptStar {
-    static constexpr std::uint32_t capacity = 8;
+    static constexpr std::uint32_t capacity = 8; ///< the largest degree that fits
 
     std::uint32_t vertex = no_id; ///< the centre
     std::uint32_t size = 0;       ///< triangles of the star
