@@ -9,8 +9,8 @@
 
 namespace dsc {
 
-/// A part of the mesh: a few triangles, or two halves. Its inner nodes are those that no triangle
-/// outside has, and no half alone.
+/// A part of the mesh: a few triangles, or two halves. Its inner nodes belong to no triangle
+/// outside the part and, if the part is cut, to both halves.
 struct MeshPart {
     std::uint32_t first_triangle = 0;                  ///< in `Dissection::triangles`
     std::uint32_t triangle_count = 0;                  ///< of both halves
@@ -28,9 +28,9 @@ struct Dissection {
         {}; ///< each node of a triangle once, in the order of the parts
 };
 
-/// Cuts at the median along an axis, the longer one or, of many triangles, the one for which fewer
-/// nodes lie on the cut, and then straightens the cut. The result depends on nothing but the mesh.
-/// O(n log n).
+/// Cuts at the median along the longer axis; parts with many triangles try both axes and keep the
+/// shorter cut. Then straightens the cut. With one standard library, the result depends on nothing
+/// but the mesh. O(n log n).
 [[nodiscard]] Dissection dissect(const FrozenMesh& mesh);
 
 } // namespace dsc

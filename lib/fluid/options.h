@@ -58,8 +58,9 @@ struct FluidOptions {
     /// The tension is taken at places that are ahead by this share of what the new velocity changes
     /// in a step: from 0.5 on, no tension limits the step. More damps the shortest waves.
     double implicitness = 0.6;
-    /// By how much of an edge a step may move an end of it wrongly, for `Fluid::advance`, above 0
-    /// and up to 1. 0: steps are as long as they are asked to be.
+    /// Error per step that `Fluid::advance` aims at, as a share of the edge length, up to 1; 0
+    /// disables step control. The length of a step is chosen from the error of the one before; a
+    /// step that exceeds it is kept.
     double tolerance = 0;
     std::uint32_t threads = 1; ///< 1 to 1024; any number gives the same bits
 };

@@ -44,8 +44,8 @@ struct SmallWave {
 struct FluidMotion {
     FluidOptions options{};
     std::optional<SmallWave> wave{}; ///< that is measured against its exact height
-    /// Over time the exact distance from the left side at which the interface ends at the lower
-    /// one. Empty: none.
+    /// Exact distance from the left side to where the interface meets the bottom, as a function of
+    /// time. Empty: none.
     std::function<double(double time)> neck{};
 };
 

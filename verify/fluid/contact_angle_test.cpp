@@ -46,7 +46,7 @@ Cap relative_cap(double degrees, double edge_length, bool in_void) {
     fluids.walls = {Wall::slip, Wall::slip, Wall::slip, Wall::slip};
     fluids.equations = FluidEquations::stokes;
     Fluid fluid(complex, fluids);
-    while (fluid.time() < 8) {
+    for (int step = 0; step < 16; ++step) {
         (void)fluid.step(simulation, 0.5);
     }
     Cap cap{0, 0};

@@ -217,7 +217,8 @@ Tank coalescing_cylinders() {
               .fluids = two_fluids({.is_void = true}, {.viscosity = 1}, 1, 0, all_slip),
               .fill =
                   [m](double h, Setup& setup) {
-                      // The neck is about as round as the cube of its distance is long.
+                      // The radius of curvature near the neck is about the cube of the distance
+                      // from the origin.
                       dsc::Curve curve{.points = {}, .left = 1, .right = exterior_phase};
                       double angle = 0;
                       while (angle < pi / 2) {
