@@ -162,7 +162,11 @@ void add_contacts(FluidSystem& system, const FrozenMesh& mesh, const FluidOption
         const std::uint32_t end = triangle.nodes[to];
         const Phase phase = triangle.phase;
         const Phase beyond = mesh.triangles[behind[end]].phase;
-        if (phase == beyond) {
+        const bool do_meet = std::ranges::any_of(mesh.interface, [&](const FrozenEdge& edge) {
+            return (edge.from == end || edge.to == end) &&
+                   std::minmax(edge.left, edge.right) == std::minmax(phase, beyond);
+        });
+        if (!do_meet) { // or only at this vertex, with a third phase between them
             return;
         }
         const FluidTension& pair = pair_of(options, phase, beyond);

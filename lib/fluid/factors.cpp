@@ -70,8 +70,9 @@ private:
         own.lower.assign(own.height() * own.count, 0);
         const std::size_t border = own.border.size();
         own.left = std::make_unique_for_overwrite<double[]>(border * border);
-        for (std::size_t j = 0; j < border; ++j) {
-            std::fill_n(own.left.get() + j * border + j, border - j, 0.0);
+        for (std::size_t j = 0; j < border; ++j) { // from just above the diagonal: that is read
+            const std::size_t first = j - std::min<std::size_t>(j, 1);
+            std::fill_n(own.left.get() + j * border + first, border - first, 0.0);
         }
         if (has_halves) {
             for (const std::uint32_t half : part.halves) {

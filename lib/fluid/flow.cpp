@@ -51,9 +51,9 @@ void fill_voids(std::vector<FluidPhase>& phases) {
     }
 }
 
-// The largest distance by which an end of an edge was moved wrongly, in lengths of the edge.
-double error_of_motion(const FluidField& field, const FluidPast& mover) {
-    const double dt = field.time - mover.one->time;
+// The largest distance by which an end of an edge was moved wrongly in a step, in lengths of the
+// edge.
+double error_of_motion(const FluidField& field, const FluidPast& mover, double dt) {
     double largest = 0;
     for (const FrozenEdge& edge : field.mesh.interface) {
         const double length = (field.mesh.nodes[edge.to] - field.mesh.nodes[edge.from]).norm();
@@ -66,11 +66,12 @@ double error_of_motion(const FluidField& field, const FluidPast& mover) {
     return largest;
 }
 
+constexpr double least_factor = 0.3; // of a step over the one before
+
 // The duration for which the error, which grows with its third power, is what it may be: a little
-// less, since a step that fails is not made again.
+// less, since a step whose error is larger is kept.
 double next_duration(double dt, double error, double tolerance) {
     constexpr double caution = 0.8;
-    constexpr double least_factor = 0.3;
     constexpr double largest_factor = 1.5;
     return dt * std::clamp(caution * std::cbrt(tolerance / error), least_factor, largest_factor);
 }
@@ -82,7 +83,7 @@ void add(FluidStep& all, const FluidStep& one) {
     moved.passes += all.moved.passes;
     moved.unreached += all.moved.unreached;
     moved.held += all.moved.held;
-    all = {.steps = all.steps + 1,
+    all = {.steps = all.steps + one.steps,
            .error = std::max(all.error, one.error),
            .moved = moved,
            .solved = one.solved,
@@ -144,9 +145,11 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
     Timer timer;
     report.moved = simulation.step(motion_in(mover, areas_), time(), dt);
     report.move_s = timer.lap();
-    if (report.moved.gave_up == GiveUp::none) {
+    if (report.moved.gave_up != GiveUp::none) {
+        report.steps = 0;
+    } else {
         auto next = solution_in(freeze(complex_), time() + dt, report);
-        report.error = error_of_motion(*next, mover);
+        report.error = error_of_motion(*next, mover, next->time - time());
         two_ = std::exchange(one_, std::move(next));
     }
     return report;
@@ -167,7 +170,8 @@ FluidStep Fluid::advance(Simulation<double>& simulation, double duration) {
         const double wanted = std::clamp(next_dt_, shortest, longest);
         const double dt = (end - time()) / std::ceil((end - time()) / wanted - 1e-9);
         const FluidStep one = step(simulation, dt);
-        next_dt_ = next_duration(dt, one.error, options_.tolerance);
+        next_dt_ =
+            one.steps == 0 ? least_factor * dt : next_duration(dt, one.error, options_.tolerance);
         add(all, one);
     }
     return all;
@@ -175,6 +179,7 @@ FluidStep Fluid::advance(Simulation<double>& simulation, double duration) {
 
 void Fluid::archive(Archive& archive) {
     archive(areas_, next_dt_);
+    archive.expect(std::isfinite(next_dt_) && next_dt_ >= 0, "holds a step of no length");
     bool has_two = two_ != nullptr;
     archive(has_two);
     if (archive.is_reading()) {

@@ -13,7 +13,7 @@ namespace dsc {
 
 /// What a step of a fluid did, or several of them.
 struct FluidStep {
-    int steps = 1;         ///< how many
+    int steps = 1;         ///< how many were made; one that gave up is none
     double error = 0;      ///< of the interface: an estimate of the largest, in edges there
     StepReport moved;      ///< of the simulation: sums, and the end of the last step
     SolveReport solved;    ///< of velocity and pressure
@@ -26,7 +26,7 @@ struct FluidStep {
 /// simulation's interface moved by it:
 ///
 ///     dsc::Fluid fluid(complex, options);
-///     while (fluid.time() < 3) { fluid.step(simulation, 0.01); }
+///     for (int i = 0; i < 300; ++i) { fluid.step(simulation, 0.01); }
 ///
 /// The domain is a rectangle. Velocities are quadratic in each triangle and linear along each edge
 /// between two phases, pressures linear with a jump there: a polygon whose edges balance each other
@@ -38,13 +38,15 @@ struct FluidStep {
 /// that of the start: after each sub-step each curve is moved along its normal by the distance that
 /// brings back what is missing.
 ///
-/// A step takes O(n) time, apart from the factorisation: about O(n^1.5). Memory: the factors and
-/// two copies of the mesh. Any number of threads gives the same bits. Not thread-safe itself.
+/// A step takes O(n) time, apart from the factorisation: about O(n^1.5). Memory: the factors, two
+/// copies of the mesh and the matrices of the elements, about 2 kB for each triangle. Any number of
+/// threads gives the same bits. Not thread-safe itself.
 class Fluid {
 public:
     /// At rest, at time 0; for `FluidEquations::stokes` with the velocity that the interface gives.
     /// The complex must outlive the fluid. Throws InputError if an option is out of range, a phase
-    /// has no properties, or two phases meet without a tension.
+    /// has no properties, or two phases meet without a tension; SolveError if the equations of
+    /// Stokes cannot be solved.
     Fluid(const Complex<double>& complex, FluidOptions options);
     ~Fluid();
     Fluid(const Fluid&) = delete;
@@ -56,11 +58,14 @@ public:
     /// the flow at `time() + dt`. If the simulation gives up, the flow stays as it was: see
     /// `moved.gave_up`. Throws InputError if dt is not above 0, or phases meet that have no
     /// tension; SolveError if the equations cannot be solved.
+    /// After either of these two, and after a step that gave up, the mesh may have moved without
+    /// its flow: to go back, archive the simulation and the fluid before a step that may fail.
     FluidStep step(Simulation<double>& simulation, double dt);
-    /// Steps until `time() + duration`: one, or with a tolerance as many as meet it. The error of a
-    /// step is estimated by what the velocity differs from the one that the interface was moved
-    /// with; the next one is chosen for it, from a thousandth of the duration to all of it. Stops
-    /// where a step gives up. Throws as `step` does.
+    /// Steps until `time() + duration`: one, or with a tolerance as many as it asks for. The error
+    /// of a step is estimated by the difference of the velocity from the one that the interface was
+    /// moved with. The length of the next step is chosen from it, from a thousandth of the duration
+    /// to all of it; a step that exceeds the tolerance is kept. Stops where a step gives up; the
+    /// next one is shorter then. Throws as `step` does.
     FluidStep advance(Simulation<double>& simulation, double duration);
     /// All that the next step depends on, apart from the simulation and its complex, which have to
     /// be archived before it. Throws FileError for what no fluid can have written.
@@ -81,7 +86,7 @@ private:
     const Complex<double>& complex_;
     FluidOptions options_;
     std::vector<PhaseArea> areas_;    ///< to be held
-    double next_dt_ = 0;              ///< the step that meets the tolerance; 0: not known yet
+    double next_dt_ = 0;              ///< the step that aims at the tolerance; 0: not known yet
     std::unique_ptr<FluidField> one_; ///< the last solution; null only during construction
     std::unique_ptr<FluidField> two_; ///< the one before; null at the start
 };

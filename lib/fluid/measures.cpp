@@ -112,7 +112,11 @@ FluidEnergy energy(const FluidField& field, const FluidOptions& options) {
     const FrozenMesh& mesh = field.mesh;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const FrozenTriangle& triangle = mesh.triangles[t];
-        const double mass = area(mesh, triangle) * fluid_of(options, triangle.phase).density;
+        const FluidPhase& fluid = fluid_of(options, triangle.phase);
+        if (fluid.is_void) {
+            continue;
+        }
+        const double mass = area(mesh, triangle) * fluid.density;
         for (const QuadraturePoint& point : points_of_degree_5) {
             energy.kinetic +=
                 mass * point.weight / 2 * velocity_at(field, {t, point.at}).squaredNorm();

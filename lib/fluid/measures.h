@@ -41,7 +41,8 @@ struct FluidEnergy {
     [[nodiscard]] double sum() const { return kinetic + potential + surface; }
 };
 
-/// The energies of a solution; masses per area and forces per length, as in `FluidOptions`. O(n).
+/// The energies of a solution; a void has no mass. Masses per area and forces per length, as in
+/// `FluidOptions`. O(n).
 [[nodiscard]] FluidEnergy energy(const FluidField& field, const FluidOptions& options);
 
 } // namespace dsc

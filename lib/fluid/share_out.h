@@ -9,13 +9,15 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace dsc {
 
-/// Calls `work(i)` once for each i below `count`, in any order, in so many threads with the caller.
-/// Rethrows one of the exceptions that are thrown.
+/// Calls `work(i)` once for each i below `count`, in any order, in so many threads with the caller;
+/// in fewer if there are fewer chunks, or if no more can be started. Rethrows one of the exceptions
+/// that are thrown.
 template <class Work>
 void share_out(std::size_t count, std::uint32_t threads, const Work& work, std::size_t chunk = 64) {
     const auto run = [&](std::atomic<std::size_t>& next) {
@@ -40,14 +42,16 @@ void share_out(std::size_t count, std::uint32_t threads, const Work& work, std::
             failure = std::current_exception();
         }
     };
-    std::vector<std::thread> others;
-    for (std::uint32_t i = 1; i < threads; ++i) {
-        others.emplace_back(guarded);
+    std::vector<std::jthread> others;
+    try {
+        const std::size_t chunks = (count + chunk - 1) / chunk;
+        for (std::size_t i = 1; i < std::min<std::size_t>(threads, chunks); ++i) {
+            others.emplace_back(guarded);
+        }
+    } catch (const std::system_error&) { // the others do its work
     }
     guarded();
-    for (std::thread& other : others) {
-        other.join();
-    }
+    others.clear(); // joins them
     if (failure) {
         std::rethrow_exception(failure);
     }
