@@ -69,6 +69,7 @@ FluidOptions read_fluid(const TableReader& reader) {
     for (const TableReader& phase : reader.tables("phases")) {
         phase.allow({"phase", "density", "viscosity", "void"});
         if (phase.flag_or(false, "void")) {
+            phase.allow({"phase", "void"});
             options.phases.push_back({.phase = phase_at(phase, "phase"), .is_void = true});
             continue;
         }

@@ -128,7 +128,13 @@ public:
     }
     void step(const FluidMotion&, double time, double dt, RunResult& result) {
         if constexpr (std::is_same_v<Real, double>) {
-            take(fluid_->step(*simulation_, dt), time, result);
+            const StepReport report = fluid_->step(*simulation_, dt);
+            const bool is_undone = report.gave_up != GiveUp::none || !fluid_->failure().empty();
+            if (is_undone && topology_) { // what it did to the phases is undone as well
+                (void)topology_->take_events();
+                (void)topology_->take_area();
+            }
+            take(report, time, result);
             if (!fluid_->failure().empty()) {
                 result.gave_up = fluid_->failure();
             }
@@ -172,7 +178,7 @@ public:
     /// Seconds that all threads have been busy beyond one that never waits; nothing where that is
     /// not measured.
     [[nodiscard]] std::optional<double> busy_beyond_one() const {
-        if (threads_of_copies_ > 1) {
+        if (threads_of_copies_ > 1 || (fluid_ && fluid_->threads() > 1)) {
             return std::nullopt;
         }
         const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);

@@ -118,11 +118,12 @@ double amplitude_error(const std::vector<FluidMoment>& moments) {
            std::abs(moments.front().exact_amplitude);
 }
 
-// By how much the neck is off at most, over what it should be.
+// Largest relative error of the neck; NaN if it could not be measured at some time.
 double neck_error(const std::vector<FluidMoment>& moments) {
     double largest = 0;
     for (const FluidMoment& moment : moments) {
-        largest = std::max(largest, std::abs(moment.neck / moment.exact_neck - 1));
+        const double error = std::abs(moment.neck / moment.exact_neck - 1);
+        largest = error > largest || std::isnan(error) ? error : largest;
     }
     return largest;
 }
@@ -200,21 +201,30 @@ StepReport FluidRun::step(Simulation<double>& simulation, double dt) {
         simulation.archive(state);
         fluid_->archive(state);
     };
+    const auto fail = [&](const std::exception& error) {
+        go_back();
+        failure_ = "after time " + std::to_string(fluid_->time()) + ": " + error.what();
+        return StepReport{};
+    };
     try {
         const FluidStep report = fluid_->advance(simulation, dt);
+        if (report.moved.gave_up != GiveUp::none) {
+            go_back();
+            StepReport undone;
+            undone.gave_up = report.moved.gave_up;
+            undone.where = report.moved.where;
+            undone.speed = report.moved.speed;
+            return undone;
+        }
         solve_s_ += report.solve_s;
         assembly_s_ += report.assembly_s;
         dsc_s_ += report.move_s;
-        if (report.moved.gave_up == GiveUp::none) {
-            look();
-        } else {
-            go_back();
-        }
+        look();
         return report.moved;
     } catch (const SolveError& error) {
-        go_back();
-        failure_ = "after time " + std::to_string(fluid_->time()) + ": " + error.what();
-        return {};
+        return fail(error);
+    } catch (const InputError& error) { // two phases have met that have no tension
+        return fail(error);
     }
 }
 

@@ -48,10 +48,14 @@ public:
     /// Throws InputError if there is a tension of two phases that do not meet now: to be called
     /// where the topology is kept, so that they never will.
     void check_pairs_meet() const;
-    /// Moves the interface of the simulation, and measures. A step that fails is undone.
+    /// Moves the interface of the simulation, and measures. A step that fails is undone: its report
+    /// says only why it gave up.
     StepReport step(Simulation<double>& simulation, double dt);
     /// Why the last step has no flow; empty: it has.
     [[nodiscard]] const std::string& failure() const { return failure_; }
+
+    /// Threads of the fluid.
+    [[nodiscard]] std::uint32_t threads() const { return motion_.options.threads; }
 
     /// The last moment, for a row of a series: always the same names.
     [[nodiscard]] Figures now() const;

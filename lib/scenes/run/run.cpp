@@ -86,7 +86,9 @@ public:
         save();
         frames_.finish(result_.events);
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
-            method_.finish();
+            if (!setup_.fluid || result_.gave_up.empty()) { // else the log has an undone step
+                method_.finish();
+            }
         }
         if (!options_.outlines.empty()) {
             write_file(options_.outlines, outlines_to_geojson(complex()));

@@ -155,6 +155,8 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {options + "[fluid]\nphases = [{ phase = 1, density = 1, viscosity = -2 }]\n",
          {"s.toml:6", "viscosity", "-2"}},
         {options + "[fluid]\nphases = [{ phase = 1, density = 1 }]\n", {"s.toml", "viscosity"}},
+        {options + "[fluid]\nphases = [{ phase = 0, void = true, density = 1 }]\n",
+         {"s.toml:6", "density", "void"}},
         {options + "[fluid]\ntensions = [{ one = 0, other = 1, tension = 1 }]\n",
          {"s.toml:5", "phase 0", "properties"}},
         {options + "[fluid]\n[flow]\nu = 'x'\nv = 'y'\n", {"s.toml", "flow", "fluid", "one"}},
