@@ -40,6 +40,14 @@ TEST(Coalescence, TimesAgreeWithTheConformalMap) {
     }
 }
 
+// Integrated by a library, in 30 digits.
+TEST(Coalescence, TimesOfNecksAreThoseOfAnotherQuadrature) {
+    const auto time_at = [](double neck) { return coalescing_time(coalescing_at_neck(neck)); };
+    EXPECT_NEAR(time_at(0.0743), 0.0450923966849328, 1e-13);
+    EXPECT_NEAR(time_at(0.2458), 0.199785417888417, 1e-13);
+    EXPECT_NEAR(time_at(0.8955), 1.98422189775172, 1e-12);
+}
+
 TEST(Coalescence, OutlinesHaveTheAreaOfTheDisc) {
     for (const double m : {0.1, 0.5, 0.9}) {
         constexpr int count = 20000;

@@ -17,7 +17,8 @@ namespace dsc::scenes {
 /// The distance of the neck from the origin.
 [[nodiscard]] double coalescing_neck(double m);
 
-/// The time at which the outline is that of `m`, above 0 and below 1. The error is below 1e-9.
+/// The time at which the outline is that of `m`, above 0 and below 1. The relative
+/// error is below 1e-12.
 [[nodiscard]] double coalescing_time(double m);
 
 /// The `m` of a neck, between 0 and 1, and of a time above 0.
