@@ -70,18 +70,18 @@ void AreaKeeper::begin(const CurveNetwork& network, std::span<const KeptArea> ke
     kept_ = changeable(network, kept);
     pressures_ = Vector::Zero(static_cast<Eigen::Index>(kept_.size()));
     if (!kept_.empty()) {
-        find_sides(kept_);
+        find_sides();
     }
 }
 
-void AreaKeeper::find_sides(std::span<const KeptArea> kept) {
+void AreaKeeper::find_sides() {
     const auto ordered = [](const Sides& sides) {
         return sides.left < sides.right ? sides : Sides{sides.right, sides.left};
     };
     sides_.clear();
     pairs_.clear();
     for (const CurveEdge& edge : network_->edges) {
-        sides_.push_back({place_in(kept, edge.left), place_in(kept, edge.right)});
+        sides_.push_back({place_in(kept_, edge.left), place_in(kept_, edge.right)});
         if (pairs_.empty() || pairs_.back() != ordered(sides_.back())) { // along a curve they stay
             pairs_.push_back(ordered(sides_.back()));
         }
@@ -134,10 +134,9 @@ void AreaKeeper::find_missing(std::span<const Point<double>> positions,
 // are free to, and the less the more drag they have. False if the pressures cannot be found.
 bool AreaKeeper::prepare(std::span<const Point<double>> positions,
                          std::span<const Point<double>> displacements) {
-    const auto at = [&](std::uint32_t v) { return Point<double>(positions[v] + displacements[v]); };
-    moves_.resize(positions.size());
-    for (std::uint32_t v = 0; v < positions.size(); ++v) {
-        moves_[v] = at(v);
+    moves_.resize(positions.size()); // first the places
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        moves_[v] = positions[v] + displacements[v];
     }
     lump_drag(*network_, moves_, drag_);
     normals_.resize(sides_.size());

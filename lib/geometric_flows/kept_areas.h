@@ -39,7 +39,7 @@ private:
         friend auto operator<=>(const Sides&, const Sides&) = default;
     };
 
-    void find_sides(std::span<const KeptArea> kept);
+    void find_sides();
     void find_missing(std::span<const Point<double>> positions,
                       std::span<const Point<double>> displacements);
     bool prepare(std::span<const Point<double>> positions,

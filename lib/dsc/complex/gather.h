@@ -79,28 +79,6 @@ struct Spokes {
     }
 };
 
-/// A closed star of at most eight triangles, kept so that it can be gathered again without a walk
-/// from triangle to triangle, and its neighbours on the interface be known, as long as no edit has
-/// changed it.
-struct KeptStar {
-    static constexpr std::uint32_t capacity = 8; ///< the largest degree that fits
-
-    std::uint32_t vertex = no_id; ///< the centre
-    std::uint32_t size = 0;       ///< triangles of the star
-    std::uint32_t stamp = 0;      ///< of the centre, at that time
-    Spokes spokes;                ///< those of the interface
-    Phase left = border_phase;    ///< of the first of these spokes, seen from the centre
-    Phase right = border_phase;   ///< of the same one
-    std::array<std::uint32_t, capacity> link; ///< ids; from `size` on the first one again
-
-    /// Whether the star is what it was: each edit puts the centre into an active set, and that
-    /// gives it another stamp. O(1).
-    template <class Real>
-    [[nodiscard]] bool is_unchanged(const Complex<Real>& complex) const {
-        return complex.vertices[vertex].stamp == stamp;
-    }
-};
-
 /// The spokes whose two sides differ in phase. O(degree).
 template <class Real>
 Spokes interface_spokes(const Ring<Real>& ring) {
@@ -341,65 +319,7 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
     return true;
 }
 
-/// Whether the region owns the vertices of a link and its centre, where they are now.
-template <class Real>
-bool owns_kept(const Complex<Real>& complex, const Region& region, const KeptStar& kept) {
-    bool is_owned = owns(complex, region, kept.vertex);
-    for (std::uint32_t i = 0; i < kept.size; ++i) {
-        is_owned = is_owned && owns(complex, region, kept.link[i]);
-    }
-    return is_owned;
-}
-
 } // namespace detail
-
-/// Keeps a closed star that has room. O(1).
-template <class Real>
-KeptStar keep_star(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes) {
-    KeptStar kept{.vertex = ring.vertex,
-                  .size = ring.size,
-                  .stamp = complex.vertices[ring.vertex].stamp,
-                  .spokes = spokes,
-                  .left = ring.phase_after(spokes.first),
-                  .right = ring.phase_before(spokes.first),
-                  .link = {}};
-    for (std::uint32_t i = 0; i < KeptStar::capacity; ++i) {
-        kept.link[i] = ring.link[i < ring.size ? i : 0];
-    }
-    return kept;
-}
-
-/// Gathers what movement reads of a kept star, with the places of today: centre, link and
-/// coordinates, but no corners, phases and predecessors. Returns false, and has gathered nothing,
-/// if the region does not own all of the star. O(1).
-template <class Real>
-bool gather_kept(const Complex<Real>& complex, const Region& region, const KeptStar& kept,
-                 Ring<Real>& ring) {
-    constexpr std::uint32_t lanes = KeptStar::capacity;
-    if (!region.is_whole() && !detail::owns_kept(complex, region, kept)) {
-        return false;
-    }
-    const auto* const vertices = complex.vertices.data();
-    const std::uint32_t n = kept.size;
-    ring.vertex = kept.vertex;
-    ring.size = n;
-    ring.closed = true;
-    ring.owned = true;
-    ring.x0 = read_shared(vertices[kept.vertex].x);
-    ring.y0 = read_shared(vertices[kept.vertex].y);
-    for (std::uint32_t i = 0; i < lanes; ++i) {
-        const auto& record = vertices[kept.link[i]];
-        ring.link[i] = kept.link[i];
-        ring.x[i] = read_shared(record.x);
-        ring.y[i] = read_shared(record.y);
-    }
-    for (std::uint32_t i = 0; i < lanes; ++i) {
-        const std::uint32_t next = i + 1 < n ? i + 1 : i < n ? 0 : 1;
-        ring.x_next[i] = read_shared(vertices[kept.link[next]].x);
-        ring.y_next[i] = read_shared(vertices[kept.link[next]].y);
-    }
-    return true;
-}
 
 /// Gathers the star of `vertex`, counter-clockwise; an open star from its clockwise end. Returns
 /// false if it has more triangles than fit, or none, or if the region does not own the centre (then

@@ -7,6 +7,7 @@
 #include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
+#include "dsc/complex/kept_star.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/passes/options.h"
 
