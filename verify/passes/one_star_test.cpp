@@ -5,6 +5,7 @@
 #include "support/small_meshes.h"
 
 #include "dsc/algorithm/executor.h"
+#include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/algorithm.h"
 
@@ -86,6 +87,15 @@ TEST_F(AStar, MovesNoVertexOutOfItsSubmesh) {
     EXPECT_EQ(complex.position(Vertex{0}), Point<double>(0, 0));
     EXPECT_TRUE(work.movers.empty());
     EXPECT_TRUE(is_put_off(DeferredKind::mover));
+}
+
+TEST_F(AStar, ThatVanishesOnItsWayHasNowhereToArrive) {
+    const Edge spoke =
+        complex.find_edge(Vertex{0}, Vertex{complex.vertex(next(complex.vertices[0].corner))});
+    ASSERT_EQ(edge_collapse(complex, spoke, Vertex{0}), Verdict::legal);
+    work.movers.push_back({0, 0.3, 0});
+    EXPECT_EQ(give_up_movers(work), 0U);
+    EXPECT_TRUE(work.movers.empty());
 }
 
 // Four by four squares; (i, j) has the id 5 j + i.
