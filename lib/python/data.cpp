@@ -153,32 +153,6 @@ void forget_foreign_data(Complex<double>& complex) {
     }
 }
 
-std::vector<std::string> names_after_foreign_data(const Complex<double>& complex) {
-    std::vector<std::string> late;
-    bool is_after = false;
-    for (const auto& one : complex.attributes.list()) {
-        const bool is_data = kind_of_data(*one).has_value();
-        is_after = is_after || !is_data;
-        if (is_after && is_data) {
-            late.push_back(one->name());
-        }
-    }
-    return late;
-}
-
-void put_last(Complex<double>& complex, const std::vector<std::string>& names) {
-    for (const std::string& name : names) {
-        const auto& list = complex.attributes.list();
-        const auto found = std::ranges::find_if(
-            list, [&](const auto& one) { return one->name() == name && kind_of_data(*one); });
-        if (found != list.end()) {
-            const std::uint32_t kind = *kind_of_data(**found);
-            complex.attributes.remove(name);
-            add_kind(complex.attributes, name, kind);
-        }
-    }
-}
-
 std::string bytes_of(const Complex<double>& complex) {
     Complex<double> copy(complex);
     forget_foreign_data(copy);

@@ -8,10 +8,6 @@ namespace dsc::python {
 
 /// Removes attributes that are no data of Python, which simulations before have left.
 void forget_foreign_data(Complex<double>& complex);
-/// The data that has been added after the attributes of a simulation.
-[[nodiscard]] std::vector<std::string> names_after_foreign_data(const Complex<double>& complex);
-/// Puts these data behind all other attributes. Their entries are lost.
-void put_last(Complex<double>& complex, const std::vector<std::string>& names);
 
 /// The complex with its data as bytes, sealed; and back. Throws FileError where a byte has changed.
 [[nodiscard]] std::string bytes_of(const Complex<double>& complex);

@@ -120,21 +120,6 @@ InterfaceMotion<double> motion_of(const SeeingFunction& seeing, Integrator integ
 
 namespace {
 
-// A function of Python that makes a flow by place and time.
-template <class... Given, class Make>
-auto field_maker(const char* name, Make make) {
-    return [=](const Given&... given) {
-        return OwnFlow{name, py::make_tuple(given...), Velocity<double>(make(given...))};
-    };
-}
-
-template <class Field>
-auto field_about_a_centre(const char* name) {
-    return field_maker<py::object, double>(name, [](const py::object& centre, double speed) {
-        return Field{point_from(centre, "centre"), speed};
-    });
-}
-
 std::vector<KeptArea> areas_from(const py::object& keep) {
     std::map<Phase, double> areas;
     if (py::isinstance<Mesh>(keep)) {
@@ -163,25 +148,14 @@ OwnFlow growth_of(const Speeds& speeds) {
     return {"growth", py::make_tuple(speeds), growth(options), options};
 }
 
-OwnFlow reversed(const OwnFlow& flow) {
-    const auto* velocity = std::get_if<Velocity<double>>(&flow.flow);
-    if (velocity == nullptr) {
-        refuse("a flow without an opposite", "-flow", flow.name, "a flow by place and time");
-    }
-    return {"_reversed", py::make_tuple(flow), Velocity<double>(scenes::reversed(*velocity))};
-}
-
 } // namespace
 
 void add_flows(py::module_& module) {
     py::class_<OwnFlow>(module, "Flow", R"(
 A flow for `Simulation.step`, other than a function of positions and time.
-
-`-flow` is the opposite of a flow by place and time.
 )")
         .def_readonly("_name", &OwnFlow::name)
-        .def_readonly("_given", &OwnFlow::given)
-        .def("__neg__", &reversed);
+        .def_readonly("_given", &OwnFlow::given);
 
     module.def(
         "interface_flow",
@@ -216,12 +190,13 @@ Examples
 >>> sim.step(grow, 0, 0.1).unreached
 0
 )");
-    module.def("swirl",
-               field_maker<double, double>("swirl",
-                                           [](double amplitude, double period) {
-                                               return scenes::Swirl{amplitude, period};
-                                           }),
-               "amplitude"_a = 1.0, "period"_a = 0.0, R"(
+    module.def(
+        "swirl",
+        [](double amplitude, double period) {
+            return OwnFlow{"swirl", py::make_tuple(amplitude, period),
+                           Velocity<double>(scenes::Swirl{amplitude, period})};
+        },
+        "amplitude"_a = 1.0, "period"_a = 0.0, R"(
 amplitude * f(t) * (sin(pi x)**2 sin(2 pi y), -sin(pi y)**2 sin(2 pi x)).
 
 Parameters
@@ -234,20 +209,6 @@ Returns
 -------
 Flow
 )");
-    module.def("translation",
-               field_maker<py::object>("translation",
-                                       [](const py::object& velocity) {
-                                           return scenes::Translation{
-                                               point_from(velocity, "velocity")};
-                                       }),
-               "velocity"_a, "The same velocity (2,) everywhere.");
-    module.def("rotation", field_about_a_centre<scenes::Rotation>("rotation"), "centre"_a,
-               "angular_speed"_a = 1.0, "Counter-clockwise about a centre, in radians.");
-    module.def("vortex", field_about_a_centre<scenes::Vortex>("vortex"), "centre"_a,
-               "speed"_a = 1.0, "Counter-clockwise about a centre, at one speed.");
-    module.def("radial", field_about_a_centre<scenes::Radial>("radial"), "centre"_a,
-               "speed"_a = 1.0, "Away from a centre, at one speed.");
-    module.def("_reversed", &reversed, "flow"_a);
     module.def("growth", &growth_of, "speeds"_a, R"(
 Phases grow along their normals; convex corners open into arcs.
 

@@ -89,36 +89,6 @@ py::array component_of(const Mesh& mesh) {
     return array_of<std::int32_t>(numbers);
 }
 
-// --- outlines to begin with --------------------------------------------------------------------
-
-void add_shapes(py::module_& module) {
-    auto shapes = module.def_submodule(
-        "shapes",
-        "Outlines (n, 2), counter-clockwise, whose edges are at most `edge_length` long.");
-    shapes.def(
-        "circle",
-        [](const py::object& centre, double radius, double edge_length) {
-            return array_of(scenes::circle(point_from(centre, "centre"), radius, edge_length));
-        },
-        "centre"_a, "radius"_a, "edge_length"_a, "The first vertex is at angle 0.");
-    shapes.def(
-        "polygon",
-        [](const py::object& corners, double edge_length) {
-            return array_of(scenes::polygon(points_from(corners, "corners"), edge_length));
-        },
-        "corners"_a, "edge_length"_a, "Each side is cut into equal parts.");
-    shapes.def(
-        "slotted_disc",
-        [](const py::object& centre, double radius, double width, double height,
-           double edge_length) {
-            return array_of(scenes::slotted_disc(
-                {point_from(centre, "centre"), radius, width, height}, edge_length));
-        },
-        "centre"_a, "radius"_a, "slot_width"_a, "slot_height"_a, "edge_length"_a,
-        "Zalesak's disc: the slot is cut from below, and its height counted from the lowest "
-        "point.");
-}
-
 } // namespace
 
 void add_measures(py::module_& module, py::class_<Mesh, std::shared_ptr<Mesh>>& mesh) {
@@ -182,12 +152,13 @@ Examples
         "outlines"_a,
         "The area inside outlines that run counter-clockwise, clockwise around holes.");
     module.def(
-        "perimeter",
-        [](const py::object& outlines) {
-            return scenes::perimeter(outlines_from(outlines, "outlines"));
+        "circle",
+        [](const py::object& centre, double radius, double edge_length) {
+            return array_of(scenes::circle(point_from(centre, "centre"), radius, edge_length));
         },
-        "outlines"_a, "The length of closed outlines.");
-    add_shapes(module);
+        "centre"_a, "radius"_a, "edge_length"_a,
+        "An outline (n, 2), counter-clockwise, whose edges are at most `edge_length` long. The "
+        "first vertex is at angle 0.");
 }
 
 } // namespace dsc::python

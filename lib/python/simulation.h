@@ -114,17 +114,14 @@ public:
     [[nodiscard]] py::bytes state() {
         (void)mesh_->complex(); // refused while a step runs
         Archive archive;
-        std::vector<std::string> late = names_after_foreign_data(mesh_->complex());
-        archive(late, report_.step.reached);
+        archive(report_.step.reached);
         simulation_->archive(archive);
         return archive.bytes();
     }
     void restore(const std::string& bytes) {
         const auto change = mesh_->change();
         Archive archive(bytes, "simulation");
-        std::vector<std::string> late;
-        archive(late, report_.step.reached);
-        put_last(mesh_->complex_to_step(), late);
+        archive(report_.step.reached);
         simulation_->archive(archive);
         archive.expect_end();
     }

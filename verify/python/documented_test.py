@@ -102,10 +102,6 @@ class Stubs(unittest.TestCase):
                     and getattr(getattr(dsc, name.split(".")[0]), "__module__", "") == "dsc._dsc"}
         self.assertEqual({name for name in compiled if "." in name} - set(stubs), set())
 
-    def test_shapes(self):
-        self.assertEqual(set(stubbed("shapes.pyi")),
-                         {name for name in vars(dsc.shapes) if not name.startswith("_")})
-
 
 if __name__ == "__main__":
     unittest.main()

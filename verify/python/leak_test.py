@@ -69,7 +69,7 @@ class Interrupted(unittest.TestCase):
         for flow in (dsc.swirl(period=2), swirl):
             waits = []
             for _ in range(5):
-                mesh = dsc.initial_complex(DOMAIN, {1: dsc.shapes.circle((0.5, 0.75), 0.15, h)},
+                mesh = dsc.initial_complex(DOMAIN, {1: dsc.circle((0.5, 0.75), 0.15, h)},
                                            edge_length=h)
                 sim = dsc.Simulation(mesh, edge_length=h, threads=2)
 

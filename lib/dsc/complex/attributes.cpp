@@ -156,13 +156,13 @@ void AttributeSet::archive(Archive& archive) {
     std::uint64_t count = list_.size();
     archive(count, vertex_bound_, triangle_bound_);
     archive.expect(count == list_.size(), "holds other attributes");
-    for (const auto& attribute : list_) {
-        std::string name = attribute->name();
-        SimplexKind kind = attribute->kind();
+    for (const auto& listed : list_) {
+        std::string name = listed->name();
+        SimplexKind kind = listed->kind();
         archive(name);
         archive.choice(kind, 3);
-        archive.expect(name == attribute->name() && kind == attribute->kind(),
-                       "holds other attributes");
+        AttributeBase* const attribute = find(name);
+        archive.expect(attribute != nullptr && kind == attribute->kind(), "holds other attributes");
         attribute->archive(archive);
     }
 }

@@ -131,8 +131,9 @@ public:
     /// Swaps the entries; references to the attributes of either set stay valid.
     void swap_entries(AttributeSet& other) noexcept;
 
-    /// Writes the entries of all attributes, or reads them back into a set that has the same ones.
-    /// Throws FileError where it has others, InputError for one that cannot be archived.
+    /// Writes the entries of all attributes, or reads them back into a set that has the same ones,
+    /// in any order. Throws FileError where it has others, InputError for one that cannot be
+    /// archived.
     void archive(Archive& archive);
 
 private:

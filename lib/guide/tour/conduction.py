@@ -23,7 +23,7 @@ def conduct(mesh, conductivity):
 
 
 h = 0.06
-mesh = dsc.initial_complex(((0, 0), (1, 1)), {1: dsc.shapes.circle((0.5, 0.75), 0.2, h)}, edge_length=h)
+mesh = dsc.initial_complex(((0, 0), (1, 1)), {1: dsc.circle((0.5, 0.75), 0.2, h)}, edge_length=h)
 sim = dsc.Simulation(mesh, edge_length=h)
 flows = []
 

@@ -11,9 +11,9 @@
 0.16
 """
 from . import bench, interplay, scenes
-from ._dsc import (FileError, Flow, Fluid, InputError, Mesh, Simulation, SolveError, area, curvature_flow,
-                   growth, hausdorff, initial_complex, interface_flow, perimeter, radial, rotation,
-                   shapes, swirl, symmetric_difference, translation, vortex)
+from ._dsc import (FileError, Flow, Fluid, InputError, Mesh, Simulation, SolveError, area, circle,
+                   curvature_flow, growth, hausdorff, initial_complex, interface_flow, swirl,
+                   symmetric_difference)
 from .data import Data
 from .drawing import animate, plot
 from .records import Curve, Event, Interface, Report
@@ -21,9 +21,9 @@ from .runs import run
 from .state import load, save
 
 __all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError", "Interface", "Mesh", "Report",
-           "Simulation", "SolveError", "animate", "area", "bench", "curvature_flow", "growth", "hausdorff",
-           "initial_complex", "interface_flow", "load", "perimeter", "plot", "radial", "rotation",
-           "run", "save", "scenes", "shapes", "swirl", "symmetric_difference", "translation", "vortex"]
+           "Simulation", "SolveError", "animate", "area", "bench", "circle", "curvature_flow", "growth",
+           "hausdorff", "initial_complex", "interface_flow", "load", "plot", "run", "save", "scenes", "swirl",
+           "symmetric_difference"]
 
 Mesh.vertex_data = property(lambda mesh: Data(mesh, "vertex"), doc="Of vertices: a `Data`.")
 Mesh.triangle_data = property(lambda mesh: Data(mesh, "triangle"), doc="Of triangles: a `Data`.")

@@ -1,9 +1,0 @@
-# SPDX-License-Identifier: MIT
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
-def circle(centre: ArrayLike, radius: float, edge_length: float) -> NDArray[np.float64]: ...
-def polygon(corners: ArrayLike, edge_length: float) -> NDArray[np.float64]: ...
-def slotted_disc(
-    centre: ArrayLike, radius: float, slot_width: float, slot_height: float, edge_length: float
-) -> NDArray[np.float64]: ...
