@@ -12,7 +12,7 @@ import sys
 from look import script, style  # first: it says which Python has no matplotlib
 
 import numpy
-from matplotlib.ticker import FuncFormatter, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from results import load, series
 
@@ -70,11 +70,12 @@ def _panel(axes, points, looks):
     n = points[0].n
     times = [p.base.median for p in points]
     middle = math.sqrt(max(times) * min(times))
-    wide = max(1.6 * math.sqrt(max(times) / min(times)), 5)  # a decade, or the axis has no tick
+    wide = max(1.6 * math.sqrt(max(times) / min(times)), 5)
     axes.set(xscale="log", xlim=(middle / wide, middle * wide), title=style.counted(n, "thread"),
              ylim=(0, max(1.15, 1.05 * max(p.interval[2] / n for p in points))),
              xlabel="sequential work a step  $t_s$")
     axes.set_yticks(numpy.arange(0, axes.get_ylim()[1], 0.2))
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: style.tick(value)))
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.annotate("S = 1: threads pay above ", (1, 1 / n), (0, -3), ha="right", va="top",
