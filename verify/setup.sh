@@ -17,7 +17,7 @@ browser_packages=(chromium chromium-driver python3-selenium)
 reader_packages=(python3-vtk9)
 workflow_packages=(snakemake)
 # The sanitizer's own runtime is only recommended by clang-14, so it is named.
-tsan_packages=(clang-14 lld-14 libclang-rt-14-dev libomp-14-dev)
+tsan_packages=(clang-14 clang-format-14 lld-14 libclang-rt-14-dev libomp-14-dev)
 
 jobs=$(env -u OMP_NUM_THREADS nproc)
 
