@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <stdexcept>
 
 namespace dsc::interface_motion_test {
 namespace {
@@ -104,20 +103,6 @@ TEST(InterfaceMotion, RefusesNoTime) {
     EXPECT_THROW((void)simulation.step(translation(0.5, 0.25), 0, 0), InputError);
     EXPECT_EQ(simulation.step(test::constant<double>(0.5, 0.25), 0, 0).sub_steps, 0U);
     EXPECT_EQ(simulation.step(translation(0.5, 0.25), 0, 0.01).sub_steps, 1U);
-}
-
-TEST(InterfaceMotion, WhatItThrowsComesOut) {
-    auto complex = disc_complex<double>(coarse);
-    const auto options = options_for<double>(coarse);
-    Simulation<double> simulation(complex, options);
-    const InterfaceMotion<double> motion = [](const auto&, double, double, auto) {
-        throw std::runtime_error("no solution");
-    };
-    const auto hash = mesh_hash(complex);
-    EXPECT_THROW((void)simulation.step(motion, 0, 0.01), std::runtime_error);
-    EXPECT_EQ(mesh_hash(complex), hash);
-    expect_sound(complex, simulation);
-    EXPECT_EQ(simulation.step(translation(0.1, 0), 0, 0.01).unreached, 0U);
 }
 
 } // namespace

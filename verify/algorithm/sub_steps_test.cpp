@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How far vertices are asked to travel at a time: no farther than a sub-step allows, also where the
-// flow becomes faster within the step or turns out to be faster than in the step before.
+// flow becomes faster within the step; and the step that follows from a tolerance.
 #include "support/courses.h"
 #include "support/simulation_testing.h"
 
+#include "dsc/algorithm/simulation.h"
+#include "dsc/initial/initial_complex.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
@@ -98,6 +100,116 @@ TEST(SubSteps, AreAsManyAsTheWayAsksFor) {
     const StepReport report = simulation.step(test::constant<double>(5.9 * edge, 0), 0, 1);
     EXPECT_EQ(report.sub_steps, static_cast<std::uint32_t>(std::ceil(5.9 / options.sub_step)));
     EXPECT_LE(farthest.value(), options.sub_step * (1 + 1e-9));
+}
+
+class Turning : public testing::Test {
+protected:
+    static Complex<double> disc(double h) {
+        std::vector<Point<double>> outline;
+        for (int i = 0; i < 40; ++i) {
+            const double angle = 2 * M_PI * i / 40;
+            outline.emplace_back(0.5 + 0.2 * std::cos(angle), 0.5 + 0.2 * std::sin(angle));
+        }
+        const std::vector<Shape> shapes{{outline, 1}};
+        return initial_complex<double>({}, shapes, {.edge_length = h});
+    }
+    static double farthest_from_circle(const Complex<double>& complex,
+                                       const Simulation<double>& simulation) {
+        double worst = 0;
+        for (const std::uint32_t v : simulation.interface()) {
+            const Point<double> d = complex.position(Vertex{v}) - Point<double>(0.5, 0.5);
+            worst = std::max(worst, std::abs(d.norm() - 0.2));
+        }
+        return worst;
+    }
+    // Counter-clockwise about the middle of the domain.
+    static Velocity<double> turn(double speed) {
+        return pointwise<double>([=](const Point<double>& p, double) {
+            return Point<double>(-speed * (p.y() - 0.5), speed * (p.x() - 0.5));
+        });
+    }
+};
+
+TEST_F(Turning, TheToleranceChoosesTheStep) {
+    std::uint32_t first_steps = 0;
+    std::uint32_t last_steps = 0;
+    for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+        auto complex = disc(0.05);
+        auto options = options_for<double>(0.05);
+        options.integrator = Integrator::adaptive;
+        options.tolerance = tolerance;
+        options.interface.coarsening = Coarsening::never;
+        Simulation<double> simulation(complex, options);
+        std::uint32_t steps = 0;
+        double estimate = 0;
+        for (int i = 0; i < 5; ++i) {
+            const StepReport report = simulation.step(turn(20), 0.1 * i, 0.1);
+            EXPECT_EQ(report.unreached, 0U);
+            steps += report.sub_steps;
+            estimate = std::max(estimate, report.error);
+        }
+        EXPECT_LE(estimate, tolerance * 0.05);
+        EXPECT_GE(steps, last_steps);
+        // What was estimated bounds what happened.
+        EXPECT_LE(farthest_from_circle(complex, simulation), steps * tolerance * 0.05);
+        first_steps = first_steps == 0 ? steps : first_steps;
+        last_steps = steps;
+    }
+    EXPECT_GT(last_steps, 2 * first_steps); // which is what the length of a move asks for
+}
+
+TEST_F(Turning, TheStepGrowsAgainWhereTheFlowIsSlower) {
+    auto complex = disc(0.05);
+    auto options = options_for<double>(0.05);
+    options.integrator = Integrator::adaptive;
+    options.tolerance = 1e-6;
+    Simulation<double> simulation(complex, options);
+    EXPECT_GT(simulation.step(turn(20), 0, 0.1).sub_steps, 20U);
+    EXPECT_LT(simulation.step(turn(1), 0.1, 1).sub_steps, 30U);
+    EXPECT_LT(simulation.step(turn(1), 1.1, 1).sub_steps, 30U);
+}
+
+TEST_F(Turning, AFlowWithoutDerivativesEndsAllTheSame) {
+    auto complex = disc(0.05);
+    auto options = options_for<double>(0.05);
+    options.integrator = Integrator::adaptive;
+    options.tolerance = 1e-9;
+    options.max_sub_steps = 40;
+    Simulation<double> simulation(complex, options);
+    const auto jumps = pointwise<double>([](const Point<double>& p, double) {
+        return Point<double>(std::fmod(std::floor(p.x() * 1e6), 2) < 1 ? 0.2 : -0.2, 0);
+    });
+    const StepReport report = simulation.step(jumps, 0, 0.01);
+    EXPECT_LE(report.sub_steps, static_cast<std::uint32_t>(options.max_sub_steps));
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
+// A flow that is rough for a moment asks for sub-steps so short that the whole step would be
+// thousands of them; that is no reason to give it up.
+TEST_F(Turning, AMomentOfRoughnessDoesNotMakeTheRestOfTheStepShort) {
+    auto complex = disc(0.05);
+    auto options = options_for<double>(0.05);
+    options.integrator = Integrator::adaptive;
+    options.tolerance = 1e-6;
+    options.max_sub_steps = 300;
+    Simulation<double> simulation(complex, options);
+    const auto rough = pointwise<double>([](const Point<double>& p, double time) {
+        const bool is_rough = time > 0.1 && time < 0.102;
+        return Point<double>(0.1, is_rough ? 1e-3 * std::sin(1e7 * p.y()) : 0.0);
+    });
+    const StepReport smooth = simulation.step(rough, 0, 0.1);
+    const StepReport within = simulation.step(rough, 0.1, 0.0015);
+    const StepReport beyond = simulation.step(rough, 0.1015, 0.3985);
+    for (const StepReport& one : {smooth, within, beyond}) {
+        EXPECT_EQ(one.gave_up, GiveUp::none);
+        EXPECT_EQ(one.unreached, 0U);
+        EXPECT_LE(one.error, 1e-6 * 0.05);
+    }
+    EXPECT_GT(within.sub_steps, 5U);
+    EXPECT_EQ(validate(complex).problem, "");
+    for (const std::uint32_t v : simulation.interface()) {
+        EXPECT_NEAR((complex.position(Vertex{v}) - Point<double>(0.55, 0.5)).norm(), 0.2, 1e-4);
+    }
 }
 
 } // namespace

@@ -12,8 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 namespace dsc::enum_table_test {
 namespace {
 
@@ -63,15 +61,6 @@ TEST(EnumTable, NamesAreThoseThatEnumsAreKnownBy) {
     EXPECT_EQ(to_string(Slabbing::counting), "counting");
     EXPECT_EQ(to_string(Assignment::queue), "queue");
     EXPECT_EQ(to_string(Verdict::no_gain), "no_gain");
-}
-
-TEST(EnumTable, DiceDrawEachValue) {
-    test::Dice dice(1);
-    std::set<Integrator> drawn;
-    for (int i = 0; i < 100; ++i) {
-        drawn.insert(dice.one_of(integrator_names));
-    }
-    EXPECT_EQ(drawn.size(), integrator_names.size());
 }
 
 } // namespace

@@ -136,14 +136,5 @@ TEST(Allocations, StepsInSubmeshesMakeNoneBetweenDivisions) {
     }
 }
 
-// Create and merge makes meshes in each step, but in the room of those before; at most an array
-// grows once more. With attributes, of which targets and the notes of the topology are two, it
-// makes new ones, and with carried phases a new list of them.
-TEST(Allocations, StepsThatCopyMakeNone) {
-    const Counted counted = count(choices().front(), copy_division);
-    EXPECT_GT(counted.edits, 500U) << "hardly anything was done";
-    EXPECT_LE(counted.allocations, 2U);
-}
-
 } // namespace
 } // namespace dsc::allocations_test

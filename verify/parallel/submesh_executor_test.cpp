@@ -34,32 +34,6 @@ struct Fault : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-TEST(SubmeshExecutor, PassesOnWhatAVelocityThrows) {
-    for (const NamedPartitioner& way : ways_to_divide(3)) {
-        for (const std::uint32_t threads : {1U, 2U, 4U}) {
-            for (const int good_steps : {0, 2}) { // before; with two it is about to divide anew
-                SCOPED_TRACE(std::string(way.name) + ", threads " + std::to_string(threads));
-                Growing disc(way.make(), threads);
-                for (int step = 0; step < good_steps; ++step) {
-                    (void)disc.simulation->step(disc.grow, 0, Growing::h);
-                }
-                const Velocity<double> faulty = [&](std::span<const Point<double>> positions,
-                                                    double, std::span<Point<double>> velocities) {
-                    disc.grow(positions, 0, velocities);
-                    for (const auto& p : positions) {
-                        if (p.x() > 0.7) {
-                            throw Fault("no velocity here");
-                        }
-                    }
-                };
-                EXPECT_THROW((void)disc.simulation->step(faulty, 0, Growing::h), Fault);
-                EXPECT_GE(disc.seen->view().partition.colours.front().regions.size(), 3U);
-                disc.expect_to_go_on();
-            }
-        }
-    }
-}
-
 bool is_same(const Region& a, const Region& b) {
     return a.kind == b.kind && a.low == b.low && a.high == b.high && a.side_low == b.side_low &&
            a.side_high == b.side_high && a.place == b.place && a.context == b.context &&
