@@ -76,7 +76,7 @@ TEST_P(CustomIntegratorOf, MovesTheSameBitsAsOneOfTheCore) {
         // Nothing that comes or goes after the targets are found is on the interface.
         EXPECT_EQ(counts.accepted, report.interface_vertices);
     }
-    test::expect_whole(complex, *simulation);
+    test::expect_sound(complex, *simulation);
 }
 
 TEST_P(CustomIntegratorOf, IsToldWhichVerticesStartAfresh) {

@@ -10,6 +10,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/complex.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
@@ -148,10 +149,8 @@ private:
 template <class Real>
 Conserved& with_density_one(Complex<Real>& complex) {
     auto& mass = complex.attributes.add(std::make_unique<Conserved>("mass"));
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        if (complex.is_alive(Triangle{t})) {
-            mass[Triangle{t}] = static_cast<double>(area(complex, Triangle{t}));
-        }
+    for (const Triangle t : triangles(complex)) {
+        mass[t] = static_cast<double>(area(complex, t));
     }
     return mass;
 }
@@ -159,8 +158,8 @@ Conserved& with_density_one(Complex<Real>& complex) {
 template <class Real>
 double total(const Complex<Real>& complex, Conserved& mass) {
     double sum = 0;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        sum += complex.is_alive(Triangle{t}) ? mass[Triangle{t}] : 0;
+    for (const Triangle t : triangles(complex)) {
+        sum += mass[t];
     }
     return sum;
 }

@@ -30,24 +30,13 @@ TEST(RingLimits, BeyondTheEndsOfAnOpenStarLiesTheBorder) {
     }
 }
 
-Complex<double> wheel(std::uint32_t n) {
-    std::vector<Point<double>> points{{0, 0}};
-    std::vector<test::Indices> triangles;
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const double angle = 2 * std::numbers::pi * i / n;
-        points.emplace_back(std::cos(angle), std::sin(angle));
-        triangles.push_back({0, i + 1, (i + 1) % n + 1});
-    }
-    return test::build<double>(points, triangles, std::vector<Phase>(n, 0));
-}
-
 TEST(RingLimits, AStarOfOneTriangleTooManyIsNotGathered) {
     constexpr auto most = static_cast<std::uint32_t>(Ring<double>::capacity);
     Ring<double> ring;
-    EXPECT_TRUE(gather(wheel(most), Region{}, 0, ring));
+    EXPECT_TRUE(gather(test::wheel<double>(most), Region{}, 0, ring));
     EXPECT_EQ(ring.size, most);
-    EXPECT_FALSE(gather(wheel(most + 1), Region{}, 0, ring));
-    EXPECT_FALSE(gather(wheel(most + 2), Region{}, 0, ring));
+    EXPECT_FALSE(gather(test::wheel<double>(most + 1), Region{}, 0, ring));
+    EXPECT_FALSE(gather(test::wheel<double>(most + 2), Region{}, 0, ring));
 }
 
 // All coordinates are binary fractions, so that both meshes lie alike in their boxes, exactly.

@@ -129,7 +129,7 @@ HardResult pressed_case(double edges_a_step, int steps, const std::string& how) 
     expect(result, result.held == 0, "vertices were held though all velocities are finite");
     expect(result, mean_passes <= 4, "vertices in contact are tried again and again");
     for (Phase phase = 1; phase <= 2; ++phase) {
-        expect(result, outlines_of(scene.complex, phase).size() == 1,
+        expect(result, scenes::interface_outlines(scene.complex, {.phase = phase}).size() == 1,
                "the topology of phase " + std::to_string(phase) + " was not kept");
     }
     expect(result, scene.complex.triangle_count() < 20000, "the mesh grows without bound");
@@ -251,7 +251,7 @@ HardResult pressed_wall_case() {
     expect(result, area_error < 1e-13, "the domain's area changed");
     expect(result, watch.last().unreached > 0, "nothing was in the way");
     for (Phase phase = 1; phase <= 2; ++phase) {
-        expect(result, !outlines_of(scene.complex, phase).empty(),
+        expect(result, !scenes::interface_outlines(scene.complex, {.phase = phase}).empty(),
                "phase " + std::to_string(phase) + " has vanished");
     }
     expect_sound(result, Targets::may_be_missed);

@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/quality/measures.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 #include "support/frame_testing.h"
@@ -80,17 +81,6 @@ Scene<double> grid_scene(const Rectangle& domain, int columns, int rows,
 }
 
 template <class Real>
-std::vector<scenes::Outline> outlines_of(const Complex<Real>& complex, Phase phase) {
-    Complex<Real> alone = complex;
-    for (const Triangle t : triangles(alone)) {
-        if (alone.phase(t) != phase) {
-            alone.set_phase(t, exterior_phase);
-        }
-    }
-    return scenes::interface_outlines(alone);
-}
-
-template <class Real>
 double shape_error(const Complex<Real>& complex, std::span<const scenes::Outline> exact) {
     return scenes::symmetric_difference(scenes::interface_outlines(complex), exact) /
            scenes::signed_area(exact);
@@ -98,7 +88,8 @@ double shape_error(const Complex<Real>& complex, std::span<const scenes::Outline
 
 double shape_error(const Complex<double>& complex, Phase phase, const scenes::Outline& exact) {
     const std::vector<scenes::Outline> outlines{exact};
-    return scenes::symmetric_difference(outlines_of(complex, phase), outlines) /
+    return scenes::symmetric_difference(scenes::interface_outlines(complex, {.phase = phase}),
+                                        outlines) /
            scenes::signed_area(outlines);
 }
 
@@ -116,10 +107,7 @@ std::vector<scenes::Outline> mapped(std::span<const scenes::Outline> outlines,
 double domain_area(const Complex<double>& complex) {
     double sum = 0;
     for (const Triangle t : triangles(complex)) {
-        const auto v = complex.vertices_of(t);
-        const Point<double> a = complex.position(v[1]) - complex.position(v[0]);
-        const Point<double> b = complex.position(v[2]) - complex.position(v[0]);
-        sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
+        sum += area(complex, t);
     }
     return sum;
 }
@@ -148,7 +136,6 @@ void expect_input_error(HardResult& result, const std::function<void()>& build,
     template Scene<Real> scene_of(const Rectangle&, std::span<const scenes::Outline>, double);     \
     template Scene<Real> scene_of(const Frame&, const Rectangle&,                                  \
                                   std::span<const scenes::Outline>, double);                       \
-    template std::vector<scenes::Outline> outlines_of(const Complex<Real>&, Phase);                \
     template double shape_error(const Complex<Real>&, std::span<const scenes::Outline>);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

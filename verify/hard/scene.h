@@ -39,10 +39,6 @@ Scene<double> grid_scene(const Rectangle& domain, int columns, int rows,
                          const std::function<Phase(const Point<double>&)>& phase_at,
                          const std::function<Point<double>(const Point<double>&)>& place = nullptr);
 
-/// Outlines of one phase alone.
-template <class Real>
-std::vector<scenes::Outline> outlines_of(const Complex<Real>& complex, Phase phase);
-
 /// Symmetric difference of the interface with the exact outlines, over the area of these.
 template <class Real>
 double shape_error(const Complex<Real>& complex, std::span<const scenes::Outline> exact);

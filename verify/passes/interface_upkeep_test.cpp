@@ -12,6 +12,7 @@
 #include "dsc/passes/interface/curve.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/quality/measures.h"
+#include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
 
@@ -39,18 +40,6 @@ Outline ellipse(double a, double b, int n) {
 Complex<double> complex_of(const Outline& outline) {
     const std::vector<Shape> shapes{{outline, 1}};
     return initial_complex<double>({}, shapes, {.edge_length = h});
-}
-
-double area_inside(const Complex<double>& complex) {
-    double doubled = 0;
-    for (const Triangle t : triangles(complex, 1)) {
-        const auto v = complex.vertices_of(t);
-        const Point<double> a = complex.position(v[0]);
-        const Point<double> b = complex.position(v[1]) - a;
-        const Point<double> c = complex.position(v[2]) - a;
-        doubled += b.x() * c.y() - b.y() * c.x();
-    }
-    return doubled / 2;
 }
 
 // Runs upkeep repeatedly until nothing changes any more.
@@ -137,7 +126,8 @@ TEST(Coarsening, ByDeviationKeepsTheCurve) {
         options.interface.deviation = 2e-4;
         options.interface.reading = reading;
         const Kept kept = keep_up(crowded, options);
-        const double lost = std::abs(area_inside(kept.complex) - area_inside(complex_of(crowded)));
+        const double lost =
+            std::abs(phase_area(kept.complex, 1) - phase_area(complex_of(crowded), 1));
         const double perimeter = 1.46;
         if (reading == Reading::chords) {
             EXPECT_LT(lost, 3 * options.interface.deviation * h * perimeter);
@@ -292,7 +282,7 @@ TEST(Corners, AreMarkedOnceAndKept) {
         }
         EXPECT_LT(nearest, 1e-13);
     }
-    EXPECT_NEAR(area_inside(complex), 0.16, 1e-13);
+    EXPECT_NEAR(phase_area(complex, 1), 0.16, 1e-13);
 }
 
 double worst_quality_at(const Complex<double>& complex,

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The rules of movement and mesh update, each on one star that calls for it alone.
+// The rules of movement and mesh update, each on one star that calls for it alone; and what a pass
+// may cost: the stars that it looks at, how often it gathers them, the passes of a sub-step.
 #include "support/honeycomb.h"
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
 
 #include "dsc/algorithm/executor.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/algorithm.h"
@@ -12,10 +14,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace dsc::one_star_test {
 namespace {
 
+using test::disc_complex;
 using test::honeycomb;
 using test::options_for;
 
@@ -97,6 +101,74 @@ TEST_F(AStar, ThatVanishesOnItsWayHasNowhereToArrive) {
     EXPECT_EQ(give_up_movers(work), 0U);
     EXPECT_TRUE(work.movers.empty());
 }
+
+// --- effort: counted rather than timed -----------------------------------------------------------
+// A fault of cost alone leaves the mesh as it is.
+
+// Counts how often a vertex is asked for: once for the centre of a star and once for each vertex of
+// its link, whenever the star is gathered.
+std::uint32_t count_question(const void* context, double /*x*/, double /*y*/) {
+    ++*const_cast<std::uint64_t*>(static_cast<const std::uint64_t*>(context));
+    return 0;
+}
+
+TEST_F(AStar, AMoveWakesTheVertexAndItsLink) {
+    work.movers.push_back({0, 0.01, 0.0});
+    move_vertices(work);
+    EXPECT_EQ(work.log.counts.moves, 1U);
+    std::vector<std::uint32_t> woken = work.active;
+    std::ranges::sort(woken);
+    std::vector<std::uint32_t> star{0};
+    for_each_corner(complex, Vertex{0}, [&](Corner c) { star.push_back(complex.vertex(next(c))); });
+    std::ranges::sort(star);
+    EXPECT_EQ(woken, star);
+}
+
+TEST_F(AStar, IsLookedAtOnce) {
+    work.movers.push_back({0, 0.01, 0.0});
+    move_vertices(work);
+    work.activate(0); // once more
+    update_mesh(work);
+    EXPECT_EQ(work.log.counts.examined, 7U);
+    EXPECT_TRUE(work.active.empty());
+}
+
+TEST_F(AStar, IsGatheredOnceForEachLook) {
+    std::uint64_t questions = 0;
+    work.submesh.region.kind = Region::Kind::places;
+    work.submesh.region.place = &count_question;
+    work.submesh.region.context = &questions;
+    work.activate(0);
+    for_each_corner(complex, Vertex{0}, [&](Corner c) { work.activate(complex.vertex(next(c))); });
+    update_mesh(work);
+    EXPECT_EQ(work.log.counts.examined, 7U);
+    EXPECT_EQ(questions, 7U * work.log.counts.examined);
+}
+
+TEST_F(AStar, NothingIsLookedAtWhereNothingChanged) {
+    update_mesh(work);
+    EXPECT_EQ(work.log.counts.examined, 0U);
+}
+
+// In a rigid motion all vertices arrive at once, and a second pass would find nothing to do.
+TEST(Passes, AreAsManyAsVerticesNeedToArrive) {
+    auto complex = disc_complex<double>(test::coarse);
+    const auto options = options_for<double>(test::coarse);
+    Simulation<double> simulation(complex, options);
+    std::uint32_t passes = 0;
+    std::uint32_t sub_steps = 0;
+    for (int step = 0; step < 20; ++step) {
+        const StepReport report =
+            simulation.step(test::constant<double>(0.05 * test::coarse, 0), 0, 1);
+        EXPECT_EQ(report.unreached, 0U);
+        passes += report.passes;
+        sub_steps += report.sub_steps;
+    }
+    EXPECT_EQ(sub_steps, 20U);
+    EXPECT_EQ(passes, sub_steps);
+}
+
+// --- walls, and stars that are kept --------------------------------------------------------------
 
 // Four by four squares; (i, j) has the id 5 j + i.
 TEST(Walls, AreLeftByNoVertex) {

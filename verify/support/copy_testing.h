@@ -2,7 +2,7 @@
 // What the tests of copied submeshes share.
 #pragma once
 
-#include "constant_flow.h"
+#include "support/simulation_testing.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "thesis/copy_executor.h"

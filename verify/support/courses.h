@@ -4,14 +4,11 @@
 #pragma once
 
 #include "support/random/scene.h"
+#include "support/simulation_testing.h"
 
 #include "dsc/parallel/parallel.h"
-#include "dsc/queries/validate.h"
 #include "thesis/copy_executor.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -50,17 +47,9 @@ inline const Velocity<double> swirl = [](std::span<const Point<double>> position
     }
 };
 
-inline const Velocity<double> still = [](std::span<const Point<double>>, double,
-                                         std::span<Point<double>> velocities) {
-    std::ranges::fill(velocities, Point<double>::Zero());
-};
+inline const Velocity<double> still = constant<double>(0, 0);
 
 inline Complex<double> disc() { return disc_complex<double>(disc_h, {0.5, 0.7}, 0.2); }
-
-inline void expect_whole(const Complex<double>& complex, const Simulation<double>& simulation) {
-    EXPECT_EQ(validate(complex).problem, "");
-    EXPECT_EQ(interface_fault(complex, simulation.interface()), "");
-}
 
 inline const std::vector<Course> all_courses{{"sequential", {}},
                                              {"active", Division::active},

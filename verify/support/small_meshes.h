@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Small complexes for the tests: a fan of six, and grids whose inner vertices are jittered.
+// Small complexes for the tests: wheels, and grids whose inner vertices are jittered.
 #pragma once
 
 #include "dsc/complex/complex.h"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -19,17 +22,23 @@ Complex<Real> build(const std::vector<Point<Real>>& points, const std::vector<In
                               std::span<const Indices>(triangles), std::span<const Phase>(phases));
 }
 
-/// Vertex 0 in the middle, 1 to 6 around it counter-clockwise; triangle i is (0, i, i + 1).
+/// Vertex 0 in the middle, 1 to n around it counter-clockwise on the unit circle; triangle i is
+/// (0, i, i + 1).
 template <class Real>
-Complex<Real> hexagon() {
+Complex<Real> wheel(std::uint32_t n) {
     std::vector<Point<Real>> points{{0, 0}};
     std::vector<Indices> triangles;
-    for (std::uint32_t i = 0; i < 6; ++i) {
-        const double angle = i * 3.14159265358979323846 / 3;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
         points.emplace_back(static_cast<Real>(std::cos(angle)), static_cast<Real>(std::sin(angle)));
-        triangles.push_back({0, i + 1, (i + 1) % 6 + 1});
+        triangles.push_back({0, i + 1, (i + 1) % n + 1});
     }
-    return build<Real>(points, triangles, std::vector<Phase>(6, 0));
+    return build<Real>(points, triangles, std::vector<Phase>(n, 0));
+}
+
+template <class Real>
+Complex<Real> hexagon() {
+    return wheel<Real>(6);
 }
 
 /// n x n squares of side 1, each cut in two; vertex (i, j) has the id j (n + 1) + i. Inner vertices

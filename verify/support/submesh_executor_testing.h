@@ -2,9 +2,9 @@
 // What the tests of the executor of submeshes share: a disc that grows, and ways to divide it.
 #pragma once
 
-#include "constant_flow.h"
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"
+#include "support/simulation_testing.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
@@ -41,14 +41,11 @@ struct Growing {
         simulation = std::make_unique<Simulation<double>>(complex, options, std::move(made));
     }
 
-    void expect_good() {
-        EXPECT_EQ(validate(complex).problem, "");
-        EXPECT_EQ(interface_fault(complex, simulation->interface()), "");
-    }
+    void expect_good() { expect_sound(complex, *simulation); }
     // What was on its way when a step failed must not arrive in a later one.
     void expect_to_go_on() {
         expect_good();
-        EXPECT_EQ(simulation->step(everywhere(0, 0), 0, 1).operations.moves, 0U);
+        EXPECT_EQ(simulation->step(constant<double>(0, 0), 0, 1).operations.moves, 0U);
         for (int step = 0; step < steps_or_fewer(6); ++step) {
             EXPECT_EQ(simulation->step(grow, 0, h).unreached, 0U);
             expect_good();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Parallel DSC as printed (thesis, algorithm 6.3), in copied submeshes: nothing that a boundary
-// holds up is lost, and what an integrator remembers goes along.
+// holds up is lost, and what an integrator remembers goes along. An exception in a copy is passed
+// on, and leaves a complex and a simulation that can continue.
 #include "dsc/complex/gather.h"
 #include "thesis/centred_difference.h"
 #include "thesis/copy_executor.h"
@@ -9,21 +10,25 @@
 #include "support/random/scene.h"
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc/base/error.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
 namespace dsc::copy_test {
 namespace {
 
-using test::everywhere;
+using test::constant;
 using test::in_copies;
 
 // What the centred difference remembers about a vertex goes with it into a submesh and back,
@@ -106,7 +111,7 @@ TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
                  work.movers.clear();
              }});
         CopyExecutor<double> executor(complex, options, algorithm, {.submeshes = n, .threads = 2});
-        (void)executor.aim(everywhere(way.x(), way.y()), 0, 1);
+        (void)executor.aim(constant<double>(way.x(), way.y()), 0, 1);
         EXPECT_EQ(executor.move().unreached, 0U);
         EXPECT_EQ(looked_at.size(), complex.vertex_count());
         EXPECT_EQ(moved.size(), executor.interface_size());
@@ -133,17 +138,101 @@ TEST(CopyExecutor, GoesOnWhereIdsRunOut) {
          }});
     auto simulation = in_copies(complex, options, {.submeshes = 2}, algorithm);
     for (int step = 0; step < 6; ++step) {
-        (void)simulation.step(everywhere(0.004, 0.003), 0, 1);
-        EXPECT_EQ(validate(complex).problem, "");
-        EXPECT_EQ(test::interface_fault(complex, simulation.interface()), "");
+        (void)simulation.step(constant<double>(0.004, 0.003), 0, 1);
+        test::expect_sound(complex, simulation);
     }
     EXPECT_GT(ran_out, 0);
     auto alone = test::disc_complex<double>(0.05);
     Simulation<double> sequential(alone, options);
     for (int step = 0; step < 6; ++step) {
-        (void)sequential.step(everywhere(0.004, 0.003), 0, 1);
+        (void)sequential.step(constant<double>(0.004, 0.003), 0, 1);
     }
     EXPECT_NEAR(complex.vertex_count(), alone.vertex_count(), 0.1 * alone.vertex_count());
+}
+
+// --- failures ------------------------------------------------------------------------------------
+struct Fault : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// A pass throws in some submesh of some round, before or after the others ran there. The step is
+// lost, but not the simulation.
+TEST(CopyExecutor, GoesOnAfterAPassThrew) {
+    constexpr double h = 0.03;
+    enum class Where { upkeep, red, black, whole };
+    for (const Where where : {Where::upkeep, Where::red, Where::black, Where::whole}) {
+        for (const bool before : {true, false}) {
+            SCOPED_TRACE(std::to_string(static_cast<int>(where)) + (before ? ", first" : ", last"));
+            auto complex = test::disc_complex<double>(h);
+            Options<double> options;
+            options.edge_length = h;
+            // Slabs narrower than two edges leave all the work for the last run.
+            const std::uint32_t n = where == Where::whole ? 30 : 6;
+            std::atomic<bool> faulty{true};
+            std::atomic<std::uint32_t> runs{0}; // of submeshes: counts their first passes
+            std::atomic<int> thrown{0};
+            const Pass<double> fault{
+                "fault", [&](Work<double>& work) {
+                    const bool is_whole = work.submesh.region.is_whole();
+                    const std::uint32_t run = is_whole || work.epoch > 1 ? runs.load() : runs++;
+                    const bool here = where == Where::upkeep || where == Where::whole
+                                          ? is_whole
+                                          : !is_whole && run == (where == Where::red ? 5 : n + 5);
+                    if (faulty && here) {
+                        ++thrown;
+                        throw Fault("as seeded");
+                    }
+                }};
+            auto algorithm = default_algorithm<double>();
+            auto& passes = where == Where::upkeep ? algorithm.upkeep : algorithm.motion;
+            passes.insert(before ? passes.begin() : passes.end(), fault);
+            auto simulation =
+                in_copies(complex, options, {.submeshes = n, .threads = 3}, algorithm);
+            const std::uint64_t hash = mesh_hash(complex);
+            EXPECT_THROW((void)simulation.step(constant<double>(0.01, 0), 0, 1), Fault);
+            EXPECT_GE(thrown, 1);
+            if (where == Where::red || where == Where::upkeep) {
+                EXPECT_EQ(mesh_hash(complex), hash) << "nothing was merged";
+            } else if (where == Where::black) {
+                EXPECT_NE(mesh_hash(complex), hash) << "red was merged";
+            }
+            test::expect_sound(complex, simulation);
+            // A vertex that was on the way when the step was lost must not arrive in a later one.
+            faulty = false;
+            EXPECT_EQ(simulation.step(constant<double>(0, 0), 0, 1).operations.moves, 0U);
+            EXPECT_EQ(simulation.step(constant<double>(0.01, 0), 0, 1).unreached, 0U);
+            test::expect_sound(complex, simulation);
+        }
+    }
+}
+
+TEST(CopyExecutor, RefusesOptionsThatMakeNoSense) {
+    auto complex = test::disc_complex<double>(0.05);
+    Options<double> options;
+    options.edge_length = 0.05;
+    struct Seeded {
+        const char* where;
+        CopyOptions copy;
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::array<Seeded, 7> faults{{
+        {"submeshes", {.submeshes = 0}},
+        {"submeshes", {.submeshes = 70000}},
+        {"threads", {.threads = 0}},
+        {"threads", {.threads = 5000}},
+        {"normal", {.normal_x = 0}},
+        {"normal", {.normal_y = 1}},
+        {"normal", {.normal_x = nan}},
+    }};
+    for (const auto& fault : faults) {
+        try {
+            CopyExecutor<double> executor(complex, options, default_algorithm<double>(),
+                                          fault.copy);
+            ADD_FAILURE() << "accepted: " << fault.where;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.where(), fault.where);
+        }
+    }
 }
 
 } // namespace

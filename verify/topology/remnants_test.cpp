@@ -36,7 +36,7 @@ void expect_vanishes_below(double least_area, Complex<double> complex, P place, 
             EXPECT_EQ(validate(complex).problem, "");
             ASSERT_EQ(report.events.size(), 1U);
             EXPECT_EQ(report.events[0].kind, EventKind::remove);
-            EXPECT_EQ(area_of(complex, 1), 0);
+            EXPECT_EQ(phase_area(complex, 1), 0);
             const double asked = least_area > 0 ? least_area : length * length;
             EXPECT_LE(report.events[0].area, asked);
             EXPECT_GE(report.events[0].area, 0.9 * asked);

@@ -218,7 +218,7 @@ TEST(Topology, TwoPhasesMeetWithoutMixing) {
     EXPECT_EQ(count(grown.events, EventKind::merge), 0U);
     EXPECT_EQ(outlines(complex, 2).size(), 1U);
     EXPECT_EQ(grown.outlines, 1U);
-    EXPECT_NEAR(area_of(complex, 1), area_of(complex, 2), 0.02 * area_of(complex, 1));
+    EXPECT_NEAR(phase_area(complex, 1), phase_area(complex, 2), 0.02 * phase_area(complex, 1));
 }
 
 // The two triangles of the bridge go to the two sides, one each.

@@ -203,7 +203,7 @@ TEST(WallFilms, NoVertexWetsTheWallWhereTheApplicationSaysNo) {
 void expect_left_alone(const std::vector<P>& curve, double speed, double contact) {
     const std::vector<Curve> curves{{curve, 0, 1}};
     auto complex = initial_complex<double>({}, curves, {.edge_length = h});
-    const double before = area_of(complex, 1);
+    const double before = phase_area(complex, 1);
     test::ChangingSimulation<double> simulation(complex, changing(h, contact));
     const Velocity<double> slide = [&](std::span<const P> positions, double,
                                        std::span<P> velocities) {
@@ -219,7 +219,7 @@ void expect_left_alone(const std::vector<P>& curve, double speed, double contact
         unreached += report.unreached;
     }
     EXPECT_EQ(unreached, 0U);
-    EXPECT_NEAR(area_of(complex, 1), before, 0.2 * h * h);
+    EXPECT_NEAR(phase_area(complex, 1), before, 0.2 * h * h);
 }
 
 TEST(WallFilms, ALayerOnTheWallStays) {

@@ -179,14 +179,6 @@ TEST(WideContactConvergence, OfAFixedLength) {
     }
 }
 
-double area_of(const Complex<double>& complex, Phase phase) {
-    double sum = 0;
-    for (const Triangle t : triangles(complex)) {
-        sum += complex.phase(t) == phase ? area(complex, t) : 0.0;
-    }
-    return sum;
-}
-
 TEST(WideContactOf, TwoPhasesMeetWithoutMixing) {
     constexpr double gap = 0.12;
     auto complex = two_discs_apart(gap, h, 2);
@@ -199,7 +191,7 @@ TEST(WideContactOf, TwoPhasesMeetWithoutMixing) {
     EXPECT_EQ(pieces(complex, 1), 1);
     EXPECT_EQ(pieces(complex, 2), 1);
     EXPECT_EQ(pieces(complex, exterior_phase), 1);
-    EXPECT_NEAR(area_of(complex, 1), area_of(complex, 2), 0.03 * area_of(complex, 1));
+    EXPECT_NEAR(phase_area(complex, 1), phase_area(complex, 2), 0.03 * phase_area(complex, 1));
 }
 
 TEST(WideContactOf, EachPairIsItsOwn) {
@@ -253,7 +245,7 @@ TEST(WideContactOf, ASlotIsFilled) {
     EXPECT_EQ(count(events, EventKind::split), 0U);
     EXPECT_EQ(pieces(complex, 1), 1);
     EXPECT_EQ(pieces(complex, exterior_phase), 1);
-    EXPECT_NEAR(area_of(complex, 1), 0.36, 0.02 * 0.36);
+    EXPECT_NEAR(phase_area(complex, 1), 0.36, 0.02 * 0.36);
 }
 
 TEST(WideContactOf, AThinBarVanishesAtOnce) {
@@ -297,7 +289,7 @@ TEST(WideContactOf, AShrunkenPhaseIsNotRefused) {
     test::ChangingOptions<double> options = wide_options(0.1, h);
     test::ChangingSimulation<double> simulation(complex, options);
     (void)run_on(complex, simulation, grow_apart(0.1, -1), dt, 12);
-    EXPECT_LT(area_of(complex, 1), 0.0078) << "of a disc of that diameter";
+    EXPECT_LT(phase_area(complex, 1), 0.0078) << "of a disc of that diameter";
     options.insertion = Insertion::linear;
     EXPECT_NO_THROW(simulation.set_options(options));
     EXPECT_THROW(test::ChangingSimulation<double>(complex, options), InputError);

@@ -46,14 +46,6 @@ inline test::ChangingOptions<double> options(Topology rule = Topology::change) {
     return result;
 }
 
-inline double area_of(const Complex<double>& complex, Phase phase) {
-    double sum = 0;
-    for (const Triangle t : triangles(complex)) {
-        sum += complex.phase(t) == phase ? area(complex, t) : 0.0;
-    }
-    return sum;
-}
-
 struct Grown {
     std::vector<Event> events;
     std::size_t outlines = 0;
@@ -71,7 +63,7 @@ inline Grown run(Complex<double>& complex, test::ChangingSimulation<double>& sim
         EXPECT_EQ(validate(complex).problem, "");
     }
     grown.outlines = outlines(complex, 1).size();
-    grown.area = area_of(complex, 1);
+    grown.area = phase_area(complex, 1);
     grown.hash = mesh_hash(complex);
     return grown;
 }
