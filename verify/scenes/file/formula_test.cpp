@@ -118,21 +118,6 @@ TEST(Formula, HasTheValuesOfItsText) {
     }
 }
 
-// As long as rows are used again: values that are needed late must not have been overwritten.
-TEST(Formula, KeepsWhatIsNeededLater) {
-    const auto positions = some_positions(300);
-    const auto result = evaluate(
-        formulas("(x+1)*(y+2) - (x*y + 2*x + y + 2) + sin(x)*0 + (x+3)*(x+4)*(x+5) + t*x + 7*y",
-                 "cos(y)*0 + x + (y+1)*(y+2)*(y+3) + (x+1)*(y+2)"),
-        positions);
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const double x = positions[i].x();
-        const double y = positions[i].y();
-        EXPECT_NEAR(result[i].x(), (x + 3) * (x + 4) * (x + 5) + 0.3 * x + 7 * y, 1e-11);
-        EXPECT_NEAR(result[i].y(), x + (y + 1) * (y + 2) * (y + 3) + (x + 1) * (y + 2), 1e-11);
-    }
-}
-
 TEST(Formula, OfTheSwirlHasTheBitsOfTheSwirl) {
     const auto positions = some_positions(1000);
     const FormulaFlow formula = formulas("2*sin(pi*x)*sin(pi*y)*sin(pi*x)*cos(pi*y)",

@@ -6,8 +6,7 @@
 #include "scenes/file/formula/operations.h"
 
 #include <array>
-#include <map>
-#include <tuple>
+#include <span>
 #include <vector>
 
 namespace dsc::scenes {
@@ -17,50 +16,50 @@ using FormulaNodeId = int;
 inline constexpr FormulaNodeId no_formula_node = -1;
 
 struct FormulaNode {
-    FormulaOp op = FormulaOp::constant;
+    RowOperation operation = nullptr; ///< null for x, y, t, constants, and cosines
     /// The operands, which come before this node.
     std::array<FormulaNodeId, 3> of{no_formula_node, no_formula_node, no_formula_node};
-    double value = 0;    ///< of a constant
-    bool varies = false; ///< depends on x or y, not on the time alone
+    bool sees_place = false; ///< depends on x or y
+    bool sees_time = false;
+    double value = 0; ///< of a constant, which sees neither
+
+    friend bool operator==(const FormulaNode& a, const FormulaNode& b);
 };
 
 class FormulaGraph {
 public:
+    static constexpr FormulaNodeId x = 0;
+    static constexpr FormulaNodeId y = 1;
+    static constexpr FormulaNodeId t = 2;
+
+    FormulaGraph();
+
     [[nodiscard]] FormulaNodeId constant(double value);
-    /// x, y or t.
-    [[nodiscard]] FormulaNodeId variable(FormulaOp op);
     /// The node of this operation: a new one, an equal one that is there already, or a constant if
     /// all operands are. Small whole powers become products. A constant factor of the argument of
     /// a sine or cosine is divided by pi once and for all, so that sin(pi x) is exact where x is a
-    /// multiple of one half.
-    [[nodiscard]] FormulaNodeId apply(FormulaOp op, FormulaNodeId a,
+    /// multiple of one half. O(nodes).
+    [[nodiscard]] FormulaNodeId apply(RowOperation operation, FormulaNodeId a,
                                       FormulaNodeId b = no_formula_node,
                                       FormulaNodeId c = no_formula_node);
 
-    [[nodiscard]] const std::vector<FormulaNode>& nodes() const { return nodes_; }
-
-private:
-    struct Scaled {
-        double factor;
-        FormulaNodeId node;
-    };
-
+    [[nodiscard]] std::span<const FormulaNode> nodes() const { return nodes_; }
     [[nodiscard]] const FormulaNode& at(FormulaNodeId id) const {
         return nodes_[static_cast<std::size_t>(id)];
     }
+
+private:
     [[nodiscard]] bool is_constant(FormulaNodeId id) const {
-        return at(id).op == FormulaOp::constant;
+        return !at(id).sees_place && !at(id).sees_time;
     }
     FormulaNodeId add(const FormulaNode& node);
-    FormulaNodeId folded(FormulaOp op, FormulaNodeId a, FormulaNodeId b, FormulaNodeId c);
+    [[nodiscard]] FormulaNode node_of(RowOperation operation, FormulaNodeId a, FormulaNodeId b,
+                                      FormulaNodeId c) const;
     FormulaNodeId power(FormulaNodeId base, FormulaNodeId exponent);
-    FormulaNodeId sine_or_cosine(FormulaOp op, FormulaNodeId argument);
-    FormulaNodeId sine_or_cosine_pi(FormulaOp op, FormulaNodeId half_turns);
-    [[nodiscard]] Scaled without_factor(FormulaNodeId id) const;
+    FormulaNodeId sine_or_cosine(RowOperation operation, FormulaNodeId angle);
+    FormulaNodeId half_turns(FormulaNodeId angle);
 
-    using Identity = std::tuple<FormulaOp, std::array<FormulaNodeId, 3>, std::uint64_t>;
     std::vector<FormulaNode> nodes_;
-    std::map<Identity, FormulaNodeId> known_;
 };
 
 } // namespace dsc::scenes

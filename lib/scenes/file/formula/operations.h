@@ -1,75 +1,47 @@
 // SPDX-License-Identifier: MIT
-// What a formula can compute: its operations by their names in the text, and each of them on rows
-// of numbers.
+// What a formula can compute: functions by their names, operators by their signs, and each of them
+// on rows of numbers.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string_view>
 
 namespace dsc::scenes {
 
-enum class FormulaOp : std::uint8_t {
-    constant,
-    x,
-    y,
-    t,
-    negate,
-    add,
-    subtract,
-    multiply,
-    divide,
-    power,
-    less,          ///< comparisons give 1 or 0
-    less_or_equal, ///< a > b is written as b < a
-    equal,
-    choose,         ///< a ? b : c
-    sine_cosine_pi, ///< of pi a; has two results
-    sine,           ///< the first result of the node a, which is a sine_cosine_pi
-    cosine,         ///< the second
-    tangent,
-    arc_sine,
-    arc_cosine,
-    arc_tangent,
-    arc_tangent_2,
-    hyperbolic_sine,
-    hyperbolic_cosine,
-    hyperbolic_tangent,
-    exponential,
-    logarithm,
-    logarithm_10,
-    square_root,
-    absolute,
-    sign,
-    floor,
-    minimum,
-    maximum,
-};
+/// Numbers at once: with few operations, their rows stay in the first-level cache.
+inline constexpr std::size_t formula_row_length = 64;
 
-/// A function as it is written in a formula.
-struct FormulaFunction {
+/// Computes `count` numbers, each from those in the same place of the operands' rows; an operand
+/// that an operation does not have is null. The result for one place does not depend on the others.
+using RowOperation = void (*)(const double* a, const double* b, const double* c, double* result,
+                              std::size_t count);
+
+/// A function, or an operator between two operands.
+struct NamedOperation {
     std::string_view name;
-    FormulaOp op;
-    int least_arguments; ///< min and max take more
-    int most_arguments;
+    RowOperation operation;
+    int least_arguments = 2;
+    int most_arguments = 2; ///< min and max take more, two by two
 };
 
 /// In alphabetical order.
-[[nodiscard]] std::span<const FormulaFunction> formula_functions();
+[[nodiscard]] std::span<const NamedOperation> formula_functions();
 
-/// The rows that an operation reads and writes; those that it does not have are null. A result may
-/// be in the place of an argument, except for sine_cosine_pi.
-struct FormulaRows {
-    const double* a = nullptr;
-    const double* b = nullptr;
-    const double* c = nullptr;
-    double* result = nullptr;
-    double* second_result = nullptr; ///< of sine_cosine_pi
-};
+inline constexpr int operator_levels = 3;
+/// The operators of a level, from 0, which binds least: comparisons (1 if true, 0 if not), sums and
+/// products. A name comes after any that it is the beginning of.
+[[nodiscard]] std::span<const NamedOperation> formula_operators(int level);
 
-/// Computes one operation on `count` numbers. The result for each does not depend on the others.
-/// Not for constants, variables, and the names of a sine or cosine.
-void execute(FormulaOp op, const FormulaRows& rows, std::size_t count);
+/// Those that a formula needs besides, or that the graph looks for.
+extern const RowOperation negate_rows;
+extern const RowOperation multiply_rows;
+extern const RowOperation divide_rows;
+extern const RowOperation power_rows;
+extern const RowOperation choose_rows; ///< b where a is not 0, and c elsewhere
+extern const RowOperation sine_rows;
+extern const RowOperation cosine_rows;
+/// The sine of pi a, and in the row behind the result its cosine.
+extern const RowOperation sine_cosine_pi_rows;
 
 } // namespace dsc::scenes

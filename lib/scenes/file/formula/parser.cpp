@@ -14,28 +14,20 @@ namespace dsc::scenes {
 
 namespace {
 
-using Op = FormulaOp;
-
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_of_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
-std::optional<Op> variable_called(std::string_view name) {
-    if (name == "x") {
-        return Op::x;
-    }
-    if (name == "y") {
-        return Op::y;
-    }
-    if (name == "t") {
-        return Op::t;
-    }
-    return std::nullopt;
+// x, y and t are the first nodes of each graph.
+std::optional<FormulaNodeId> variable_called(std::string_view name) {
+    const std::size_t place = std::string_view("xyt").find(name);
+    return name.size() == 1 && place < 3 ? std::optional(static_cast<FormulaNodeId>(place))
+                                         : std::nullopt;
 }
 
-const FormulaFunction* function_called(std::string_view name) {
+const NamedOperation* function_called(std::string_view name) {
     const auto all = formula_functions();
-    const auto found = std::ranges::find(all, name, &FormulaFunction::name);
+    const auto found = std::ranges::find(all, name, &NamedOperation::name);
     return found == all.end() ? nullptr : &*found;
 }
 
@@ -56,6 +48,7 @@ public:
         if (skip_blanks(); at_ < text_.size()) {
             refuse("unexpected text", "an operator, or the end");
         }
+        check_size();
         return whole;
     }
 
@@ -67,6 +60,13 @@ private:
              .value = at_ < text_.size() ? quoted_excerpt(text_.substr(at_))
                                          : "the end of " + quoted_excerpt(text_),
              .allowed = allowed});
+    }
+
+    void check_size() const {
+        if (graph_.nodes().size() > most_formula_nodes) {
+            refuse("too many operations",
+                   "at most " + std::to_string(most_formula_nodes) + " in both components");
+        }
     }
 
     void skip_blanks() {
@@ -96,64 +96,35 @@ private:
             refuse("formula too deep",
                    "at most " + std::to_string(deepest_formula) + " levels of parentheses");
         }
-        FormulaNodeId value = comparison();
+        FormulaNodeId value = operands_of_level(0);
         if (take("?")) {
             const FormulaNodeId yes = formula();
             expect(":");
-            value = graph_.apply(Op::choose, value, yes, formula());
+            value = graph_.apply(choose_rows, value, yes, formula());
         }
         --depth_;
         return value;
     }
 
-    FormulaNodeId comparison() {
-        const FormulaNodeId left = sum();
-        if (take("<=")) {
-            return graph_.apply(Op::less_or_equal, left, sum());
+    // Operands joined by the operators of a level; comparisons are not chained.
+    FormulaNodeId operands_of_level(int level) {
+        if (level == operator_levels) {
+            return with_sign();
         }
-        if (take("<")) {
-            return graph_.apply(Op::less, left, sum());
-        }
-        if (take(">=")) {
-            return graph_.apply(Op::less_or_equal, sum(), left);
-        }
-        if (take(">")) {
-            return graph_.apply(Op::less, sum(), left);
-        }
-        if (take("==")) {
-            return graph_.apply(Op::equal, left, sum());
-        }
-        if (take("!=")) {
-            const FormulaNodeId same = graph_.apply(Op::equal, left, sum());
-            return graph_.apply(Op::subtract, graph_.constant(1), same);
-        }
-        return left;
-    }
-
-    FormulaNodeId sum() {
-        FormulaNodeId value = product();
-        while (true) {
-            if (take("+")) {
-                value = graph_.apply(Op::add, value, product());
-            } else if (take("-")) {
-                value = graph_.apply(Op::subtract, value, product());
-            } else {
-                return value;
+        FormulaNodeId value = operands_of_level(level + 1);
+        while (const RowOperation operation = operator_of_level(level)) {
+            value = graph_.apply(operation, value, operands_of_level(level + 1));
+            if (level == 0) {
+                break;
             }
         }
+        return value;
     }
 
-    FormulaNodeId product() {
-        FormulaNodeId value = with_sign();
-        while (true) {
-            if (take("*")) {
-                value = graph_.apply(Op::multiply, value, with_sign());
-            } else if (take("/")) {
-                value = graph_.apply(Op::divide, value, with_sign());
-            } else {
-                return value;
-            }
-        }
+    RowOperation operator_of_level(int level) {
+        const auto all = formula_operators(level);
+        const auto found = std::ranges::find_if(all, [&](const auto& o) { return take(o.name); });
+        return found == all.end() ? nullptr : found->operation;
     }
 
     FormulaNodeId with_sign() {
@@ -166,7 +137,7 @@ private:
             }
         }
         const FormulaNodeId value = power();
-        return is_negative ? graph_.apply(Op::negate, value) : value;
+        return is_negative ? graph_.apply(negate_rows, value) : value;
     }
 
     FormulaNodeId power() {
@@ -179,10 +150,11 @@ private:
         }
         const FormulaNodeId exponent = with_sign();
         --depth_;
-        return graph_.apply(Op::power, base, exponent);
+        return graph_.apply(power_rows, base, exponent);
     }
 
     FormulaNodeId operand() {
+        check_size();
         if (take("(")) {
             const FormulaNodeId value = formula();
             expect(")");
@@ -215,13 +187,13 @@ private:
             ++end;
         }
         const std::string_view called = text_.substr(begin, end - begin);
-        if (const FormulaFunction* function = function_called(called)) {
+        if (const NamedOperation* function = function_called(called)) {
             at_ = end;
             return call(*function);
         }
         FormulaNodeId value = no_formula_node;
         if (const auto variable = variable_called(called)) {
-            value = graph_.variable(*variable);
+            value = *variable;
         } else if (const auto found = known_.find(called); found != known_.end()) {
             value = graph_.constant(found->second);
         } else if (called == "pi") {
@@ -233,25 +205,19 @@ private:
         return value;
     }
 
-    FormulaNodeId call(const FormulaFunction& function) {
+    FormulaNodeId call(const NamedOperation& function) {
         expect("(");
         FormulaNodeId value = formula();
-        FormulaNodeId other = no_formula_node;
         int count = 1;
-        while (count < function.most_arguments && take(",")) {
-            // min and max of many are taken two by two.
-            if (other != no_formula_node) {
-                value = graph_.apply(function.op, value, other);
-            }
-            other = formula();
-            ++count;
+        for (; count < function.most_arguments && take(","); ++count) {
+            value = graph_.apply(function.operation, value, formula());
         }
         if (count < function.least_arguments) {
             refuse("argument missing", std::to_string(function.least_arguments) + " arguments of " +
                                            std::string(function.name));
         }
         expect(")");
-        return graph_.apply(function.op, value, other);
+        return count == 1 ? graph_.apply(function.operation, value) : value;
     }
 
     [[nodiscard]] std::string all_names() const {
@@ -259,7 +225,7 @@ private:
         for (const auto& parameter : known_) {
             names += ", " + parameter.first;
         }
-        for (const FormulaFunction& function : formula_functions()) {
+        for (const NamedOperation& function : formula_functions()) {
             names += ", " + std::string(function.name) + "()";
         }
         return names;

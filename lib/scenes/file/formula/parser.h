@@ -23,9 +23,11 @@ using FormulaParameters = std::map<std::string, double, std::less<>>;
 
 inline constexpr std::size_t longest_formula = 4096; ///< characters
 inline constexpr int deepest_formula = 64;           ///< parentheses within each other
+/// Operations of the two formulas together.
+inline constexpr std::size_t most_formula_nodes = 512;
 
 /// Throws InputError, with the character at which the formula breaks off and what could stand
-/// there; `where` says whose formula it is. O(n log n).
+/// there; `where` says whose formula it is. O(n^2).
 [[nodiscard]] FormulaNodeId parse_formula(std::string_view text, const FormulaParameters& known,
                                           const std::string& where, FormulaGraph& graph);
 
