@@ -69,10 +69,7 @@ std::vector<Outline> voronoi_cells(const Rectangle& domain, std::span<const Poin
     std::vector<Outline> cells;
     cells.reserve(sites.size());
     for (const VoronoiCell& cell : diagram.cells) {
-        Outline& outline = cells.emplace_back();
-        for (const std::uint32_t v : cell.vertices) {
-            outline.push_back(diagram.vertices[v]);
-        }
+        cells.push_back(diagram.corners_of(cell));
     }
     return cells;
 }
@@ -82,9 +79,9 @@ std::vector<Point<double>> relaxed_sites(const Rectangle& domain,
     require(rounds >= 0, "rounds of relaxation", rounds, "0 or more");
     std::vector<Point<double>> result(sites.begin(), sites.end());
     for (int round = 0; round < rounds; ++round) {
-        const std::vector<ClippedCell> cells = clip_cells(domain, result);
+        const VoronoiDiagram diagram = voronoi_diagram(domain, result);
         for (std::size_t i = 0; i < result.size(); ++i) {
-            result[i] += centroid(cells[i].corners); // both relative to the site
+            result[i] = centroid(diagram.corners_of(diagram.cells[i]));
         }
     }
     return result;

@@ -25,10 +25,10 @@ struct VoronoiOptions {
 /// straight curve for each edge, and none for the sides of the domain. The cell of site i has the
 /// phase i + 1. Vertices are bitwise equal in all curves that meet there.
 ///
-/// O(n) expected for n sites that are spread evenly. Throws InputError for fewer than two sites;
-/// for a site that is not finite or lies outside the domain; where sites coincide; and where four
-/// lie on one circle about a vertex, up to rounding, or a vertex at a corner of the domain, so that
-/// it is not certain which cells meet.
+/// O(n log n). Throws InputError for fewer than two sites; for a site that is not finite or lies
+/// outside the domain; where sites coincide, up to 2e-9 of the domain; and where it is not certain
+/// which cells meet: at a vertex at a corner of the domain, or at several vertices that are nearly
+/// one.
 [[nodiscard]] std::vector<Curve> voronoi_curves(const Rectangle& domain,
                                                 std::span<const Point<double>> sites,
                                                 const VoronoiOptions& options = {});
@@ -39,7 +39,7 @@ struct VoronoiOptions {
                                                  const VoronoiOptions& options = {});
 
 /// Moves each site to the centroid of its cell, that many times (S. P. Lloyd, "Least squares
-/// quantization in PCM", 1982): cells become rounder and edges longer. O(n) expected a round.
+/// quantization in PCM", 1982): cells become rounder and edges longer. O(n log n) a round.
 /// Throws InputError for sites as above, if there are any, and for negative rounds.
 [[nodiscard]] std::vector<Point<double>>
 relaxed_sites(const Rectangle& domain, std::span<const Point<double>> sites, int rounds);

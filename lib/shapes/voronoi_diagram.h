@@ -3,13 +3,21 @@
 // one way, so that all cells around it agree to the bit.
 #pragma once
 
-#include "shapes/cell_clipping.h"
+#include "dsc/initial/initial_complex.h"
 
-#include <array>
 #include <span>
 #include <vector>
 
 namespace dsc::scenes {
+
+/// What may lie beyond an edge of a cell other than a site: the sides of the domain, in
+/// counter-clockwise order. Their numbers are larger than any site's.
+inline constexpr std::uint32_t bottom_side = 0xfffffff0U;
+inline constexpr std::uint32_t right_side = bottom_side + 1;
+inline constexpr std::uint32_t top_side = bottom_side + 2;
+inline constexpr std::uint32_t left_side = bottom_side + 3;
+
+inline bool is_side(std::uint32_t beyond) { return beyond >= bottom_side; }
 
 /// A cell by its vertices, counter-clockwise, and by what lies beyond the edge from vertex k to
 /// k + 1: a site or a side of the domain.
@@ -22,17 +30,29 @@ struct VoronoiDiagram {
     Rectangle domain;
     std::vector<Point<double>> sites;
     /// The corners of the domain, counter-clockwise from the lower left one, and then the other
-    /// vertices, in the order of the three numbers of the sites and sides that meet there.
+    /// vertices.
     std::vector<Point<double>> vertices;
     /// By vertex, which sides of the domain it lies on: bit k for the side `bottom_side` + k.
     std::vector<std::uint8_t> sides;
     std::vector<VoronoiCell> cells;
+
+    [[nodiscard]] std::vector<Point<double>> corners_of(const VoronoiCell& cell) const;
 };
 
 inline constexpr std::uint32_t domain_corners = 4;
 
-/// The diagram of the sites. O(n log n), and the cost of `clip_cells`. Throws InputError as
-/// `clip_cells` does, and where cells disagree on the sites that meet at a vertex.
+/// The centroid of a polygon's area. O(corners).
+[[nodiscard]] Point<double> centroid(std::span<const Point<double>> corners);
+
+/// Whether the whole cell is seen from a point in it: each edge goes counter-clockwise about it,
+/// with some length. The point may lie on a side of the domain. Exact. Such a cell is a simple
+/// polygon.
+[[nodiscard]] bool is_seen_from(const Point<double>& point, std::span<const Point<double>> corners,
+                                std::span<const std::uint32_t> beyond);
+
+/// The diagram of the sites. O(n log n). Throws InputError for a domain that is empty or not
+/// finite, a site that is not finite or outside the domain, sites that coincide, a vertex at a
+/// corner of the domain, and cells that are not sound once their vertices are rounded.
 [[nodiscard]] VoronoiDiagram voronoi_diagram(const Rectangle& domain,
                                              std::span<const Point<double>> sites);
 
