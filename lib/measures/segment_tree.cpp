@@ -37,19 +37,16 @@ std::vector<Segment> segments_of(std::span<const Outline> outlines, double scale
 
 double unit_scale(std::span<const Outline> first, std::span<const Outline> second,
                   const std::string& where) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Point<double> low{infinity, infinity};
-    Point<double> high{-infinity, -infinity};
+    Eigen::AlignedBox2d box;
     for (const std::span<const Outline> outlines : {first, second}) {
         for (const Outline& outline : outlines) {
             check_outline(outline, where);
             for (const Point<double>& p : outline) {
-                low = low.cwiseMin(p);
-                high = high.cwiseMax(p);
+                box.extend(p);
             }
         }
     }
-    const double size = (high - low).maxCoeff();
+    const double size = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
     int exponent = 0;
     if (size > 0.0 && std::isfinite(size)) {
         std::frexp(size, &exponent);
@@ -57,37 +54,17 @@ double unit_scale(std::span<const Outline> first, std::span<const Outline> secon
     return std::ldexp(1.0, -exponent);
 }
 
-void SegmentTree::Box::include(const Point<double>& p) {
-    left = std::min(left, p.x());
-    right = std::max(right, p.x());
-    low = std::min(low, p.y());
-    high = std::max(high, p.y());
-}
-
-void SegmentTree::Box::include(const Box& box) {
-    left = std::min(left, box.left);
-    right = std::max(right, box.right);
-    low = std::min(low, box.low);
-    high = std::max(high, box.high);
-}
-
-double SegmentTree::Box::distance(const Point<double>& p) const {
-    const double x = std::max({left - p.x(), p.x() - right, 0.0});
-    const double y = std::max({low - p.y(), p.y() - high, 0.0});
-    return std::sqrt(x * x + y * y);
-}
-
 SegmentTree::SegmentTree(std::vector<Segment> segments) : segments_(std::move(segments)) {
     const std::size_t used = (segments_.size() + leaf - 1) / leaf;
     leaves_ = std::bit_ceil(std::max<std::size_t>(1, used));
     boxes_.resize(2 * leaves_);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-        boxes_[leaves_ + i / leaf].include(segments_[i].a);
-        boxes_[leaves_ + i / leaf].include(segments_[i].b);
+        boxes_[leaves_ + i / leaf].extend(segments_[i].a);
+        boxes_[leaves_ + i / leaf].extend(segments_[i].b);
     }
     for (std::size_t node = leaves_; node-- > 1;) {
         boxes_[node] = boxes_[2 * node];
-        boxes_[node].include(boxes_[2 * node + 1]);
+        boxes_[node].extend(boxes_[2 * node + 1]);
     }
 }
 
@@ -96,15 +73,15 @@ Near SegmentTree::search(const Point<double>& p, Near best, double enough, Accep
     // Every level leaves at most one node behind, and there are at most 64 levels.
     std::array<std::pair<std::size_t, double>, 130> stack;
     std::size_t size = 0;
-    stack[size++] = {1, boxes_[1].distance(p)};
+    stack[size++] = {1, boxes_[1].exteriorDistance(p)};
     while (size > 0) {
         const auto [node, bound] = stack[--size];
         if (bound >= best.distance) {
             continue;
         }
         if (node < leaves_) {
-            std::pair near{2 * node, boxes_[2 * node].distance(p)};
-            std::pair far{2 * node + 1, boxes_[2 * node + 1].distance(p)};
+            std::pair near{2 * node, boxes_[2 * node].exteriorDistance(p)};
+            std::pair far{2 * node + 1, boxes_[2 * node + 1].exteriorDistance(p)};
             if (far.second < near.second) {
                 std::swap(near, far);
             }

@@ -5,6 +5,8 @@
 
 #include "shapes/outline.h"
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -55,25 +57,13 @@ public:
     nearest_along(const Point<double>& p, const Point<double>& direction, double within) const;
 
 private:
-    struct Box {
-        double left = std::numeric_limits<double>::infinity();
-        double right = -std::numeric_limits<double>::infinity();
-        double low = std::numeric_limits<double>::infinity();
-        double high = -std::numeric_limits<double>::infinity();
-
-        void include(const Point<double>& p);
-        void include(const Box& box);
-        /// Lower bound: no point of the box is nearer. Infinite for an empty box.
-        [[nodiscard]] double distance(const Point<double>& p) const;
-    };
-
     /// The nearest accepted segment nearer than `best`, otherwise `best`; stops at `enough`.
     template <class Accept>
     Near search(const Point<double>& p, Near best, double enough, Accept accept) const;
 
     std::vector<Segment> segments_;
     std::size_t leaves_ = 1;
-    std::vector<Box> boxes_;
+    std::vector<Eigen::AlignedBox2d> boxes_; ///< no point of a box is nearer than the box
 };
 
 } // namespace dsc::scenes

@@ -10,6 +10,8 @@
 
 #include "measures/compensated_sum.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,9 +26,6 @@ namespace {
 /// Strips narrower than this part of the extent are not searched for crossings: the effect of a
 /// crossing is of the size of rounding errors there, and a nearly vertical edge may have very many.
 constexpr double thin_strip = 0x1p-50;
-
-/// With more new edges than this at one abscissa, sorting beats inserting.
-constexpr std::size_t few = 8;
 
 /// An edge from left to right, in coordinates scaled to unit size. `step` is the change of its
 /// region's winding number where one crosses it upwards.
@@ -64,23 +63,20 @@ double offset(double low, double high) {
 }
 
 Frame frame_of(const Region& first, const Region& second) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Point<double> low{infinity, infinity};
-    Point<double> high{-infinity, -infinity};
+    Eigen::AlignedBox2d box;
     for (const Region* region : {&first, &second}) {
         for (const Outline& outline : region->outlines) {
             check_outline(outline, "overlap_areas");
             for (const Point<double>& p : outline) {
-                low = low.cwiseMin(p);
-                high = high.cwiseMax(p);
+                box.extend(p);
             }
         }
     }
     Frame frame;
-    const double extent = (high - low).maxCoeff();
+    const double extent = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
     if (extent > 0.0 && std::isfinite(extent)) {
-        frame.offset_x = offset(low.x(), high.x());
-        frame.offset_y = offset(low.y(), high.y());
+        frame.offset_x = offset(box.min().x(), box.max().x());
+        frame.offset_y = offset(box.min().y(), box.max().y());
         std::frexp(extent, &frame.exponent);
     }
     return frame;
@@ -126,11 +122,10 @@ public:
                 a.left = a.right;
                 a.right = a.edge.ordinate(x1);
             }
-            const std::size_t kept = active_.size();
             for (; next < edges.size() && edges[next].x0 == x0; ++next) {
                 active_.push_back({edges[next].y0, edges[next].ordinate(x1), edges[next]});
             }
-            sort_active(kept);
+            std::sort(active_.begin(), active_.end(), below);
             add_strip(x1 - x0);
         }
     }
@@ -149,23 +144,6 @@ private:
         double part;
         double lowest, highest;
     };
-
-    void sort_active(std::size_t kept) {
-        if (active_.size() - kept > few) {
-            std::sort(active_.begin(), active_.end(), below);
-            return;
-        }
-        for (std::size_t i = 1; i < active_.size(); ++i) {
-            if (below(active_[i], active_[i - 1])) {
-                const Active moved = active_[i];
-                std::size_t j = i;
-                for (; j > 0 && below(moved, active_[j - 1]); --j) {
-                    active_[j] = active_[j - 1];
-                }
-                active_[j] = moved;
-            }
-        }
-    }
 
     void enter(Winding& winding, const Edge& edge) const {
         winding[static_cast<std::size_t>(edge.region)] += edge.step;
