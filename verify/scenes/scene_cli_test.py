@@ -57,19 +57,6 @@ class SceneGood(CommandLine):
         self.assertEqual(result["strategy"], "sequential")
         self.assertEqual((result["inverted"], result["unreached"]), (0, 0))
 
-    def test_every_strategy_runs(self):
-        parallel = ("fixed", "counting", "active", "blocks", "cells", "copy")
-        for strategy in ("sequential", *parallel, "reference"):
-            threads = ["--threads", "2"] if strategy in parallel else []
-            done = self.call("run", "scaling", *SHORT, "--strategy", strategy, *threads,
-                             "--submeshes", "4", "--json", self.path("r.json"))
-            self.assertEqual((done.returncode, done.stderr), (0, ""), strategy)
-            with open(self.path("r.json"), encoding="utf-8") as stream:
-                result = json.load(stream)
-            self.assertEqual(result["strategy"], strategy)
-            self.assertEqual((result["inverted"], result["unreached"]), (0, 0), strategy)
-            self.assertAlmostEqual(result["area_drift_exact_last"], 0, delta=0.02, msg=strategy)
-
     def test_threads_are_enough(self):
         """The interface is long enough for two threads to be used."""
         hashes = set()

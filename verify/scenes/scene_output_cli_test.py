@@ -28,18 +28,6 @@ class Checkpoints(CommandLine):
                     "unreached", "sub_steps", "series"):
             self.assertEqual(one.get(key), other.get(key), key)
 
-    def test_a_broken_run_goes_on(self):
-        whole = self.result(*self.LONG)
-        for strategy in ("sequential", "cells"):
-            part = self.result(*self.LONG, "--strategy", strategy, "--checkpoint", "c",
-                               "--stop-after", "41", code=1)
-            self.assertTrue(part["partial"])
-            self.assertEqual(part["steps"], 41)
-            resumed = self.result("--resume", "c")
-            self.assertFalse(resumed["partial"])
-            self.same(resumed, whole if strategy == "sequential" else
-                      self.result(*self.LONG, "--strategy", strategy))
-
     def test_a_scene_file_is_in_the_checkpoint(self):
         with open(self.path("mine.toml"), "w", encoding="utf-8") as stream:
             stream.write("scene = 'swirl'\n[options]\nh = 0.05\nsteps = 9\n")
@@ -126,25 +114,6 @@ class Checkpoints(CommandLine):
 class Frames(CommandLine):
     program = SCENE
 
-    def frames(self, *arguments):
-        done = self.call("run", "swirl", *SHORT, "--set", "dt=0.25", "--frames", "f", *arguments)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        numbers = [int(name[-9:-4]) for name in self.files() if name.endswith(".vtu")]
-        for name in self.files():
-            os.remove(os.path.join(self.folder, "f", name))
-        return numbers
-
-    def test_which_steps_have_one(self):
-        self.assertEqual(self.frames(), list(range(9)))
-        self.assertEqual(self.frames("--every", "3"), [0, 3, 6, 8])
-        self.assertEqual(self.frames("--at", "0,0.5,1.1,2"), [0, 2, 5, 8])
-        self.assertEqual(self.frames("--at", "1.1", "--every", "4"), [0, 4, 5, 8])
-
-    def test_bad_times(self):
-        for times in ("-1", "2.1", "nan"):
-            self.expect_refusal("run", "swirl", *SHORT, "--set", "dt=0.25", "--frames", "f",
-                                f"--at={times}", words=["--at", "0 to 2"])
-
     def test_pictures(self):
         done = self.call("run", "swirl", *SHORT, "--frames", "f", "--every", "4", "--pictures",
                          "quality,interface")
@@ -153,13 +122,6 @@ class Frames(CommandLine):
         self.assertEqual(len(pictures), 3)
         root = xml.parse(os.path.join(self.folder, "f", pictures[0])).getroot()
         self.assertTrue(root.tag.endswith("svg"))
-
-    def test_outlines(self):
-        done = self.call("run", "swirl", *SHORT, "--outlines", "o.geojson")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        with open(self.path("o.geojson"), encoding="utf-8") as stream:
-            features = json.load(stream)["features"]
-        self.assertEqual([f["properties"]["phase"] for f in features], [1])
 
     def test_outlines_of_frames(self):
         done = self.call("run", "swirl", *SHORT, "--frames", "f", "--every", "4", "--outlines",
