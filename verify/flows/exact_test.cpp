@@ -21,15 +21,9 @@ namespace dsc::scenes::exact_test {
 namespace {
 
 using std::numbers::pi;
+using test::square;
+using test::uniform;
 using Random = std::mt19937_64;
-
-double uniform(Random& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-Outline square(double x, double y, double side) {
-    return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
-}
 
 TEST(SineCosine, AgreesWithExtendedPrecision) {
     Random random(8);

@@ -3,13 +3,13 @@
 #include "dsc/base/error.h"
 #include "measures/hausdorff.h"
 #include "shapes/shapes.h"
+#include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <random>
 #include <span>
 #include <vector>
@@ -17,34 +17,10 @@
 namespace dsc::scenes::hausdorff_test {
 namespace {
 
-using std::numbers::pi;
+using test::random_star;
+using test::square;
+using test::transformed;
 using Random = std::mt19937_64;
-
-double uniform(Random& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-}
-
-Outline square(double x, double y, double side) {
-    return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
-}
-
-/// A star-shaped polygon about the origin with random radii.
-Outline random_star(Random& random, int count) {
-    Outline outline;
-    for (int i = 0; i < count; ++i) {
-        const double angle = 2.0 * pi * (i + uniform(random, 0.0, 0.9)) / count;
-        const double radius = uniform(random, 0.3, 1.0);
-        outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-    }
-    return outline;
-}
-
-Outline transformed(Outline outline, double scale, const Point<double>& shift) {
-    for (Point<double>& p : outline) {
-        p = scale * p + shift;
-    }
-    return outline;
-}
 
 double hausdorff(const Outline& p, const Outline& q) {
     return dsc::scenes::hausdorff(std::span(&p, 1), std::span(&q, 1)).distance();

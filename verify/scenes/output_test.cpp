@@ -10,6 +10,8 @@
 #include "dsc/initial/initial_complex.h"
 #include "dsc/queries/phases.h"
 #include "scenes/file/outlines/pieces.h"
+#include "shapes/outline.h"
+#include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -28,24 +30,11 @@ namespace {
 // Phase 1 with a hole, phase 2 in two pieces, of which one lies in the hole.
 template <class Real>
 Complex<Real> two_phases() {
-    const auto square = [](double x, double y, double side) {
-        return std::vector<dsc::Point<double>>{
-            {x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
-    };
-    const std::vector<Shape> shapes{{square(0.1, 0.1, 0.5), 1},
-                                    {square(0.2, 0.2, 0.3), 0},
-                                    {square(0.3, 0.3, 0.1), 2},
-                                    {square(0.7, 0.7, 0.2), 2}};
+    const std::vector<Shape> shapes{{test::square(0.1, 0.1, 0.5), 1},
+                                    {test::square(0.2, 0.2, 0.3), 0},
+                                    {test::square(0.3, 0.3, 0.1), 2},
+                                    {test::square(0.7, 0.7, 0.2), 2}};
     return initial_complex<Real>({{0, 0}, {1, 1}}, shapes, {.edge_length = 0.05});
-}
-
-double signed_area(const std::vector<Point<double>>& ring) {
-    double doubled = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point<double>& next = ring[(i + 1) % ring.size()];
-        doubled += ring[i].x() * next.y() - ring[i].y() * next.x();
-    }
-    return doubled / 2;
 }
 
 template <class Real>

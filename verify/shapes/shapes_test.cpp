@@ -16,16 +16,10 @@ namespace dsc::scenes::shapes_test {
 namespace {
 
 using std::numbers::pi;
+using test::transformed;
 
 OverlapAreas areas_of(const Outline& p, const Outline& q, FillRule rule = FillRule::even_odd) {
     return overlap_areas({std::span(&p, 1), rule}, {std::span(&q, 1), rule});
-}
-
-Outline transformed(Outline outline, double scale, const Point<double>& shift) {
-    for (Point<double>& p : outline) {
-        p = scale * p + shift;
-    }
-    return outline;
 }
 
 TEST(Outline, AreaDoesNotLoseDigitsFarFromTheOrigin) {

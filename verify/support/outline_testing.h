@@ -6,10 +6,40 @@
 #include "shapes/outline.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
 #include <span>
 #include <vector>
 
 namespace dsc::test {
+
+inline double uniform(std::mt19937_64& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+inline scenes::Outline square(double x, double y, double side) {
+    return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
+
+/// A star-shaped polygon about the origin with random radii.
+inline scenes::Outline random_star(std::mt19937_64& random, int count) {
+    scenes::Outline outline;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i + uniform(random, 0.0, 0.9)) / count;
+        const double radius = uniform(random, 0.3, 1.0);
+        outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    return outline;
+}
+
+inline scenes::Outline transformed(scenes::Outline outline, double scale,
+                                   const Point<double>& shift) {
+    for (Point<double>& p : outline) {
+        p = scale * p + shift;
+    }
+    return outline;
+}
 
 inline double longest_edge(const scenes::Outline& outline) {
     double longest = (outline.front() - outline.back()).norm();
