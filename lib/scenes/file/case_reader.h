@@ -47,19 +47,6 @@ private:
     const TableReader* row_;
 };
 
-/// Calls `what`, which may refuse what stands under a key: the error then names that place.
-template <class What>
-auto at_key(const TableReader& reader, const std::string& key, What what) {
-    try {
-        return what();
-    } catch (const InputError& error) {
-        throw InputError({.what = error.problem(),
-                          .where = reader.where(key),
-                          .value = error.value(),
-                          .allowed = error.allowed()});
-    }
-}
-
 /// Lists; a single value stands for a list of one. Throws InputError for an empty one, too.
 [[nodiscard]] std::vector<std::string> texts(const CaseReader& reader, const std::string& key);
 [[nodiscard]] std::vector<int> integers(const CaseReader& reader, const std::string& key, int low,

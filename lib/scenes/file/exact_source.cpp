@@ -191,14 +191,8 @@ ExactSource read_exact_of_scene(const TableReader& reader, const std::vector<Sce
         }
         return found_settings;
     };
-    try {
-        check_grains(*found, settings(found->defaults), reader.where("set"));
-    } catch (const InputError& error) {
-        throw InputError({.what = error.problem(),
-                          .where = reader.where("set"),
-                          .value = error.value(),
-                          .allowed = error.allowed()});
-    }
+    at_key(reader, "set",
+           [&] { check_grains(*found, settings(found->defaults), reader.where("set")); });
     return [=, prepare = found->prepare, where = reader.where("scene")](
                const Parameters& parameters, const Setup& setup, const std::vector<FirstShape>&) {
         const Setup other = prepare(settings(parameters));

@@ -59,14 +59,8 @@ VelocitySource read_falling(const TableReader& reader) {
 VelocitySource read_grid(const TableReader& reader) {
     reader.allow({"file", "low", "high", "times", "interpolation"});
     const std::filesystem::path path = reader.file().parent_path() / reader.text("file");
-    auto interpolation = GridInterpolation::linear;
-    if (reader.has("interpolation")) {
-        const auto named = value_in(grid_interpolation_names, reader.text("interpolation"));
-        if (!named) {
-            reader.refuse("interpolation", "bad value", names_in(grid_interpolation_names));
-        }
-        interpolation = *named;
-    }
+    const auto interpolation =
+        read_choice(reader, "interpolation", grid_interpolation_names, GridInterpolation::linear);
     if (path.extension() == ".csv") {
         for (const char* key : {"low", "high", "times"}) {
             if (reader.has(key)) {

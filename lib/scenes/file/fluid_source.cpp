@@ -25,19 +25,6 @@ constexpr std::array equations_names{
     Named{FluidEquations::stokes, "stokes"},
 };
 
-template <class Enum, std::size_t n>
-Enum read_choice(const TableReader& reader, const std::string& key, const EnumTable<Enum, n>& table,
-                 Enum otherwise) {
-    if (!reader.has(key)) {
-        return otherwise;
-    }
-    const auto value = value_in(table, reader.text(key));
-    if (!value) {
-        reader.refuse(key, "bad value", names_in(table));
-    }
-    return *value;
-}
-
 Walls read_walls(const TableReader& reader) {
     reader.allow({"left", "right", "bottom", "top"});
     const auto wall = [&](const char* side) {
@@ -85,14 +72,7 @@ FluidOptions read_fluid(const TableReader& reader) {
              .tension = pair.number("tension", property),
              .contact_angle = pair.number_or(90, "contact-angle", {0, 180})});
     }
-    try {
-        check_fluid(options);
-    } catch (const InputError& error) {
-        throw InputError({.what = error.problem(),
-                          .where = reader.where(),
-                          .value = error.value(),
-                          .allowed = error.allowed()});
-    }
+    at_key(reader, "", [&] { check_fluid(options); });
     return options;
 }
 

@@ -115,26 +115,19 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
         add_curves(parts.curves, p.h, setup);
     }
     set_motion(parts, p, setup);
-    if (!parts.carried.empty()) {
-        setup.carried = parts.carried;
-    }
+    const auto take = [](bool is_given, const auto& part, auto& of_setup) {
+        if (is_given) {
+            of_setup = part;
+        }
+    };
+    take(!parts.carried.empty(), parts.carried, setup.carried);
+    take(!parts.thresholds.empty(), parts.thresholds, setup.thresholds);
+    take(parts.insertion.has_value(), parts.insertion, setup.insertion);
+    take(parts.value.has_value(), parts.value, setup.value);
+    take(parts.measured.has_value(), parts.measured, setup.measured);
+    take(parts.half_step.has_value(), parts.half_step, setup.half_step);
     if (parts.sizes) {
         setup.sizes = parts.sizes(p);
-    }
-    if (!parts.thresholds.empty()) {
-        setup.thresholds = parts.thresholds;
-    }
-    if (parts.insertion) {
-        setup.insertion = parts.insertion;
-    }
-    if (parts.value) {
-        setup.value = parts.value;
-    }
-    if (parts.measured) {
-        setup.measured = parts.measured;
-    }
-    if (parts.half_step) {
-        setup.half_step = parts.half_step;
     }
     if (parts.exact) {
         setup.exact = parts.exact(p, setup,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/file/table_reader.h"
 
-#include "dsc/base/error.h"
 #include "scenes/digits.h"
 #include "scenes/file/excerpt.h"
 #include "scenes/file/nearest.h"
@@ -43,6 +42,11 @@ std::optional<Point<double>> finite_point(const toml::node& node) {
     const auto x = finite_number((*array)[0], {});
     const auto y = finite_number((*array)[1], {});
     return x && y ? std::optional(Point<double>(*x, *y)) : std::nullopt;
+}
+
+template <class Value>
+std::optional<Value> exact(const toml::node& node) {
+    return node.value_exact<Value>();
 }
 
 std::string range(const std::string& kind, double low, double high) {
@@ -100,12 +104,35 @@ std::vector<std::string> TableReader::keys() const {
     return names;
 }
 
-double TableReader::number(const std::string& key, Bounds bounds) const {
-    const auto value = finite_number(at(key), bounds);
+template <class Convert>
+auto TableReader::converted(const std::string& key, Convert convert,
+                            const std::string& allowed) const {
+    const auto value = convert(at(key));
     if (!value) {
-        refuse(key, "bad value", range("a number", bounds.low, bounds.high));
+        refuse(key, "bad value", allowed);
     }
     return *value;
+}
+
+template <class Convert>
+auto TableReader::list(const std::string& key, Convert convert, const std::string& allowed) const {
+    std::vector<typename decltype(convert(at(key)))::value_type> values;
+    const toml::array* array = at(key).as_array();
+    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
+        if (const auto value = convert((*array)[i])) {
+            values.push_back(*value);
+        }
+    }
+    if (array == nullptr || values.size() != array->size()) {
+        refuse(key, "bad value", "a list of " + allowed);
+    }
+    return values;
+}
+
+double TableReader::number(const std::string& key, Bounds bounds) const {
+    return converted(
+        key, [&](const toml::node& node) { return finite_number(node, bounds); },
+        range("a number", bounds.low, bounds.high));
 }
 
 double TableReader::number_or(double otherwise, const std::string& key, Bounds bounds) const {
@@ -113,80 +140,37 @@ double TableReader::number_or(double otherwise, const std::string& key, Bounds b
 }
 
 int TableReader::integer(const std::string& key, int low, int high) const {
-    const auto value = bounded_integer(at(key), low, high);
-    if (!value) {
-        refuse(key, "bad value", range("a whole number", low, high));
-    }
-    return *value;
+    return converted(
+        key, [&](const toml::node& node) { return bounded_integer(node, low, high); },
+        range("a whole number", low, high));
 }
 
 bool TableReader::flag_or(bool otherwise, const std::string& key) const {
-    if (!has(key)) {
-        return otherwise;
-    }
-    const auto value = at(key).value_exact<bool>();
-    if (!value) {
-        refuse(key, "bad value", "true or false");
-    }
-    return *value;
+    return has(key) ? converted(key, exact<bool>, "true or false") : otherwise;
 }
 
 std::string TableReader::text(const std::string& key) const {
-    const auto value = at(key).value_exact<std::string>();
-    if (!value) {
-        refuse(key, "bad value", "a text in quotes");
-    }
-    return *value;
+    return converted(key, exact<std::string>, "a text in quotes");
 }
 
 std::vector<std::string> TableReader::texts(const std::string& key) const {
-    std::vector<std::string> list;
-    const toml::array* array = at(key).as_array();
-    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
-        if (const auto value = (*array)[i].value_exact<std::string>()) {
-            list.push_back(*value);
-        }
-    }
-    if (array == nullptr || list.size() != array->size()) {
-        refuse(key, "bad value", "a list of texts in quotes");
-    }
-    return list;
+    return list(key, exact<std::string>, "texts in quotes");
 }
 
 std::vector<double> TableReader::numbers(const std::string& key, Bounds bounds) const {
-    std::vector<double> list;
-    const toml::array* array = at(key).as_array();
-    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
-        if (const auto value = finite_number((*array)[i], bounds)) {
-            list.push_back(*value);
-        }
-    }
-    if (array == nullptr || list.size() != array->size()) {
-        refuse(key, "bad value", range("a list of numbers", bounds.low, bounds.high));
-    }
-    return list;
+    return list(
+        key, [&](const toml::node& node) { return finite_number(node, bounds); },
+        range("numbers", bounds.low, bounds.high));
 }
 
 std::vector<int> TableReader::integers(const std::string& key, int low, int high) const {
-    std::vector<int> list;
-    const toml::array* array = at(key).as_array();
-    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
-        if (const auto value = bounded_integer((*array)[i], low, high)) {
-            list.push_back(*value);
-        }
-    }
-    if (array == nullptr || list.size() != array->size()) {
-        refuse(key, "bad value", range("a list of whole numbers", low, high));
-    }
-    return list;
+    return list(
+        key, [&](const toml::node& node) { return bounded_integer(node, low, high); },
+        range("whole numbers", low, high));
 }
 
 Point<double> TableReader::point(const std::string& key) const {
-    const auto value = finite_point(at(key));
-    if (!value) {
-        refuse(key, "bad value", a_point);
-    }
-    return *value;
+    return converted(key, finite_point, a_point);
 }
 
 Point<double> TableReader::point_or(const Point<double>& otherwise, const std::string& key) const {
@@ -314,18 +298,10 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
         return toml::parse(text, file.string());
     } catch (const toml::parse_error& error) {
         const auto& at = error.source().begin;
-        const std::size_t begin = [&] {
-            std::size_t line_begin = 0;
-            for (toml::source_index line = 1; line < at.line; ++line) {
-                const std::size_t end = text.find('\n', line_begin);
-                if (end == std::string::npos) {
-                    break;
-                }
-                line_begin = end + 1;
-            }
-            return line_begin;
-        }();
-        const std::string line = text.substr(begin, text.find('\n', begin) - begin);
+        std::istringstream lines(text);
+        std::string line;
+        for (toml::source_index i = 0; i < at.line && std::getline(lines, line); ++i) {
+        }
         throw InputError({.what = excerpt(error.description()),
                           .where = file.string() + ':' + std::to_string(at.line) + ", column " +
                                    std::to_string(at.column),

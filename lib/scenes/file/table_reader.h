@@ -3,6 +3,7 @@
 // is said with file, line, key, value and what is allowed.
 #pragma once
 
+#include "dsc/base/error.h"
 #include "dsc/base/types.h"
 
 #include <toml++/toml.h>
@@ -83,11 +84,47 @@ public:
 
 private:
     [[nodiscard]] const toml::node& at(const std::string& key) const;
+    /// The value that `convert` makes of the node, or the list of those that it makes of the nodes
+    /// of an array; refused where it makes none.
+    template <class Convert>
+    [[nodiscard]] auto converted(const std::string& key, Convert convert,
+                                 const std::string& allowed) const;
+    template <class Convert>
+    [[nodiscard]] auto list(const std::string& key, Convert convert,
+                            const std::string& allowed) const;
 
     const toml::table* table_;
     std::string name_;
     const std::filesystem::path* file_;
 };
+
+/// Calls `what`, which may refuse what stands under a key, or the whole table if that is empty: the
+/// error then names that place.
+template <class What>
+auto at_key(const TableReader& reader, const std::string& key, What what) {
+    try {
+        return what();
+    } catch (const InputError& error) {
+        throw InputError({.what = error.problem(),
+                          .where = reader.where(key),
+                          .value = error.value(),
+                          .allowed = error.allowed()});
+    }
+}
+
+/// One of the names in the table, or `otherwise` if there is no such key.
+template <class Enum, std::size_t n>
+[[nodiscard]] Enum read_choice(const TableReader& reader, const std::string& key,
+                               const EnumTable<Enum, n>& table, Enum otherwise) {
+    if (!reader.has(key)) {
+        return otherwise;
+    }
+    const auto value = value_in(table, reader.text(key));
+    if (!value) {
+        reader.refuse(key, "bad value", names_in(table));
+    }
+    return *value;
+}
 
 /// Throws InputError, with the line, for a text that is not TOML.
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::filesystem::path& file);

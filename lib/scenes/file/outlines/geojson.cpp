@@ -91,7 +91,7 @@ private:
         if (!positions.is_array()) {
             refuse("not a list of positions", positions.dump(), "a list");
         }
-        Piece piece;
+        std::vector<Point<double>> points;
         for (const GeoJson& position : positions) {
             const bool is_pair = position.is_array() && position.size() >= 2 &&
                                  position[0].is_number() && position[1].is_number();
@@ -102,14 +102,9 @@ private:
                 refuse(count_ > most_points ? "too many positions" : "not a position",
                        position.dump(), "[x, y] from -1e6 to 1e6, at most 1000000 of them");
             }
-            piece.points.emplace_back(x, y);
+            points.emplace_back(x, y);
         }
-        if (piece.points.size() > 2 && piece.points.front() == piece.points.back()) {
-            piece.points.pop_back();
-            is_closed = true;
-        }
-        piece.is_closed = is_closed;
-        pieces.push_back(std::move(piece));
+        pieces.push_back(piece_of(std::move(points), is_closed));
     }
 
     const std::string& where_;

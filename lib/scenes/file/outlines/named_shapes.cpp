@@ -21,14 +21,7 @@ constexpr double most_edges_of_shape = 1e6;
 NamedShape checked(const TableReader& reader, double length,
                    std::function<Outline(double edge_length)> outline,
                    std::optional<ParametricCurve> curve = {}) {
-    try {
-        (void)outline(std::max(length / 100, 1e-9));
-    } catch (const InputError& error) {
-        throw InputError({.what = error.problem(),
-                          .where = reader.where(),
-                          .value = error.value(),
-                          .allowed = error.allowed()});
-    }
+    at_key(reader, "", [&] { (void)outline(std::max(length / 100, 1e-9)); });
     auto bounded = [outline = std::move(outline), length, where = reader.where()](double h) {
         if (!(length / h <= most_edges_of_shape)) {
             throw InputError({.what = "edge length too small for the shape",

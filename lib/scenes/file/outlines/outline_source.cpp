@@ -16,14 +16,6 @@ constexpr double flattening = 0.01;
 /// A path of a scene file: longer ones belong in a file of points.
 constexpr std::size_t longest_path = 1'000'000;
 
-Piece without_repeated_end(std::vector<Point<double>> points, bool close) {
-    const bool comes_back = points.size() > 2 && points.front() == points.back();
-    if (comes_back) {
-        points.pop_back();
-    }
-    return {std::move(points), close || comes_back};
-}
-
 std::vector<Piece> read_outline_file(const TableReader& reader, bool close) {
     const std::string name = reader.text("file");
     const std::filesystem::path path = reader.file().parent_path() / name;
@@ -55,11 +47,10 @@ OutlineSource read_outline_source(const TableReader& reader, bool close) {
     }
     OutlineSource source;
     if (key == "points" || key == "file") {
-        source.pieces = [pieces = key == "file" ? read_outline_file(reader, close)
-                                                : std::vector<Piece>{without_repeated_end(
-                                                      reader.points("points"), close)}](double) {
-            return pieces;
-        };
+        source.pieces =
+            [pieces = key == "file" ? read_outline_file(reader, close)
+                                    : std::vector<Piece>{piece_of(reader.points("points"), close)}](
+                double) { return pieces; };
     } else if (key == "path") {
         const std::string text = reader.text("path");
         if (text.size() > longest_path) {

@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace dsc::scenes {
 
@@ -39,19 +40,15 @@ bool take_coordinate(std::string_view& line, double& value) {
     return true;
 }
 
-void end_piece(std::vector<Piece>& pieces, bool close) {
-    std::vector<Point<double>>& points = pieces.back().points;
+} // namespace
+
+Piece piece_of(std::vector<Point<double>> points, bool close) {
     const bool comes_back = points.size() > 2 && points.front() == points.back();
     if (comes_back) {
         points.pop_back();
     }
-    pieces.back().is_closed = close || comes_back;
-    if (!points.empty()) {
-        pieces.emplace_back();
-    }
+    return {std::move(points), close || comes_back};
 }
-
-} // namespace
 
 std::vector<int> nesting(const std::vector<Piece>& pieces) {
     std::vector<int> depths(pieces.size(), 0);
@@ -66,7 +63,13 @@ std::vector<int> nesting(const std::vector<Piece>& pieces) {
 }
 
 std::vector<Piece> read_points(std::string_view text, bool close, const std::string& where) {
-    std::vector<Piece> pieces(1);
+    std::vector<Piece> pieces;
+    std::vector<Point<double>> points;
+    const auto end_piece = [&] {
+        if (!points.empty()) {
+            pieces.push_back(piece_of(std::exchange(points, {}), close));
+        }
+    };
     std::size_t count = 0;
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find('\n'), text.size());
@@ -77,7 +80,7 @@ std::vector<Piece> read_points(std::string_view text, bool close, const std::str
         line = line.substr(0, std::min(line.find('#'), line.size()));
         if (line.find_first_not_of(" \t\r") == std::string_view::npos) {
             if (!is_comment) {
-                end_piece(pieces, close);
+                end_piece();
             }
             continue;
         }
@@ -90,12 +93,9 @@ std::vector<Piece> read_points(std::string_view text, bool close, const std::str
                               .value = quoted_excerpt(whole),
                               .allowed = "two numbers x y, at most 1000000 lines of them"});
         }
-        pieces.back().points.emplace_back(x, y);
+        points.emplace_back(x, y);
     }
-    end_piece(pieces, close);
-    if (pieces.back().points.empty()) {
-        pieces.pop_back();
-    }
+    end_piece();
     return pieces;
 }
 

@@ -107,12 +107,8 @@ private:
     }
 
     void end_piece(bool is_closed) {
-        if (points_.size() > 2 && points_.front() == points_.back()) {
-            points_.pop_back();
-            is_closed = true;
-        }
         if (points_.size() > 1) {
-            pieces_.push_back({points_, is_closed});
+            pieces_.push_back(piece_of(points_, is_closed));
         }
         points_.clear();
     }
