@@ -149,13 +149,14 @@ const std::vector<Key>& parameter_keys() {
     return keys;
 }
 
-std::vector<std::string> common_keys() {
+std::vector<std::string> common_keys(std::initializer_list<const char*> more) {
     std::vector<std::string> names;
     for (const Key& key : parameter_keys()) {
         if (key.is_common) {
             names.push_back(key.name);
         }
     }
+    names.insert(names.end(), more.begin(), more.end());
     return names;
 }
 

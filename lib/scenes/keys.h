@@ -6,6 +6,7 @@
 #include "scenes/parameters.h"
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <variant>
 #include <vector>
@@ -27,8 +28,8 @@ struct Key {
 /// All of them, in the order used in result files.
 [[nodiscard]] const std::vector<Key>& parameter_keys();
 
-/// The names of those that every scene takes.
-[[nodiscard]] std::vector<std::string> common_keys();
+/// The names of those that every scene takes, and of more.
+[[nodiscard]] std::vector<std::string> common_keys(std::initializer_list<const char*> more = {});
 
 /// Sets one key from text. Throws InputError for a key that is not one of `keys` (naming those), a
 /// value that is not a number, or one out of range; then nothing has changed.

@@ -22,13 +22,9 @@ Setup circle_to_half(const Parameters& p) {
     static constexpr double first_radius = 0.3;
     static const Point<double> middle(0.5, 0.5);
     const double last_radius = first_radius / std::sqrt(2.0);
-    const Schedule s =
-        schedule(p, first_radius * first_radius / 4, farthest_step * p.h * last_radius);
-    Setup setup;
+    Setup setup = scheduled(p, first_radius * first_radius / 4, farthest_step * p.h * last_radius);
     setup.outlines = {circle(middle, first_radius, p.h)};
     setup.curvature = CurvatureMotion{};
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     setup.exact = [](double time) {
         return exact_circle(middle, std::sqrt(first_radius * first_radius - 2 * time));
     };
@@ -39,13 +35,9 @@ Setup circle_to_half(const Parameters& p) {
 Setup dumbbell_to_a_hundredth(const Parameters& p) {
     static const Dumbbell first;
     static const double first_area = dumbbell_area(first);
-    const Schedule s =
-        schedule(p, 0.99 * first_area / (2 * pi), farthest_step * p.h * first.rounding);
-    Setup setup;
+    Setup setup = scheduled(p, 0.99 * first_area / (2 * pi), farthest_step * p.h * first.rounding);
     setup.outlines = {dumbbell(first, p.h)};
     setup.curvature = CurvatureMotion{};
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     setup.exact = [](double time) {
         const double area = first_area - 2 * pi * time;
         ExactShape shape = exact_circle(first.centre, std::sqrt(area / pi));

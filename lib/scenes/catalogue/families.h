@@ -38,6 +38,9 @@ struct Schedule {
 /// Throws InputError for more than 100,000,000 steps.
 [[nodiscard]] Schedule schedule(const Parameters& parameters, double duration, double default_dt);
 
+/// An empty scene with this schedule.
+[[nodiscard]] Setup scheduled(const Parameters& parameters, double duration, double default_dt);
+
 /// A circle in the middle of the domain that grows to four times its radius.
 [[nodiscard]] Scene scaling_scene(About about, double h);
 

@@ -45,16 +45,13 @@ Scene scene_of(const Tank& tank) {
                          .grade = 1.3,
                          .gives_back = tank.topology == Topology::change},
             .prepare = [tank](const Parameters& p) {
-                const Schedule times = schedule(p, tank.duration, tank.dt);
-                Setup setup;
+                Setup setup = scheduled(p, tank.duration, tank.dt);
                 setup.domain = tank.domain;
                 tank.fill(p.h, setup);
                 setup.measured = 1;
                 setup.fluid =
                     FluidMotion{.options = tank.fluids, .wave = tank.wave, .neck = tank.neck};
                 setup.sizes.longest = tank.longest;
-                setup.dt = times.dt;
-                setup.steps = times.steps;
                 return setup;
             }};
 }

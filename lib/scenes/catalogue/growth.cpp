@@ -45,13 +45,10 @@ Setup dumbbell_to_two_lobes(const Parameters& p) {
     static constexpr double depth = 0.06;
     static constexpr double speed = -1;
     static const Dumbbell first{.neck = 0.08};
-    const Schedule s = schedule(p, depth / -speed, step_in_edges * p.h / -speed);
-    Setup setup;
+    Setup setup = scheduled(p, depth / -speed, step_in_edges * p.h / -speed);
     setup.outlines = {dumbbell(first, p.h)};
     setup.growth = Growth{.speed = speed, .turns_at = std::numeric_limits<double>::infinity()};
-    setup.dt = s.dt;
-    setup.steps = s.steps;
-    setup.half_step = s.steps / 2;
+    setup.half_step = setup.steps / 2;
     setup.exact = [](double time) { return eroded_dumbbell(first, -speed * time); };
     return setup;
 }

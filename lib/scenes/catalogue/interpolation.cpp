@@ -20,24 +20,15 @@ Setup grow_with_value(const Parameters& p) {
     constexpr double last_radius = 0.45;
     constexpr double way = last_radius - first_radius;
     static const Point<double> middle(0.5, 0.5);
-    const Schedule s = schedule(p, way, std::min(way / 160, 0.3 * p.h));
-    Setup setup;
+    Setup setup = scheduled(p, way, std::min(way / 160, 0.3 * p.h));
     setup.outlines = {circle(middle, first_radius, p.h)};
     setup.flow = steady(Radial{middle, 1.0});
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     setup.exact = [](double time) { return exact_circle(middle, first_radius + time); };
     setup.value = RadialValue{.centre = middle,
                               .first_radius = first_radius,
                               .last_radius = last_radius,
                               .power = p.ramp == Ramp::linear ? 1.0 : 2.0};
     return setup;
-}
-
-std::vector<std::string> with_ramp() {
-    std::vector<std::string> keys = common_keys();
-    keys.emplace_back("ramp");
-    return keys;
 }
 
 } // namespace
@@ -48,7 +39,7 @@ std::vector<Scene> interpolation_scenes() {
              .section = "9.5",
              .defaults = {.h = 0.0525, .dt = 0},
              .prepare = grow_with_value,
-             .keys = with_ramp()}};
+             .keys = common_keys({"ramp"})}};
 }
 
 } // namespace dsc::scenes

@@ -46,17 +46,14 @@ Setup disc_between_half_planes(const Parameters& p) {
     static constexpr double radius = 0.2;
     static const Point<double> centre(0.5, 0.5);
     enum : Phase { disc = 1, below = 2, above = 3 };
-    const Schedule s = schedule(p, 0.3, 0.05 * p.h);
     const Point<double> across(radius, 0);
-    Setup setup;
+    Setup setup = scheduled(p, 0.3, 0.05 * p.h);
     setup.curves = {{half_circle(centre, radius, true, p.h), disc, above},
                     {half_circle(centre, radius, false, p.h), disc, below},
                     {{{0, centre.y()}, centre - across}, above, below},
                     {{centre + across, {1, centre.y()}}, above, below}};
     setup.measured = disc;
     setup.curvature = CurvatureMotion{.keeps = {disc, below}};
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     // In between the shape is not known; it starts as a disc and ends as the lens.
     setup.exact = [](double time) {
         return time > 0 ? lens_shape({.centre = centre, .area = pi * radius * radius})
@@ -72,7 +69,8 @@ Setup four_sectors(const Parameters& p) {
     static const Point<double> origin(0, 0);
     const double theta = p.angle * pi / 180;
     const double slope = std::tan(theta);
-    Setup setup;
+    // Until the edge that opens is 12 edge lengths long.
+    Setup setup = scheduled(p, std::pow(12 * p.h / opening_factor(theta), 2), 0.1 * p.h * p.h);
     setup.domain = {{-0.5, -0.6}, {0.5, 0.6}};
     const auto ray = [&](double x, double y, Phase on_its_left, Phase on_its_right) {
         setup.curves.push_back({{origin, {x, y}}, on_its_left, on_its_right});
@@ -84,10 +82,6 @@ Setup four_sectors(const Parameters& p) {
     setup.clamped = true; // far away the rays stay where they are
     setup.measured = right;
     setup.curvature = CurvatureMotion{};
-    // Until the edge that opens is 12 edge lengths long.
-    const Schedule s = schedule(p, std::pow(12 * p.h / opening_factor(theta), 2), 0.1 * p.h * p.h);
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     setup.exact = [theta, box = setup.domain](double time) {
         return right_sector({origin, theta}, time, box);
     };
@@ -114,39 +108,28 @@ std::vector<dsc::Curve> network(const Parameters& p, std::uint32_t count, int ro
 Setup voronoi_grains(const Parameters& p) {
     static constexpr double diameter = 10;
     const std::uint32_t count = count_of(p, diameter);
-    Setup setup;
+    // The mean area grows by about this much per time, so that about half of the grains are left.
+    static constexpr double growth = 1;
+    Setup setup = scheduled(p, 2.0 / count / growth, 0.2 * p.h * p.h);
     // Sites that are not relaxed: the areas of such cells are spread nearly as widely as those of
     // grains that have grown for long, so that the mean area is linear in time almost from the
     // start.
     setup.curves = network(p, count, 0);
     setup.curvature = CurvatureMotion{};
-    // The mean area grows by about this much per time, so that about half of the grains are left.
-    static constexpr double growth = 1;
-    const Schedule s = schedule(p, 2.0 / count / growth, 0.2 * p.h * p.h);
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     return setup;
 }
 
 Setup voronoi_foam(const Parameters& p) {
     static constexpr double diameter = 12;
     const std::uint32_t count = count_of(p, diameter);
-    Setup setup;
+    Setup setup = scheduled(p, 1.0 / count, 0.2 * p.h * p.h);
     setup.curves = network(p, count, 1);
     CurvatureMotion motion;
     for (Phase bubble = 1; bubble < count; ++bubble) { // the last one keeps what is left
         motion.keeps.push_back(bubble);
     }
     setup.curvature = motion;
-    const Schedule s = schedule(p, 1.0 / count, 0.2 * p.h * p.h);
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     return setup;
-}
-
-std::vector<std::string> with(std::vector<std::string> keys, const std::string& key) {
-    keys.push_back(key);
-    return keys;
 }
 
 } // namespace
@@ -165,19 +148,19 @@ std::vector<Scene> network_scenes() {
          .defaults =
              {.h = 0.0125, .dt = 0, .angle = 40, .interface = smooth, .topology = Topology::change},
          .prepare = four_sectors,
-         .keys = with(common_keys(), "angle")},
+         .keys = common_keys({"angle"})},
         {.name = "grains",
          .description = "grains from random sites grow and vanish by the curvature of their sides",
          .section = "13",
          .defaults = {.h = 0.01, .dt = 0, .interface = smooth, .topology = Topology::change},
          .prepare = voronoi_grains,
-         .keys = with(common_keys(), "grains")},
+         .keys = common_keys({"grains"})},
         {.name = "foam",
          .description = "bubbles that keep their areas come to rest",
          .section = "13",
          .defaults = {.h = 0.016, .dt = 0, .interface = smooth, .topology = Topology::change},
          .prepare = voronoi_foam,
-         .keys = with(common_keys(), "grains")},
+         .keys = common_keys({"grains"})},
     };
 }
 

@@ -48,12 +48,6 @@ Setup grow_across_sizes(const Parameters& p) {
     return setup;
 }
 
-std::vector<std::string> with_inside_and_outside() {
-    std::vector<std::string> keys = common_keys();
-    keys.insert(keys.end(), {"inside", "outside"});
-    return keys;
-}
-
 } // namespace
 
 std::vector<Scene> quality_scenes() {
@@ -68,7 +62,7 @@ std::vector<Scene> quality_scenes() {
                       .interface = coarse_interface(),
                       .grade = 1.5},
          .prepare = grow_in_two_sizes,
-         .keys = with_inside_and_outside()},
+         .keys = common_keys({"inside", "outside"})},
         {.name = "quality-varying",
          .description =
              "a circle grows in a mesh that is coarse at its left end and fine at its right",

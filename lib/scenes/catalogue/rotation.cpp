@@ -17,12 +17,9 @@ Scene rotation_scene(About about, double h, int steps,
             .prepare = [outlines = std::move(outlines), steps](const Parameters& p) {
                 constexpr double whole_turn = 2 * std::numbers::pi;
                 const Point<double> middle(0.5, 0.5);
-                const Schedule s = schedule(p, 1.0, 1.0 / steps);
-                Setup setup;
+                Setup setup = scheduled(p, 1.0, 1.0 / steps);
                 setup.outlines = outlines(p.h);
                 setup.flow = steady(Rotation{middle, whole_turn});
-                setup.dt = s.dt;
-                setup.steps = s.steps;
                 setup.exact = [first = setup.outlines, middle](double t) {
                     return rotated_shape(first, middle, whole_turn * t);
                 };

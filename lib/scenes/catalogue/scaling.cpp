@@ -14,12 +14,9 @@ Setup grow(const Parameters& p) {
     constexpr double last_radius = 0.4;
     static const Point<double> middle(0.5, 0.5);
     // The thesis's circles grow by less than an edge length per step.
-    const Schedule s = schedule(p, last_radius - first_radius, 0.3 * p.h);
-    Setup setup;
+    Setup setup = scheduled(p, last_radius - first_radius, 0.3 * p.h);
     setup.outlines = {circle(middle, first_radius, p.h)};
     setup.flow = steady(Radial{middle, 1.0});
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     setup.exact = [](double time) { return exact_circle(middle, first_radius + time); };
     return setup;
 }

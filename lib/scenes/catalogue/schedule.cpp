@@ -26,4 +26,12 @@ Schedule schedule(const Parameters& p, double duration, double default_dt) {
     return s;
 }
 
+Setup scheduled(const Parameters& parameters, double duration, double default_dt) {
+    const Schedule s = schedule(parameters, duration, default_dt);
+    Setup setup;
+    setup.dt = s.dt;
+    setup.steps = s.steps;
+    return setup;
+}
+
 } // namespace dsc::scenes

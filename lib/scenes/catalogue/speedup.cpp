@@ -14,14 +14,11 @@ namespace {
 
 Setup four_go_up(const Parameters& p) {
     constexpr double shift = 0.6;
-    const Schedule s = schedule(p, shift, shift / std::max(120.0, std::round(shift / (0.5 * p.h))));
-    Setup setup;
+    Setup setup = scheduled(p, shift, shift / std::max(120.0, std::round(shift / (0.5 * p.h))));
     for (int i = 0; i < 4; ++i) {
         setup.outlines.push_back(circle({(2 * i + 1) / 8.0, 0.2}, 0.08, p.h));
     }
     setup.flow = steady(Translation{{0, 1}});
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     setup.exact = [first = setup.outlines](double t) { return translated_shape(first, {0, t}); };
     return setup;
 }

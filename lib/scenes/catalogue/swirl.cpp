@@ -28,14 +28,11 @@ Setup swirl_one_way(const Parameters& p) {
 }
 
 Setup reversing_vortex(const Parameters& p) {
-    const Schedule s = schedule(p, p.period, 0.01);
-    Setup setup;
+    Setup setup = scheduled(p, p.period, 0.01);
     setup.outlines = {circle(centre(), disc_radius, p.h)};
     setup.flow = steady(Swirl{1.0, p.period});
-    setup.dt = s.dt;
-    setup.steps = s.steps;
-    if (s.steps % 2 == 0 && std::abs(s.steps * s.dt - p.period) < 1e-9 * p.period) {
-        setup.half_step = s.steps / 2;
+    if (setup.steps % 2 == 0 && std::abs(setup.steps * setup.dt - p.period) < 1e-9 * p.period) {
+        setup.half_step = setup.steps / 2;
     }
     setup.exact = [flow = setup.flow, period = p.period](double t) {
         const ParametricCurve curve = circle_curve(centre(), disc_radius);
@@ -43,12 +40,6 @@ Setup reversing_vortex(const Parameters& p) {
                                                     : advected_shape(curve, flow, t);
     };
     return setup;
-}
-
-std::vector<std::string> with_period() {
-    std::vector<std::string> keys = common_keys();
-    keys.emplace_back("period");
-    return keys;
 }
 
 } // namespace
@@ -70,7 +61,7 @@ std::vector<Scene> swirl_scenes() {
          .section = "anchors: section 3 of the field's literature",
          .defaults = {.h = 0.01, .dt = 0.01, .period = 8},
          .prepare = reversing_vortex,
-         .keys = with_period()},
+         .keys = common_keys({"period"})},
     };
 }
 

@@ -12,14 +12,11 @@ namespace {
 
 Setup around(const Parameters& p) {
     static constexpr double leg = 0.4;
-    const Schedule s = schedule(p, 3 * leg, 3 * leg / 360);
-    Setup setup;
+    Setup setup = scheduled(p, 3 * leg, 3 * leg / 360);
     setup.outlines = {circle({0.3, 0.7}, 0.15, p.h)};
     setup.flow = {{leg, Translation{{1, 0}}},
                   {2 * leg, Translation{{0, -1}}},
                   {3 * leg, Translation{{-1, 1}}}};
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     setup.exact = [first = setup.outlines](double t) {
         const double a = std::min(t, leg);
         const double b = std::clamp(t - leg, 0.0, leg);
