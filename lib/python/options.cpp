@@ -2,10 +2,13 @@
 #include "python/options.h"
 
 #include "python/arrays.h"
+#include "thesis/blocks.h"
+#include "thesis/slabs.h"
 
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -55,9 +58,12 @@ const auto& table_of(Coarsening /*type*/) { return coarsening_names; }
 const auto& table_of(Reading /*type*/) { return reading_names; }
 const auto& table_of(Topology /*type*/) { return topology_names; }
 
+constexpr std::array divisions{fixed_division, counting_division, active_division, blocks_division,
+                               Division::cells};
+
 std::string division_names() {
     std::string all;
-    for (const Division one : divisions()) {
+    for (const Division one : divisions) {
         all += (all.empty() ? "" : ", ") + std::string(one->name);
     }
     return all;
@@ -99,11 +105,11 @@ bool take(const py::handle& value, Field& field) {
         field = found.value_or(field);
         return found.has_value();
     } else if constexpr (std::is_same_v<Field, Division>) {
-        const auto found = std::ranges::find_if(divisions(), [&](const Division one) {
+        const auto found = std::ranges::find_if(divisions, [&](const Division one) {
             return py::isinstance<py::str>(value) && one->name == value.cast<std::string>();
         });
-        field = found == divisions().end() ? field : *found;
-        return found != divisions().end();
+        field = found == divisions.end() ? field : *found;
+        return found != divisions.end();
     } else if constexpr (IsFunction<Field>) {
         field = nullptr;
         if (PyCallable_Check(value.ptr()) != 0) {

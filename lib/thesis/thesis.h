@@ -18,6 +18,8 @@
 #include "thesis/selection.h"
 #include "thesis/thesis_algorithm.h"
 
+#include "thesis/blocks.h"
 #include "thesis/copied_submeshes.h"
 #include "thesis/copy_executor.h"
+#include "thesis/slabs.h"
 #include "thesis/voronoi.h"

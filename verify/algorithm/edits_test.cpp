@@ -13,6 +13,8 @@
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 #include "replay/replay.h"
+#include "thesis/blocks.h"
+#include "thesis/slabs.h"
 
 #include <gtest/gtest.h>
 
@@ -306,8 +308,8 @@ TEST_P(Edits, OfAPassOfTheApplicationNeedNoBookkeeping) {
 }
 
 const std::vector<Course> in_place{
-    {"sequential", {}},           {"fixed", Division::fixed},   {"counting", Division::counting},
-    {"active", Division::active}, {"blocks", Division::blocks}, {"cells", Division::cells}};
+    {"sequential", {}},          {"fixed", fixed_division},   {"counting", counting_division},
+    {"active", active_division}, {"blocks", blocks_division}, {"cells", Division::cells}};
 INSTANTIATE_TEST_SUITE_P(Ways, EditsInPlace, testing::ValuesIn(in_place), course_name);
 INSTANTIATE_TEST_SUITE_P(Ways, Edits, testing::ValuesIn(all_courses), course_name);
 

@@ -20,7 +20,7 @@ struct Seen {
     explicit Seen(Complex<double>& complex_in) : Seen(complex_in, collect_interface(complex_in)) {}
     Seen(Complex<double>& complex_in, const std::vector<std::uint32_t>& list_in)
         : complex(complex_in), list(list_in) {
-        graph.build(complex, list);
+        test::build(graph, complex, list);
         for (const std::uint32_t v : list) {
             positions.push_back(complex.position(Vertex{v}));
         }

@@ -106,7 +106,7 @@ double error_after(Integrator integrator, int steps) {
     Wobbly wobbly(integrator);
     // Along the curve by nearest neighbours: the list need not be in its order.
     InterfaceGraph<double> graph;
-    graph.build(wobbly.complex, wobbly.list);
+    test::build(graph, wobbly.complex, wobbly.list);
     const auto first = wobbly.positions();
     const auto view = graph.view(wobbly.complex, first);
     const auto exact = integrated(first, {view.previous.begin(), view.previous.end()},

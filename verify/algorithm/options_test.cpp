@@ -90,38 +90,6 @@ TEST(SimulationOptions, AStepEndsWhereItIsInterrupted) {
     EXPECT_EQ(simulation.step(rest, report.reached, 0.1).gave_up, GiveUp::none);
 }
 
-TEST(Run, TellsOfEachStepAndEndsWhereItIsTold) {
-    Complex<double> complex = disc();
-    Complex<double> other = complex;
-    Simulation<double> simulation(complex, {.edge_length = disc_h});
-    Simulation<double> by_hand(other, {.edge_length = disc_h});
-    std::vector<double> times;
-    const RunReport all = run(simulation, swirl, {.dt = 0.02, .steps = 3}, [&](const Progress& p) {
-        EXPECT_EQ(p.steps, 3);
-        EXPECT_GT(p.report.operations.moves, 0U);
-        times.push_back(p.time);
-        return true;
-    });
-    OperationCounts counts;
-    for (int step = 0; step < 3; ++step) {
-        counts += by_hand.step(swirl, 0.02 * step, 0.02).operations;
-    }
-    EXPECT_EQ(times, (std::vector<double>{0.02, 0.04, 0.06}));
-    EXPECT_EQ(all.steps, 3);
-    EXPECT_EQ(all.operations.moves, counts.moves);
-    EXPECT_EQ(mesh_hash(complex), mesh_hash(other));
-    const RunReport some = run(simulation, swirl, {.begin = 0.06, .dt = 0.02, .steps = 9},
-                               [](const Progress& p) { return p.step < 2; });
-    EXPECT_EQ(some.steps, 2);
-    EXPECT_DOUBLE_EQ(some.reached, 0.1);
-    const std::atomic<bool> flag = true;
-    simulation.interrupt_by(&flag);
-    const RunReport none = run(simulation, swirl, {.begin = 0.1, .dt = 1, .steps = 5});
-    EXPECT_EQ(none.steps, 1);
-    EXPECT_EQ(none.gave_up, GiveUp::interrupted);
-    EXPECT_LT(none.reached, 1);
-}
-
 INSTANTIATE_TEST_SUITE_P(Options, EveryWay, testing::ValuesIn(all_courses), course_name);
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "combinations/settings.h"
+#include "thesis/blocks.h"
 #include "thesis/copy_executor.h"
+#include "thesis/slabs.h"
 
 #include <array>
 #include <cmath>
@@ -74,8 +76,8 @@ GrowthOptions<Real> growth_of(const Row& row) {
 }
 
 Parallel parallel_of(const Row& row, std::uint32_t threads) {
-    constexpr std::array divisions{Division::cells,    Division::cells,  Division::fixed,
-                                   Division::counting, Division::active, Division::blocks,
+    constexpr std::array divisions{Division::cells,   Division::cells, fixed_division,
+                                   counting_division, active_division, blocks_division,
                                    copy_division};
     constexpr std::array submeshes{0U, 2U, 4U, 9U};
     Parallel parallel;

@@ -104,18 +104,6 @@ public:
 
     [[nodiscard]] std::size_t size() const override { return values_.size(); }
     void resize(std::size_t size) override { values_.resize(size, 0); }
-    void permute(const std::vector<std::uint32_t>& order) override {
-        std::vector<double> moved;
-        for (const std::uint32_t from : order) {
-            moved.push_back(from == no_id ? 0 : values_[from]);
-        }
-        values_ = std::move(moved);
-    }
-    [[nodiscard]] std::unique_ptr<AttributeBase> clone() const override {
-        auto other = std::make_unique<Conserved>(name());
-        other->values_ = values_;
-        return other;
-    }
     [[nodiscard]] std::unique_ptr<AttributeBase> clone_empty() const override {
         return std::make_unique<Conserved>(name());
     }

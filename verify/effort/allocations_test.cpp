@@ -126,7 +126,7 @@ TEST(Allocations, StepsInSubmeshesMakeNoneBetweenDivisions) {
         if (!choice.in_submeshes) {
             continue;
         }
-        for (const Division division : divisions()) {
+        for (const Division division : test::in_place_divisions) {
             SCOPED_TRACE(choice.name + ", " + std::string(division->name));
             const Counted counted = count(choice, division);
             EXPECT_GT(counted.edits, 500U) << "hardly anything was done";

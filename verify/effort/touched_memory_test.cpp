@@ -7,6 +7,8 @@
 #include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"
+#include "thesis/blocks.h"
+#include "thesis/slabs.h"
 
 #include <gtest/gtest.h>
 
@@ -112,8 +114,8 @@ test::ChangingOptions<double> default_options() {
 }
 
 TEST_F(TouchedMemory, IsThatOfTheInterface) {
-    for (const Way& way : {Way{}, Way{Division::fixed}, Way{Division::counting},
-                           Way{Division::active}, Way{Division::blocks}, Way{Division::cells}}) {
+    for (const Way& way : {Way{}, Way{fixed_division}, Way{counting_division}, Way{active_division},
+                           Way{blocks_division}, Way{Division::cells}}) {
         expect_small_part(default_options(), way);
     }
 }

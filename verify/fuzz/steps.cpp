@@ -14,11 +14,12 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "replay/replay.h"
 #include "dsc/motion/interface_flow.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/validate.h"
 #include "geometric_flows/curvature_flow.h"
+#include "replay/replay.h"
+#include "thesis/slabs.h"
 
 #include <algorithm>
 #include <atomic>
@@ -314,7 +315,7 @@ Steps run_scene(Dice& dice) {
             return std::make_unique<SubmeshExecutor<Real>>(
                 mesh, all, default_algorithm<Real>(),
                 std::make_unique<SlabPartitioner<Real>>(SlabOptions{.submeshes = 1}),
-                SubmeshOptions{.threads = 3, .vertices_per_thread = 1});
+                Parallel{.threads = 3, .always_all_threads = true});
         });
         expect_same(none, one, "in one submesh");
         return {none.edits.size(), one.submeshes, one.threads};

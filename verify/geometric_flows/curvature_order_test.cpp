@@ -2,6 +2,7 @@
 // The orders of curvature flow in dt and in h where curves end: at triple junctions, at walls and
 // at contact angles. The area that a curve sweeps in a time is the angle by which it turns: known
 // at all times where its ends keep their angles.
+#include "support/interface_view_testing.h"
 #include "support/simulation_testing.h"
 
 #include "dsc/algorithm/interface_sight.h"
@@ -82,7 +83,7 @@ public:
         for (const std::uint32_t v : list) {
             positions.push_back(complex_.position(Vertex{v}));
         }
-        graph_.build(complex_, list);
+        test::build(graph_, complex_, list);
     }
 
     // The relative error of the rate at which the area changes.

@@ -121,9 +121,8 @@ TEST(Triangles, TheRoundingsOfEquationFourAgree) {
         const double tolerance = 1e-12 * std::abs(squared);
         EXPECT_NEAR(4.0 / 3 * sine_squared<double>(a, b, c), squared, tolerance);
         EXPECT_NEAR(4.0 / 3 *
-                        sine_squared_of_lanes<double>(
-                            2 * area<double>(a, b, c), squared_distance<double>(b, c),
-                            squared_distance<double>(c, a), squared_distance<double>(a, b)),
+                        sine_squared_of_lanes<double>(b.x() - a.x(), b.y() - a.y(), c.x() - a.x(),
+                                                      c.y() - a.y()),
                     squared, tolerance);
     }
     for (const double legs : {1.0, 1.25, 3.0, 100.0}) {

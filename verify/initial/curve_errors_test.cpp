@@ -2,9 +2,9 @@
 // Networks of curves that make no sense, each with its message; and the search for contacts against
 // all pairs.
 #include "dsc/base/error.h"
+#include "dsc/geometry/contacts.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/initial/initial_complex.h"
-#include "dsc/initial/input/contacts.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,6 @@
 
 namespace dsc::curve_errors_test {
 namespace {
-
-using initial::Contact;
-using initial::NetworkLine;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -223,7 +220,7 @@ bool touch(const Lines& lines, const NetworkLine& s, const NetworkLine& t) {
 }
 
 std::optional<Contact> contact_in(const Lines& lines) {
-    return initial::find_contact(lines.points, lines.lines);
+    return find_contact(lines.points, lines.lines);
 }
 
 // Whether there is a contact. The sweep finds one if there is, and one that is true.

@@ -57,16 +57,6 @@ TEST_F(FileLimits, AViewMayBeNarrowerThanTheUnit) {
     }
 }
 
-TEST_F(FileLimits, ARangeOfColoursHasTwoFiniteEnds) {
-    const std::array<double, 2> values{0, 1};
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    for (const auto& [low, high] :
-         {std::pair{1.0, 0.0}, {1.0, 1.0}, {-infinity, 0.0}, {0.0, infinity}}) {
-        EXPECT_THROW((void)fill_by_value("a", values, low, high), InputError) << low << ' ' << high;
-    }
-    EXPECT_EQ(fill_by_value("a", values, 0, 1).of, (std::vector<std::uint32_t>{0, 31}));
-}
-
 TEST_F(FileLimits, AnAttributeDoesNotTakeTheNameOfAnArrayThatIsThere) {
     auto complex = test::grid<double>(2);
     complex.attributes.add<Triangle>("phase", 7.0);

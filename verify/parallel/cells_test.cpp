@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where each partitioner cuts: the work is shared, widths are respected, and a colour is not cut
-// where the one before it was.
+// Where cells are cut: the work is shared, widths are respected, and a colour is not cut where the
+// one before it was.
 #include "dsc/parallel/partition/cuts.h"
 
 #include "support/random/scene.h"
@@ -11,9 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
 #include <vector>
 
 namespace dsc::cells_test {
@@ -23,52 +21,6 @@ using test::Dice;
 using test::Divided;
 using test::random_divided;
 using test::shares_of;
-
-// --- blocks -------------------------------------------------------------------------------------
-
-TEST(Blocks, AreSquaresShiftedByThirds) {
-    constexpr double h = 0.01;
-    Divided disc(test::disc_complex<double>(h, {0.5, 0.5}, 0.25), h);
-    BlockPartitioner<double> partitioner({.submeshes = 17, .least_width = 8});
-    disc.divide(partitioner);
-    ASSERT_EQ(disc.partition.colours.size(), 3U);
-    EXPECT_EQ(disc.regions(0).size(), 16U) << "the next square below";
-    EXPECT_EQ(disc.regions(1).size(), 25U);
-    std::array<std::set<double>, 3> cuts;
-    for (std::size_t c = 0; c < 3; ++c) {
-        for (const Region& region : disc.regions(c)) {
-            EXPECT_TRUE(region.is_upright());
-            for (const double cut : {region.low, region.high}) {
-                if (std::isfinite(cut)) {
-                    cuts[c].insert(cut);
-                }
-            }
-            if (std::isfinite(region.low) && std::isfinite(region.high)) {
-                EXPECT_NEAR(region.high - region.low, 0.5 / 4, h);
-            }
-            if (std::isfinite(region.side_low) && std::isfinite(region.side_high)) {
-                EXPECT_NEAR(region.side_high - region.side_low, 0.5 / 4, h);
-            }
-        }
-    }
-    for (std::size_t c = 0; c < 3; ++c) {
-        for (const double one : cuts[c]) {
-            for (const double other : cuts[(c + 1) % 3]) {
-                EXPECT_GE(std::abs(one - other), 0.5 / 4 / 3 - h);
-            }
-        }
-    }
-    // Nothing is thinner than asked for.
-    BlockPartitioner<double> wide({.submeshes = 100, .least_width = 20});
-    disc.divide(wide);
-    EXPECT_EQ(disc.regions(0).size(), 4U);
-    BlockPartitioner<double> too_wide({.submeshes = 100, .least_width = 60});
-    disc.divide(too_wide);
-    ASSERT_EQ(disc.partition.colours.size(), 1U);
-    EXPECT_TRUE(disc.regions(0).front().is_whole());
-}
-
-// --- cells --------------------------------------------------------------------------------------
 
 // The distance of a place from the sides of its region.
 double depth(const Region& region, const Point<double>& p) {

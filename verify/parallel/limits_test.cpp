@@ -8,6 +8,8 @@
 
 #include "support/random/scene.h"
 #include "support/small_meshes.h"
+#include "thesis/blocks.h"
+#include "thesis/slabs.h"
 #include "thesis/voronoi.h"
 
 #include <gtest/gtest.h>
@@ -17,29 +19,6 @@
 
 namespace dsc::limits_test {
 namespace {
-
-TEST(CutLimits, TwoSlabsOfEqualShareHaveOneCutBetweenThem) {
-    std::vector<std::pair<double, float>> positions;
-    for (int i = 0; i < 100; ++i) {
-        positions.emplace_back(i, 1.0F);
-    }
-    const Cuts two = cuts_of_equal_share(positions, 2, 1);
-    ASSERT_EQ(two.red.size(), 3U);
-    EXPECT_NEAR(two.red[1], 50, 1);
-    const Cuts one = cuts_of_equal_share(positions, 1, 1);
-    EXPECT_EQ(one.red, (std::vector<double>{-Region::infinity, Region::infinity}));
-    EXPECT_EQ(one.black, one.red);
-}
-
-TEST(CutLimits, OneSlabOfAWidthHasNoCuts) {
-    const std::vector<double> none{-Region::infinity, Region::infinity};
-    for (const Cuts& cuts : {cuts_of_equal_width(0, 8, 1, 0), cuts_of_equal_width(0, 8, 4, 100)}) {
-        EXPECT_EQ(cuts.red, none);
-        EXPECT_EQ(cuts.black, none);
-    }
-    EXPECT_EQ(cuts_of_equal_width(0, 8, 2, 0).red,
-              (std::vector<double>{-Region::infinity, 4, Region::infinity}));
-}
 
 TEST(CutLimits, TwoSitesAreEnoughForTwoCells) {
     std::vector<Site> sites{{0, 0, 1}, {10, 0, 1}};
@@ -115,7 +94,7 @@ TEST_F(OnARow, ASingleSubmeshIsWhatOneAsksFor) {
     const Options<double> options{.edge_length = 0.02};
     for (const std::uint32_t submeshes : {1U, 2U, 3U}) {
         const auto executor = make_executor(
-            complex, options, Parallel{.division = Division::counting, .submeshes = submeshes});
+            complex, options, Parallel{.division = counting_division, .submeshes = submeshes});
         const auto* seen = dynamic_cast<const SubmeshExecutor<double>*>(executor.get());
         ASSERT_NE(seen, nullptr);
         EXPECT_EQ(seen->view().partition.colours.front().regions.size(), submeshes);

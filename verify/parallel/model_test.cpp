@@ -4,6 +4,7 @@
 #include "steps/model.h"
 
 #include "support/submesh_executor_testing.h"
+#include "thesis/slabs.h"
 
 #include <memory>
 #include <utility>
@@ -28,7 +29,7 @@ Profiled profiled_steps() {
         complex, options, default_algorithm<double>(),
         std::make_unique<SlabPartitioner<double>>(
             SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .least_width = 4}),
-        SubmeshOptions{.threads = 1, .profile = true});
+        Parallel{.threads = 1, .profile = true});
     const SubmeshExecutor<double>& seen = *executor;
     Simulation<double> simulation(complex, options, std::move(executor));
     const Velocity<double> grow = [](std::span<const Point<double>> positions, double,

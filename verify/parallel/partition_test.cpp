@@ -7,6 +7,8 @@
 #include "support/random/submeshes.h"
 
 #include "dsc/base/error.h"
+#include "thesis/blocks.h"
+#include "thesis/slabs.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 // is passed on, and the schedule can be used again.
 #include "dsc/parallel/in_place/schedule.h"
 
+#include "support/enum_values.h"
 #include "support/random/scene.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ namespace {
 
 using test::Dice;
 
-constexpr std::array assignments = values_in(assignment_names);
+constexpr std::array assignments = test::values_in(assignment_names);
 
 std::string name_of(Assignment assignment) { return std::string(to_string(assignment)); }
 

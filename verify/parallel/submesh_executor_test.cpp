@@ -9,6 +9,7 @@
 #include "dsc/base/error.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/queries/validate.h"
+#include "thesis/slabs.h"
 #include "thesis/voronoi.h"
 
 #include <gtest/gtest.h>
@@ -132,7 +133,7 @@ TEST(SubmeshExecutor, PassesOnWhatIsWrongWithAPartition) {
     const auto divide = [&](const PlaceFunction<double>& function) {
         const SubmeshExecutor<double> executor(complex, options, default_algorithm<double>(),
                                                std::make_unique<PlacePartitioner<double>>(function),
-                                               SubmeshOptions{});
+                                               Parallel{});
     };
     EXPECT_THROW(divide([](const PartitionInput<double>&) {
                      return std::vector<PlaceColour>{
@@ -152,7 +153,7 @@ TEST(SubmeshExecutor, RefusesOptionsThatMakeNoSense) {
     auto complex = test::disc_complex<double>(0.05);
     Options<double> options;
     options.edge_length = 0.05;
-    const auto make = [&](bool with_partitioner, const SubmeshOptions& submeshes) {
+    const auto make = [&](bool with_partitioner, const Parallel& submeshes) {
         std::unique_ptr<Partitioner<double>> partitioner;
         if (with_partitioner) {
             partitioner = std::make_unique<SlabPartitioner<double>>(SlabOptions{});
@@ -164,11 +165,10 @@ TEST(SubmeshExecutor, RefusesOptionsThatMakeNoSense) {
     EXPECT_THROW(make(false, {}), InputError);
     struct Seeded {
         const char* where;
-        SubmeshOptions options;
+        Parallel options;
     };
     for (const Seeded& fault :
-         {Seeded{"threads", {.threads = 0}}, Seeded{"threads", {.threads = 5000}},
-          Seeded{"vertices_per_thread", {.vertices_per_thread = 0}}}) {
+         {Seeded{"threads", {.threads = 0}}, Seeded{"threads", {.threads = 5000}}}) {
         try {
             make(true, fault.options);
             ADD_FAILURE() << "accepted: " << fault.where;
@@ -182,18 +182,17 @@ TEST(SubmeshExecutor, RefusesOptionsThatMakeNoSense) {
 // --- threads and memory -------------------------------------------------------------------------
 
 TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
-    constexpr double h = 0.02;
-    auto complex = test::disc_complex<double>(h);
-    Options<double> options;
-    options.edge_length = h;
-    const auto vertices = static_cast<std::uint32_t>(collect_interface(complex).size());
-    ASSERT_GT(vertices, 60U);
-    const auto threads_of = [&](std::uint32_t threads, std::uint32_t per_thread) {
+    // A thread for each 32 vertices of the interface.
+    const auto threads_of = [&](std::uint32_t threads, double radius, bool always_all) {
+        constexpr double h = 0.02;
+        auto complex = test::disc_complex<double>(h, {0.5, 0.5}, radius);
+        Options<double> options;
+        options.edge_length = h;
         auto executor = std::make_unique<SubmeshExecutor<double>>(
             complex, options, default_algorithm<double>(),
             std::make_unique<SlabPartitioner<double>>(
                 SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .least_width = 4}),
-            SubmeshOptions{.threads = threads, .vertices_per_thread = per_thread});
+            Parallel{.threads = threads, .always_all_threads = always_all});
         const SubmeshExecutor<double>& seen = *executor;
         Simulation<double> simulation(complex, options, std::move(executor));
         const Velocity<double> rest = [](std::span<const Point<double>>, double,
@@ -204,11 +203,11 @@ TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
         EXPECT_EQ(seen.view().partition.colours.front().regions.size(), 4U);
         return seen.view().threads_used;
     };
-    EXPECT_EQ(threads_of(1, 1), 1U);
-    EXPECT_EQ(threads_of(3, 1), 3U);
-    EXPECT_EQ(threads_of(9, 1), 4U) << "no more than submeshes";
-    EXPECT_EQ(threads_of(4, vertices / 2), 2U);
-    EXPECT_EQ(threads_of(4, 2 * vertices), 1U);
+    EXPECT_EQ(threads_of(1, 0.25, true), 1U);
+    EXPECT_EQ(threads_of(3, 0.25, true), 3U);
+    EXPECT_EQ(threads_of(9, 0.25, true), 4U) << "no more than submeshes";
+    EXPECT_EQ(threads_of(4, 0.25, false), 2U) << "of some 79 vertices";
+    EXPECT_EQ(threads_of(4, 0.15, false), 1U) << "of some 48 vertices";
 }
 
 TEST(SubmeshExecutor, ThreadsAreBusyForAPartOfTheirSections) {
@@ -221,7 +220,7 @@ TEST(SubmeshExecutor, ThreadsAreBusyForAPartOfTheirSections) {
             complex, options, default_algorithm<double>(),
             std::make_unique<SlabPartitioner<double>>(
                 SlabOptions{.submeshes = 4, .least_width = 4}),
-            SubmeshOptions{.threads = threads, .vertices_per_thread = 1, .adapts_threads = false});
+            Parallel{.threads = threads, .always_all_threads = true});
         const SubmeshExecutor<double>& seen = *executor;
         Simulation<double> simulation(complex, options, std::move(executor));
         const Velocity<double> move = [](std::span<const Point<double>>, double,

@@ -2,6 +2,7 @@
 // What a partitioner is told of the work: where more is done, a vertex counts for more, and cuts
 // follow.
 #include "support/submesh_executor_testing.h"
+#include "thesis/slabs.h"
 
 #include <memory>
 #include <utility>
@@ -38,11 +39,10 @@ TEST(Work, IsCountedWhereItIsDone) {
     auto complex = test::disc_complex<double>(h);
     const Options<double> options{.edge_length = h};
     std::vector<std::pair<double, double>> told;
-    Simulation<double> simulation(
-        complex, options,
-        std::make_unique<SubmeshExecutor<double>>(complex, options, default_algorithm<double>(),
-                                                  std::make_unique<Listening>(told),
-                                                  SubmeshOptions{.threads = 1}));
+    Simulation<double> simulation(complex, options,
+                                  std::make_unique<SubmeshExecutor<double>>(
+                                      complex, options, default_algorithm<double>(),
+                                      std::make_unique<Listening>(told), Parallel{.threads = 1}));
     // The right half is stretched; the left one stands still.
     const Velocity<double> flow = [](auto positions, double, auto velocities) {
         for (std::size_t i = 0; i < positions.size(); ++i) {

@@ -12,9 +12,9 @@ class Halves final : public Partitioner<double> {
         return status.step == 0 ? Recut::all : Recut::none;
     }
     void divide(const PartitionInput<double>&, Recut, Partition& partition) override {
-        constexpr double all = std::numeric_limits<double>::infinity();
-        constexpr std::array cuts{-all, 0.5, all};
-        partition.colours = {slab_colour(cuts, 1, 0, false), slab_colour(cuts, 0, 1, false)};
+        constexpr auto box = Region::Kind::box;
+        partition.colours = {{{{.kind = box, .high = 0.5}, {.kind = box, .low = 0.5}}},
+                             {{{.kind = box, .side_high = 0.5}, {.kind = box, .side_low = 0.5}}}};
     }
 };
 

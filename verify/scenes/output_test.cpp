@@ -16,8 +16,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <string>
@@ -202,6 +204,16 @@ TEST(Pictures, HaveTheLayersThatAreAskedFor) {
         EXPECT_THROW((void)parse_layers(bad), InputError) << bad;
     }
     std::filesystem::remove(path);
+}
+
+TEST(Pictures, ARangeOfColoursHasTwoFiniteEnds) {
+    const std::array<double, 2> values{0, 1};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (const auto& [low, high] :
+         {std::pair{1.0, 0.0}, {1.0, 1.0}, {-infinity, 0.0}, {0.0, infinity}}) {
+        EXPECT_THROW((void)fill_by_value("a", values, low, high), InputError) << low << ' ' << high;
+    }
+    EXPECT_EQ(fill_by_value("a", values, 0, 1).of, (std::vector<std::uint32_t>{0, 31}));
 }
 
 } // namespace

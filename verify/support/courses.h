@@ -7,7 +7,9 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/parallel/parallel.h"
+#include "thesis/blocks.h"
 #include "thesis/copy_executor.h"
+#include "thesis/slabs.h"
 
 #include <cmath>
 #include <memory>
@@ -52,8 +54,8 @@ inline const Velocity<double> still = constant<double>(0, 0);
 inline Complex<double> disc() { return disc_complex<double>(disc_h, {0.5, 0.7}, 0.2); }
 
 inline const std::vector<Course> all_courses{{"sequential", {}},
-                                             {"active", Division::active},
-                                             {"blocks", Division::blocks},
+                                             {"active", active_division},
+                                             {"blocks", blocks_division},
                                              {"cells", Division::cells},
                                              {"copy", copy_division}};
 

@@ -8,8 +8,19 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace dsc::test {
+
+/// The graph of a list, in one range.
+template <class Real>
+void build(InterfaceGraph<Real>& graph, Complex<Real>& complex,
+           const std::vector<std::uint32_t>& list) {
+    graph.resize(list.size(), 1);
+    graph.number(complex, list, 0);
+    graph.connect(complex, 0, 0, list.size(), {});
+    graph.join();
+}
 
 /// The phases to the left and to the right of each directed interface edge.
 using DirectedEdges = std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<Phase, Phase>>;

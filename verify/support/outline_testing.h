@@ -2,7 +2,7 @@
 // What the tests of shapes and of exact solutions ask of an outline.
 #pragma once
 
-#include "dsc/initial/input/contacts.h"
+#include "dsc/geometry/contacts.h"
 #include "shapes/outline.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ inline double longest_edge(const scenes::Outline& outline) {
 /// True if no two edges of all the outlines meet, except that neighbours share their common vertex.
 inline bool is_simple(std::span<const scenes::Outline> outlines) {
     std::vector<Point<double>> points;
-    std::vector<initial::NetworkLine> lines;
+    std::vector<NetworkLine> lines;
     for (const scenes::Outline& outline : outlines) {
         const auto first = static_cast<std::uint32_t>(points.size());
         const auto count = static_cast<std::uint32_t>(outline.size());
@@ -65,7 +65,7 @@ inline bool is_simple(std::span<const scenes::Outline> outlines) {
         }
         points.insert(points.end(), outline.begin(), outline.end());
     }
-    return !initial::find_contact(points, lines);
+    return !find_contact(points, lines);
 }
 
 inline bool is_simple(const scenes::Outline& outline) { return is_simple(std::span(&outline, 1)); }

@@ -9,6 +9,8 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/queries/validate.h"
+#include "thesis/blocks.h"
+#include "thesis/slabs.h"
 #include "thesis/voronoi.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +38,7 @@ struct Growing {
         }
         auto made = std::make_unique<SubmeshExecutor<double>>(
             complex, options, std::move(algorithm), std::move(partitioner),
-            SubmeshOptions{.threads = threads, .vertices_per_thread = 1});
+            Parallel{.threads = threads, .always_all_threads = true});
         seen = made.get();
         simulation = std::make_unique<Simulation<double>>(complex, options, std::move(made));
     }

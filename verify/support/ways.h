@@ -3,8 +3,11 @@
 #pragma once
 
 #include "dsc/parallel/parallel.h"
+#include "thesis/blocks.h"
 #include "thesis/copy_executor.h"
+#include "thesis/slabs.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,9 +18,13 @@ namespace dsc::test {
 /// None: sequential.
 using Way = std::optional<Division>;
 
-/// Those of the library, and create and merge.
+/// Those in submeshes of the mesh itself.
+inline constexpr std::array in_place_divisions{fixed_division, counting_division, active_division,
+                                               blocks_division, Division::cells};
+
+/// All of these, and create and merge.
 inline std::vector<Division> all_divisions() {
-    std::vector<Division> all(divisions().begin(), divisions().end());
+    std::vector<Division> all(in_place_divisions.begin(), in_place_divisions.end());
     all.push_back(copy_division);
     return all;
 }

@@ -12,6 +12,8 @@
 #include "dsc/quality/measures.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
+#include "thesis/blocks.h"
+#include "thesis/slabs.h"
 
 #include <gtest/gtest.h>
 
@@ -154,8 +156,8 @@ TEST_P(EveryWay, WhatIsSetFreeStillArrives) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Topology, EveryWay,
-                         testing::Values(Division::fixed, Division::counting, Division::active,
-                                         Division::blocks, Division::cells, copy_division),
+                         testing::Values(fixed_division, counting_division, active_division,
+                                         blocks_division, Division::cells, copy_division),
                          [](const auto& one) { return test::name_of(one.param); });
 
 // Two squares, joined by a neck with five waists, of which the sheets come closer all along.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/executor.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace dsc {
@@ -29,7 +28,10 @@ std::uint32_t star_of(const Work<Real>& work, std::uint32_t v, std::uint32_t& ne
 
 template <class Real>
 AimReport<Real>& AimReport<Real>::operator+=(const AimReport& other) {
-    fastest = std::max(fastest, other.fastest);
+    if (other.fastest > fastest) {
+        fastest = other.fastest;
+        where = other.where;
+    }
     reach += other.reach;
     held += other.held;
     vertices += other.vertices;
@@ -37,7 +39,7 @@ AimReport<Real>& AimReport<Real>::operator+=(const AimReport& other) {
 }
 
 template <class Real>
-AimReport<Real> find_velocities(Work<Real>& work, const Velocity<Real>& velocity, Real time) {
+void begin_aim(Work<Real>& work) {
     Aim<Real>& aim = work.aim;
     const std::size_t n = work.interface.size();
     aim.positions.resize(n);
@@ -47,6 +49,13 @@ AimReport<Real> find_velocities(Work<Real>& work, const Velocity<Real>& velocity
     for (std::size_t i = 0; i < n; ++i) {
         aim.positions[i] = work.complex.position(Vertex{work.interface[i]});
     }
+}
+
+template <class Real>
+AimReport<Real> find_velocities(Work<Real>& work, const Velocity<Real>& velocity, Real time) {
+    Aim<Real>& aim = work.aim;
+    const std::size_t n = work.interface.size();
+    begin_aim(work);
     AimReport<Real> report;
     report.vertices = n;
     if (n == 0) {
@@ -60,8 +69,9 @@ AimReport<Real> find_velocities(Work<Real>& work, const Velocity<Real>& velocity
             aim.held[i] = 1;
             aim.scratch.first[i].setZero();
             ++report.held;
-        } else {
-            fastest = std::max(fastest, squared);
+        } else if (squared > fastest) {
+            fastest = squared;
+            report.where = Vertex{work.interface[i]};
         }
     }
     report.fastest = std::sqrt(fastest);
@@ -117,6 +127,7 @@ std::uint64_t collect_movers(Work<Real>& work) {
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template struct AimReport<Real>;                                                               \
+    template void begin_aim(Work<Real>&);                                                          \
     template AimReport<Real> find_velocities(Work<Real>&, const Velocity<Real>&, Real);            \
     template Reach<Real> find_targets(Work<Real>&, const Velocity<Real>&, Real, Real);             \
     template std::uint64_t collect_movers(Work<Real>&);

@@ -3,11 +3,9 @@
 
 #include "dsc/algorithm/interface_sight.h"
 #include "dsc/base/error.h"
-#include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/readers.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace dsc {
@@ -189,7 +187,8 @@ AimReport<Real> Executor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) 
         report = find_velocities(whole_, *velocity, time);
         report.reach = find_targets(whole_, *velocity, time, dt);
     } else {
-        sight_->look(whole_);
+        const std::size_t end = whole_.interface.size();
+        sight_->look(whole_, std::span(&end, 1), [](const auto& run) { run(0); });
         report = sight_->aim(flow, time, dt);
     }
     progress_ = Progress::aimed;

@@ -30,6 +30,7 @@ struct Reach {
 template <class Real>
 struct AimReport {
     Real fastest = 0;         ///< the largest finite speed at the start
+    Vertex where;             ///< the first vertex that has it
     Reach<Real> reach;        ///< of the targets
     std::uint64_t held = 0;   ///< vertices held because of a velocity that is not finite
     std::size_t vertices = 0; ///< interface vertices
@@ -56,15 +57,11 @@ class InterfaceSight;
 /// and where stages have edited the complex move_missed; then end_step. After an exception it only
 /// calls end_step, and the complex must be valid then.
 template <class Real>
-class Executor {
+class Executor : public Unmovable {
 public:
     /// Lists the interface and keeps the options, which the simulation has checked. O(mesh).
     Executor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm);
     virtual ~Executor();
-    Executor(const Executor&) = delete;
-    Executor& operator=(const Executor&) = delete;
-    Executor(Executor&&) = delete;
-    Executor& operator=(Executor&&) = delete;
 
     // Between two steps.
     /// Replaces all options by ones that have been checked. O(mesh) if other phases are carried.
@@ -163,6 +160,11 @@ private:
 // --- the parts of a sub-step ---------------------------------------------------------------------
 // Where the interface moves (thesis, algorithm 5.1, line 4), and the movement. The sequential
 // driver runs them for the whole complex at once, the parallel one for each submesh.
+
+/// Notes where the vertices of `work.interface` are, none of them held, and makes room for where
+/// they go. O(interface vertices).
+template <class Real>
+void begin_aim(Work<Real>& work);
 
 /// Finds the velocities of `work.interface` at `time` and stores them in `work.aim`. O(interface
 /// vertices).

@@ -160,14 +160,6 @@ void InterfaceGraph<Real>::join() {
 }
 
 template <class Real>
-void InterfaceGraph<Real>::build(Complex<Real>& complex, std::span<const std::uint32_t> list) {
-    resize(list.size(), 1);
-    number(complex, list, 0);
-    connect(complex, 0, 0, list.size(), {});
-    join();
-}
-
-template <class Real>
 InterfaceView<Real> InterfaceGraph<Real>::view(const Complex<Real>& complex,
                                                std::span<const Point<Real>> positions) const {
     return {.complex = complex,
@@ -201,12 +193,6 @@ void InterfaceSight<Real>::look(Work<Real>& work, std::span<const std::size_t> e
     run_ranges_(std::cref(number)); // by reference: no allocation
     run_ranges_(std::cref(connect));
     graph_.join();
-}
-
-template <class Real>
-void InterfaceSight<Real>::look(Work<Real>& work) {
-    const std::size_t end = work.interface.size();
-    look(work, std::span<const std::size_t>(&end, 1), [](const auto& run) { run(0); });
 }
 
 template <class Real>
@@ -255,20 +241,18 @@ AimReport<Real> InterfaceSight<Real>::aim(const Flow<Real>& flow, Real time, Rea
     }
     Aim<Real>& aim = work_->aim;
     const std::vector<std::uint32_t>& list = work_->interface;
-    aim.positions.resize(list.size());
-    aim.targets.resize(list.size());
-    aim.scratch.first.resize(list.size());
-    aim.held.assign(list.size(), 0);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        aim.positions[i] = work_->complex.position(Vertex{list[i]});
-    }
+    begin_aim(*work_);
     report.vertices = list.size();
     report.reach = displace(*flow.motion(), time, dt);
+    Real farthest = 0;
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (!aim.targets[i].allFinite()) {
             aim.held[i] = 1;
             aim.targets[i] = aim.positions[i];
             ++report.held;
+        } else if (const Real way = (aim.targets[i] - aim.positions[i]).norm(); way > farthest) {
+            farthest = way;
+            report.where = Vertex{list[i]};
         }
     }
     report.fastest = report.reach.farthest / dt;

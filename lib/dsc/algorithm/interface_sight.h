@@ -36,8 +36,6 @@ public:
                  std::size_t end, std::span<const KeptStar> stars);
     /// Puts the junctions of all ranges together. O(junctions).
     void join();
-    /// All three rounds at once. O(stars of list).
-    void build(Complex<Real>& complex, std::span<const std::uint32_t> list);
 
     /// `positions`: those of the stage, one for each vertex. What is returned refers to all three.
     [[nodiscard]] InterfaceView<Real> view(const Complex<Real>& complex,
@@ -73,8 +71,6 @@ public:
     /// Reads `work.interface`, which must be the whole interface and is divided into ranges that
     /// end at `ends`. O(its stars), shared among the ranges.
     void look(Work<Real>& work, std::span<const std::size_t> ends, RunRanges run_ranges);
-    /// The same in one range, on the calling thread.
-    void look(Work<Real>& work);
 
     /// The flow as a function of the positions of all of `work.interface`, in that order: for
     /// `find_velocities` and `find_targets` of the work that was read. Valid until the next look,

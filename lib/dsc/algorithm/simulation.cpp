@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/simulation.h"
 
-#include "dsc/algorithm/interface_sight.h"
 #include "dsc/base/error.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/mesh/size_upkeep.h"
@@ -172,11 +171,13 @@ void Simulation<Real>::absorb(By by, Real time) {
     }
     // Between other phases a vertex goes on in another way: its last step no longer counts.
     if (options_.custom_integrator) {
-        options_.custom_integrator->forget(complex_, interface_changes(after));
+        forget_past(interface_changes(after));
     }
     for (const Edit& edit : after) {
         if (edit.kind == EditKind::move && complex_.is_alive(edit.vertex)) {
-            forget_vertex(edit.vertex);
+            // Its missed targets no longer count, either.
+            complex_.vertices[edit.vertex.id].flags &= ~static_cast<std::uint32_t>(vertex_contact);
+            forget_past(std::span(&edit.vertex.id, 1));
         }
     }
     absorbed_ = journal.records.size();
@@ -219,12 +220,10 @@ std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, std::uint64_t unr
     return executor_->move_missed(gone_);
 }
 
-// The application has moved the vertex: its missed targets and its last step no longer count.
 template <class Real>
-void Simulation<Real>::forget_vertex(Vertex v) {
-    complex_.vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_contact);
+void Simulation<Real>::forget_past(std::span<const std::uint32_t> vertices) {
     if (options_.custom_integrator) {
-        options_.custom_integrator->forget(complex_, std::span<const std::uint32_t>(&v.id, 1));
+        options_.custom_integrator->forget(complex_, vertices);
     }
 }
 
@@ -305,13 +304,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     report.operations = executor_->take_counts();
     report.operations += std::exchange(complex_.journal.counts, {}); // of stages
     report.reached = static_cast<double>(time);
-    if (options_.carried_phases.empty()) {
-        report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());
-    } else { // as `interface_size`, in room that is kept
-        to_sweep_.clear();
-        executor_->append_interface(to_sweep_);
-        report.interface_vertices = count_on_interface<Real>(complex_, to_sweep_);
-    }
+    report.interface_vertices = static_cast<std::uint32_t>(interface_size());
     return report;
 }
 
@@ -347,7 +340,8 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
           static_cast<Real>(options_.max_sub_steps))) {
         report.gave_up = GiveUp::too_many_sub_steps;
         report.unreached += aim.vertices;
-        find_fastest(flow, time, dt, report);
+        report.where = aim.where;
+        report.speed = static_cast<double>(aim.fastest);
         return false;
     }
     if (dt_of(pieces) != dt) {
@@ -398,43 +392,11 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
     return dt;
 }
 
-// Finds the vertex that requires too many sub-steps. O(interface vertices), once.
-template <class Real>
-void Simulation<Real>::find_fastest(const Flow<Real>& flow, Real time, Real dt,
-                                    StepReport& report) const {
-    const std::vector<std::uint32_t> list = moved();
-    std::vector<Point<Real>> positions;
-    for (const std::uint32_t v : list) {
-        positions.push_back(complex_.position(Vertex{v}));
-    }
-    std::vector<Point<Real>> velocities(list.size(), Point<Real>(0, 0));
-    if (flow.velocity() != nullptr) {
-        (*flow.velocity())(positions, time, velocities);
-    } else {
-        InterfaceGraph<Real> graph;
-        graph.build(complex_, list);
-        const InterfaceView<Real> view = graph.view(complex_, positions);
-        if (flow.seeing() != nullptr) {
-            (*flow.seeing())(view, 0, list.size(), time, velocities);
-        } else {
-            (*flow.motion())(view, time, dt, velocities);
-            std::ranges::for_each(velocities, [dt](Point<Real>& way) { way /= dt; });
-        }
-    }
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const double speed = velocities[i].template cast<double>().norm();
-        if (std::isfinite(speed) && speed > report.speed) {
-            report.speed = speed;
-            report.where = Vertex{list[i]};
-        }
-    }
-}
-
 template <class Real>
 void Simulation<Real>::forget() {
     most_dt_ = std::numeric_limits<Real>::infinity();
     if (options_.custom_integrator) {
-        options_.custom_integrator->forget(complex_, moved());
+        forget_past(moved());
     }
 }
 

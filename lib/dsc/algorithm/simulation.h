@@ -10,7 +10,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -40,14 +39,9 @@ struct Between {
 /// comes out of there, and the complex must be valid then. A stage that has to read the edits of
 /// the sub-step adds a listener, which is told before the stage runs.
 template <class Real>
-class Stage {
+class Stage : public Unmovable {
 public:
     virtual ~Stage() = default;
-    Stage() = default;
-    Stage(const Stage&) = delete;
-    Stage& operator=(const Stage&) = delete;
-    Stage(Stage&&) = delete;
-    Stage& operator=(Stage&&) = delete;
 
     /// Throws InputError if the stage does not suit the complex or these options. Called before
     /// `begin`, for all stages of a simulation before anything changes.
@@ -101,7 +95,7 @@ struct StepReport {
 struct Parallel;
 
 /// Takes a complex for one simulation while it lives. Throws InputError if another has it.
-class Claim {
+class Claim : public Unmovable {
 public:
     /// Takes the complex that `use` belongs to.
     explicit Claim(InUse& use) : use_(use) {
@@ -109,10 +103,6 @@ public:
         use.by_a_simulation = true;
     }
     ~Claim() { use_.by_a_simulation = false; }
-    Claim(const Claim&) = delete;
-    Claim& operator=(const Claim&) = delete;
-    Claim(Claim&&) = delete;
-    Claim& operator=(Claim&&) = delete;
 
 private:
     InUse& use_;
@@ -124,7 +114,7 @@ private:
 /// thread-safe itself. Only one simulation per complex at a time: the constructors throw InputError
 /// where another simulation of it lives.
 template <class Real>
-class Simulation {
+class Simulation : public Unmovable {
 public:
     /// Sequential, with the default algorithm. Throws InputError if an option is out of range.
     Simulation(Complex<Real>& complex, const Options<Real>& options);
@@ -135,10 +125,6 @@ public:
     Simulation(Complex<Real>& complex, const Options<Real>& options,
                std::unique_ptr<Executor<Real>> executor);
     ~Simulation();
-    Simulation(const Simulation&) = delete;
-    Simulation& operator=(const Simulation&) = delete;
-    Simulation(Simulation&&) = delete;
-    Simulation& operator=(Simulation&&) = delete;
 
     /// Those of the next step.
     [[nodiscard]] const Options<Real>& options() const { return options_; }
@@ -212,14 +198,13 @@ private:
     [[nodiscard]] Real pieces_of_speed(Real remaining, Real fastest) const;
     [[nodiscard]] Real pieces_of(Real remaining, Real fastest) const;
     Real shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach);
-    void find_fastest(const Flow<Real>& flow, Real time, Real dt, StepReport& report) const;
 
     enum class By : std::uint8_t { application, stage };
     void absorb(By by, Real time);
     std::uint64_t run_stages(Real time, Real dt, std::uint64_t unreached, bool has_missed);
     [[nodiscard]] std::vector<std::uint32_t> moved() const;
     void begin_integrator();
-    void forget_vertex(Vertex v);
+    void forget_past(std::span<const std::uint32_t> vertices);
     [[nodiscard]] Options<Real> completed() const;
     void measure(Real time);
     void sweep();
@@ -237,69 +222,11 @@ private:
     std::vector<std::uint32_t> to_stages_; ///< scratch of run_stages
     std::vector<std::uint32_t> gone_;      ///< vertices that stages took off the interface
     std::uint32_t swept_ = 0;              ///< the vertex at which the slow sweep goes on
-    std::vector<std::uint32_t> to_sweep_;  ///< scratch of sweep, and of the count of the interface
+    std::vector<std::uint32_t> to_sweep_;  ///< scratch of sweep
     LogReader reading_;                    ///< of the journal, from the beginning to the end
     std::size_t absorbed_;                 ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;
     Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
 };
-
-// --- a run: several steps on end, with a word to the application after each of them --------------
-
-/// Steps of equal length.
-struct RunPlan {
-    double begin = 0; ///< time of the first step
-    double dt = 0;    ///< of each step
-    int steps = 0;    ///< how many
-};
-
-/// What is known after a step.
-struct Progress {
-    int step = 0;             ///< 1 for the first
-    int steps = 0;            ///< of the plan
-    double time = 0;          ///< at its end
-    const StepReport& report; ///< of the step; valid during the call
-};
-
-/// Called after each step, by the thread that runs them; false: no more steps.
-using ProgressFunction = std::function<bool(const Progress& progress)>;
-
-/// Sums over the steps of a run.
-struct RunReport {
-    int steps = 0;                 ///< done
-    OperationCounts operations;    ///< of all steps
-    std::uint64_t sub_steps = 0;   ///< of all steps
-    std::uint64_t unreached = 0;   ///< of all steps: see `StepReport`
-    std::uint64_t held = 0;        ///< of all steps: see `StepReport`
-    GiveUp gave_up = GiveUp::none; ///< of the last step
-    double reached = 0;            ///< time at the end
-};
-
-/// Runs the steps, until one gives up, the function returns false, or all are done. `flow` is
-/// anything that `Simulation::step` takes. The time of a step is multiplied, not summed, so that
-/// the last one ends where the plan ends. What the flow or the function throws comes out, and
-/// leaves a valid complex.
-template <class Real, class AnyFlow>
-RunReport run(Simulation<Real>& simulation, const AnyFlow& flow, const RunPlan& plan,
-              const ProgressFunction& tell = {}) {
-    RunReport sum;
-    sum.reached = plan.begin;
-    for (int step = 1; step <= plan.steps && sum.gave_up == GiveUp::none; ++step) {
-        const double time = plan.begin + (step - 1) * plan.dt;
-        const StepReport report =
-            simulation.step(flow, static_cast<Real>(time), static_cast<Real>(plan.dt));
-        ++sum.steps;
-        sum.operations += report.operations;
-        sum.sub_steps += report.sub_steps;
-        sum.unreached += report.unreached;
-        sum.held += report.held;
-        sum.gave_up = report.gave_up;
-        sum.reached = report.gave_up == GiveUp::none ? plan.begin + step * plan.dt : report.reached;
-        if (tell && !tell({step, plan.steps, sum.reached, report})) {
-            break;
-        }
-    }
-    return sum;
-}
 
 } // namespace dsc

@@ -96,6 +96,13 @@ constexpr Corner prev(Corner corner) { return index_of(corner) == 0 ? corner + 2
 /// Whether a corner belongs to the border: there is no neighbour.
 constexpr bool is_border(Corner corner) { return corner < 4; }
 
+/// A base class: its objects are neither copied nor moved, because others refer to them.
+struct Unmovable {
+    Unmovable() = default;
+    Unmovable(const Unmovable&) = delete;
+    Unmovable& operator=(const Unmovable&) = delete;
+};
+
 // --- the values of an enum with their names, as one table that stands beside the enum ------------
 // Printing, parsing, help texts and tests all use this table.
 
@@ -112,16 +119,6 @@ Named(Enum, const char*) -> Named<Enum>;
 /// All values of an enum, each once, in the order in which they are declared.
 template <class Enum, std::size_t n>
 using EnumTable = std::array<Named<Enum>, n>;
-
-/// The values without their names, in the order of the table.
-template <class Enum, std::size_t n>
-[[nodiscard]] constexpr std::array<Enum, n> values_in(const EnumTable<Enum, n>& table) {
-    std::array<Enum, n> values{};
-    for (std::size_t i = 0; i < n; ++i) {
-        values[i] = table[i].value;
-    }
-    return values;
-}
 
 /// The name of a value; "unknown" for a number that is no value of the enum. O(n).
 template <class Enum, std::size_t n>

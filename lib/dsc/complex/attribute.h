@@ -48,15 +48,11 @@ enum class OnInterface : std::uint8_t {
 /// named by vertex ids, corners (four to a triangle; both corners opposite to an edge are its
 /// entries) or triangle ids. Operations on disjoint submeshes run at the same time: a function that
 /// is told of an edit may touch only the entries named, and shared data only under a lock.
-class AttributeBase {
+class AttributeBase : public Unmovable {
 public:
     /// The name and the kind do not change.
     AttributeBase(std::string name, SimplexKind kind) : name_(std::move(name)), kind_(kind) {}
     virtual ~AttributeBase() = default;
-    AttributeBase(const AttributeBase&) = delete;
-    AttributeBase& operator=(const AttributeBase&) = delete;
-    AttributeBase(AttributeBase&&) = delete;
-    AttributeBase& operator=(AttributeBase&&) = delete;
 
     /// The name under which it was added.
     [[nodiscard]] const std::string& name() const { return name_; }
@@ -82,10 +78,6 @@ public:
     virtual void resize(std::size_t size) = 0;
     /// Reserves room for `size` entries, so that growth up to that size copies nothing. Optional.
     virtual void reserve(std::size_t /*size*/) {}
-    /// Entry i of the result is the old entry order[i]; no_id: the initial value.
-    virtual void permute(const std::vector<std::uint32_t>& order) = 0;
-    /// A copy, entries included.
-    [[nodiscard]] virtual std::unique_ptr<AttributeBase> clone() const = 0;
     /// An attribute of the same class, name, kind, initial value and behaviour, without entries.
     [[nodiscard]] virtual std::unique_ptr<AttributeBase> clone_empty() const = 0;
     /// Appends the entries order[i] of an attribute of the same class; no_id: the initial value.
@@ -169,19 +161,6 @@ public:
     [[nodiscard]] std::size_t size() const override { return data_.size(); }
     void resize(std::size_t size) override { data_.resize(size, initial_); }
     void reserve(std::size_t size) override { data_.reserve(size); }
-    void permute(const std::vector<std::uint32_t>& order) override {
-        std::vector<T> moved;
-        moved.reserve(order.size());
-        for (const std::uint32_t from : order) {
-            moved.push_back(from == no_id ? initial_ : data_[from]);
-        }
-        data_ = std::move(moved);
-    }
-    [[nodiscard]] std::unique_ptr<AttributeBase> clone() const override {
-        auto other = std::make_unique<Attribute>(name(), initial_, blend_);
-        other->data_ = data_;
-        return other;
-    }
     [[nodiscard]] std::unique_ptr<AttributeBase> clone_empty() const override {
         return std::make_unique<Attribute>(name(), initial_, blend_);
     }

@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace dsc {
 
@@ -14,13 +15,28 @@ void AttributeBase::archive(Archive& /*archive*/) {
                       .allowed = "entries of a type that has an archive function"});
 }
 
+namespace {
+
+// An attribute of the same behaviour with the entries order[i]; no_id: the initial value.
+std::unique_ptr<AttributeBase> taken_from(const AttributeBase& attribute,
+                                          const std::vector<std::uint32_t>& order) {
+    auto taken = attribute.clone_empty();
+    taken->set_field(attribute.is_field(), attribute.on_interface());
+    taken->reserve(order.size());
+    taken->append(attribute, order);
+    return taken;
+}
+
+} // namespace
+
 AttributeSet::AttributeSet(const AttributeSet& other)
     : counts_(other.counts_), vertex_bound_(other.vertex_bound_),
       triangle_bound_(other.triangle_bound_) {
-    list_.reserve(other.list_.size());
+    std::vector<std::uint32_t> all;
     for (const auto& attribute : other.list_) {
-        list_.push_back(attribute->clone());
-        list_.back()->set_field(attribute->is_field(), attribute->on_interface());
+        all.resize(attribute->size());
+        std::iota(all.begin(), all.end(), 0U);
+        list_.push_back(taken_from(*attribute, all));
     }
 }
 
@@ -39,11 +55,7 @@ void AttributeSet::insert(std::unique_ptr<AttributeBase> attribute) {
     if (find(attribute->name()) != nullptr) {
         refuse(attribute->name(), "an attribute of that name exists");
     }
-    switch (attribute->kind()) {
-    case SimplexKind::vertex: attribute->resize(vertex_bound_); break;
-    case SimplexKind::edge: attribute->resize(4 * triangle_bound_); break;
-    case SimplexKind::triangle: attribute->resize(triangle_bound_); break;
-    }
+    attribute->resize(entries(attribute->kind(), vertex_bound_, triangle_bound_));
     list_.push_back(std::move(attribute));
     ++counts_[index(list_.back()->kind())];
 }
@@ -88,28 +100,22 @@ void AttributeSet::resize_vertices(std::size_t bound) {
 void AttributeSet::resize_triangles(std::size_t bound) {
     triangle_bound_ = bound;
     for (const auto& attribute : list_) {
-        if (attribute->kind() == SimplexKind::edge) {
-            attribute->resize(4 * bound);
-        } else if (attribute->kind() == SimplexKind::triangle) {
-            attribute->resize(bound);
+        if (attribute->kind() != SimplexKind::vertex) {
+            attribute->resize(entries(attribute->kind(), vertex_bound_, bound));
         }
     }
 }
 
 void AttributeSet::reserve(std::size_t vertex_bound, std::size_t triangle_bound) {
     for (const auto& attribute : list_) {
-        switch (attribute->kind()) {
-        case SimplexKind::vertex: attribute->reserve(vertex_bound); break;
-        case SimplexKind::edge: attribute->reserve(4 * triangle_bound); break;
-        case SimplexKind::triangle: attribute->reserve(triangle_bound); break;
-        }
+        attribute->reserve(entries(attribute->kind(), vertex_bound, triangle_bound));
     }
 }
 
 void AttributeSet::permute(SimplexKind kind, const std::vector<std::uint32_t>& order) {
     for (const auto& attribute : list_) {
         if (attribute->kind() == kind) {
-            attribute->permute(order);
+            attribute->swap_entries(*taken_from(*attribute, order));
         }
     }
     if (kind == SimplexKind::vertex) {
@@ -122,10 +128,8 @@ void AttributeSet::permute(SimplexKind kind, const std::vector<std::uint32_t>& o
 AttributeSet AttributeSet::clone_empty() const {
     AttributeSet other;
     other.counts_ = counts_;
-    other.list_.reserve(list_.size());
     for (const auto& attribute : list_) {
-        other.list_.push_back(attribute->clone_empty());
-        other.list_.back()->set_field(attribute->is_field(), attribute->on_interface());
+        other.list_.push_back(taken_from(*attribute, {}));
     }
     return other;
 }

@@ -74,6 +74,14 @@ public:
     /// All of them, in the order in which they were added.
     [[nodiscard]] const std::vector<std::unique_ptr<AttributeBase>>& list() const { return list_; }
 
+    /// How many entries an attribute of that kind has where ids are below these bounds.
+    [[nodiscard]] static std::size_t entries(SimplexKind kind, std::size_t vertex_bound,
+                                             std::size_t triangle_bound) {
+        return kind == SimplexKind::vertex ? vertex_bound
+               : kind == SimplexKind::edge ? 4 * triangle_bound
+                                           : triangle_bound;
+    }
+
     // --- called by the operations; nothing happens if there is no attribute of the kind
     /// There are ids up to `bound` now.
     void resize_vertices(std::size_t bound);

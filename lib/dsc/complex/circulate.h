@@ -9,6 +9,12 @@
 
 namespace dsc {
 
+/// Whether the edge opposite to the corner separates two phases, or lies on the domain boundary.
+template <class Real>
+[[nodiscard]] bool is_constrained(const Complex<Real>& complex, Corner corner) {
+    return complex.phase_at(corner) != complex.phase_at(complex.twin(corner));
+}
+
 /// The corner at the same vertex in the next triangle, counter-clockwise. `border_corner` where the
 /// domain ends. O(1).
 template <class Real>

@@ -88,24 +88,6 @@ void Complex<Real>::set_phase(Triangle t, Phase phase) {
     rewire::relabel(*this, journal, t, phase);
 }
 
-template <class Real>
-void Complex<Real>::set_locked(Vertex v, bool locked) {
-    if (locked) {
-        vertices[v.id].flags |= vertex_locked;
-    } else {
-        vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_locked);
-    }
-}
-
-template <class Real>
-void Complex<Real>::set_corner(Vertex v, bool corner) {
-    if (corner) {
-        vertices[v.id].flags |= vertex_corner;
-    } else {
-        vertices[v.id].flags &= ~static_cast<std::uint32_t>(vertex_corner);
-    }
-}
-
 // New ids go to the end of the pool that is taken from last.
 template <class Real>
 void Complex<Real>::grow(IdPool& pool, std::size_t vertex_total, std::size_t triangle_total) {

@@ -170,6 +170,11 @@ public:
     [[nodiscard]] Point<Real> position(Vertex v) const {
         return {vertices[v.id].x, vertices[v.id].y};
     }
+    /// Of the three vertices of a triangle, counter-clockwise.
+    [[nodiscard]] std::array<Point<Real>, 3> positions_of(Triangle t) const {
+        const auto& v = triangles[t.id].v;
+        return {position(Vertex{v[0]}), position(Vertex{v[1]}), position(Vertex{v[2]})};
+    }
     /// Moves a vertex, even if a triangle turns over. Noted in `journal`.
     void set_position(Vertex v, const Point<Real>& p);
     /// All positions as a 2 x vertex_bound() matrix, without a copy; free ids hold stale values.
@@ -186,14 +191,14 @@ public:
         return (vertices[v.id].flags & vertex_locked) != 0;
     }
     /// Forbids a vertex to move or vanish, or allows it. Operations answer `Verdict::locked`.
-    void set_locked(Vertex v, bool locked);
+    void set_locked(Vertex v, bool locked) { set_flag(v, vertex_locked, locked); }
     /// Whether it is a corner of the interface: it is kept, and the curve has no tangent there.
     [[nodiscard]] bool is_corner(Vertex v) const {
         return (vertices[v.id].flags & vertex_corner) != 0;
     }
     /// Makes a vertex of the interface a corner, or an ordinary point of its curve. The next step
     /// takes account of it; O(1).
-    void set_corner(Vertex v, bool corner);
+    void set_corner(Vertex v, bool corner) { set_flag(v, vertex_corner, corner); }
 
     // --- ids ----------------------------------------------------------------------------------
     /// Makes sure that the pool has so many free ids, so that taking them cannot fail. Returns
@@ -233,6 +238,9 @@ public:
     std::uint32_t lent_triangles = 0;         ///< the same for triangles
 
 private:
+    void set_flag(Vertex v, std::uint32_t flag, bool is_set) {
+        vertices[v.id].flags = (vertices[v.id].flags & ~flag) | (is_set ? flag : 0U);
+    }
     void grow(IdPool& pool, std::size_t vertex_total, std::size_t triangle_total);
 };
 

@@ -131,15 +131,11 @@ public:
 
 /// Makes a log keep its records while this object lives. The last reader empties the log when it
 /// ends, also by an exception. The log must outlive its readers.
-class LogReader {
+class LogReader : public Unmovable {
 public:
     /// Reads the edits from now on.
     explicit LogReader(EditLog& log) : log_(log), from_(log.records.size()) { ++log_.readers; }
     ~LogReader();
-    LogReader(const LogReader&) = delete;
-    LogReader& operator=(const LogReader&) = delete;
-    LogReader(LogReader&&) = delete;
-    LogReader& operator=(LogReader&&) = delete;
 
     /// The edits since this reader was made; valid until the next edit. No other reader may have
     /// emptied the log meanwhile. O(1).

@@ -53,6 +53,12 @@ struct Ring {
     [[nodiscard]] Real link_x(std::uint32_t i) const { return i < size ? x[i] : x_next[size - 1]; }
     /// The y coordinate of link vertex i; also of the last one of an open star.
     [[nodiscard]] Real link_y(std::uint32_t i) const { return i < size ? y[i] : y_next[size - 1]; }
+    /// The squared length of spoke i.
+    [[nodiscard]] Real squared_spoke(std::uint32_t i) const {
+        const Real dx = link_x(i) - x0;
+        const Real dy = link_y(i) - y0;
+        return dx * dx + dy * dy;
+    }
     /// The phase between link vertex i - 1 and i (that is, clockwise of spoke i).
     [[nodiscard]] Phase phase_before(std::uint32_t i) const {
         return i > 0 ? phase[i - 1] : (closed ? phase[size - 1] : border_phase);

@@ -25,23 +25,15 @@ template <class Real>
 class Grid {
 public:
     explicit Grid(const Complex<Real>& complex) {
-        double high_x = -std::numeric_limits<double>::infinity();
-        double high_y = high_x;
-        low_x_ = -high_x;
-        low_y_ = -high_x;
-        for (const Vertex v : vertices(complex)) {
-            const auto& record = complex.vertices[v.id];
-            low_x_ = std::min(low_x_, static_cast<double>(record.x));
-            low_y_ = std::min(low_y_, static_cast<double>(record.y));
-            high_x = std::max(high_x, static_cast<double>(record.x));
-            high_y = std::max(high_y, static_cast<double>(record.y));
-        }
+        const auto [low, high] = bounds_of(complex);
+        low_ = low.template cast<double>();
         // Halves, so that an extent near the largest double does not overflow.
-        const double half = std::max(high_x / 2 - low_x_ / 2, high_y / 2 - low_y_ / 2);
+        const double half = (high.template cast<double>() / 2 - low_ / 2).maxCoeff();
         scale_ = half > 0 ? 0.5 * cells / half : 0;
     }
-    [[nodiscard]] std::uint64_t key(double x, double y) const {
-        return hilbert_index(cell(x, low_x_), cell(y, low_y_));
+    [[nodiscard]] std::uint64_t key(const Point<Real>& p) const {
+        return hilbert_index(cell(static_cast<double>(p.x()), low_.x()),
+                             cell(static_cast<double>(p.y()), low_.y()));
     }
 
 private:
@@ -53,8 +45,7 @@ private:
         return at > 0 ? static_cast<std::uint32_t>(std::min(at, cells)) : 0;
     }
 
-    double low_x_ = 0;
-    double low_y_ = 0;
+    Point<double> low_;
     double scale_ = 0;
 };
 
@@ -65,9 +56,7 @@ std::vector<std::uint32_t> order_vertices(const Complex<Real>& complex) {
     std::vector<Keyed> keyed;
     keyed.reserve(complex.vertex_count());
     for (const Vertex v : vertices(complex)) {
-        const auto& record = complex.vertices[v.id];
-        keyed.push_back(
-            {grid.key(static_cast<double>(record.x), static_cast<double>(record.y)), v.id});
+        keyed.push_back({grid.key(complex.position(v)), v.id});
     }
     std::sort(keyed.begin(), keyed.end(), [&](const Keyed& a, const Keyed& b) {
         if (a.key != b.key) {

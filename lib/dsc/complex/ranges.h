@@ -17,6 +17,7 @@
 #include "dsc/complex/circulate.h"
 
 #include <iterator>
+#include <limits>
 #include <ranges>
 
 namespace dsc {
@@ -214,6 +215,29 @@ template <class Real>
     const std::uint32_t bound = complex.vertex_bound();
     return detail::settled<detail::IdCursor<Real, Vertex>>({&complex, 0, bound},
                                                            {&complex, bound, bound});
+}
+
+/// The ids of a range of handles, in its order. O(ids).
+template <class Cursor>
+[[nodiscard]] std::vector<std::uint32_t> ids_of(const HandleRange<Cursor>& range) {
+    std::vector<std::uint32_t> ids;
+    for (const auto handle : range) {
+        ids.push_back(handle.id);
+    }
+    return ids;
+}
+
+/// The lowest and the highest corner of the smallest upright box around the living vertices; from
+/// infinity to minus infinity if there are none. O(ids).
+template <class Real>
+[[nodiscard]] std::array<Point<Real>, 2> bounds_of(const Complex<Real>& complex) {
+    Point<Real> low = Point<Real>::Constant(std::numeric_limits<Real>::infinity());
+    Point<Real> high = -low;
+    for (const Vertex v : vertices(complex)) {
+        low = low.cwiseMin(complex.position(v));
+        high = high.cwiseMax(complex.position(v));
+    }
+    return {low, high};
 }
 
 /// The living triangles by ascending id. O(ids) as a whole.

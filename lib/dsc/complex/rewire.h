@@ -140,79 +140,60 @@ template <class Real>
 void split(Complex<Real>& complex, EditLog& log, Corner c, std::uint32_t m,
            const Point<Real>& place, std::uint32_t t2, std::uint32_t u2) {
     const Corner o = complex.twin(c);
-    const std::uint32_t t = triangle_of(c);
-    const Corner tb = next(c);
-    const Corner tw = prev(c);
+    const std::uint32_t b = complex.vertex(next(c));
+    const std::uint32_t w = complex.vertex(prev(c));
     auto& attributes = complex.attributes;
-    auto& tr = complex.triangles[t];
-    const std::uint32_t a = tr.v[index_of(c)];
-    const std::uint32_t b = tr.v[index_of(tb)];
-    const std::uint32_t w = tr.v[index_of(tw)];
-    const Corner wa = tr.n[index_of(tb)];
-    const bool on_interface = is_interface_pair(tr.phase, complex.phase_at(o));
     complex.vertices[m].x = place.x();
     complex.vertices[m].y = place.y();
-    const auto note_split = [&](std::uint32_t d) {
-        if (!attributes.empty(SimplexKind::vertex)) [[unlikely]] {
-            blend_at(complex, Vertex{m}, Vertex{b}, Vertex{w});
-        }
-        ++(on_interface ? log.counts.interface_splits : log.counts.splits);
-        note(log, [&] {
-            return Edit{.kind = EditKind::split,
-                        .on_interface = on_interface,
-                        .corner = c,
-                        .vertex = Vertex{m},
-                        .ends = {Vertex{b}, Vertex{w}},
-                        .apexes = {Vertex{a}, Vertex{d}},
-                        .made = {t2, is_border(o) ? no_id : u2},
-                        .x = static_cast<double>(place.x()),
-                        .y = static_cast<double>(place.y())};
+    // The triangle at the corner, (apex, start, end), becomes (apex, start, m), and `made` (apex,
+    // m, end).
+    const auto cut = [&](Corner at, std::uint32_t made) {
+        const Corner at_start = next(at);
+        auto& kept = complex.triangles[triangle_of(at)];
+        auto& other = complex.triangles[made];
+        const std::uint32_t apex = kept.v[index_of(at)];
+        const std::uint32_t start = kept.v[index_of(at_start)];
+        const std::uint32_t end = kept.v[index_of(prev(at))];
+        const Corner beyond = kept.n[index_of(at_start)]; // across (end, apex)
+        other = {{apex, m, end}, {border_corner, border_corner, border_corner}, kept.phase, 0};
+        attributes.split_triangle(made, triangle_of(at), [&] {
+            return area_share(complex, {apex, m, end}, {apex, start, m});
         });
+        attributes.copy_edge(corner_of(made, 0), at);       // (m, end): half of the edge
+        attributes.copy_edge(corner_of(made, 1), at_start); // (end, apex)
+        attributes.reset_edge(corner_of(made, 2));          // (apex, m)
+        attributes.reset_edge(at_start);
+        kept.v[index_of(prev(at))] = m;
+        link(complex, corner_of(made, 1), beyond);
+        kept.n[index_of(at_start)] = corner_of(made, 2);
+        other.n[2] = at_start;
     };
-    auto& t2r = complex.triangles[t2];
-    t2r = {{a, m, w}, {border_corner, border_corner, border_corner}, tr.phase, 0};
-    // The share of the new triangle (apex, m, end), the other part being (apex, m, start).
-    const auto share = [&](std::uint32_t apex, std::uint32_t start, std::uint32_t end) {
-        return area_share(complex, {apex, m, end}, {apex, start, m});
-    };
-    attributes.split_triangle(t2, t, [&] { return share(a, b, w); });
-    attributes.copy_edge(corner_of(t2, 0), c);  // (m, w): half of the edge
-    attributes.copy_edge(corner_of(t2, 1), tb); // (w, a)
-    attributes.reset_edge(corner_of(t2, 2));    // (a, m)
-    attributes.reset_edge(tb);
-    tr.v[index_of(tw)] = m;
-    link(complex, corner_of(t2, 1), wa);
-    tr.n[index_of(tb)] = corner_of(t2, 2);
-    t2r.n[2] = tb;
-    complex.vertices[m].corner = tw;
+    cut(c, t2);
+    complex.vertices[m].corner = prev(c);
     complex.vertices[w].corner = corner_of(t2, 2);
-    complex.vertices[b].corner = tb;
-    if (is_border(o)) {
-        note_split(no_id);
-        return;
+    complex.vertices[b].corner = next(c);
+    if (!is_border(o)) {
+        cut(o, u2);
+        link(complex, c, corner_of(u2, 0));
+        link(complex, o, corner_of(t2, 0));
     }
-    const std::uint32_t u = triangle_of(o);
-    const Corner uw = next(o);
-    const Corner ub = prev(o);
-    auto& ur = complex.triangles[u];
-    const std::uint32_t d = ur.v[index_of(o)];
-    const Corner bd = ur.n[index_of(uw)];
-    auto& u2r = complex.triangles[u2];
-    u2r = {{d, m, b}, {border_corner, border_corner, border_corner}, ur.phase, 0};
-    attributes.split_triangle(u2, u, [&] { return share(d, w, b); });
-    attributes.copy_edge(corner_of(u2, 0), o);  // (m, b): half of the edge
-    attributes.copy_edge(corner_of(u2, 1), uw); // (b, d)
-    attributes.reset_edge(corner_of(u2, 2));    // (d, m)
-    attributes.reset_edge(uw);
-    ur.v[index_of(ub)] = m;
-    link(complex, corner_of(u2, 1), bd);
-    ur.n[index_of(uw)] = corner_of(u2, 2);
-    u2r.n[2] = uw;
-    tr.n[index_of(c)] = corner_of(u2, 0);
-    u2r.n[0] = c;
-    t2r.n[0] = o;
-    ur.n[index_of(o)] = corner_of(t2, 0);
-    note_split(d);
+    if (!attributes.empty(SimplexKind::vertex)) [[unlikely]] {
+        blend_at(complex, Vertex{m}, Vertex{b}, Vertex{w});
+    }
+    const bool on_interface = is_interface_pair(complex.phase_at(c), complex.phase_at(o));
+    ++(on_interface ? log.counts.interface_splits : log.counts.splits);
+    note(log, [&] {
+        return Edit{
+            .kind = EditKind::split,
+            .on_interface = on_interface,
+            .corner = c,
+            .vertex = Vertex{m},
+            .ends = {Vertex{b}, Vertex{w}},
+            .apexes = {Vertex{complex.vertex(c)}, Vertex{is_border(o) ? no_id : complex.vertex(o)}},
+            .made = {t2, is_border(o) ? no_id : u2},
+            .x = static_cast<double>(place.x()),
+            .y = static_cast<double>(place.y())};
+    });
 }
 
 /// Closes the gap where a triangle at the collapsed edge vanishes: its two outer neighbours are

@@ -43,10 +43,17 @@ inline constexpr double most_edge_length<float> = 1e5;
 
 /// The squared sine of the smallest angle, with the sign of the area: one quotient of products
 /// of six lengths, made for loops over all lanes of a star; lengths must lie between
-/// `least_edge_length` and `most_edge_length`. The quality squared is 4/3 of it. The arguments are
-/// the doubled area and the squared edge lengths.
+/// `least_edge_length` and `most_edge_length`. The quality squared is 4/3 of it. (ax, ay) and (bx,
+/// by) lead from one corner to the two others.
 template <class Real>
-[[nodiscard]] inline Real sine_squared_of_lanes(Real doubled_area, Real aa, Real bb, Real cc) {
+[[nodiscard, gnu::always_inline]] inline Real sine_squared_of_lanes(Real ax, Real ay, Real bx,
+                                                                    Real by) {
+    const Real cx = bx - ax;
+    const Real cy = by - ay;
+    const Real doubled_area = ax * by - ay * bx;
+    const Real aa = ax * ax + ay * ay;
+    const Real bb = bx * bx + by * by;
+    const Real cc = cx * cx + cy * cy;
     const Real shortest = std::min(aa, std::min(bb, cc));
     return (doubled_area * std::abs(doubled_area)) * shortest / (aa * bb * cc);
 }

@@ -2,7 +2,6 @@
 #include "dsc/initial/initial_complex.h"
 
 #include "dsc/base/error.h"
-#include "dsc/complex/complex.h"
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/interface.h"
 #include "dsc/initial/build/phases.h"

@@ -13,6 +13,8 @@
 //     again(step);
 #pragma once
 
+#include "dsc/base/types.h"
+
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -25,13 +27,11 @@ namespace dsc {
 /// Collects text and writes it in blocks. Numbers are written the same way under every locale.
 /// Throws FileError where the folder is missing or unwritable, or the disk is full; a file that is
 /// not committed is removed.
-class PartFile {
+class PartFile : public Unmovable {
 public:
     /// Opens `path` with ".part" added. Throws FileError.
     explicit PartFile(std::string path);
     ~PartFile();
-    PartFile(const PartFile&) = delete;
-    PartFile& operator=(const PartFile&) = delete;
 
     /// Appends a text as it is.
     PartFile& operator<<(std::string_view text);

@@ -39,15 +39,6 @@ struct SvgMark {
     std::string text{}; ///< its tooltip
 };
 
-/// From dark blue at `low` and below to yellow at `high` and above, in 32 steps of equal lightness
-/// (the map viridis, readable by the colour-blind and in grey). NaN is grey. Throws InputError
-/// unless low < high, both finite.
-[[nodiscard]] SvgFill fill_by_value(std::string name, std::span<const double> values, double low,
-                                    double high);
-
-/// A colour for each number, the palette again and again; negative numbers are grey.
-[[nodiscard]] SvgFill fill_by_number(std::string name, std::span<const std::int32_t> numbers);
-
 /// How a picture looks.
 struct SvgOptions {
     double size_px = 800;                     ///< the longer side of the picture

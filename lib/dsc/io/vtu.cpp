@@ -34,14 +34,9 @@ constexpr std::string_view vtk_type() {
 template <class Real>
 class VtuWriter {
 public:
-    explicit VtuWriter(const Complex<Real>& complex) : complex_(complex) {
-        for (const Vertex v : dsc::vertices(complex)) {
-            vertices_.push_back(v.id);
-        }
-        for (const Triangle t : dsc::triangles(complex)) {
-            triangles_.push_back(t.id);
-        }
-    }
+    explicit VtuWriter(const Complex<Real>& complex)
+        : complex_(complex), vertices_(ids_of(dsc::vertices(complex))),
+          triangles_(ids_of(dsc::triangles(complex))) {}
 
     void write(PartFile& file, std::span<const VtuArray> more) {
         file << "<?xml version=\"1.0\"?>\n"
@@ -54,9 +49,8 @@ public:
         file << take_tags() << "</PointData>\n<CellData Scalars=\"phase\">\n";
         add("phase", 1, each<Phase>([&](std::uint32_t t) { return complex_.triangles[t].phase; }));
         add("quality", 1, each<Real>([&](std::uint32_t t) {
-                const auto v = complex_.vertices_of(Triangle{t});
-                return quality<Real>(complex_.position(v[0]), complex_.position(v[1]),
-                                     complex_.position(v[2]));
+                const auto [a, b, c] = complex_.positions_of(Triangle{t});
+                return quality<Real>(a, b, c);
             }));
         add_all<Triangle>(more);
         file << take_tags() << "</CellData>\n<Points>\n";

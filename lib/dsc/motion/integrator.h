@@ -73,14 +73,9 @@ struct IntegratorStep {
 /// remembers of a vertex belongs in an attribute, which follows operations, renumbering, copies and
 /// checkpoints by itself. One object can serve several simulations.
 template <class Real>
-class CustomIntegrator {
+class CustomIntegrator : public Unmovable {
 public:
     virtual ~CustomIntegrator() = default;
-    CustomIntegrator() = default;
-    CustomIntegrator(const CustomIntegrator&) = delete;
-    CustomIntegrator& operator=(const CustomIntegrator&) = delete;
-    CustomIntegrator(CustomIntegrator&&) = delete;
-    CustomIntegrator& operator=(CustomIntegrator&&) = delete;
 
     /// Makes the attributes that the complex does not have yet. Called when the simulation is made,
     /// whenever its options have changed, and after the application has renumbered or replaced the

@@ -8,7 +8,6 @@
 #include "dsc/complex/gather.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/submesh.h"
-#include "dsc/geometry/predicates.h"
 #include "dsc/quality/measures.h"
 
 namespace dsc {
@@ -50,23 +49,6 @@ Real move_limit(const Ring<Real>& ring, Real x, Real y) {
     }
     // The minimum passes over what is not a number.
     return std::isfinite(dx) && std::isfinite(dy) ? std::max(limit, Real(0)) : Real(0);
-}
-
-/// True if every star triangle is strictly positive with the centre at (px, py); exact.
-template <class Real>
-bool all_positive(const Ring<Real>& ring, Real px, Real py) {
-    if (certainly_positive(ring, px, py)) {
-        return true;
-    }
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
-        if (orientation(static_cast<double>(px), static_cast<double>(py),
-                        static_cast<double>(ring.x[i]), static_cast<double>(ring.y[i]),
-                        static_cast<double>(ring.x_next[i]),
-                        static_cast<double>(ring.y_next[i])) <= 0) {
-            return false;
-        }
-    }
-    return true;
 }
 
 /// How far a vertex came.

@@ -8,11 +8,6 @@ namespace dsc {
 
 namespace {
 
-template <class Real>
-bool is_constrained(const Complex<Real>& complex, Corner corner) {
-    return complex.phase_at(corner) != complex.phase_at(complex.twin(corner));
-}
-
 // True if link(v) and link(v') have more in common than link(e): an additional vertex or edge.
 template <class Real>
 bool links_meet_elsewhere(const Complex<Real>& complex, std::uint32_t v, std::uint32_t keep,

@@ -23,7 +23,7 @@ namespace dsc {
 
 struct DivisionEntry;
 
-/// How the mesh is divided into submeshes: by one of the library's ways, one of a module, or one of
+/// How the mesh is divided into submeshes: in the library's way, in one of a module, or in one of
 /// the application's own. Two are equal if their entries are the same object.
 class Division {
 public:
@@ -33,28 +33,16 @@ public:
     constexpr const DivisionEntry* operator->() const { return entry_; }
     friend bool operator==(const Division&, const Division&) = default;
 
-    static const Division fixed;    ///< slabs of equal width (thesis, section 6.3)
-    static const Division counting; ///< slabs of equal numbers of triangles (thesis, section 6.3)
-    static const Division active;   ///< slabs of equal work
-    static const Division blocks;   ///< cut in two directions
-    static const Division cells;    ///< submeshes that follow the interface
+    static const Division cells; ///< submeshes that follow the interface
 
 private:
     const DivisionEntry* entry_;
 };
 
 namespace detail {
-extern const DivisionEntry fixed_division;
-extern const DivisionEntry counting_division;
-extern const DivisionEntry active_division;
-extern const DivisionEntry blocks_division;
 extern const DivisionEntry cells_division;
 } // namespace detail
 
-inline constexpr Division Division::fixed{detail::fixed_division};
-inline constexpr Division Division::counting{detail::counting_division};
-inline constexpr Division Division::active{detail::active_division};
-inline constexpr Division Division::blocks{detail::blocks_division};
 inline constexpr Division Division::cells{detail::cells_division};
 
 /// Which thread runs which task.
@@ -72,16 +60,13 @@ inline constexpr std::array assignment_names{
     return name_in(assignment_names, assignment);
 }
 
-/// The result depends on the division, the number of submeshes and the direction, and on nothing
-/// else here.
+/// The result depends on the division and the number of submeshes, and on nothing else here.
 struct Parallel {
     /// 1 to 1024; fewer are used where there is too little to do, or where that takes no longer.
     std::uint32_t threads = 1;
     Division division = Division::cells; ///< how the mesh is divided
     std::uint32_t submeshes = 0;         ///< 0: the division's own choice
-    double degrees = 0;                  ///< slabs are cut across this direction, from the x axis
-    bool follow_shape = false;       ///< slabs are cut across the direction of the shape instead
-    bool always_all_threads = false; ///< also if there is too little to do for them, or no gain
+    bool always_all_threads = false;     ///< also if there is too little to do for them, or no gain
     /// Microseconds that threads wait awake between two steps before they sleep. Nothing: 2000, or
     /// 0 if the environment variable OMP_WAIT_POLICY is `passive`.
     std::optional<std::uint32_t> awake_us = std::nullopt;
@@ -104,9 +89,6 @@ struct DivisionEntry {
     MakeExecutor<double> in_double; ///< makes its executor
     MakeExecutor<float> in_float;   ///< makes its executor
 };
-
-/// The library's divisions, in their order.
-[[nodiscard]] std::span<const Division> divisions();
 
 /// The number of submeshes that results: the number asked for, or the division's default; 0: chosen
 /// during the run.

@@ -96,16 +96,11 @@ struct Pass;
 /// leaves to another submesh. The sequential driver has one, the parallel driver one for each
 /// submesh. Nothing here grows with the mesh.
 template <class Real>
-struct Work {
+struct Work : Unmovable {
     /// Refers to both: the executor that owns the work keeps a copy of the options.
     Work(Complex<Real>& complex_in, const Options<Real>& options_in)
         : complex(complex_in),
           options(options_in), submesh{complex_in, Region{}, complex_in.ids, log} {}
-    ~Work() = default;
-    Work(const Work&) = delete;
-    Work& operator=(const Work&) = delete;
-    Work(Work&&) = delete;
-    Work& operator=(Work&&) = delete;
 
     Complex<Real>& complex;       ///< the complex that is worked on
     const Options<Real>& options; ///< those of the simulation
@@ -118,8 +113,8 @@ struct Work {
     /// Stars that the interface upkeep has left as they are, in the order of `interface`: movement
     /// need not walk round them again. Of no use once a pass of motion has been run.
     std::vector<KeptStar> stars;
-    std::vector<std::uint32_t> active;    ///< vertices whose star must be looked at; no duplicates
-    std::uint32_t epoch = 0;              ///< a vertex with this stamp is in `active` already
+    std::vector<std::uint32_t> active; ///< vertices whose star must be looked at; no duplicates
+    std::uint32_t epoch = 0;           ///< a vertex with this stamp is in `active` already
     /// Vertices to be looked at in the next mesh update because the target length of edges changes
     /// there, or because vertices had yet to arrive (waiting.h); with duplicates.
     std::vector<std::uint32_t> resized;
@@ -202,10 +197,6 @@ struct Algorithm {
     std::vector<Pass<Real>> motion; ///< repeated until all vertices have arrived
 };
 
-/// The default: interface upkeep; movement, then the mesh update on the active set.
-template <class Real>
-Algorithm<Real> default_algorithm();
-
 // --- the passes of the default ------------------------------------------------------------------
 
 /// Interface upkeep (algorithm 5.1 of the thesis, lines 6 and 7), with all vertices at the same
@@ -227,5 +218,15 @@ void move_vertices(Work<Real>& work);
 /// stars that a submesh may not touch are deferred. O(active).
 template <class Real>
 void update_mesh(Work<Real>& work);
+
+/// The default: interface upkeep; movement, then the mesh update on the active set.
+template <class Real>
+Algorithm<Real> default_algorithm() {
+    Algorithm<Real> algorithm;
+    algorithm.upkeep.push_back({"interface upkeep", &upkeep_interface<Real>, true});
+    algorithm.motion.push_back({"movement", &move_vertices<Real>, true});
+    algorithm.motion.push_back({"mesh update", &update_mesh<Real>, true});
+    return algorithm;
+}
 
 } // namespace dsc

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/algorithm.h"
 
-#include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
 #include "dsc/passes/edits.h"
 #include "dsc/passes/waiting.h"

@@ -170,30 +170,15 @@ void take_off(std::vector<std::uint32_t>& list, std::span<const std::uint32_t> c
     std::erase_if(list, [&](std::uint32_t v) { return std::ranges::binary_search(changed, v); });
 }
 
-namespace {
-
-template <class Real>
-bool is_listed_on(const Complex<Real>& complex, std::uint32_t v) {
-    return complex.is_alive(Vertex{v}) && complex.vertices[v].corner != no_id &&
-           is_interface(complex, Vertex{v});
-}
-
-} // namespace
-
 template <class Real>
 std::vector<std::uint32_t> on_interface(const Complex<Real>& complex,
                                         std::span<const std::uint32_t> changed) {
     std::vector<std::uint32_t> on;
-    std::ranges::copy_if(changed, std::back_inserter(on),
-                         [&](std::uint32_t v) { return is_listed_on(complex, v); });
+    std::ranges::copy_if(changed, std::back_inserter(on), [&](std::uint32_t v) {
+        return complex.is_alive(Vertex{v}) && complex.vertices[v].corner != no_id &&
+               is_interface(complex, Vertex{v});
+    });
     return on;
-}
-
-template <class Real>
-std::uint32_t count_on_interface(const Complex<Real>& complex,
-                                 std::span<const std::uint32_t> list) {
-    return static_cast<std::uint32_t>(
-        std::ranges::count_if(list, [&](std::uint32_t v) { return is_listed_on(complex, v); }));
 }
 
 template <class Real>
@@ -231,8 +216,6 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
     template std::vector<std::uint32_t> taken_off(const Complex<Real>&, std::span<const Edit>);    \
     template std::vector<std::uint32_t> on_interface(const Complex<Real>&,                         \
                                                      std::span<const std::uint32_t>);              \
-    template std::uint32_t count_on_interface(const Complex<Real>&,                                \
-                                              std::span<const std::uint32_t>);                     \
     template void run_pass(Work<Real>&, const Pass<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

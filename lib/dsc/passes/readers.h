@@ -41,11 +41,6 @@ template <class Real>
 [[nodiscard]] std::vector<std::uint32_t> on_interface(const Complex<Real>& complex,
                                                       std::span<const std::uint32_t> changed);
 
-/// How many of a list are on the interface now. O(their degrees).
-template <class Real>
-[[nodiscard]] std::uint32_t count_on_interface(const Complex<Real>& complex,
-                                               std::span<const std::uint32_t> list);
-
 /// Runs a pass, and reads its log unless the pass attends to its own edits: calls `wake`, and
 /// applies the changes of the interface to `work.interface`, noting them in
 /// `work.changed_interface` for lists kept elsewhere. Where phases are carried, the list is brought

@@ -42,9 +42,7 @@ WallSpoke<Real> wall_spoke(const Ring<Real>& ring, bool is_first) {
     spoke.link = is_first ? 0 : ring.size;
     spoke.corner = is_first ? prev(ring.corner[0]) : next(ring.corner[ring.size - 1]);
     spoke.end = is_first ? rewire::Vanishing::next : rewire::Vanishing::prev;
-    const Real dx = ring.link_x(spoke.link) - ring.x0;
-    const Real dy = ring.link_y(spoke.link) - ring.y0;
-    spoke.squared = dx * dx + dy * dy;
+    spoke.squared = ring.squared_spoke(spoke.link);
     return spoke;
 }
 

@@ -18,19 +18,28 @@ namespace dsc {
 
 /// Equation 2: the length of an edge.
 template <class Real>
-[[nodiscard]] Real length(const Complex<Real>& complex, Edge e);
-/// The square of equation 2, without a square root.
-template <class Real>
-[[nodiscard]] Real squared_length(const Complex<Real>& complex, Edge e);
+[[nodiscard]] Real length(const Complex<Real>& complex, Edge e) {
+    const auto [a, b] = complex.vertices_of(e);
+    return distance(complex.position(a), complex.position(b));
+}
 /// Equation 3: the signed area of a triangle.
 template <class Real>
-[[nodiscard]] Real area(const Complex<Real>& complex, Triangle t);
+[[nodiscard]] Real area(const Complex<Real>& complex, Triangle t) {
+    const auto [a, b, c] = complex.positions_of(t);
+    return area<Real>(a, b, c);
+}
 /// Equation 4: the quality of a triangle.
 template <class Real>
-[[nodiscard]] Real quality(const Complex<Real>& complex, Triangle t);
+[[nodiscard]] Real quality(const Complex<Real>& complex, Triangle t) {
+    const auto [a, b, c] = complex.positions_of(t);
+    return quality<Real>(a, b, c);
+}
 /// The smallest angle, in degrees, 0 to 60.
 template <class Real>
-[[nodiscard]] Real min_angle_deg(const Complex<Real>& complex, Triangle t);
+[[nodiscard]] Real min_angle_deg(const Complex<Real>& complex, Triangle t) {
+    const auto [a, b, c] = complex.positions_of(t);
+    return min_angle_deg<Real>(a, b, c);
+}
 
 /// Whether the edge opposite to `corner`, which must have two triangles, is Delaunay.
 template <class Real>
@@ -54,17 +63,8 @@ Real worst_quality_squared(const Ring<Real>& ring, Real px, Real py) {
     const Real* y_next = ring.y_next.data();
 #pragma omp simd reduction(min : worst)
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = x[i] - px;
-        const Real ay = y[i] - py;
-        const Real bx = x_next[i] - px;
-        const Real by = y_next[i] - py;
-        const Real cx = bx - ax;
-        const Real cy = by - ay;
-        const Real area2 = ax * by - ay * bx;
-        const Real aa = ax * ax + ay * ay;
-        const Real bb = bx * bx + by * by;
-        const Real cc = cx * cx + cy * cy;
-        worst = std::min(worst, sine_squared_of_lanes<Real>(area2, aa, bb, cc));
+        worst = std::min(worst, sine_squared_of_lanes<Real>(x[i] - px, y[i] - py, x_next[i] - px,
+                                                            y_next[i] - py));
     }
     return worst * Real(4.0 / 3.0);
 }
@@ -85,17 +85,8 @@ Real worst_quality_squared_after_collapse(const Ring<Real>& ring, std::uint32_t 
     Real* sine_squared = sines_squared.data();
 #pragma omp simd
     for (std::uint32_t j = 0; j < lanes; ++j) {
-        const Real ax = x[j] - px;
-        const Real ay = y[j] - py;
-        const Real bx = x_next[j] - px;
-        const Real by = y_next[j] - py;
-        const Real cx = bx - ax;
-        const Real cy = by - ay;
-        const Real area2 = ax * by - ay * bx;
-        const Real aa = ax * ax + ay * ay;
-        const Real bb = bx * bx + by * by;
-        const Real cc = cx * cx + cy * cy;
-        sine_squared[j] = sine_squared_of_lanes<Real>(area2, aa, bb, cc);
+        sine_squared[j] =
+            sine_squared_of_lanes<Real>(x[j] - px, y[j] - py, x_next[j] - px, y_next[j] - py);
     }
     constexpr Real harmless = std::numeric_limits<Real>::max();
     sine_squared[i] = harmless;
@@ -132,6 +123,23 @@ bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
     // their difference is NaN, is refused here.
     constexpr Real far = sizeof(Real) == sizeof(double) ? Real(1e150) : Real(1e18);
     return least > 0 && scale > guard && std::abs(px) < far && std::abs(py) < far;
+}
+
+/// True if every star triangle is strictly positive with the centre at (px, py); exact.
+template <class Real>
+bool all_positive(const Ring<Real>& ring, Real px, Real py) {
+    if (certainly_positive(ring, px, py)) {
+        return true;
+    }
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+        if (orientation(static_cast<double>(px), static_cast<double>(py),
+                        static_cast<double>(ring.x[i]), static_cast<double>(ring.y[i]),
+                        static_cast<double>(ring.x_next[i]),
+                        static_cast<double>(ring.y_next[i])) <= 0) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /// The figures of a star that a mesh update needs, computed in one loop.
@@ -187,24 +195,18 @@ StarReport<Real> examine(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
         const Real by = y_next[i] - py;
         const Real ex = x_previous[i] - px;
         const Real ey = y_previous[i] - py;
-        const Real cx = bx - ax;
-        const Real cy = by - ay;
-        const Real area = ax * by - ay * bx;
         const Real found = spoke_margin<Real>(ax, ay, bx, by, ex, ey);
         margin[i] = found;
         delaunay = std::min(delaunay, found);
         const Real aa = ax * ax + ay * ay;
-        const Real bb = bx * bx + by * by;
-        const Real cc = cx * cx + cy * cy;
         longest = std::max(longest, aa);
         shortest = std::min(shortest, aa);
-        worst = std::min(worst, sine_squared_of_lanes<Real>(area, aa, bb, cc));
+        worst = std::min(worst, sine_squared_of_lanes<Real>(ax, ay, bx, by));
     }
     if (!ring.closed) {
-        const Real ax = ring.link_x(ring.size) - px;
-        const Real ay = ring.link_y(ring.size) - py;
-        longest = std::max(longest, ax * ax + ay * ay);
-        shortest = std::min(shortest, ax * ax + ay * ay);
+        const Real last = ring.squared_spoke(ring.size);
+        longest = std::max(longest, last);
+        shortest = std::min(shortest, last);
     }
     return {delaunay, longest, shortest, worst * Real(4.0 / 3.0)};
 }

@@ -14,25 +14,42 @@
 
 namespace dsc {
 
+/// Whether `test(corner)` holds for one of the edges at `v`, each named by a corner opposite to it.
+/// O(degree).
+template <class Real, class Test>
+[[nodiscard]] bool any_edge(const Complex<Real>& complex, Vertex v, Test test) {
+    return find_corner(complex, v, [&](Corner c) {
+               return test(prev(c)) || (is_border(complex.twin(next(c))) && test(next(c)));
+           }) != no_id;
+}
+/// The same of a triangle. O(1).
+template <class Real, class Test>
+[[nodiscard]] bool any_edge(const Complex<Real>& /*complex*/, Triangle t, Test test) {
+    return test(corner_of(t.id, 0)) || test(corner_of(t.id, 1)) || test(corner_of(t.id, 2));
+}
+/// The same of an edge alone. O(1).
+template <class Real, class Test>
+[[nodiscard]] bool any_edge(const Complex<Real>& /*complex*/, Edge e, Test test) {
+    return test(e.id);
+}
+
 /// An edge is on the domain boundary if it has one triangle, a vertex if it has such an edge. The
 /// form for a triangle asks whether one of its edges is. O(1); O(degree) for a vertex.
-template <class Real>
-[[nodiscard]] bool is_boundary(const Complex<Real>& complex, Vertex v);
-template <class Real>
-[[nodiscard]] bool is_boundary(const Complex<Real>& complex, Edge e);
-template <class Real>
-[[nodiscard]] bool is_boundary(const Complex<Real>& complex, Triangle t);
+template <class Real, SimplexHandle Simplex>
+[[nodiscard]] bool is_boundary(const Complex<Real>& complex, Simplex simplex) {
+    return any_edge(complex, simplex, [&](Corner c) { return is_border(complex.twin(c)); });
+}
 
 /// An edge is on the interface if its two triangles differ in phase, or if it is on the domain
 /// boundary and its triangle's phase is not `exterior_phase` (figure 8.3); a vertex if it has such
 /// an edge. The interface has no triangles (thesis, section 4.3): the form for a triangle asks
 /// whether one of its edges is on it. O(1); O(degree) for a vertex.
-template <class Real>
-[[nodiscard]] bool is_interface(const Complex<Real>& complex, Vertex v);
-template <class Real>
-[[nodiscard]] bool is_interface(const Complex<Real>& complex, Edge e);
-template <class Real>
-[[nodiscard]] bool is_interface(const Complex<Real>& complex, Triangle t);
+template <class Real, SimplexHandle Simplex>
+[[nodiscard]] bool is_interface(const Complex<Real>& complex, Simplex simplex) {
+    return any_edge(complex, simplex, [&](Corner c) {
+        return is_interface_pair(complex.phase_at(c), complex.phase_at(complex.twin(c)));
+    });
+}
 
 /// The phases that occur, ascending. O(n).
 template <class Real>

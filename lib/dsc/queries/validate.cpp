@@ -4,14 +4,11 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/geometry/contacts.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/queries/phases.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <string>
-#include <tuple>
 #include <vector>
 
 namespace dsc {
@@ -61,12 +58,8 @@ Problem check_border(const Complex<Real>& complex) {
 template <class Real>
 Problem check_attributes(const Complex<Real>& complex) {
     for (const auto& attribute : complex.attributes.list()) {
-        std::size_t expected = complex.vertices.size();
-        if (attribute->kind() == SimplexKind::edge) {
-            expected = 4 * complex.triangles.size();
-        } else if (attribute->kind() == SimplexKind::triangle) {
-            expected = complex.triangles.size();
-        }
+        const std::size_t expected = AttributeSet::entries(
+            attribute->kind(), complex.vertices.size(), complex.triangles.size());
         const std::size_t size = attribute->size();
         if (size != expected) {
             return "attribute '" + attribute->name() + "': it has " + std::to_string(size) +
@@ -161,9 +154,8 @@ Problem check_links(const Complex<Real>& complex, std::uint32_t t) {
 
 template <class Real>
 Problem check_orientation(const Complex<Real>& complex, std::uint32_t t) {
-    const auto v = complex.vertices_of(Triangle{t});
-    const int sign =
-        orientation(complex.position(v[0]), complex.position(v[1]), complex.position(v[2]));
+    const auto [a, b, c] = complex.positions_of(Triangle{t});
+    const int sign = orientation<Real>(a, b, c);
     if (sign > 0) {
         return {};
     }
@@ -281,102 +273,70 @@ Problem check_fans(const Complex<Real>& complex) {
 //   turning numbers sum up to 2 - loops), that number is 0 or 1 for each component; components are
 //   disjoint if no loop of one lies inside another.
 
-// A boundary edge; its triangle lies to the left of the way from a to b.
-template <class Real>
-struct Segment {
-    Point<Real> a;
-    Point<Real> b;
-    std::uint32_t a_id;
-    std::uint32_t b_id;
-    std::uint32_t component;
+// The boundary, edge by edge; the triangle of an edge lies to the left of its way.
+struct Boundary {
+    std::vector<Point<double>> points;     // where edge i begins
+    std::vector<NetworkLine> edges;        // from point i to the next one of its loop
+    std::vector<Vertex> vertices;          // at point i
+    std::vector<std::uint32_t> components; // of edge i
+    std::vector<std::uint32_t> loops;      // the first edge of each
 
-    [[nodiscard]] Real low_x() const { return std::min(a.x(), b.x()); }
-    [[nodiscard]] Real high_x() const { return std::max(a.x(), b.x()); }
-    [[nodiscard]] Real low_y() const { return std::min(a.y(), b.y()); }
-    [[nodiscard]] Real high_y() const { return std::max(a.y(), b.y()); }
-    [[nodiscard]] std::string name() const {
-        return "boundary edge " + std::to_string(a_id) + "-" + std::to_string(b_id);
+    [[nodiscard]] std::string name(std::uint32_t edge) const {
+        return "boundary edge " + std::to_string(vertices[edge].id) + "-" +
+               std::to_string(vertices[edges[edge].to].id);
     }
 };
 
 template <class Real>
-struct Boundary {
-    std::vector<Segment<Real>> segments;
-    std::vector<Segment<Real>> loops; // one segment of each loop
-};
-
-template <class Real>
-Boundary<Real> collect_boundary(const Complex<Real>& complex,
-                                const std::vector<std::uint32_t>& component) {
-    Boundary<Real> boundary;
-    const auto segment_at = [&](Corner c) -> Segment<Real> {
-        const Vertex a{complex.vertex(next(c))};
-        const Vertex b{complex.vertex(prev(c))};
-        return {complex.position(a), complex.position(b), a.id, b.id, component[triangle_of(c)]};
-    };
+Boundary collect_boundary(const Complex<Real>& complex,
+                          const std::vector<std::uint32_t>& component) {
+    Boundary boundary;
     const auto is_edge = [&](Corner c) { return is_border(complex.twin(c)); };
     for_each_loop(complex, is_edge, [&](std::span<const Corner> loop) {
-        boundary.loops.push_back(segment_at(loop.front()));
-        std::transform(loop.begin(), loop.end(), std::back_inserter(boundary.segments), segment_at);
+        const auto first = static_cast<std::uint32_t>(boundary.edges.size());
+        boundary.loops.push_back(first);
+        for (const Corner c : loop) {
+            const Vertex from{complex.vertex(next(c))};
+            const auto edge = static_cast<std::uint32_t>(boundary.edges.size());
+            boundary.points.push_back(complex.position(from).template cast<double>());
+            boundary.edges.push_back({edge, edge + 1});
+            boundary.vertices.push_back(from);
+            boundary.components.push_back(component[triangle_of(c)]);
+        }
+        boundary.edges.back().to = first;
     });
     return boundary;
 }
 
-// A sweep along x. The edges of a vertical wall, which all begin at one x, are swept along y.
-// Segments that share a vertex meet only there, because its half disc goes around once.
-template <class Real>
-std::string find_meeting(std::vector<Segment<Real>>& segments) {
-    std::sort(segments.begin(), segments.end(), [](const auto& s, const auto& t) {
-        return std::tuple(s.low_x(), s.low_y(), s.a_id) < std::tuple(t.low_x(), t.low_y(), t.a_id);
-    });
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        const Segment<Real>& s = segments[i];
-        for (std::size_t k = i + 1; k < segments.size() && segments[k].low_x() <= s.high_x(); ++k) {
-            const Segment<Real>& t = segments[k];
-            if (s.low_x() == s.high_x() && t.low_y() > s.high_y()) {
-                break; // as all that follow at this x
-            }
-            const bool shares =
-                s.a_id == t.a_id || s.a_id == t.b_id || s.b_id == t.a_id || s.b_id == t.b_id;
-            if (shares || s.low_y() > t.high_y() || t.low_y() > s.high_y()) {
-                continue;
-            }
-            if (segments_meet<Real>(s.a, s.b, t.a, t.b)) {
-                return s.name() + " meets " + t.name() + ": the domain lies over itself";
-            }
-        }
-    }
-    return {};
-}
-
-// The winding number of the boundaries of the other components about the start of `loop`.
-template <class Real>
-int winding_of_others(const std::vector<Segment<Real>>& segments, const Segment<Real>& loop) {
+// The winding number of the boundaries of the other components about the start of an edge.
+int winding_of_others(const Boundary& boundary, std::uint32_t edge) {
     int winding = 0;
-    const Point<Real>& p = loop.a;
-    for (const Segment<Real>& s : segments) {
-        if (s.component == loop.component) {
+    const Point<double>& p = boundary.points[edge];
+    for (std::size_t i = 0; i < boundary.edges.size(); ++i) {
+        if (boundary.components[i] == boundary.components[edge]) {
             continue;
         }
-        if (s.a.y() <= p.y() && p.y() < s.b.y()) {
-            winding += orientation(s.a, s.b, p) > 0 ? 1 : 0;
-        } else if (s.b.y() <= p.y() && p.y() < s.a.y()) {
-            winding -= orientation(s.a, s.b, p) < 0 ? 1 : 0;
+        const Point<double>& a = boundary.points[i];
+        const Point<double>& b = boundary.points[boundary.edges[i].to];
+        if (a.y() <= p.y() && p.y() < b.y()) {
+            winding += orientation<double>(a, b, p) > 0 ? 1 : 0;
+        } else if (b.y() <= p.y() && p.y() < a.y()) {
+            winding -= orientation<double>(a, b, p) < 0 ? 1 : 0;
         }
     }
     return winding;
 }
 
-// Euler's formula, and no overlaps. O(n + b log b) for b boundary edges if few of them lie above
-// each other, as in a rectangle; O(b^2) at worst.
+// Euler's formula, and no overlaps. O(n + b log b) for b boundary edges, and O(b) for each loop
+// where there are several components.
 template <class Real>
 Problem check_shape(const Complex<Real>& complex, ValidationReport& report) {
     const std::vector<std::uint32_t> component = label_parts(
         complex, [](Corner) { return true; },
         [&](std::uint32_t part, Triangle) { report.components = part + 1; });
-    Boundary<Real> boundary = collect_boundary(complex, component);
+    const Boundary boundary = collect_boundary(complex, component);
     report.boundary_loops = boundary.loops.size();
-    report.edges = (3 * report.triangles + boundary.segments.size()) / 2;
+    report.edges = (3 * report.triangles + boundary.edges.size()) / 2;
     report.euler_characteristic = static_cast<std::int64_t>(report.vertices + report.triangles) -
                                   static_cast<std::int64_t>(report.unused_vertices + report.edges);
     const std::int64_t expected = 2 * static_cast<std::int64_t>(report.components) -
@@ -388,13 +348,14 @@ Problem check_shape(const Complex<Real>& complex, ValidationReport& report) {
                std::to_string(report.boundary_loops) +
                " boundary loops: it does not fit into the plane";
     }
-    if (Problem problem = find_meeting(boundary.segments);
-        !problem.empty() || report.components < 2) {
-        return problem;
+    // Edges that share a vertex meet only there, because its half disc goes around once.
+    if (const auto contact = find_contact(boundary.points, boundary.edges)) {
+        return boundary.name(contact->line) + " meets " + boundary.name(contact->other) +
+               ": the domain lies over itself";
     }
-    for (const Segment<Real>& loop : boundary.loops) {
-        if (winding_of_others(boundary.segments, loop) != 0) {
-            return loop.name() + " lies inside another component: they overlap";
+    for (const std::uint32_t loop : boundary.loops) {
+        if (report.components > 1 && winding_of_others(boundary, loop) != 0) {
+            return boundary.name(loop) + " lies inside another component: they overlap";
         }
     }
     return {};

@@ -33,8 +33,8 @@ struct ValidationReport {
 /// and distinct, phase not reserved, links symmetric and with the same vertices at both sides,
 /// orientation > 0); the free ids; every vertex a disc or half disc that goes around it once; the
 /// Euler characteristic; and that the boundary nowhere meets itself and no component covers
-/// another. Together these say that no two simplices overlap anywhere. O(n + b log b), and O(b^2)
-/// at worst for b boundary edges.
+/// another. Together these say that no two simplices overlap anywhere. O(n + b log b) for b
+/// boundary edges, and O(b) more for each loop where there are several components.
 template <class Real>
 [[nodiscard]] ValidationReport validate(const Complex<Real>& complex);
 

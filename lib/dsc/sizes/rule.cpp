@@ -26,9 +26,7 @@ Real least_over_link(const Ring<Real>& ring, Real slope, const LinkValues<Real>&
         least = std::min(least, least_between<Real>(ax, ay, at[i], bx, by, next[i], slope));
     }
     if (!ring.closed) {
-        const Real ax = ring.link_x(ring.size) - px;
-        const Real ay = ring.link_y(ring.size) - py;
-        least = std::min(least, at[ring.size] + slope * std::sqrt(ax * ax + ay * ay));
+        least = std::min(least, at[ring.size] + slope * std::sqrt(ring.squared_spoke(ring.size)));
     }
     return least;
 }

@@ -74,7 +74,7 @@ private:
         for (std::uint32_t i = 0; i < n; ++i) {
             const Real ax = ring_.x0 - ring_.link_x(i);
             const Real ay = ring_.y0 - ring_.link_y(i);
-            Real value = values_[v] + slope_ * std::sqrt(ax * ax + ay * ay);
+            Real value = values_[v] + slope_ * std::sqrt(ring_.squared_spoke(i));
             const auto across = [&](std::uint32_t j) {
                 value = std::min(value, least_between<Real>(ax, ay, values_[v],
                                                             ring_.link_x(j) - ring_.link_x(i),
@@ -128,13 +128,7 @@ SizeField<Real>& size_field(Complex<Real>& complex) {
 
 template <class Real>
 Real extent_of(const Complex<Real>& complex) {
-    constexpr Real most = std::numeric_limits<Real>::max();
-    Point<Real> low(most, most);
-    Point<Real> high = -low;
-    for (const Vertex v : vertices(complex)) {
-        low = low.cwiseMin(complex.position(v));
-        high = high.cwiseMax(complex.position(v));
-    }
+    const auto [low, high] = bounds_of(complex);
     return std::max((high - low).maxCoeff(), Real(0));
 }
 

@@ -30,6 +30,15 @@ inline constexpr std::array layer_names{
     Named{Layer::events, "events"},
 };
 
+/// From dark blue at `low` and below to yellow at `high` and above, in 32 steps of equal lightness
+/// (the map viridis, readable by the colour-blind and in grey). NaN is grey. Throws InputError
+/// unless low < high, both finite.
+[[nodiscard]] SvgFill fill_by_value(std::string name, std::span<const double> values, double low,
+                                    double high);
+
+/// A colour for each number, the palette again and again; negative numbers are grey.
+[[nodiscard]] SvgFill fill_by_number(std::string name, std::span<const std::int32_t> numbers);
+
 using Layers = std::set<Layer>;
 
 /// "quality,interface". Throws InputError for a name that is none, or two that colour triangles.

@@ -26,16 +26,6 @@ public:
 
     [[nodiscard]] std::size_t size() const override { return data_.size(); }
     void resize(std::size_t size) override { data_.resize(size, 0); }
-    void permute(const std::vector<std::uint32_t>& order) override {
-        WatchedTriangles moved(operations_);
-        moved.append(*this, order);
-        data_ = std::move(moved.data_);
-    }
-    [[nodiscard]] std::unique_ptr<AttributeBase> clone() const override {
-        auto other = std::make_unique<WatchedTriangles>(operations_);
-        other->data_ = data_;
-        return other;
-    }
     [[nodiscard]] std::unique_ptr<AttributeBase> clone_empty() const override {
         return std::make_unique<WatchedTriangles>(operations_);
     }

@@ -2,16 +2,17 @@
 #include "scenes/run/strategy.h"
 
 #include "dsc/base/error.h"
+#include "thesis/blocks.h"
 #include "thesis/copy_executor.h"
+#include "thesis/slabs.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace dsc::scenes {
 
 namespace {
 
-// Between the first and the last strategy are the divisions of the library, in their order, and
-// that of the thesis.
+// Between the first and the last strategy are the divisions of the thesis and of the library.
 std::vector<StrategyEntry> make_strategies() {
     std::vector<StrategyEntry> all{
         {Strategy::sequential, "sequential", "the whole mesh at once", 1, std::nullopt}};
@@ -19,8 +20,10 @@ std::vector<StrategyEntry> make_strategies() {
         all.push_back({static_cast<Strategy>(all.size()), std::string(division->name),
                        std::string(division->description), division->submeshes, division});
     };
-    std::ranges::for_each(divisions(), add);
-    add(copy_division);
+    for (const Division division : {fixed_division, counting_division, active_division,
+                                    blocks_division, Division::cells, copy_division}) {
+        add(division);
+    }
     all.push_back({Strategy::reference, "reference", "the literal sequential method of the thesis",
                    1, std::nullopt});
     return all;
@@ -86,6 +89,25 @@ std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing) {
                                                              : entry_of(strategy).submeshes;
 }
 
+namespace {
+
+// Slabs in the direction that is asked for; null for other strategies.
+template <class Real>
+std::unique_ptr<Partitioner<Real>> slabs_of(Strategy strategy, const Submeshing& submeshing) {
+    SlabOptions slabs{.submeshes = submeshes_of(strategy, submeshing),
+                      .degrees = submeshing.degrees,
+                      .follow_shape = submeshing.follow_shape};
+    switch (strategy) {
+    case Strategy::fixed: slabs.slabbing = Slabbing::fixed; break;
+    case Strategy::counting: slabs.slabbing = Slabbing::counting; break;
+    case Strategy::active: slabs.slabbing = Slabbing::active; break;
+    default: return nullptr;
+    }
+    return std::make_unique<SlabPartitioner<Real>>(slabs);
+}
+
+} // namespace
+
 template <class Real>
 std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
                                               Strategy strategy, const Submeshing& submeshing,
@@ -97,10 +119,16 @@ std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Opti
         }
         return std::make_unique<Executor<Real>>(complex, options, *algorithm);
     }
-    Parallel parallel = submeshing;
-    parallel.division = *division;
-    return dsc::make_executor(complex, options, parallel,
-                              algorithm != nullptr ? *algorithm : default_algorithm<Real>());
+    const Parallel parallel{.threads = submeshing.threads,
+                            .division = *division,
+                            .submeshes = submeshing.submeshes,
+                            .always_all_threads = submeshing.always_all_threads,
+                            .profile = submeshing.profile};
+    const auto passes = algorithm != nullptr ? *algorithm : default_algorithm<Real>();
+    if (auto slabs = slabs_of<Real>(strategy, submeshing)) {
+        return dsc::make_executor(complex, options, parallel, std::move(slabs), passes);
+    }
+    return dsc::make_executor(complex, options, parallel, passes);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \

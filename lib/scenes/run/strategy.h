@@ -25,8 +25,16 @@ enum class Strategy : std::uint8_t {
     reference,
 };
 
-/// The options of the parallel strategies; the division follows from the strategy.
-using Submeshing = Parallel;
+/// The options of the parallel strategies, as `Parallel` has them; the division follows from the
+/// strategy.
+struct Submeshing {
+    std::uint32_t threads = 1;
+    std::uint32_t submeshes = 0;     ///< 0: the strategy's own choice
+    double degrees = 0;              ///< slabs are cut across this direction, from the x axis
+    bool follow_shape = false;       ///< slabs are cut across the direction of the shape instead
+    bool always_all_threads = false; ///< also if there is too little to do for them, or no gain
+    bool profile = false;            ///< measure times: see `SubmeshView`
+};
 
 /// The properties of a strategy.
 struct StrategyEntry {

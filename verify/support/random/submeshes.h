@@ -3,12 +3,15 @@
 // is known: the same seed gives the same division for any number of them.
 #pragma once
 
+#include "../enum_values.h"
 #include "scene.h"
 
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/partition/partition.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
+#include "thesis/blocks.h"
+#include "thesis/slabs.h"
 #include "thesis/voronoi.h"
 
 #include <array>
@@ -100,11 +103,10 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamil
 }
 
 /// Always all threads that are requested, however little there is to do.
-inline SubmeshOptions random_submesh_options(Dice& dice, std::uint32_t threads,
-                                             std::ostream& words) {
-    SubmeshOptions options;
+inline Parallel random_submesh_options(Dice& dice, std::uint32_t threads, std::ostream& words) {
+    Parallel options;
     options.assignment = dice.one_of(assignment_names);
-    options.vertices_per_thread = 1;
+    options.always_all_threads = true;
     options.threads = threads;
     words << ", assignment " << to_string(options.assignment) << ", threads " << threads;
     return options;
@@ -117,7 +119,7 @@ random_executor(Dice& dice, PartitionFamily family, Complex<Real>& complex,
                 const Options<Real>& options, std::uint32_t threads, std::ostream& words,
                 bool profile = false) {
     auto partitioner = random_partitioner<Real>(dice, family, words);
-    SubmeshOptions submeshes = random_submesh_options(dice, threads, words);
+    Parallel submeshes = random_submesh_options(dice, threads, words);
     submeshes.profile = profile;
     return std::make_unique<SubmeshExecutor<Real>>(complex, options, default_algorithm<Real>(),
                                                    std::move(partitioner), submeshes);

@@ -3,7 +3,6 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
-#include "dsc/complex/walk.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_flip.h"
 
@@ -14,14 +13,14 @@ namespace {
 // Whether the edge opposite to `corner` is not constrained and certainly not Delaunay.
 template <class Real>
 bool wants_flip(const Complex<Real>& complex, Corner corner) {
-    const Corner other = complex.twin(corner);
-    if (complex.phase_at(corner) != complex.phase_at(other)) {
-        return false; // interface, or the domain boundary
+    if (is_constrained(complex, corner)) {
+        return false;
     }
     const auto at = [&](Corner c) -> Point<double> {
         return complex.position(Vertex{complex.vertex(c)}).template cast<double>();
     };
-    return certainly_in_circle(at(corner), at(next(corner)), at(prev(corner)), at(other));
+    return certainly_in_circle(at(corner), at(next(corner)), at(prev(corner)),
+                               at(complex.twin(corner)));
 }
 
 // Flips until all edges opposite to the corners on `stack`, and those that the flips touch, are
@@ -64,9 +63,8 @@ void legalise_star(Complex<Real>& complex, std::uint32_t vertex, std::vector<Cor
 
 template <class Real>
 WalkEnd locate(const Complex<Real>& complex, std::uint32_t start, const Point<Real>& point) {
-    const WalkEnd end =
-        walk(complex, Triangle{start}, point, 8 * complex.triangles.size() + 64,
-             [&](Corner c) { return complex.phase_at(c) == complex.phase_at(complex.twin(c)); });
+    const WalkEnd end = walk(complex, Triangle{start}, point, 8 * complex.triangles.size() + 64,
+                             [&](Corner c) { return !is_constrained(complex, c); });
     if (end.kind == WalkEnd::Kind::lost) {
         throw InvariantError("locate: the walk does not arrive");
     }

@@ -32,18 +32,6 @@ double worst_quality(const Ring<Real>& ring) {
     return worst_quality_at(ring, Point<double>(ring.x0, ring.y0));
 }
 
-/// Whether the centre may be at this point: every star triangle strictly positive, exactly.
-template <class Real>
-bool fits(const Ring<Real>& ring, const Point<Real>& point) {
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
-        if (orientation<Real>(point, {ring.x[i], ring.y[i]}, {ring.x_next[i], ring.y_next[i]}) <=
-            0) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /// Into which neighbour to collapse the centre of a star.
 struct CollapseChoice {
     std::uint32_t spoke = no_id; ///< none is legal

@@ -70,9 +70,7 @@ public:
           protection_(protection) {}
 
     void run() {
-        for (const Triangle t : triangles(complex_)) {
-            queue_.push_back(t.id);
-        }
+        queue_ = ids_of(triangles(complex_));
         for (std::size_t i = 0; i < queue_.size(); ++i) {
             look_at(queue_[i]);
         }
@@ -174,16 +172,6 @@ std::size_t remove_crowded(Complex<Real>& complex, std::span<const std::uint32_t
     return removed;
 }
 
-template <class Real>
-std::vector<std::uint32_t> all_vertices(const Complex<Real>& complex) {
-    std::vector<std::uint32_t> list;
-    list.reserve(complex.vertex_count());
-    for (const Vertex v : vertices(complex)) {
-        list.push_back(v.id);
-    }
-    return list;
-}
-
 } // namespace
 
 template <class Real>
@@ -243,7 +231,7 @@ void grade(Complex<Real>& complex, const SizeOptions<Real>& sizes, Real edge_len
     measure_sizes(complex, bounded, edge_length, Real(0));
     SizeRefinement<Real>(complex, bounded, edge_length, protection).run();
     in_rounds(complex, rounds, [&] {
-        const std::vector<std::uint32_t> zone = all_vertices(complex);
+        const std::vector<std::uint32_t> zone = ids_of(vertices(complex));
         std::size_t changes = smooth(complex, zone);
         changes += remove_crowded(complex, zone);
         return changes + refine(complex, zone, protection);

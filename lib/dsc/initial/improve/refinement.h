@@ -5,6 +5,7 @@
 // the pieces of the interface and the sides of the domain.
 #pragma once
 
+#include "dsc/complex/circulate.h"
 #include "dsc/initial/build/insertion.h"
 
 #include <span>
@@ -22,12 +23,6 @@ enum class Protection : std::uint8_t {
 template <class Real>
 Point<double> position_of(const Complex<Real>& complex, std::uint32_t vertex) {
     return complex.position(Vertex{vertex}).template cast<double>();
-}
-
-/// The edge opposite to the corner is a piece of the interface or of a side.
-template <class Real>
-bool is_constrained(const Complex<Real>& complex, Corner corner) {
-    return complex.phase_at(corner) != complex.phase_at(complex.twin(corner));
 }
 
 /// What came of breaking up a triangle.

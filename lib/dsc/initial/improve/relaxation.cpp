@@ -53,7 +53,7 @@ struct Trial {
         const Point<Real> point(freedom == Freedom::vertical ? ring.x0 : narrowed<Real>(x),
                                 freedom == Freedom::horizontal ? ring.y0 : narrowed<Real>(y));
         const double worst = worst_quality_at(ring, point.template cast<double>());
-        if (worst > quality + least_gain && fits(ring, point)) {
+        if (worst > quality + least_gain && all_positive(ring, point.x(), point.y())) {
             quality = worst;
             place = point;
             return true;

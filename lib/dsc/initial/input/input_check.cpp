@@ -2,9 +2,9 @@
 #include "dsc/initial/input/input_check.h"
 
 #include "dsc/base/error.h"
+#include "dsc/geometry/contacts.h"
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
-#include "dsc/initial/input/contacts.h"
 #include "dsc/initial/rounding.h"
 
 #include <algorithm>

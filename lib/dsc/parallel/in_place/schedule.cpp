@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/in_place/schedule.h"
 
-#include "dsc/parallel/threads/thread_pool.h"
-
 #include <algorithm>
-#include <exception>
 
 namespace dsc {
 
@@ -66,7 +63,7 @@ bool Schedule::claim(std::size_t task) {
     return states_[task].compare_exchange_strong(expected, claimed, std::memory_order_acq_rel);
 }
 
-void Schedule::run_one(std::size_t task, FunctionRef<void(std::size_t)> run) {
+void Schedule::run_one(std::size_t task, const std::function<void(std::size_t)>& run) {
     State outcome = follows_failure(task) ? failed : done;
     if (outcome == done) {
         try {
@@ -81,7 +78,7 @@ void Schedule::run_one(std::size_t task, FunctionRef<void(std::size_t)> run) {
 }
 
 double Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
-                      FunctionRef<void(std::size_t)> run) {
+                      const std::function<void(std::size_t)>& run) {
     const bool takes_over = assignment == Assignment::queue;
     WaitingTurns turns;
     Timer round; // a clock is read once for each round and not for each task
@@ -127,7 +124,7 @@ double Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment as
 }
 
 void Schedule::run(ThreadPool& pool, std::uint32_t threads, Assignment assignment,
-                   FunctionRef<void(std::size_t)> run) {
+                   const std::function<void(std::size_t)>& run) {
     if (failures_.size() < tasks.size()) {
         states_ = std::make_unique<std::atomic<std::uint8_t>[]>(tasks.size());
         failures_.assign(tasks.size(), nullptr);
@@ -143,9 +140,10 @@ void Schedule::run(ThreadPool& pool, std::uint32_t threads, Assignment assignmen
         }
         pool.add_section_alone(section.lap());
     } else {
-        pool.run(threads, [&](std::uint32_t thread) {
+        const auto share = [&](std::uint32_t thread) {
             pool.add_busy(thread, work(thread, threads, assignment, run));
-        });
+        };
+        pool.run(threads, std::cref(share));
     }
     if (has_failed_.exchange(false)) {
         const auto first =

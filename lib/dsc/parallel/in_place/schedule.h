@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -26,7 +27,7 @@ public:
     /// been done does not depend on threads. The exception of the first of them is rethrown when
     /// all have ended. No allocation if the graph has not grown.
     void run(ThreadPool& pool, std::uint32_t threads, Assignment assignment,
-             FunctionRef<void(std::size_t task)> run);
+             const std::function<void(std::size_t task)>& run);
 
 private:
     [[nodiscard]] bool is_ready(std::size_t task) const;
@@ -34,8 +35,8 @@ private:
     bool claim(std::size_t task);
     /// Returns for how many seconds the thread was busy with tasks.
     double work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
-                FunctionRef<void(std::size_t)> run);
-    void run_one(std::size_t task, FunctionRef<void(std::size_t)> run);
+                const std::function<void(std::size_t)>& run);
+    void run_one(std::size_t task, const std::function<void(std::size_t)>& run);
 
     std::unique_ptr<std::atomic<std::uint8_t>[]> states_;
     std::vector<std::exception_ptr> failures_; // by task

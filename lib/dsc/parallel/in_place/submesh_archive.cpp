@@ -1,11 +1,34 @@
 // SPDX-License-Identifier: MIT
 // What the executor carries from one step to the next: the partition, when it was made, and each
 // submesh with its list, its active set and the ids that it holds.
+#include "dsc/base/error.h"
 #include "dsc/parallel/in_place/submesh_part.h"
-#include "dsc/parallel/partition/partition.h"
-#include "dsc/passes/algorithm.h"
+
+#include <algorithm>
 
 namespace dsc {
+
+void archive(Archive& archive, Region& region) {
+    if (region.kind != Region::Kind::whole && region.kind != Region::Kind::box) {
+        throw InputError({.what = "a partition by a function cannot be part of a checkpoint",
+                          .where = "archive",
+                          .value = "a region of places or labels",
+                          .allowed = "boxes, such as cells"});
+    }
+    archive.choice(region.kind, 2);
+    archive(region.normal_x, region.normal_y, region.low, region.high, region.side_low,
+            region.side_high, region.label);
+}
+
+void archive(Archive& archive, Colour& colour) { archive(colour.regions); }
+
+void archive(Archive& archive, Partition& partition) {
+    archive(partition.colours);
+    const bool is_whole =
+        !partition.colours.empty() &&
+        std::ranges::none_of(partition.colours, [](const Colour& c) { return c.regions.empty(); });
+    archive.expect(is_whole, "holds a partition without submeshes");
+}
 
 template <class Real>
 void SubmeshExecutor<Real>::archive(Archive& archive) {

@@ -12,12 +12,9 @@ namespace dsc {
 
 namespace {
 
-void check(const SubmeshOptions& options) {
-    require(options.threads >= 1 && options.threads <= 1024, "threads", options.threads,
-            "1 to 1024");
-    require(options.vertices_per_thread >= 1, "vertices_per_thread", options.vertices_per_thread,
-            "1 or more");
-}
+/// A thread pays off from about this many interface vertices on; fewer threads are used if there is
+/// less to do.
+constexpr std::size_t vertices_per_thread = 32;
 
 std::size_t size_of(const Partition& partition) {
     std::size_t size = 0;
@@ -25,6 +22,10 @@ std::size_t size_of(const Partition& partition) {
         size += colour.regions.size();
     }
     return size;
+}
+
+std::chrono::microseconds awake_time(const Parallel& parallel) {
+    return parallel.awake_us ? std::chrono::microseconds(*parallel.awake_us) : default_awake_time();
 }
 
 // Each colour covers the plane: the whole is in one submesh.
@@ -36,11 +37,12 @@ template <class Real>
 SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options,
                                        Algorithm<Real> algorithm,
                                        std::unique_ptr<Partitioner<Real>> partitioner,
-                                       const SubmeshOptions& submeshes)
+                                       const Parallel& parallel)
     : Executor<Real>(complex, options, std::move(algorithm)), partitioner_(std::move(partitioner)),
-      submeshes_(submeshes), pool_(submeshes.awake), choice_(submeshes.threads) {
+      parallel_(parallel), pool_(awake_time(parallel)), choice_(parallel.threads) {
     check_options(options); // a partitioner uses the edge length
-    check(submeshes);
+    require(parallel.threads >= 1 && parallel.threads <= 1024, "threads", parallel.threads,
+            "1 to 1024");
     if (!partitioner_) {
         throw InputError({.what = "no partitioner",
                           .where = "SubmeshExecutor",
@@ -85,7 +87,7 @@ std::uint32_t SubmeshExecutor<Real>::next_epochs() {
 
 template <class Real>
 void SubmeshExecutor<Real>::begin_step() {
-    Timer timer(submeshes_.profile);
+    Timer timer(parallel_.profile);
     (void)step_timer_.lap();
     Executor<Real>::begin_step();
     choose_threads();
@@ -104,15 +106,16 @@ void SubmeshExecutor<Real>::begin_step() {
 template <class Real>
 void SubmeshExecutor<Real>::choose_threads() {
     const std::size_t size = this->interface_size();
-    const std::size_t pay_off = size / submeshes_.vertices_per_thread;
+    const std::size_t share = parallel_.always_all_threads ? 1 : vertices_per_thread;
+    const std::size_t pay_off = size / share;
     useful_threads_ = static_cast<std::uint32_t>(
         std::clamp<std::size_t>(pay_off, 1, std::max<std::size_t>(first_colour_, 1)));
     threads_ = std::min(useful_threads_,
-                        submeshes_.adapts_threads ? choice_.threads() : submeshes_.threads);
+                        parallel_.always_all_threads ? parallel_.threads : choice_.threads());
     // Ahead of their use, for a new thread takes milliseconds to get a core of its own; but none
     // where the interface is far too short, for it would also delay the steps meanwhile.
-    const std::size_t soon = (size + size / 2) / submeshes_.vertices_per_thread;
-    pool_.start(static_cast<std::uint32_t>(std::min<std::size_t>(soon, submeshes_.threads)));
+    const std::size_t soon = (size + size / 2) / share;
+    pool_.start(static_cast<std::uint32_t>(std::min<std::size_t>(soon, parallel_.threads)));
 }
 
 template <class Real>
@@ -200,7 +203,7 @@ template <class Real>
 void SubmeshExecutor<Real>::keep_times(Part& part) {
     part.passes_s.assign(algorithm_.motion.size(), 0);
     part.motion = algorithm_.motion;
-    for (std::size_t i = 0; submeshes_.profile && i < part.motion.size(); ++i) {
+    for (std::size_t i = 0; parallel_.profile && i < part.motion.size(); ++i) {
         part.motion[i].run = [&part, i, run = algorithm_.motion[i].run](Work<Real>& work) {
             Timer timer(true);
             run(work);

@@ -15,20 +15,6 @@
 
 namespace dsc {
 
-/// How the submeshes are run.
-struct SubmeshOptions {
-    std::uint32_t threads = 1;                 ///< 1 to 1024; the result does not depend on it
-    Assignment assignment = Assignment::queue; ///< which thread runs which submesh
-    /// A thread pays off from about this many interface vertices on; fewer threads are used if
-    /// there is less to do. 1: always all of them.
-    std::uint32_t vertices_per_thread = 32;
-    /// Use fewer threads than that where steps turn out to take no longer with them.
-    bool adapts_threads = true;
-    /// How long threads wait awake for the next section.
-    std::chrono::microseconds awake = default_awake_time();
-    bool profile = false; ///< measure times: reads a clock twice for each pass and task
-};
-
 /// Runs a step in submeshes that lie in the complex itself. A partition of one submesh is the
 /// whole: it runs as in the base class, on one thread.
 template <class Real>
@@ -38,14 +24,9 @@ public:
     /// step costs no more than the others: O(n). Throws InputError if the options make no sense,
     /// and what the partitioner throws.
     SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
-                    std::unique_ptr<Partitioner<Real>> partitioner,
-                    const SubmeshOptions& submeshes);
+                    std::unique_ptr<Partitioner<Real>> partitioner, const Parallel& parallel);
     /// Returns the ids that the submeshes hold to the complex.
     ~SubmeshExecutor() override;
-    SubmeshExecutor(const SubmeshExecutor&) = delete;
-    SubmeshExecutor& operator=(const SubmeshExecutor&) = delete;
-    SubmeshExecutor(SubmeshExecutor&&) = delete;
-    SubmeshExecutor& operator=(SubmeshExecutor&&) = delete;
 
     void begin_step() override;
     AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
@@ -115,7 +96,7 @@ private:
     using Executor<Real>::progress_;
 
     std::unique_ptr<Partitioner<Real>> partitioner_;
-    SubmeshOptions submeshes_;
+    Parallel parallel_;
     Partition partition_;
     PartitionStatus status_;
 

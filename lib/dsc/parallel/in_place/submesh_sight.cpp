@@ -41,7 +41,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim_together(const Flow<Real>& flow, Real
         return report;
     }
     joined_->sight.look(joined_->work, joined_->ends, [this](const auto& run) {
-        aiming_.run(pool_, threads_, submeshes_.assignment, run);
+        aiming_.run(pool_, threads_, parallel_.assignment, run);
         run(first_colour_); // those in no submesh: few
     });
     const AimReport<Real> report = joined_->sight.aim(flow, time, dt);

@@ -50,7 +50,7 @@ void SubmeshExecutor<Real>::begin_part(Part& part) {
 template <class Real>
 void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Real>& flow,
                                      Real time, Real dt) {
-    Timer timer(submeshes_.profile);
+    Timer timer(parallel_.profile);
     Work<Real>& work = part.work;
     if (pass == 0) {
         begin_part(part);
@@ -96,7 +96,7 @@ void SubmeshExecutor<Real>::take_routed(Work<Real>& work, const DeferredQueue<Re
 
 template <class Real>
 void SubmeshExecutor<Real>::move_part(std::size_t task) {
-    Timer timer(submeshes_.profile);
+    Timer timer(parallel_.profile);
     Part& part = *parts_[task];
     Work<Real>& work = part.work;
     const bool is_first = task < first_colour_;
@@ -139,7 +139,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     if (parts_.empty()) {
         return Executor<Real>::aim(flow, time, dt);
     }
-    Timer timer(submeshes_.profile);
+    Timer timer(parallel_.profile);
     progress_ = Progress::under_way;
     whole_.time = time;
     whole_.dt = dt;
@@ -158,7 +158,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     std::size_t pass = 0;
     const auto task = [&](std::size_t i) { aim_part(*parts_[i], pass, flow, time, dt); };
     for (; pass < sections; ++pass) {
-        aiming_.run(pool_, threads_, submeshes_.assignment, task);
+        aiming_.run(pool_, threads_, parallel_.assignment, std::cref(task));
     }
     const double wall = timer.lap();
     this->collect_edits();
@@ -171,7 +171,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     if (flow.needs_all()) {
         report = aim_together(flow, time, dt);
     }
-    if (submeshes_.profile) {
+    if (parallel_.profile) {
         SubStepProfile& profile = profile_.sub_steps.emplace_back();
         profile.set_up = set_up;
         profile.aim_wall = wall;
@@ -284,10 +284,11 @@ Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, 
         return aim_again_together(flow, time, dt);
     }
     const Velocity<Real>& velocity = *flow.velocity();
-    aiming_.run(pool_, threads_, submeshes_.assignment, [&](std::size_t i) {
+    const auto task = [&](std::size_t i) {
         Part& part = *parts_[i];
         part.aimed.reach = find_targets(part.work, velocity, time, dt);
-    });
+    };
+    aiming_.run(pool_, threads_, parallel_.assignment, std::cref(task));
     Reach<Real> reach = find_targets(whole_, velocity, time, dt);
     for (std::size_t i = 0; i < first_colour_; ++i) {
         reach += parts_[i]->aimed.reach;
@@ -300,7 +301,7 @@ MoveReport SubmeshExecutor<Real>::move() {
     if (parts_.empty()) {
         return Executor<Real>::move();
     }
-    Timer timer(submeshes_.profile);
+    Timer timer(parallel_.profile);
     progress_ = Progress::under_way;
     MoveReport report;
     whole_.movers.clear();
@@ -308,7 +309,8 @@ MoveReport SubmeshExecutor<Real>::move() {
     send_home();
     hand_out_resized(); // also where all edges are of one length: perhaps since a moment ago
     const double hand_over = timer.lap();
-    moving_.run(pool_, threads_, submeshes_.assignment, [&](std::size_t task) { move_part(task); });
+    moving_.run(pool_, threads_, parallel_.assignment,
+                [this](std::size_t task) { move_part(task); });
     const double wall = timer.lap();
     this->collect_edits();
     for (const auto& part : parts_) {
@@ -317,7 +319,7 @@ MoveReport SubmeshExecutor<Real>::move() {
     clean_up(report);
     report.unreached += report.held;
     this->end_movement();
-    if (submeshes_.profile) {
+    if (parallel_.profile) {
         SubStepProfile& profile = profile_.sub_steps.back();
         profile.hand_over += hand_over;
         profile.move_wall = wall;

@@ -1,29 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where to cut: into slabs of equal share or width, and through boxes of sites.
+// Where to cut boxes of sites into two.
 #pragma once
 
 #include "dsc/parallel/partition/partition.h"
 
 namespace dsc {
-
-/// Cuts along a direction: slab i is [cuts[i], cuts[i + 1]); the outer cuts are infinite.
-struct Cuts {
-    std::vector<double> red;   ///< of the first colour
-    std::vector<double> black; ///< in the middle of the red slabs, by the same measure
-};
-
-/// Cuts such that each slab holds the same share of the weight, none thinner than `least_width`.
-/// Reorders the positions, each a pair of place and weight. O(n log n).
-Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::uint32_t slabs,
-                         double least_width);
-
-/// Cuts of equal width over [low, high].
-Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double least_width);
-
-/// The unit vector along which points scatter most (first principal component). O(n).
-template <class Real>
-Point<double> principal_direction(const Complex<Real>& complex,
-                                  std::span<const std::uint32_t> vertices);
 
 /// How boxes of sites are cut.
 struct CutRules {

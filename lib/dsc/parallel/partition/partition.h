@@ -86,14 +86,9 @@ struct PartitionInput {
 
 /// A way to divide. Called by the executor only between steps, by one thread.
 template <class Real>
-class Partitioner {
+class Partitioner : public Unmovable {
 public:
     virtual ~Partitioner() = default;
-    Partitioner() = default;
-    Partitioner(const Partitioner&) = delete;
-    Partitioner& operator=(const Partitioner&) = delete;
-    Partitioner(Partitioner&&) = delete;
-    Partitioner& operator=(Partitioner&&) = delete;
 
     /// Whether the partition in force is to be replaced before the next step.
     [[nodiscard]] virtual Recut is_due(const PartitionStatus& status) const = 0;
@@ -104,7 +99,7 @@ public:
 };
 
 /// Throws InputError for a region that an application's function or a list of labels defines: there
-/// are no bytes for either.
+/// are no bytes for either. Boxes of any frame have bytes.
 void archive(Archive& archive, Region& region);
 void archive(Archive& archive, Colour& colour);
 void archive(Archive& archive, Partition& partition);
@@ -113,92 +108,6 @@ inline void archive(Archive& archive, PartitionStatus& status) {
     archive(status.step, status.steps_since_all, vertices);
     status.interface_vertices = static_cast<std::size_t>(vertices);
 }
-
-// --- slabs ---------------------------------------------------------------------------------------
-// The slabbing method (thesis, sections 6.3 and 8.5) in place: a slab is an interval of positions
-// along a direction; nothing is copied. First red slabs, then black ones shifted by half a slab, of
-// which the first and the last form one submesh.
-
-/// How the cuts between slabs are chosen.
-enum class Slabbing : std::uint8_t {
-    fixed,    ///< equal widths (thesis, section 6.3)
-    counting, ///< equal numbers of triangles (the same section), sampled in a large mesh
-    active,   ///< equal shares of the work that was done
-};
-
-inline constexpr std::array slabbing_names{
-    Named{Slabbing::fixed, "fixed"},
-    Named{Slabbing::counting, "counting"},
-    Named{Slabbing::active, "active"},
-};
-
-[[nodiscard]] constexpr std::string_view to_string(Slabbing slabbing) {
-    return name_in(slabbing_names, slabbing);
-}
-
-/// How slabs are cut.
-struct SlabOptions {
-    Slabbing slabbing = Slabbing::counting; ///< by what the cuts are chosen
-    std::uint32_t submeshes = 8; ///< how many red slabs; independent of the number of threads
-    /// The slabs are cut across this direction, in degrees from the x axis; follow_shape: across
-    /// the direction in which the interface extends farthest.
-    double degrees = 0;
-    bool follow_shape = false; ///< cuts across the direction of the shape, in place of `degrees`
-    /// In edge lengths. Thinner slabs would be locked completely, so there are fewer slabs instead.
-    double least_width = 8;
-    std::uint32_t recut = 64; ///< steps between two choices of the cuts
-};
-
-/// The colour of slabs along the normal: slab i is [cuts[i], cuts[i + 1]), and the outer cuts are
-/// infinite. `round`: the first and the last form one submesh.
-Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_y, bool round);
-
-/// Slabs of two colours.
-template <class Real>
-class SlabPartitioner final : public Partitioner<Real> {
-public:
-    /// Throws InputError if the options make no sense.
-    explicit SlabPartitioner(const SlabOptions& options);
-    /// Both colours every `recut` steps.
-    [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
-    void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
-    void archive(Archive& archive) override { archive(extent_of_, low_, high_, corners_); }
-
-private:
-    void find_extent(const Complex<Real>& complex, const Point<double>& normal);
-
-    SlabOptions options_;
-    Point<double> extent_of_ = Point<double>::Zero(); // the normal that these belong to
-    double low_ = 0;
-    double high_ = 0;
-    std::vector<Point<double>> corners_; // of the domain's hull; of `follow_shape` alone
-};
-
-// --- blocks --------------------------------------------------------------------------------------
-// The mesh cut in two directions (thesis, section 6). With two colours, the points where a cut of
-// one family crosses one of the other would always be locked by one colour or the other; blocks
-// take three colours, each shifted by a third, and no point lies near the boundaries of all three.
-
-/// How blocks are cut.
-struct BlockOptions {
-    std::uint32_t submeshes = 16; ///< of the first colour; rounded down to a square number
-    double least_width = 8;       ///< in edge lengths
-    std::uint32_t recut = 64;     ///< steps between two choices of the cuts
-};
-
-/// Blocks of equal width in both directions, over the extent of the interface.
-template <class Real>
-class BlockPartitioner final : public Partitioner<Real> {
-public:
-    /// Throws InputError if the options make no sense.
-    explicit BlockPartitioner(const BlockOptions& options);
-    /// All colours every `recut` steps.
-    [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
-    void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
-
-private:
-    BlockOptions options_;
-};
 
 // --- cells ---------------------------------------------------------------------------------------
 // They follow the interface: the plane is halved repeatedly, each time where few interface vertices

@@ -3,7 +3,6 @@
 
 #include "dsc/base/error.h"
 
-#include <string>
 #include <utility>
 
 namespace dsc {
@@ -19,12 +18,8 @@ std::uint32_t call_place(const void* context, double x, double y) {
 template <class Real>
 PlacePartitioner<Real>::PlacePartitioner(PlaceFunction<Real> function, std::uint32_t recut)
     : function_(std::move(function)), recut_(recut) {
-    if (!function_ || recut < 1) {
-        throw InputError({.what = "not a partition",
-                          .where = "PlacePartitioner",
-                          .value = !function_ ? "no function" : "0",
-                          .allowed = "a function, and 1 step or more between two divisions"});
-    }
+    require(function_ != nullptr, "function", 0, "one that returns colours");
+    require(recut >= 1, "recut", recut, "1 step or more");
 }
 
 template <class Real>
@@ -36,19 +31,10 @@ template <class Real>
 void PlacePartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*recut*/,
                                     Partition& partition) {
     std::vector<PlaceColour> colours = function_(input);
+    require(!colours.empty(), "colours", 0, "1 or more");
     for (const PlaceColour& colour : colours) {
-        if (!colour.number_of || colour.submeshes < 1) {
-            throw InputError({.what = "not a colour",
-                              .where = "PlacePartitioner",
-                              .value = std::to_string(colour.submeshes) + " submeshes",
-                              .allowed = "a function and 1 submesh or more"});
-        }
-    }
-    if (colours.empty()) {
-        throw InputError({.what = "no colour",
-                          .where = "PlacePartitioner",
-                          .value = "0",
-                          .allowed = "1 colour or more"});
+        require(colour.number_of && colour.submeshes >= 1, "submeshes", colour.submeshes,
+                "1 or more, and a function that tells them apart");
     }
     colours_ = std::move(colours);
     partition.colours.assign(colours_.size(), {});

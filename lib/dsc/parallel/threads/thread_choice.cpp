@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/threads/thread_choice.h"
 
-#include <algorithm>
-
 namespace dsc {
 
 namespace {

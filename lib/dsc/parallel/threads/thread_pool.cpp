@@ -162,7 +162,7 @@ void ThreadPool::ring(std::uint32_t threads) {
     }
 }
 
-void ThreadPool::run(std::uint32_t threads, FunctionRef<void(std::uint32_t)> work) {
+void ThreadPool::run(std::uint32_t threads, const std::function<void(std::uint32_t)>& work) {
     if (threads <= 1 || workers_.empty()) {
         work(0);
         return;

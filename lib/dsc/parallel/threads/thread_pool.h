@@ -11,42 +11,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <thread>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace dsc {
-
-template <class Signature>
-class FunctionRef;
-
-/// Two words that refer to a function object; unlike std::function it never allocates, and does not
-/// keep the object alive.
-template <class Result, class... Arguments>
-class FunctionRef<Result(Arguments...)> {
-public:
-    /// Refers to `function`, which has to outlive it.
-    template <class Function>
-    requires(!std::is_same_v<std::remove_cvref_t<Function>, FunctionRef> &&
-             std::is_object_v<std::remove_reference_t<Function>>)
-        FunctionRef(Function&& function) // NOLINT: implicit, so that any function object fits
-        : object_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
-          call_([](void* object, Arguments... arguments) -> Result {
-              return (*static_cast<std::remove_reference_t<Function>*>(object))(
-                  std::forward<Arguments>(arguments)...);
-          }) {}
-
-    /// Calls the function object.
-    Result operator()(Arguments... arguments) const {
-        return call_(object_, std::forward<Arguments>(arguments)...);
-    }
-
-private:
-    void* object_;
-    Result (*call_)(void*, Arguments...);
-};
 
 /// Tells the core that this is a loop that waits.
 inline void pause_briefly() {
@@ -80,16 +50,12 @@ private:
 [[nodiscard]] std::chrono::microseconds default_awake_time();
 
 /// The caller and its workers. Sections of one pool are run one after the other, by one caller.
-class ThreadPool {
+class ThreadPool : public Unmovable {
 public:
     /// `awake`: how long a worker waits awake for the next section before it sleeps.
     explicit ThreadPool(std::chrono::microseconds awake = default_awake_time());
     /// Ends the workers, which takes no longer than to wake them.
     ~ThreadPool();
-    ThreadPool(const ThreadPool&) = delete;
-    ThreadPool& operator=(const ThreadPool&) = delete;
-    ThreadPool(ThreadPool&&) = delete;
-    ThreadPool& operator=(ThreadPool&&) = delete;
 
     /// Starts workers until there are so many threads with the caller, or until the system grants
     /// no more. A worker is started once and stays.
@@ -116,8 +82,9 @@ public:
     /// Calls `work(thread)`, with 0 in the caller and with 1, 2, ... in those workers that come
     /// before the caller's own call has returned. Returns when all of these calls have. So the work
     /// has to be shared out in such a way that any of the threads can do it, or the caller's call
-    /// has to wait for the others. `work` must not throw. No allocation.
-    void run(std::uint32_t threads, FunctionRef<void(std::uint32_t thread)> work);
+    /// has to wait for the others. `work` must not throw. No allocation; callers pass functions by
+    /// `std::cref`, so that to make a std::function of them takes none either.
+    void run(std::uint32_t threads, const std::function<void(std::uint32_t thread)>& work);
 
 private:
     struct Worker;
@@ -134,7 +101,7 @@ private:
     std::atomic<bool> has_ended_ = false;
     std::atomic<int> callers_core_ = -1; ///< at its last call of `start` or `wake`
     // The section: written while the door is closed and nobody is inside.
-    const FunctionRef<void(std::uint32_t)>* work_ = nullptr;
+    const std::function<void(std::uint32_t)>* work_ = nullptr;
     std::uint32_t wanted_ = 0;
     std::uint64_t section_ = 0;
     /// The lowest bit: the section takes workers in; above it: how many of them are inside.

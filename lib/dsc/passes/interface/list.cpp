@@ -151,27 +151,13 @@ bool is_moved(const Complex<Real>& complex, const Options<Real>& options, Vertex
             is_carried<Real>(complex, options.carried_phases, vertex));
 }
 
-template <class Real>
-std::vector<std::uint32_t> moved_among(const Complex<Real>& complex, const Options<Real>& options,
-                                       std::span<const std::uint32_t> changed) {
-    std::vector<std::uint32_t> moved;
-    for (const std::uint32_t v : changed) {
-        if (is_moved(complex, options, Vertex{v})) {
-            moved.push_back(v);
-        }
-    }
-    return moved;
-}
-
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::vector<std::uint32_t> collect_interface(const Complex<Real>&, std::uint64_t);    \
     template void order_interface(Complex<Real>&, std::vector<std::uint32_t>&, std::uint32_t);     \
     template void mark_corners(Complex<Real>&, const std::vector<std::uint32_t>&, double);         \
     template bool is_carried(const Complex<Real>&, std::span<const Phase>, Vertex);                \
     template std::vector<std::uint32_t> collect_moved(const Complex<Real>&, const Options<Real>&); \
-    template bool is_moved(const Complex<Real>&, const Options<Real>&, Vertex);                    \
-    template std::vector<std::uint32_t> moved_among(const Complex<Real>&, const Options<Real>&,    \
-                                                    std::span<const std::uint32_t>);
+    template bool is_moved(const Complex<Real>&, const Options<Real>&, Vertex);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

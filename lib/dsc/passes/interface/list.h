@@ -49,10 +49,4 @@ template <class Real>
 [[nodiscard]] bool is_moved(const Complex<Real>& complex, const Options<Real>& options,
                             Vertex vertex);
 
-/// Those among `changed` that a flow moves now. O(their degrees).
-template <class Real>
-[[nodiscard]] std::vector<std::uint32_t> moved_among(const Complex<Real>& complex,
-                                                     const Options<Real>& options,
-                                                     std::span<const std::uint32_t> changed);
-
 } // namespace dsc

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/algorithm.h"
 
-#include "dsc/complex/gather.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/edits.h"

@@ -6,6 +6,7 @@
 // Only owned stars are read and written: the result does not depend on the threads.
 #pragma once
 
+#include "dsc/complex/ranges.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/mesh/star.h"
 #include "dsc/sizes/rule.h"
@@ -86,9 +87,7 @@ private:
 
     void tell_neighbours(const Ring<Real>& ring, Real old, Real now, bool all) {
         for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-            const Real dx = ring.link_x(i) - ring.x0;
-            const Real dy = ring.link_y(i) - ring.y0;
-            const Real rise = rule_.slope() * std::sqrt(dx * dx + dy * dy);
+            const Real rise = rule_.slope() * std::sqrt(ring.squared_spoke(i));
             const Real theirs = lengths_.at[i];
             // It falls with this one...
             const bool falls = theirs > (now + rise) * (1 + rule_.slack());
@@ -111,6 +110,19 @@ private:
 /// The vertices whose spokes are too long or too short for the targets of `size_field`: those that
 /// the mesh update has to visit first. Ascending. O(n).
 template <class Real>
-std::vector<std::uint32_t> out_of_size(Complex<Real>& complex, const Options<Real>& options);
+std::vector<std::uint32_t> out_of_size(Complex<Real>& complex, const Options<Real>& options) {
+    const SizeField<Real>* field = options.sizes.is_uniform() ? nullptr : &size_field(complex);
+    std::vector<std::uint32_t> found;
+    Ring<Real> ring;
+    for (const Vertex v : vertices(complex)) {
+        if (gather(complex, Region{}, v.id, ring)) {
+            const Real length = field != nullptr ? (*field)[v].length : options.edge_length;
+            if (is_out_of_size(examine(ring), star_limits(options, ring.phase[0], length))) {
+                found.push_back(v.id);
+            }
+        }
+    }
+    return found;
+}
 
 } // namespace dsc

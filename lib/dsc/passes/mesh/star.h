@@ -58,13 +58,8 @@ template <class Real>
 NeedleSpoke needle_spoke(const Ring<Real>& ring, Real grading_squared) {
     Real longest = 0;
     NeedleSpoke found;
-    const auto length = [&ring](std::uint32_t i) {
-        const Real dx = ring.link_x(i) - ring.x0;
-        const Real dy = ring.link_y(i) - ring.y0;
-        return dx * dx + dy * dy;
-    };
     const auto look_at = [&](std::uint32_t i, std::uint32_t beside, Real allowed) {
-        const Real squared = length(i);
+        const Real squared = ring.squared_spoke(i);
         if (squared > allowed && squared > longest && !ring.is_constrained(i)) {
             longest = squared;
             found = {i, beside};
@@ -74,7 +69,7 @@ NeedleSpoke needle_spoke(const Ring<Real>& ring, Real grading_squared) {
     for (std::uint32_t i = 0; i < n; ++i) {
         if (ring.is_constrained(i) && ring.phase_before(i) != border_phase &&
             ring.phase_after(i) != border_phase) {
-            const Real allowed = grading_squared * length(i);
+            const Real allowed = grading_squared * ring.squared_spoke(i);
             if (i > 0 || ring.closed) {
                 look_at(i > 0 ? i - 1 : n - 1, i, allowed);
             }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/algorithm.h"
 
-#include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
@@ -314,9 +313,7 @@ private:
         Real longest = 0;
         std::uint32_t spoke = no_id;
         for (std::uint32_t i = ring_.closed ? 0 : 1; i < ring_.size; ++i) {
-            const Real dx = ring_.x[i] - ring_.x0;
-            const Real dy = ring_.y[i] - ring_.y0;
-            const Real squared = dx * dx + dy * dy;
+            const Real squared = ring_.squared_spoke(i);
             const Real allowed = mixed ? limits(ring_.phase[i], length).longest : limit.longest;
             if (squared > allowed && squared > longest && !ring_.is_constrained(i)) {
                 longest = squared;

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Where each partitioner cuts: the work is shared, widths are respected, and a colour is not cut
+// Where slabs and blocks are cut: the work is shared, widths are respected, and a colour is not cut
 // where the one before it was.
-#include "dsc/parallel/partition/cuts.h"
+#include "thesis/slabs.h"
 
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"
 
 #include "dsc/complex/ranges.h"
+#include "thesis/blocks.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <vector>
 
 namespace dsc::slabs_test {
@@ -167,6 +170,73 @@ TEST(Slabs, FollowTheShape) {
             EXPECT_GT(std::abs(cosine), std::cos(3 * std::numbers::pi / 180)) << degrees;
         }
     }
+}
+
+TEST(Cuts, TwoSlabsOfEqualShareHaveOneCutBetweenThem) {
+    std::vector<std::pair<double, float>> positions;
+    for (int i = 0; i < 100; ++i) {
+        positions.emplace_back(i, 1.0F);
+    }
+    const Cuts two = cuts_of_equal_share(positions, 2, 1);
+    ASSERT_EQ(two.red.size(), 3U);
+    EXPECT_NEAR(two.red[1], 50, 1);
+    const Cuts one = cuts_of_equal_share(positions, 1, 1);
+    EXPECT_EQ(one.red, (std::vector<double>{-Region::infinity, Region::infinity}));
+    EXPECT_EQ(one.black, one.red);
+}
+
+TEST(Cuts, OneSlabOfAWidthHasNoCuts) {
+    const std::vector<double> none{-Region::infinity, Region::infinity};
+    for (const Cuts& cuts : {cuts_of_equal_width(0, 8, 1, 0), cuts_of_equal_width(0, 8, 4, 100)}) {
+        EXPECT_EQ(cuts.red, none);
+        EXPECT_EQ(cuts.black, none);
+    }
+    EXPECT_EQ(cuts_of_equal_width(0, 8, 2, 0).red,
+              (std::vector<double>{-Region::infinity, 4, Region::infinity}));
+}
+
+// --- blocks -------------------------------------------------------------------------------------
+
+TEST(Blocks, AreSquaresShiftedByThirds) {
+    constexpr double h = 0.01;
+    Divided disc(test::disc_complex<double>(h, {0.5, 0.5}, 0.25), h);
+    BlockPartitioner<double> partitioner({.submeshes = 17, .least_width = 8});
+    disc.divide(partitioner);
+    ASSERT_EQ(disc.partition.colours.size(), 3U);
+    EXPECT_EQ(disc.regions(0).size(), 16U) << "the next square below";
+    EXPECT_EQ(disc.regions(1).size(), 25U);
+    std::array<std::set<double>, 3> cuts;
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (const Region& region : disc.regions(c)) {
+            EXPECT_TRUE(region.is_upright());
+            for (const double cut : {region.low, region.high}) {
+                if (std::isfinite(cut)) {
+                    cuts[c].insert(cut);
+                }
+            }
+            if (std::isfinite(region.low) && std::isfinite(region.high)) {
+                EXPECT_NEAR(region.high - region.low, 0.5 / 4, h);
+            }
+            if (std::isfinite(region.side_low) && std::isfinite(region.side_high)) {
+                EXPECT_NEAR(region.side_high - region.side_low, 0.5 / 4, h);
+            }
+        }
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (const double one : cuts[c]) {
+            for (const double other : cuts[(c + 1) % 3]) {
+                EXPECT_GE(std::abs(one - other), 0.5 / 4 / 3 - h);
+            }
+        }
+    }
+    // Nothing is thinner than asked for.
+    BlockPartitioner<double> wide({.submeshes = 100, .least_width = 20});
+    disc.divide(wide);
+    EXPECT_EQ(disc.regions(0).size(), 4U);
+    BlockPartitioner<double> too_wide({.submeshes = 100, .least_width = 60});
+    disc.divide(too_wide);
+    ASSERT_EQ(disc.partition.colours.size(), 1U);
+    EXPECT_TRUE(disc.regions(0).front().is_whole());
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/partition/partition.h"
+#include "thesis/blocks.h"
 
 #include "dsc/base/error.h"
 
@@ -88,5 +88,22 @@ void BlockPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*r
 
 template class BlockPartitioner<double>;
 template class BlockPartitioner<float>;
+
+namespace {
+
+template <class Real>
+std::unique_ptr<Executor<Real>> blocks(Complex<Real>& complex, const Options<Real>& options,
+                                       const Parallel& parallel, Algorithm<Real> algorithm) {
+    return make_executor<Real>(complex, options, parallel,
+                               std::make_unique<BlockPartitioner<Real>>(
+                                   BlockOptions{.submeshes = submeshes_of(parallel)}),
+                               std::move(algorithm));
+}
+
+} // namespace
+
+constinit const DivisionEntry detail::blocks_division{
+    "blocks", "cut in two directions, three colours (thesis, section 6)", BlockOptions{}.submeshes,
+    blocks<double>, blocks<float>};
 
 } // namespace dsc

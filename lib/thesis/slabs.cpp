@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/partition/cuts.h"
+#include "thesis/slabs.h"
 
 #include "dsc/base/error.h"
 
@@ -148,6 +148,9 @@ Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_
     return colour;
 }
 
+namespace {
+
+// The unit vector along which points scatter most (first principal component). O(n).
 template <class Real>
 Point<double> principal_direction(const Complex<Real>& complex,
                                   std::span<const std::uint32_t> vertices) {
@@ -171,6 +174,8 @@ Point<double> principal_direction(const Complex<Real>& complex,
     const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
     return {std::cos(angle), std::sin(angle)};
 }
+
+} // namespace
 
 template <class Real>
 SlabPartitioner<Real>::SlabPartitioner(const SlabOptions& options) : options_(options) {
@@ -254,12 +259,31 @@ void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*re
     }
 }
 
-#define DSC_INSTANTIATE(Real)                                                                      \
-    template Point<double> principal_direction(const Complex<Real>&,                               \
-                                               std::span<const std::uint32_t>);                    \
-    template class SlabPartitioner<Real>;
-DSC_INSTANTIATE(double)
-DSC_INSTANTIATE(float)
-#undef DSC_INSTANTIATE
+template class SlabPartitioner<double>;
+template class SlabPartitioner<float>;
+
+namespace {
+
+template <class Real, Slabbing slabbing>
+std::unique_ptr<Executor<Real>> slabs(Complex<Real>& complex, const Options<Real>& options,
+                                      const Parallel& parallel, Algorithm<Real> algorithm) {
+    return make_executor<Real>(
+        complex, options, parallel,
+        std::make_unique<SlabPartitioner<Real>>(
+            SlabOptions{.slabbing = slabbing, .submeshes = submeshes_of(parallel)}),
+        std::move(algorithm));
+}
+
+} // namespace
+
+constinit const DivisionEntry detail::fixed_division{
+    "fixed", "slabs of equal width (thesis, section 6.3)", SlabOptions{}.submeshes,
+    slabs<double, Slabbing::fixed>, slabs<float, Slabbing::fixed>};
+constinit const DivisionEntry detail::counting_division{
+    "counting", "slabs of equal numbers of triangles (thesis, section 6.3)",
+    SlabOptions{}.submeshes, slabs<double, Slabbing::counting>, slabs<float, Slabbing::counting>};
+constinit const DivisionEntry detail::active_division{
+    "active", "slabs of equal work", SlabOptions{}.submeshes, slabs<double, Slabbing::active>,
+    slabs<float, Slabbing::active>};
 
 } // namespace dsc

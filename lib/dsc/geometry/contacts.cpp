@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/initial/input/contacts.h"
+#include "dsc/geometry/contacts.h"
 
 #include "dsc/geometry/predicates.h"
 
@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-namespace dsc::initial {
+namespace dsc {
 
 namespace {
 
@@ -168,4 +168,4 @@ std::optional<Contact> find_contact(std::span<const Point<double>> points,
     return Sweep(points, lines).run();
 }
 
-} // namespace dsc::initial
+} // namespace dsc

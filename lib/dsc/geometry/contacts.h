@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-namespace dsc::initial {
+namespace dsc {
 
 /// A straight line by the numbers of its ends, which lie at different places. Lines that share a
 /// number may meet there; points at one place with different numbers touch each other.
@@ -29,4 +29,4 @@ struct Contact {
 std::optional<Contact> find_contact(std::span<const Point<double>> points,
                                     std::span<const NetworkLine> lines);
 
-} // namespace dsc::initial
+} // namespace dsc
