@@ -94,10 +94,10 @@ namespace {
 template <class Real>
 std::unique_ptr<Executor<Real>> blocks(Complex<Real>& complex, const Options<Real>& options,
                                        const Parallel& parallel, Algorithm<Real> algorithm) {
-    return make_executor<Real>(complex, options, parallel,
-                               std::make_unique<BlockPartitioner<Real>>(
-                                   BlockOptions{.submeshes = submeshes_of(parallel)}),
-                               std::move(algorithm));
+    return make_executor<Real>(
+        complex, options, parallel,
+        std::make_unique<BlockPartitioner<Real>>(BlockOptions{.submeshes = submeshes_of(parallel)}),
+        std::move(algorithm));
 }
 
 } // namespace

@@ -267,11 +267,10 @@ namespace {
 template <class Real, Slabbing slabbing>
 std::unique_ptr<Executor<Real>> slabs(Complex<Real>& complex, const Options<Real>& options,
                                       const Parallel& parallel, Algorithm<Real> algorithm) {
-    return make_executor<Real>(
-        complex, options, parallel,
-        std::make_unique<SlabPartitioner<Real>>(
-            SlabOptions{.slabbing = slabbing, .submeshes = submeshes_of(parallel)}),
-        std::move(algorithm));
+    return make_executor<Real>(complex, options, parallel,
+                               std::make_unique<SlabPartitioner<Real>>(SlabOptions{
+                                   .slabbing = slabbing, .submeshes = submeshes_of(parallel)}),
+                               std::move(algorithm));
 }
 
 } // namespace

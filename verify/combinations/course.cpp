@@ -6,7 +6,6 @@
 #include "support/random/scene.h"
 
 #include "dsc/complex/complex.h"
-#include "replay/replay.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
@@ -14,6 +13,7 @@
 #include "geometric_flows/curvature_flow.h"
 #include "geometric_flows/growth.h"
 #include "geometric_flows/growth_corners.h"
+#include "replay/replay.h"
 
 #include <omp.h>
 

@@ -9,9 +9,9 @@
 #include "dsc/base/archive.h"
 #include "dsc/base/error.h"
 #include "dsc/io/part_file.h"
-#include "replay/replay.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/validate.h"
+#include "replay/replay.h"
 #include "scenes/run/checkpoint.h"
 #include "thesis/replay.h"
 

@@ -2,8 +2,8 @@
 // The pieces of programs that the README and the guide show: compiled and run here, and compared
 // with the text by guide_test.py.
 #include "dsc/dsc.h"
-#include "replay/replay.h"
 #include "geometric_flows/geometric_flows.h"
+#include "replay/replay.h"
 #include "support/random/scene.h"
 
 #include <gtest/gtest.h>

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
-#include "replay/replay.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/phases.h"
 #include "geometric_flows/growth.h"
 #include "geometric_flows/growth_corners.h"
+#include "replay/replay.h"
 #include "scenes/output/submesh_map.h"
 #include "scenes/run/fluid_run.h"
 #include "scenes/run/frame_arrays.h"
