@@ -83,17 +83,19 @@ private:
     }
 
     // Orders the triangles so that about half of them lie before the others along the axis, and
-    // returns how many do.
+    // returns how many do. The order within the halves stays, so that it is the same by any
+    // standard library.
     std::size_t divide(Triangles triangles, Eigen::Index axis) {
-        const auto median = static_cast<std::ptrdiff_t>(triangles.size() / 2);
-        std::nth_element(triangles.begin(), triangles.begin() + median, triangles.end(),
-                         [&](std::uint32_t a, std::uint32_t b) {
-                             return std::pair(centres_[a][axis], a) <
-                                    std::pair(centres_[b][axis], b);
-                         });
+        std::vector<std::pair<double, std::uint32_t>> places; // no two are equal
+        places.reserve(triangles.size());
+        for (const std::uint32_t t : triangles) {
+            places.emplace_back(centres_[t][axis], t);
+        }
+        const auto median = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+        std::nth_element(places.begin(), median, places.end());
         ++stamp_;
-        for (std::size_t i = 0; i < triangles.size(); ++i) {
-            side_[triangles[i]] = 2 * stamp_ + (i < triangles.size() / 2 ? 0 : 1);
+        for (const std::uint32_t t : triangles) {
+            side_[t] = 2 * stamp_ + (std::pair(centres_[t][axis], t) < *median ? 0 : 1);
         }
         // A triangle whose neighbours are mostly in the other half makes the cut longer.
         for (int pass = 0; pass < passes; ++pass) {
@@ -109,10 +111,10 @@ private:
                 }
             }
         }
-        const auto end = std::partition(triangles.begin(), triangles.end(),
-                                        [&](std::uint32_t t) { return side_[t] % 2 == 0; });
-        const bool is_cut = end != triangles.begin() && end != triangles.end();
-        return static_cast<std::size_t>(is_cut ? end - triangles.begin() : median);
+        const auto end = std::stable_partition(triangles.begin(), triangles.end(),
+                                               [&](std::uint32_t t) { return side_[t] % 2 == 0; });
+        const auto first = static_cast<std::size_t>(end - triangles.begin());
+        return first == 0 || first == triangles.size() ? triangles.size() / 2 : first;
     }
 
     // The nodes of both halves that belong to no cut so far.

@@ -29,8 +29,7 @@ struct Dissection {
 };
 
 /// Cuts at the median along the longer axis; parts with many triangles try both axes and keep the
-/// shorter cut. Then straightens the cut. With one standard library, the result depends on nothing
-/// but the mesh. O(n log n).
+/// shorter cut. Then straightens the cut. The result depends on nothing but the mesh. O(n log n).
 [[nodiscard]] Dissection dissect(const FrozenMesh& mesh);
 
 } // namespace dsc

@@ -99,10 +99,14 @@ double mean_pressure(const FluidField& field, Phase phase) {
     return whole > 0 ? sum / whole : 0;
 }
 
-double largest_speed(const FluidField& field) {
+double largest_speed(const FluidField& field, const FluidOptions& options) {
     double largest = 0;
-    for (const Point<double>& velocity : field.velocity) {
-        largest = std::max(largest, velocity.norm());
+    for (const FrozenTriangle& triangle : field.mesh.triangles) {
+        if (!fluid_of(options, triangle.phase).is_void) {
+            for (const std::uint32_t node : triangle.nodes) {
+                largest = std::max(largest, field.velocity[node].norm());
+            }
+        }
     }
     return largest;
 }

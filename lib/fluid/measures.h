@@ -28,8 +28,8 @@ struct CubicOutline {
 /// The mean pressure in a phase. O(triangles).
 [[nodiscard]] double mean_pressure(const FluidField& field, Phase phase);
 
-/// The largest speed at a node. O(n).
-[[nodiscard]] double largest_speed(const FluidField& field);
+/// The largest speed at a node of a fluid, not inside a void. O(n).
+[[nodiscard]] double largest_speed(const FluidField& field, const FluidOptions& options);
 
 /// Energies, which only viscosity changes.
 struct FluidEnergy {

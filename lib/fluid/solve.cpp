@@ -80,12 +80,17 @@ Eigen::VectorXd solve(const FluidSystem& system, const Dissection& dissection,
     report.residual = 1;
     for (int k = 0; k <= most_refinements && factors.has_all_pivots; ++k) {
         solve_in_place(factors, residual);
-        solution += residual;
-        residual = residual_of(system, forces, solution);
+        Eigen::VectorXd refined = solution + residual;
+        residual = residual_of(system, forces, refined);
         const double before = report.residual;
-        report.residual = norm(residual) / size;
+        const double after = norm(residual) / size;
+        if (!(after < before)) { // rounding has the last word, or NaN: the one before is better
+            break;
+        }
+        solution = std::move(refined);
+        report.residual = after;
         report.refinements = k;
-        if (report.residual < rounding || !(report.residual <= before / 2)) {
+        if (after < rounding || after > before / 2) {
             break;
         }
     }

@@ -67,7 +67,7 @@ static int fall(double end, const std::string& folder, std::ostream& series) {
             merged += event.kind == dsc::EventKind::merge ? 1 : 0;
         }
         series << fluid.time() << ',' << dsc::energy(fluid.field(), fluid.options()).sum() << ','
-               << dsc::largest_speed(fluid.field()) << '\n';
+               << dsc::largest_speed(fluid.field(), fluid.options()) << '\n';
         if (step % 10 == 0) {
             const std::vector<dsc::VtuArray> arrays{velocities(fluid.field())};
             dsc::write_vtu(complex, folder + "/fall_" + std::to_string(step) + ".vtu", arrays);

@@ -238,7 +238,7 @@ void FluidRun::look() {
          .centre = is_closed ? outline.centroid.y() : centre_of(field, phase_),
          .rise_velocity = mean_velocity(field, phase_).y(),
          .area = phase_area(complex_, phase_),
-         .largest_velocity = largest_speed(field),
+         .largest_velocity = largest_speed(field, motion_.options),
          .pressure_jump = mean_pressure(field, phase_) - mean_pressure(field, exterior_phase),
          .energy = energy(field, motion_.options).sum(),
          .amplitude = motion_.wave ? amplitude_of(field, *motion_.wave) : unknown,
