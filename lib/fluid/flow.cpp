@@ -2,6 +2,7 @@
 #include "fluid/flow.h"
 
 #include "fluid/assembly.h"
+#include "fluid/even_spacing.h"
 #include "fluid/solve.h"
 
 #include <algorithm>
@@ -11,11 +12,19 @@ namespace dsc {
 
 namespace {
 
-// Carries the interface with the fluid, by the Runge-Kutta method of order 4, and then holds the
-// areas. Each search for a velocity begins at a triangle that the vertex alone decides.
-InterfaceMotion<double> motion_in(const FluidPast& past, const std::vector<PhaseArea>& areas) {
-    return [past, &areas](const InterfaceView<double>& view, double time, double dt,
-                          std::span<Point<double>> displacements) {
+// Edges of the interface are shorter where its shape or the application wants them to be.
+bool has_even_edges(const Options<double>& options) {
+    return options.interface.turn_degrees == 0 && options.interface.gap == 0 &&
+           !options.sizes.on_interface;
+}
+
+// Carries the interface with the fluid, by the Runge-Kutta method of order 4, spreads its vertices
+// and then holds the areas. Each search for a velocity begins at a triangle that the vertex alone
+// decides.
+InterfaceMotion<double> motion_in(const FluidPast& past, const std::vector<PhaseArea>& areas,
+                                  bool is_even) {
+    return [past, &areas, is_even](const InterfaceView<double>& view, double time, double dt,
+                                   std::span<Point<double>> displacements) {
         const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double at,
                                               std::span<Point<double>> velocities) {
             for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -28,6 +37,9 @@ InterfaceMotion<double> motion_in(const FluidPast& past, const std::vector<Phase
         velocity(view.positions, time, scratch.first);
         (void)integrate(Integrator::rk4, velocity, view.positions, time, dt,
                         std::span<Point<double>>(targets), scratch);
+        if (is_even) {
+            space_evenly(view, targets);
+        }
         hold_areas(view, areas, targets);
         for (std::size_t i = 0; i < view.size(); ++i) {
             displacements[i] = targets[i] - view.positions[i];
@@ -143,7 +155,8 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
         mover = {guess.get(), one_.get()};
     }
     Timer timer;
-    report.moved = simulation.step(motion_in(mover, areas_), time(), dt);
+    report.moved =
+        simulation.step(motion_in(mover, areas_, has_even_edges(simulation.options())), time(), dt);
     report.move_s = timer.lap();
     if (report.moved.gave_up != GiveUp::none) {
         report.steps = 0;

@@ -33,7 +33,9 @@ struct FluidStep {
 /// rests to rounding. A step moves the interface by the velocity extrapolated in time (whatever the
 /// integrator of the simulation), and then solves for velocity and pressure in the new mesh, with
 /// inertia by particles that are followed back to the last two meshes. Second order in the edge
-/// length and in time; no limit on the time step from tension or from the speed. Stages of the
+/// length and in time; no limit on the time step from tension or from the speed. Vertices slide
+/// along the interface towards equal edges, unless the simulation has edges that follow the shape
+/// (`turn_degrees`, `gap`) or a length of their own (`on_interface`). Stages of the
 /// simulation, such as `TopologyStage`, run as in any other one. The area of each phase is held to
 /// that of the start: after each sub-step each curve is moved along its normal by the distance that
 /// brings back what is missing.

@@ -36,6 +36,37 @@ TEST(FluidRest, ADropStaysAsItIs) {
     }
 }
 
+// A drop whose edges differ: three by three of them become longer and shorter.
+Tank unequal_drop(double edge_length) {
+    const int n = 6 * static_cast<int>(std::ceil(2 * std::numbers::pi * 0.25 / edge_length / 6));
+    std::vector<Point<double>> outline;
+    for (int i = 0; i < n; ++i) {
+        const double angle =
+            2 * std::numbers::pi * (i + 0.2 * std::sin(std::numbers::pi * i / 3)) / n;
+        outline.emplace_back(0.5 + 0.25 * std::cos(angle), 0.5 + 0.25 * std::sin(angle));
+    }
+    Options<double> options;
+    options.edge_length = 1.3 * edge_length; // none is cut
+    FluidOptions fluids;
+    fluids.phases = {{.phase = 0}, {.phase = 1}};
+    fluids.tensions = {{.tension = 25}};
+    return {{{0, 0}, {1, 1}}, {{outline, 1}}, options, fluids};
+}
+
+// A polygon of unequal edges is in balance nowhere; its vertices slide until they are equal.
+TEST(FluidRest, UnequalEdgesBecomeEqualAndTheDropComesToRest) {
+    Tank tank = unequal_drop(0.06);
+    (void)tank.fluid.step(tank.simulation, 0.01);
+    const double first = largest_speed(tank.fluid.field(), tank.fluid.options());
+    EXPECT_GT(first, 1e-4);
+    for (int step = 0; step < 100; ++step) {
+        (void)tank.fluid.step(tank.simulation, 0.01);
+    }
+    EXPECT_LT(largest_speed(tank.fluid.field(), tank.fluid.options()), 1e-3 * first);
+    EXPECT_NEAR(jump(tank.fluid) / exact_jump(tank.complex, 25), 1, 1e-4);
+    EXPECT_NEAR(cubic_outline(tank.complex, 1).circularity(), 1, 1e-4);
+}
+
 // What moves in a void is no flow.
 TEST(FluidRest, AVoidHasNoSpeed) {
     Tank tank = fluid_scenes::static_drop(0.08, 25);

@@ -56,7 +56,7 @@ inline Tank rising_bubble(double edge_length, const Parallel& parallel = {}, dou
     Options<double> options;
     options.edge_length = edge_length;
     options.sizes.growth = 1.3;
-    options.sizes.longest = 0.1;
+    options.sizes.longest = 5 * edge_length;
     options.interface.longest = 1.05;
     FluidOptions fluids;
     fluids.phases = {{.phase = 0, .density = 1000, .viscosity = 10},

@@ -51,8 +51,10 @@ double relative_rate(double side, double edge_length) {
 }
 
 TEST(FluidStokes, AnEllipseBecomesRoundAtTheExactRate) {
-    const double near = relative_rate(16, 0.1);
-    const double far = relative_rate(32, 0.1);
+    // The moments of a polygon change a little where its vertices slide along its curve: with edges
+    // of 0.1 that is 8e-4 of the rate.
+    const double near = relative_rate(16, 0.05);
+    const double far = relative_rate(32, 0.05);
     // Walls slow it by the square of one over their distance.
     EXPECT_NEAR(far + (far - near) / 3, 1, 2e-3) << near << " and " << far;
     EXPECT_LT(near, far);

@@ -22,7 +22,7 @@ struct Tank {
     double dt = 0.01; ///< the time step
     Rectangle domain{};
     FluidOptions fluids{};
-    double longest = 0; ///< of edges; 0: they grow without a limit
+    double longest = 0; ///< of edges, over h; 0: they grow without a limit
     std::function<void(double h, Setup& setup)> fill{};
     std::optional<SmallWave> wave{};
     std::function<double(double time)> neck{};
@@ -51,7 +51,7 @@ Scene scene_of(const Tank& tank) {
                 setup.measured = 1;
                 setup.fluid =
                     FluidMotion{.options = tank.fluids, .wave = tank.wave, .neck = tank.neck};
-                setup.sizes.longest = tank.longest;
+                setup.sizes.longest = tank.longest * p.h;
                 return setup;
             }};
 }
@@ -247,7 +247,7 @@ Tank rising_bubble() {
             .domain = {{0, 0}, {1, 2}},
             .fluids = two_fluids({.density = 1000, .viscosity = 10},
                                  {.density = 100, .viscosity = 1}, 24.5, 0.98, slip_at_sides),
-            .longest = 0.1,
+            .longest = 5,
             .fill = [](double h, Setup& setup) {
                 add_disc({0.5, 0.5}, 0.25, h, setup);
             }};
@@ -274,7 +274,7 @@ Tank falling_drop() {
             .domain = {{0, 0}, {1, 1.2}},
             .fluids = two_fluids({.density = 10, .viscosity = 0.1},
                                  {.density = 1000, .viscosity = 5}, 20, 1, all_slip),
-            .longest = 0.1,
+            .longest = 5,
             .fill =
                 [](double h, Setup& setup) {
                     add_level(
@@ -294,7 +294,7 @@ Tank rayleigh_taylor() {
             .domain = {{0, -2}, {1, 2}},
             .fluids = two_fluids({.density = 3, .viscosity = 0.01171875},
                                  {.density = 1, .viscosity = 0.00390625}, 0.01, 1, slip_at_sides),
-            .longest = 0.1,
+            .longest = 4,
             .fill = [](double h, Setup& setup) {
                 add_level(
                     h, [](double x) { return -0.1 * std::cos(2 * pi * x); }, setup);
@@ -310,7 +310,7 @@ Tank bubbles() {
             .domain = {{0, 0}, {1, 2}},
             .fluids = two_fluids({.density = 1000, .viscosity = 2},
                                  {.density = 100, .viscosity = 0.2}, 10, 0.98, slip_at_sides),
-            .longest = 0.1,
+            .longest = 6,
             .fill =
                 [](double h, Setup& setup) {
                     constexpr int columns = 5;
