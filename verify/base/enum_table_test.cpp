@@ -22,7 +22,6 @@ static_assert(is_complete(integrator_names));
 static_assert(is_complete(insertion_names));
 static_assert(is_complete(reading_names));
 static_assert(is_complete(coarsening_names));
-static_assert(is_complete(slabbing_names));
 static_assert(is_complete(assignment_names));
 static_assert(is_complete(test::phase_pattern_names));
 static_assert(is_complete(test::wildness_names));
