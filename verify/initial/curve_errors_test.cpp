@@ -219,7 +219,7 @@ bool touch(const Lines& lines, const NetworkLine& s, const NetworkLine& t) {
     return side(s, t.from) * side(s, t.to) < 0 && side(t, s.from) * side(t, s.to) < 0;
 }
 
-std::optional<Contact> contact_in(const Lines& lines) {
+std::optional<LineContact> contact_in(const Lines& lines) {
     return find_contact(lines.points, lines.lines);
 }
 

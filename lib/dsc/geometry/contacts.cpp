@@ -29,7 +29,7 @@ public:
         : points_(points), lines_(lines), status_(Below{this}),
           places_(lines.size(), status_.end()) {}
 
-    std::optional<Contact> run() {
+    std::optional<LineContact> run() {
         const std::vector<End> ends = sorted_ends();
         for (std::size_t i = 0; i < ends.size() && !contact_;) {
             std::size_t after = i + 1;
@@ -158,13 +158,13 @@ private:
     std::span<const NetworkLine> lines_;
     Status status_;
     std::vector<Status::iterator> places_; // by line, while the sweep meets it
-    std::optional<Contact> contact_;
+    std::optional<LineContact> contact_;
 };
 
 } // namespace
 
-std::optional<Contact> find_contact(std::span<const Point<double>> points,
-                                    std::span<const NetworkLine> lines) {
+std::optional<LineContact> find_contact(std::span<const Point<double>> points,
+                                        std::span<const NetworkLine> lines) {
     return Sweep(points, lines).run();
 }
 

@@ -18,15 +18,15 @@ struct NetworkLine {
 };
 
 /// Two lines that have a point in common and should not, the smaller number first.
-struct Contact {
+struct LineContact {
     std::uint32_t line = 0;
     std::uint32_t other = 0;
 
-    friend bool operator==(const Contact&, const Contact&) = default;
+    friend bool operator==(const LineContact&, const LineContact&) = default;
 };
 
 /// One contact, if there are any. All coordinates must be finite.
-std::optional<Contact> find_contact(std::span<const Point<double>> points,
-                                    std::span<const NetworkLine> lines);
+std::optional<LineContact> find_contact(std::span<const Point<double>> points,
+                                        std::span<const NetworkLine> lines);
 
 } // namespace dsc
