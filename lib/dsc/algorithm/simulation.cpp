@@ -304,7 +304,14 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     report.operations = executor_->take_counts();
     report.operations += std::exchange(complex_.journal.counts, {}); // of stages
     report.reached = static_cast<double>(time);
-    report.interface_vertices = static_cast<std::uint32_t>(interface_size());
+    if (options_.carried_phases.empty()) {
+        report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());
+    } else { // as `interface_size`, in room that is kept
+        to_sweep_.clear();
+        executor_->append_interface(to_sweep_);
+        report.interface_vertices = static_cast<std::uint32_t>(std::ranges::count_if(
+            to_sweep_, [&](std::uint32_t v) { return is_on_interface(complex_, v); }));
+    }
     return report;
 }
 

@@ -222,7 +222,7 @@ private:
     std::vector<std::uint32_t> to_stages_; ///< scratch of run_stages
     std::vector<std::uint32_t> gone_;      ///< vertices that stages took off the interface
     std::uint32_t swept_ = 0;              ///< the vertex at which the slow sweep goes on
-    std::vector<std::uint32_t> to_sweep_;  ///< scratch of sweep
+    std::vector<std::uint32_t> to_sweep_;  ///< scratch of sweep, and of the count of the interface
     LogReader reading_;                    ///< of the journal, from the beginning to the end
     std::size_t absorbed_;                 ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;

@@ -171,13 +171,17 @@ void take_off(std::vector<std::uint32_t>& list, std::span<const std::uint32_t> c
 }
 
 template <class Real>
+bool is_on_interface(const Complex<Real>& complex, std::uint32_t vertex) {
+    return complex.is_alive(Vertex{vertex}) && complex.vertices[vertex].corner != no_id &&
+           is_interface(complex, Vertex{vertex});
+}
+
+template <class Real>
 std::vector<std::uint32_t> on_interface(const Complex<Real>& complex,
                                         std::span<const std::uint32_t> changed) {
     std::vector<std::uint32_t> on;
-    std::ranges::copy_if(changed, std::back_inserter(on), [&](std::uint32_t v) {
-        return complex.is_alive(Vertex{v}) && complex.vertices[v].corner != no_id &&
-               is_interface(complex, Vertex{v});
-    });
+    std::ranges::copy_if(changed, std::back_inserter(on),
+                         [&](std::uint32_t v) { return is_on_interface(complex, v); });
     return on;
 }
 
@@ -214,6 +218,7 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void wake(Work<Real>&, std::span<const Edit>);                                        \
     template std::vector<std::uint32_t> taken_off(const Complex<Real>&, std::span<const Edit>);    \
+    template bool is_on_interface(const Complex<Real>&, std::uint32_t);                            \
     template std::vector<std::uint32_t> on_interface(const Complex<Real>&,                         \
                                                      std::span<const std::uint32_t>);              \
     template void run_pass(Work<Real>&, const Pass<Real>&);

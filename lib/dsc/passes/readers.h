@@ -36,6 +36,10 @@ void find_interface_changes(std::span<const Edit> edits, std::vector<std::uint32
 /// Removes the vertices in `changed` (ascending) from the list. O(list log changed).
 void take_off(std::vector<std::uint32_t>& list, std::span<const std::uint32_t> changed);
 
+/// Whether a vertex lives, in a triangle, and is on the interface. O(degree).
+template <class Real>
+[[nodiscard]] bool is_on_interface(const Complex<Real>& complex, std::uint32_t vertex);
+
 /// The vertices of `changed` that are on the interface now. O(their degrees).
 template <class Real>
 [[nodiscard]] std::vector<std::uint32_t> on_interface(const Complex<Real>& complex,
