@@ -84,10 +84,10 @@ FormulaNodeId FormulaGraph::power(FormulaNodeId base, FormulaNodeId exponent) {
 // The two stand side by side; the node of the sine computes both.
 FormulaNodeId FormulaGraph::sine_or_cosine(RowOperation operation, FormulaNodeId angle) {
     const FormulaNodeId half = half_turns(angle);
-    const FormulaNodeId sine =
+    const FormulaNodeId first =
         add(node_of(sine_cosine_pi_rows, half, no_formula_node, no_formula_node));
-    const FormulaNodeId cosine = add(node_of(nullptr, sine, no_formula_node, no_formula_node));
-    return operation == sine_rows ? sine : cosine;
+    const FormulaNodeId second = add(node_of(nullptr, first, no_formula_node, no_formula_node));
+    return operation == sine_rows ? first : second;
 }
 
 // The constant factors of a product, a quotient or a negative are taken out and divided by pi.
