@@ -22,18 +22,15 @@ double sum(const std::vector<double>& values) {
     return total;
 }
 
-void add(SubStepProfile& total, const SubStepProfile& one) {
-    total.set_up += one.set_up;
-    total.hand_over += one.hand_over;
-    total.clean_up += one.clean_up;
-    total.upkeep += one.upkeep;
-    total.velocities += one.velocities;
-    total.later_colours += one.later_colours;
-    total.aim_wall += one.aim_wall;
-    total.move_wall += one.move_wall;
-    total.motion_passes.resize(one.motion_passes.size());
-    for (std::size_t i = 0; i < one.motion_passes.size(); ++i) {
-        total.motion_passes[i] += one.motion_passes[i];
+void add(ModelAccount& account, const SubStepProfile& one) {
+    account.set_up += one.set_up;
+    account.hand_over += one.hand_over;
+    account.clean_up += one.clean_up;
+    account.wall += one.aim_wall + one.move_wall;
+    account.aim += sum(one.aim);
+    account.tasks += sum(one.aim) + sum(one.move);
+    for (std::size_t i = one.aim.size(); i < one.move.size(); ++i) {
+        account.later += one.move[i];
     }
 }
 
@@ -102,7 +99,7 @@ double makespan(const Section& section, std::uint32_t workers, Assignment assign
 void add_step(ModelRun& run, const SubmeshView& submeshes, double wall) {
     auto& step = run.steps.emplace_back();
     double inside = 0;
-    for (const SubStepProfile& profile : submeshes.profile.sub_steps) {
+    for (const SubStepProfile& profile : submeshes.profile) {
         ModelSubStep& sub_step = step.emplace_back();
         sub_step.serial = profile.set_up + profile.hand_over + profile.clean_up;
         sub_step.aim.tasks.add_colour(profile.aim.size());
@@ -121,8 +118,7 @@ void add_step(ModelRun& run, const SubmeshView& submeshes, double wall) {
             first += colour.regions.size();
         }
         inside += sub_step.serial + profile.aim_wall + profile.move_wall;
-        add(run.total, profile);
-        run.total_tasks += sum(profile.aim) + sum(profile.move);
+        add(run.account, profile);
     }
     run.serial_outside.push_back(std::max(0.0, wall - inside));
 }
@@ -144,9 +140,8 @@ void take_least(ModelRun& run, const ModelRun& other) {
             mine.move.wall = std::min(mine.move.wall, theirs.move.wall);
         }
     }
-    if (other.total.aim_wall + other.total.move_wall < run.total.aim_wall + run.total.move_wall) {
-        run.total = other.total;
-        run.total_tasks = other.total_tasks;
+    if (other.account.wall < run.account.wall) {
+        run.account = other.account;
     }
 }
 

@@ -36,12 +36,26 @@ struct ModelSubStep {
     Section move;
 };
 
+/// Where the time of a run went, in seconds: sums over all sub-steps and submeshes.
+struct ModelAccount {
+    double set_up = 0;    ///< serial: cuts, lists and ids
+    double hand_over = 0; ///< serial: vertices that left their submesh
+    double clean_up = 0;  ///< serial: what all colours left
+    double wall = 0;      ///< of the parallel sections
+    double tasks = 0;     ///< all of them
+    double aim = 0;       ///< of these: upkeep, velocities and targets
+    double later = 0;     ///< of these: the colours after the first
+    // Passes in the submeshes of the first colour.
+    double upkeep = 0;
+    double movement = 0;
+    double mesh_update = 0;
+};
+
 /// All timed steps of a run, with their account of times.
 struct ModelRun {
     std::vector<std::vector<ModelSubStep>> steps;
     std::vector<double> serial_outside; ///< by step, seconds
-    SubStepProfile total;               ///< sums over all sub-steps of the fastest run
-    double total_tasks = 0;             ///< and of its tasks, in seconds
+    ModelAccount account;               ///< of the fastest run
 };
 
 /// Keeps the account of one step. `wall`: the whole step, in seconds.

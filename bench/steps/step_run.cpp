@@ -14,6 +14,7 @@
 #include "topology/stage.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -55,6 +56,35 @@ double exact_area(const Start& start, int step) {
                              : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Seconds in the passes of a submesh, to which several threads add.
+struct PassTimes {
+    std::atomic<double> upkeep = 0;
+    std::atomic<double> movement = 0;
+    std::atomic<double> mesh_update = 0;
+};
+
+// The same pass, with its times in submeshes of the first colour added up: these alone list
+// vertices of the interface.
+void time_pass(Pass<double>& pass, std::atomic<double>& seconds) {
+    pass.run = [&seconds, run = std::move(pass.run)](Work<double>& work) {
+        const bool counts = !work.submesh.region.is_whole() && !work.interface.empty();
+        Timer timer(counts);
+        run(work);
+        if (counts) {
+            seconds.fetch_add(timer.lap());
+        }
+    };
+}
+
+// `times` must outlive its runs.
+Algorithm<double> timed_algorithm(PassTimes& times) {
+    Algorithm<double> algorithm = default_algorithm<double>();
+    time_pass(algorithm.upkeep.at(0), times.upkeep);
+    time_pass(algorithm.motion.at(0), times.movement);
+    time_pass(algorithm.motion.at(1), times.mesh_update);
+    return algorithm;
+}
+
 void add(StepRun& run, const StepReport& report) {
     run.unreached += report.unreached;
     run.gave_up = run.gave_up || report.gave_up != GiveUp::none;
@@ -63,8 +93,9 @@ void add(StepRun& run, const StepReport& report) {
 } // namespace
 
 Prepared prepare(const Start& start, Complex<double>& complex, const Options<double>& choices,
-                 scenes::Strategy strategy, const scenes::Submeshing& submeshing) {
-    auto executor = scenes::make_executor(complex, choices, strategy, submeshing);
+                 scenes::Strategy strategy, const scenes::Submeshing& submeshing,
+                 const Algorithm<double>* algorithm) {
+    auto executor = scenes::make_executor(complex, choices, strategy, submeshing, algorithm);
     const Executor<double>& seen = *executor;
     auto simulation = std::make_unique<Simulation<double>>(complex, choices, std::move(executor));
     if (const auto topology = scenes::topology_options<double>(start.parameters);
@@ -118,7 +149,10 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
     const auto choices = scenes::scene_options<double>(start.setup, start.parameters);
     scenes::Submeshing submeshing = options.submeshing;
     submeshing.profile = true;
-    const Prepared made = prepare(start, complex, choices, options.strategy, submeshing);
+    PassTimes times;
+    const Algorithm<double> algorithm = timed_algorithm(times);
+    const Prepared made =
+        prepare(start, complex, choices, options.strategy, submeshing, &algorithm);
     if (!submeshes_in(made.executor)) {
         throw InvariantError("this strategy keeps no account of its tasks");
     }
@@ -126,6 +160,9 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
     int step = start.step;
     wake(submeshing.threads);
     for (int i = 0; i < warm_up_steps + timed_steps; ++i, ++step) {
+        if (i == warm_up_steps) {
+            times.upkeep = times.movement = times.mesh_update = 0;
+        }
         const auto begin = std::chrono::steady_clock::now();
         (void)advance(*made.simulation, start.setup, step);
         const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
@@ -133,6 +170,9 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
             add_step(run, *submeshes_in(made.executor), wall.count());
         }
     }
+    run.account.upkeep = times.upkeep;
+    run.account.movement = times.movement;
+    run.account.mesh_update = times.mesh_update;
     return run;
 }
 

@@ -39,7 +39,8 @@ struct Prepared {
     void add_work(StepRun& run, double sign) const;
 };
 Prepared prepare(const Start& start, Complex<double>& complex, const Options<double>& choices,
-                 scenes::Strategy strategy, const scenes::Submeshing& submeshing);
+                 scenes::Strategy strategy, const scenes::Submeshing& submeshing,
+                 const Algorithm<double>* algorithm = nullptr);
 
 /// Goes on from `start.step` with a copy of `start.complex`: warm-up, then the timed steps.
 StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& run);

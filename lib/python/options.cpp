@@ -2,8 +2,7 @@
 #include "python/options.h"
 
 #include "python/arrays.h"
-#include "thesis/blocks.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions.h"
 
 #include <pybind11/stl.h>
 
@@ -58,12 +57,9 @@ const auto& table_of(Coarsening /*type*/) { return coarsening_names; }
 const auto& table_of(Reading /*type*/) { return reading_names; }
 const auto& table_of(Topology /*type*/) { return topology_names; }
 
-constexpr std::array divisions{fixed_division, counting_division, active_division, blocks_division,
-                               Division::cells};
-
 std::string division_names() {
     std::string all;
-    for (const Division one : divisions) {
+    for (const Division* one : in_place_divisions) {
         all += (all.empty() ? "" : ", ") + std::string(one->name);
     }
     return all;
@@ -82,7 +78,7 @@ template <class Field>
 std::string allowed_for(const Field& field) {
     if constexpr (std::is_enum_v<Field>) {
         return names_in(table_of(field));
-    } else if constexpr (std::is_same_v<Field, Division>) {
+    } else if constexpr (std::is_same_v<Field, const Division*>) {
         return division_names();
     } else if constexpr (IsFunction<Field>) {
         return "a function " + form_of(field);
@@ -104,12 +100,12 @@ bool take(const py::handle& value, Field& field) {
                                : std::nullopt;
         field = found.value_or(field);
         return found.has_value();
-    } else if constexpr (std::is_same_v<Field, Division>) {
-        const auto found = std::ranges::find_if(divisions, [&](const Division one) {
+    } else if constexpr (std::is_same_v<Field, const Division*>) {
+        const auto found = std::ranges::find_if(in_place_divisions, [&](const Division* one) {
             return py::isinstance<py::str>(value) && one->name == value.cast<std::string>();
         });
-        field = found == divisions.end() ? field : *found;
-        return found != divisions.end();
+        field = found == in_place_divisions.end() ? field : *found;
+        return found != in_place_divisions.end();
     } else if constexpr (IsFunction<Field>) {
         field = nullptr;
         if (PyCallable_Check(value.ptr()) != 0) {
@@ -130,7 +126,7 @@ template <class Field>
 py::object shown_in_python(const Field& field) {
     if constexpr (std::is_enum_v<Field>) {
         return py::str(std::string(name_in(table_of(field), field)));
-    } else if constexpr (std::is_same_v<Field, Division>) {
+    } else if constexpr (std::is_same_v<Field, const Division*>) {
         return py::str(std::string(field->name));
     } else if constexpr (IsFunction<Field>) {
         const auto* set = field.template target<NumberFunction>();
@@ -146,7 +142,8 @@ py::object shown_in_python(const Field& field) {
 template <class Place>
 Keyword keyword(std::string name, std::string meaning, Place place) {
     using Field = std::remove_cvref_t<decltype(place(std::declval<Choices&>()))>;
-    if constexpr (std::is_enum_v<Field> || std::is_same_v<Field, Division> || IsFunction<Field>) {
+    if constexpr (std::is_enum_v<Field> || std::is_same_v<Field, const Division*> ||
+                  IsFunction<Field>) {
         meaning += ": " + allowed_for(place(static_cast<const Choices&>(Choices())));
     }
     return {name, std::move(meaning),

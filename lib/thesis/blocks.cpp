@@ -102,8 +102,8 @@ std::unique_ptr<Executor<Real>> blocks(Complex<Real>& complex, const Options<Rea
 
 } // namespace
 
-constinit const DivisionEntry detail::blocks_division{
-    "blocks", "cut in two directions, three colours (thesis, section 6)", BlockOptions{}.submeshes,
-    blocks<double>, blocks<float>};
+constinit const Division blocks_division{"blocks",
+                                         "cut in two directions, three colours (thesis, section 6)",
+                                         BlockOptions{}.submeshes, blocks<double>, blocks<float>};
 
 } // namespace dsc

@@ -29,11 +29,7 @@ private:
     BlockOptions options_;
 };
 
-namespace detail {
-extern const DivisionEntry blocks_division;
-} // namespace detail
-
-/// Blocks: `Parallel{.division = blocks_division}`.
-inline constexpr Division blocks_division{detail::blocks_division};
+/// Blocks: `Parallel{.division = &blocks_division}`.
+extern const Division blocks_division;
 
 } // namespace dsc

@@ -272,7 +272,7 @@ std::unique_ptr<Executor<Real>> make_copies(Complex<Real>& complex, const Option
 
 } // namespace
 
-constinit const DivisionEntry detail::copy_division{
+constinit const Division copy_division{
     "copy", "submeshes created and merged (thesis, algorithms 6.1 and 6.2)",
     CopyOptions{}.submeshes, make_copies<double>, make_copies<float>};
 

@@ -96,11 +96,7 @@ private:
     CopyCosts costs_;
 };
 
-namespace detail {
-extern const DivisionEntry copy_division;
-} // namespace detail
-
-/// Create and merge as one of the ways to divide a mesh: `Parallel{.division = copy_division}`.
-inline constexpr Division copy_division{detail::copy_division};
+/// Create and merge as one of the ways to divide a mesh: `Parallel{.division = &copy_division}`.
+extern const Division copy_division;
 
 } // namespace dsc

@@ -275,14 +275,14 @@ std::unique_ptr<Executor<Real>> slabs(Complex<Real>& complex, const Options<Real
 
 } // namespace
 
-constinit const DivisionEntry detail::fixed_division{
-    "fixed", "slabs of equal width (thesis, section 6.3)", SlabOptions{}.submeshes,
-    slabs<double, Slabbing::fixed>, slabs<float, Slabbing::fixed>};
-constinit const DivisionEntry detail::counting_division{
+constinit const Division fixed_division{"fixed", "slabs of equal width (thesis, section 6.3)",
+                                        SlabOptions{}.submeshes, slabs<double, Slabbing::fixed>,
+                                        slabs<float, Slabbing::fixed>};
+constinit const Division counting_division{
     "counting", "slabs of equal numbers of triangles (thesis, section 6.3)",
     SlabOptions{}.submeshes, slabs<double, Slabbing::counting>, slabs<float, Slabbing::counting>};
-constinit const DivisionEntry detail::active_division{
-    "active", "slabs of equal work", SlabOptions{}.submeshes, slabs<double, Slabbing::active>,
-    slabs<float, Slabbing::active>};
+constinit const Division active_division{"active", "slabs of equal work", SlabOptions{}.submeshes,
+                                         slabs<double, Slabbing::active>,
+                                         slabs<float, Slabbing::active>};
 
 } // namespace dsc

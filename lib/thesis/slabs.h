@@ -71,17 +71,11 @@ private:
     std::vector<Point<double>> corners_; // of the domain's hull; of `follow_shape` alone
 };
 
-namespace detail {
-extern const DivisionEntry fixed_division;
-extern const DivisionEntry counting_division;
-extern const DivisionEntry active_division;
-} // namespace detail
-
-/// Upright slabs of equal width: `Parallel{.division = fixed_division}`.
-inline constexpr Division fixed_division{detail::fixed_division};
+/// Upright slabs of equal width: `Parallel{.division = &fixed_division}`.
+extern const Division fixed_division;
 /// Upright slabs of equal numbers of triangles.
-inline constexpr Division counting_division{detail::counting_division};
+extern const Division counting_division;
 /// Upright slabs of equal work.
-inline constexpr Division active_division{detail::active_division};
+extern const Division active_division;
 
 } // namespace dsc

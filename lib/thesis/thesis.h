@@ -21,5 +21,6 @@
 #include "thesis/blocks.h"
 #include "thesis/copied_submeshes.h"
 #include "thesis/copy_executor.h"
+#include "thesis/divisions.h"
 #include "thesis/slabs.h"
 #include "thesis/voronoi.h"

@@ -76,7 +76,7 @@ TEST_P(EditsInPlace, AreAsManyAsTheCountsSay) {
 }
 
 TEST(EditLogs, OfCreateAndMergeSayThatAllIdsAreNew) {
-    const Heard heard = hear({"copy", copy_division}, 2);
+    const Heard heard = hear({"copy", &copy_division}, 2);
     const auto rebuilds = std::ranges::count(heard.edits, EditKind::rebuild, &Edit::kind);
     EXPECT_GE(rebuilds, 4); // red and black in each step
     Complex<double> complex = disc();
@@ -294,8 +294,8 @@ TEST_P(Edits, OfAPassOfTheApplicationNeedNoBookkeeping) {
          }});
     const Course way = GetParam();
     std::unique_ptr<Executor<double>> executor;
-    if (way.division) {
-        executor = make_executor(complex, options, Parallel{.division = *way.division}, algorithm);
+    if (way.division != nullptr) {
+        executor = make_executor(complex, options, Parallel{.division = way.division}, algorithm);
     } else {
         executor = std::make_unique<Executor<double>>(complex, options, algorithm);
     }
@@ -308,8 +308,8 @@ TEST_P(Edits, OfAPassOfTheApplicationNeedNoBookkeeping) {
 }
 
 const std::vector<Course> in_place{
-    {"sequential", {}},          {"fixed", fixed_division},   {"counting", counting_division},
-    {"active", active_division}, {"blocks", blocks_division}, {"cells", Division::cells}};
+    {"sequential", {}},           {"fixed", &fixed_division},   {"counting", &counting_division},
+    {"active", &active_division}, {"blocks", &blocks_division}, {"cells", &cells_division}};
 INSTANTIATE_TEST_SUITE_P(Ways, EditsInPlace, testing::ValuesIn(in_place), course_name);
 INSTANTIATE_TEST_SUITE_P(Ways, Edits, testing::ValuesIn(all_courses), course_name);
 

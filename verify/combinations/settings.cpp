@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "combinations/settings.h"
-#include "thesis/blocks.h"
-#include "thesis/copy_executor.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions.h"
 
 #include <array>
 #include <cmath>
@@ -76,9 +74,9 @@ GrowthOptions<Real> growth_of(const Row& row) {
 }
 
 Parallel parallel_of(const Row& row, std::uint32_t threads) {
-    constexpr std::array divisions{Division::cells,   Division::cells, fixed_division,
-                                   counting_division, active_division, blocks_division,
-                                   copy_division};
+    constexpr std::array divisions{&cells_division,    &cells_division,  &fixed_division,
+                                   &counting_division, &active_division, &blocks_division,
+                                   &copy_division};
     constexpr std::array submeshes{0U, 2U, 4U, 9U};
     Parallel parallel;
     parallel.threads = threads;

@@ -74,7 +74,7 @@ struct Counted {
     std::uint64_t edits = 0; ///< so that something was done
 };
 
-Counted count(const Choice& choice, const Way& way) {
+Counted count(const Choice& choice, Way way) {
     auto complex = test::disc_complex<double>(h);
     if (choice.has_attributes) {
         complex.attributes.add<Vertex, double>("at vertices");
@@ -86,7 +86,7 @@ Counted count(const Choice& choice, const Way& way) {
     choice.set(options);
     auto executor = way ? make_executor(complex, options,
                                         Parallel{.threads = 2,
-                                                 .division = *way,
+                                                 .division = way,
                                                  .submeshes = 4,
                                                  .always_all_threads = true})
                         : nullptr;
@@ -113,7 +113,7 @@ Counted count(const Choice& choice, const Way& way) {
 
 TEST(Allocations, SequentialStepsMakeNone) {
     for (const Choice& choice : choices()) {
-        const Counted counted = count(choice, {});
+        const Counted counted = count(choice, nullptr);
         EXPECT_GT(counted.edits, 500U) << choice.name << ": hardly anything was done";
         EXPECT_EQ(counted.allocations, 0U) << choice.name;
     }
@@ -126,7 +126,7 @@ TEST(Allocations, StepsInSubmeshesMakeNoneBetweenDivisions) {
         if (!choice.in_submeshes) {
             continue;
         }
-        for (const Division division : test::in_place_divisions) {
+        for (const Way division : in_place_divisions) {
             SCOPED_TRACE(choice.name + ", " + std::string(division->name));
             const Counted counted = count(choice, division);
             EXPECT_GT(counted.edits, 500U) << "hardly anything was done";

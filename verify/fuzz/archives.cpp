@@ -88,9 +88,9 @@ std::unique_ptr<Simulation<double>> small_simulation(Complex<double>& complex, b
     options.edge_length = 0.2;
     options.max_sub_steps = 3;
     complex = test::disc_complex<double>(0.2);
-    return in_cells ? std::make_unique<Simulation<double>>(
-                          complex, options, Parallel{.division = Division::cells, .submeshes = 2})
-                    : std::make_unique<Simulation<double>>(complex, options);
+    return in_cells
+               ? std::make_unique<Simulation<double>>(complex, options, Parallel{.submeshes = 2})
+               : std::make_unique<Simulation<double>>(complex, options);
 }
 
 const std::string& written_simulation(bool in_cells) {

@@ -97,11 +97,11 @@ std::unique_ptr<Executor<Real>> draw_executor(Dice dice, Complex<Real>& complex,
     if (dice.chance(0.6)) {
         return test::random_executor(dice, complex, options, threads, words);
     }
-    const auto all = test::all_divisions();
-    const auto which = static_cast<std::size_t>(dice.in(0, static_cast<int>(all.size()) - 1));
+    const auto which =
+        static_cast<std::size_t>(dice.in(0, static_cast<int>(all_divisions.size()) - 1));
     return make_executor(complex, options,
                          Parallel{.threads = threads,
-                                  .division = all[which],
+                                  .division = all_divisions[which],
                                   .submeshes = test::number_in(dice, 0, 9),
                                   .always_all_threads = true});
 }

@@ -94,7 +94,7 @@ TEST_F(OnARow, ASingleSubmeshIsWhatOneAsksFor) {
     const Options<double> options{.edge_length = 0.02};
     for (const std::uint32_t submeshes : {1U, 2U, 3U}) {
         const auto executor = make_executor(
-            complex, options, Parallel{.division = counting_division, .submeshes = submeshes});
+            complex, options, Parallel{.division = &counting_division, .submeshes = submeshes});
         const auto* seen = dynamic_cast<const SubmeshExecutor<double>*>(executor.get());
         ASSERT_NE(seen, nullptr);
         EXPECT_EQ(seen->view().partition.colours.front().regions.size(), submeshes);

@@ -42,7 +42,7 @@ Profiled profiled_steps() {
     for (int step = 0; step < 3; ++step) {
         simulation.step(grow, 0, 0.2);
         bench::add_step(profiled.run, seen.view(), 1000);
-        for (const SubStepProfile& times : seen.view().profile.sub_steps) {
+        for (const SubStepProfile& times : seen.view().profile) {
             for (const auto* tasks : {&times.aim, &times.move}) {
                 profiled.tasks += static_cast<double>(tasks->size());
                 for (const double seconds : *tasks) {
@@ -70,7 +70,7 @@ bench::ModelRun in_seconds(bench::ModelRun run) {
 TEST(Model, TakesAllTasksAndNoOthers) {
     const Profiled profiled = profiled_steps();
     ASSERT_GT(profiled.tasks, 24);
-    EXPECT_NEAR(profiled.run.total_tasks / profiled.seconds, 1, 1e-12);
+    EXPECT_NEAR(profiled.run.account.tasks / profiled.seconds, 1, 1e-12);
     EXPECT_NEAR(bench::model(profiled.run, 1, 0).tasks / profiled.seconds, 1, 1e-12);
     const bench::ModelTimes one = bench::model(in_seconds(profiled.run), 1, 0);
     EXPECT_EQ(one.tasks, profiled.tasks);

@@ -7,14 +7,11 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/parallel/parallel.h"
-#include "thesis/blocks.h"
-#include "thesis/copy_executor.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions.h"
 
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,18 +22,18 @@ inline constexpr double disc_h = 0.03;
 // Which of the ways to run: no division is the sequential one.
 struct Course {
     const char* name;
-    std::optional<Division> division;
+    const Division* division = nullptr;
     std::uint32_t threads = 1;
 };
 
 inline std::unique_ptr<Simulation<double>>
 make_simulation(Complex<double>& complex, const Options<double>& options, const Course& way) {
-    if (!way.division) {
+    if (way.division == nullptr) {
         return std::make_unique<Simulation<double>>(complex, options);
     }
     return std::make_unique<Simulation<double>>(
         complex, options,
-        Parallel{.threads = way.threads, .division = *way.division, .always_all_threads = true});
+        Parallel{.threads = way.threads, .division = way.division, .always_all_threads = true});
 }
 
 inline const Velocity<double> swirl = [](std::span<const Point<double>> positions, double,
@@ -54,10 +51,10 @@ inline const Velocity<double> still = constant<double>(0, 0);
 inline Complex<double> disc() { return disc_complex<double>(disc_h, {0.5, 0.7}, 0.2); }
 
 inline const std::vector<Course> all_courses{{"sequential", {}},
-                                             {"active", active_division},
-                                             {"blocks", blocks_division},
-                                             {"cells", Division::cells},
-                                             {"copy", copy_division}};
+                                             {"active", &active_division},
+                                             {"blocks", &blocks_division},
+                                             {"cells", &cells_division},
+                                             {"copy", &copy_division}};
 
 inline const auto course_name = [](const auto& one) { return std::string(one.param.name); };
 

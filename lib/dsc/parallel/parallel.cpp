@@ -20,9 +20,8 @@ std::unique_ptr<Executor<Real>> cells(Complex<Real>& complex, const Options<Real
 
 } // namespace
 
-constinit const DivisionEntry detail::cells_division{"cells", "submeshes that follow the interface",
-                                                     CellOptions{}.submeshes, cells<double>,
-                                                     cells<float>};
+constinit const Division cells_division{"cells", "submeshes that follow the interface",
+                                        CellOptions{}.submeshes, cells<double>, cells<float>};
 
 std::uint32_t submeshes_of(const Parallel& parallel) {
     return parallel.submeshes > 0 ? parallel.submeshes : parallel.division->submeshes;

@@ -21,29 +21,8 @@
 
 namespace dsc {
 
-struct DivisionEntry;
-
-/// How the mesh is divided into submeshes: in the library's way, in one of a module, or in one of
-/// the application's own. Two are equal if their entries are the same object.
-class Division {
-public:
-    /// The entry must outlive whatever uses the division.
-    explicit constexpr Division(const DivisionEntry& entry) : entry_(&entry) {}
-    /// Its properties.
-    constexpr const DivisionEntry* operator->() const { return entry_; }
-    friend bool operator==(const Division&, const Division&) = default;
-
-    static const Division cells; ///< submeshes that follow the interface
-
-private:
-    const DivisionEntry* entry_;
-};
-
-namespace detail {
-extern const DivisionEntry cells_division;
-} // namespace detail
-
-inline constexpr Division Division::cells{detail::cells_division};
+struct Division;
+extern const Division cells_division; ///< submeshes that follow the interface
 
 /// Which thread runs which task.
 enum class Assignment : std::uint8_t {
@@ -64,9 +43,9 @@ inline constexpr std::array assignment_names{
 struct Parallel {
     /// 1 to 1024; fewer are used where there is too little to do, or where that takes no longer.
     std::uint32_t threads = 1;
-    Division division = Division::cells; ///< how the mesh is divided
-    std::uint32_t submeshes = 0;         ///< 0: the division's own choice
-    bool always_all_threads = false;     ///< also if there is too little to do for them, or no gain
+    const Division* division = &cells_division; ///< how the mesh is divided; outlives the executor
+    std::uint32_t submeshes = 0;                ///< 0: the division's own choice
+    bool always_all_threads = false; ///< also if there is too little to do for them, or no gain
     /// Microseconds that threads wait awake between two steps before they sleep. Nothing: 2000, or
     /// 0 if the environment variable OMP_WAIT_POLICY is `passive`.
     std::optional<std::uint32_t> awake_us = std::nullopt;
@@ -81,8 +60,9 @@ using MakeExecutor = std::unique_ptr<Executor<Real>> (*)(Complex<Real>& complex,
                                                          const Parallel& parallel,
                                                          Algorithm<Real> algorithm);
 
-/// The properties of a division.
-struct DivisionEntry {
+/// How the mesh is divided into submeshes: in the library's way, in one of a module, or in one of
+/// the application's own.
+struct Division {
     std::string_view name;          ///< on command lines and in files
     std::string_view description;   ///< one sentence, for help texts
     std::uint32_t submeshes;        ///< if no number is asked for; 0: chosen during the run
@@ -139,7 +119,8 @@ private:
     std::vector<std::uint32_t> predecessors_;
 };
 
-/// Seconds of a steady clock. On one thread of an idle machine that is the time of the task itself.
+/// The times of a sub-step, in seconds of a steady clock. On one thread of an idle machine that is
+/// the time of the task itself.
 struct SubStepProfile {
     // Serial parts.
     double set_up = 0;    ///< cuts, lists and ids, before anything runs
@@ -148,20 +129,9 @@ struct SubStepProfile {
     // By task.
     std::vector<double> aim;  ///< upkeep, velocities and targets: the first colour's submeshes
     std::vector<double> move; ///< movement and mesh update: all submeshes of all colours
-    // Sums over submeshes.
-    double upkeep = 0;                 ///< of the interface
-    double velocities = 0;             ///< finding them, and the targets
-    std::vector<double> motion_passes; ///< one entry for each motion pass, first colour
-    double later_colours = 0;          ///< movement and mesh update of the colours after the first
     // Wall time of the two parallel sections.
     double aim_wall = 0;  ///< upkeep, velocities and targets
     double move_wall = 0; ///< movement and mesh update
-};
-
-/// All sub-steps of one step.
-struct StepProfile {
-    std::vector<SubStepProfile> sub_steps; ///< in their order
-    double serial_outside = 0;             ///< the rest of the step: the driver's own
 };
 
 /// What threads have done since the executor was made, in seconds of a steady clock.
@@ -178,11 +148,11 @@ struct ThreadWork {
 
 /// What an executor in submeshes shows. All of it changes with the next step.
 struct SubmeshView {
-    const Partition& partition; ///< in force
-    const TaskGraph& tasks;     ///< which waits for which: task i of `SubStepProfile::move`
-    const StepProfile& profile; ///< of the last step, if `Parallel::profile` is set
-    std::uint32_t threads_used; ///< by the last step
-    const ThreadWork& work;     ///< of all steps
+    const Partition& partition;              ///< in force
+    const TaskGraph& tasks;                  ///< task i is that of `SubStepProfile::move`
+    std::span<const SubStepProfile> profile; ///< of the last step, if `Parallel::profile` is set
+    std::uint32_t threads_used;              ///< by the last step
+    const ThreadWork& work;                  ///< of all steps
 };
 
 /// Of an executor that `make_executor` has made; nothing for one that has no submeshes of this

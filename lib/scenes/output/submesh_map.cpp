@@ -31,7 +31,7 @@ std::string kind_of(const Region& region) {
 
 void write_submesh_map(const SubmeshView& submeshes, const std::string& path) {
     std::vector<double> work;
-    for (const SubStepProfile& profile : submeshes.profile.sub_steps) {
+    for (const SubStepProfile& profile : submeshes.profile) {
         work.resize(std::max(work.size(), profile.move.size()), 0.0);
         for (std::size_t i = 0; i < profile.move.size(); ++i) {
             work[i] += profile.move[i] + (i < profile.aim.size() ? profile.aim[i] : 0.0);

@@ -2,9 +2,7 @@
 #include "scenes/run/strategy.h"
 
 #include "dsc/base/error.h"
-#include "thesis/blocks.h"
-#include "thesis/copy_executor.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions.h"
 
 #include <utility>
 
@@ -15,17 +13,13 @@ namespace {
 // Between the first and the last strategy are the divisions of the thesis and of the library.
 std::vector<StrategyEntry> make_strategies() {
     std::vector<StrategyEntry> all{
-        {Strategy::sequential, "sequential", "the whole mesh at once", 1, std::nullopt}};
-    const auto add = [&](Division division) {
+        {Strategy::sequential, "sequential", "the whole mesh at once", 1, nullptr}};
+    for (const Division* division : all_divisions) {
         all.push_back({static_cast<Strategy>(all.size()), std::string(division->name),
                        std::string(division->description), division->submeshes, division});
-    };
-    for (const Division division : {fixed_division, counting_division, active_division,
-                                    blocks_division, Division::cells, copy_division}) {
-        add(division);
     }
     all.push_back({Strategy::reference, "reference", "the literal sequential method of the thesis",
-                   1, std::nullopt});
+                   1, nullptr});
     return all;
 }
 
@@ -80,7 +74,7 @@ Strategy parse_strategy(const std::string& name) {
                       .allowed = names_where([](Strategy) { return true; })});
 }
 
-bool is_parallel(Strategy strategy) { return entry_of(strategy).division.has_value(); }
+bool is_parallel(Strategy strategy) { return entry_of(strategy).division != nullptr; }
 
 std::string parallel_strategies() { return names_where(is_parallel); }
 
@@ -112,15 +106,15 @@ template <class Real>
 std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
                                               Strategy strategy, const Submeshing& submeshing,
                                               const Algorithm<Real>* algorithm) {
-    const std::optional<Division> division = entry_of(strategy).division;
-    if (!division) {
+    const Division* division = entry_of(strategy).division;
+    if (division == nullptr) {
         if (algorithm == nullptr || strategy == Strategy::reference) {
             return nullptr;
         }
         return std::make_unique<Executor<Real>>(complex, options, *algorithm);
     }
     const Parallel parallel{.threads = submeshing.threads,
-                            .division = *division,
+                            .division = division,
                             .submeshes = submeshing.submeshes,
                             .always_all_threads = submeshing.always_all_threads,
                             .profile = submeshing.profile};

@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,8 +40,8 @@ struct StrategyEntry {
     Strategy strategy;
     std::string name;
     std::string description;
-    std::uint32_t submeshes;          ///< if no number is asked for; 0: chosen during the run
-    std::optional<Division> division; ///< of the parallel ones
+    std::uint32_t submeshes;  ///< if no number is asked for; 0: chosen during the run
+    const Division* division; ///< null unless it is parallel
 };
 
 /// One entry for each strategy, in their order.

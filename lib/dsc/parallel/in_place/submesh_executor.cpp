@@ -87,19 +87,17 @@ std::uint32_t SubmeshExecutor<Real>::next_epochs() {
 
 template <class Real>
 void SubmeshExecutor<Real>::begin_step() {
-    Timer timer(parallel_.profile);
     (void)step_timer_.lap();
     Executor<Real>::begin_step();
     choose_threads();
     pool_.wake(threads_);
-    profile_.sub_steps.clear();
+    profile_.clear();
     status_.interface_vertices = this->interface_size();
     if (status_.step > 0) { // for the first step it was divided at construction
         divide();
     }
     ++status_.step;
     ++status_.steps_since_all;
-    profile_.serial_outside = timer.lap();
 }
 
 // As many as have enough to do.
@@ -178,7 +176,6 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
         }
         parts_.push_back(std::move(spare_parts_.back()));
         spare_parts_.pop_back();
-        keep_times(*parts_.back());
         parts_.back()->work.log.readers = whole_.log.readers;
     }
     first_colour_ = parts_.empty() ? 0 : partition_.colours.front().regions.size();
@@ -197,19 +194,6 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
         }
     }
     works_.push_back(&whole_);
-}
-
-template <class Real>
-void SubmeshExecutor<Real>::keep_times(Part& part) {
-    part.passes_s.assign(algorithm_.motion.size(), 0);
-    part.motion = algorithm_.motion;
-    for (std::size_t i = 0; parallel_.profile && i < part.motion.size(); ++i) {
-        part.motion[i].run = [&part, i, run = algorithm_.motion[i].run](Work<Real>& work) {
-            Timer timer(true);
-            run(work);
-            part.passes_s[i] += timer.lap();
-        };
-    }
 }
 
 template <class Real>

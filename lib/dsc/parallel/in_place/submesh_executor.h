@@ -51,7 +51,6 @@ private:
     // Set-up.
     void divide();
     void make_parts(Recut recut);
-    void keep_times(Part& part);
     void hand_out(std::vector<std::uint32_t> list);
     void connect();
     void make_room();
@@ -112,8 +111,8 @@ private:
     std::vector<std::uint32_t> listed_; // scratch of hand_over
     std::vector<Point<double>> listed_places_;
     std::uint32_t threads_ = 1;
-    std::uint32_t useful_threads_ = 1; // that have enough to do in this step
-    StepProfile profile_;
+    std::uint32_t useful_threads_ = 1;    // that have enough to do in this step
+    std::vector<SubStepProfile> profile_; // of the last step
 };
 
 } // namespace dsc

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the files of the executor share: one submesh, its time measurements, and the joined
-// interface of all submeshes.
+// What the files of the executor share: one submesh, and the joined interface of all submeshes.
 #pragma once
 
 #include "dsc/algorithm/interface_sight.h"
@@ -27,14 +26,8 @@ struct SubmeshExecutor<Real>::Part {
     std::uint64_t examined = 0; // stars, since the last division
     AimReport<Real> aimed;
     MoveReport moved;
-
-    // Time measurements.
-    double upkeep_s = 0;
-    double velocities_s = 0;
-    double aim_s = 0;
+    double aim_s = 0; // of the last sub-step, if times are measured
     double move_s = 0;
-    std::vector<double> passes_s;
-    std::vector<Pass<Real>> motion; // the algorithm's, each timed if times are measured
 
     // Room for so many vertices of the interface, and for the movers and stars that come with them.
     // Short lists of two submeshes next to each other on the heap would share cache lines, and the

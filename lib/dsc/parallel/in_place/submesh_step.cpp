@@ -34,7 +34,6 @@ template <class Real>
 void SubmeshExecutor<Real>::begin_part(Part& part) {
     part.work.deferred.clear();
     part.aim_s = 0;
-    part.upkeep_s = 0;
     const Region& region = part.work.submesh.region;
     std::erase_if(part.work.interface, [&](std::uint32_t v) {
         const Point<double> place = place_of(v);
@@ -59,7 +58,6 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Re
     if (pass < algorithm_.upkeep.size()) {
         run_pass(work, algorithm_.upkeep[pass]);
     }
-    part.upkeep_s += timer.lap();
     if (pass + 1 >= algorithm_.upkeep.size()) {
         if (flow.needs_all()) {
             part.aimed = {};
@@ -68,9 +66,8 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Re
             part.aimed = find_velocities(work, *flow.velocity(), time);
             part.aimed.reach = find_targets(work, *flow.velocity(), time, dt);
         }
-        part.velocities_s = timer.lap();
-        part.aim_s = part.upkeep_s + part.velocities_s;
     }
+    part.aim_s += timer.lap();
 }
 
 // A star, or a vertex on its way; upkeep and lists have been seen to between the two sections.
@@ -101,7 +98,6 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     Work<Real>& work = part.work;
     const bool is_first = task < first_colour_;
     part.moved = {};
-    std::ranges::fill(part.passes_s, 0.0);
     work.movers.clear();
     if (is_first) {
         part.moved.held = collect_movers(work);
@@ -114,7 +110,7 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     }
     std::uint32_t epoch = work.epoch;
     if (is_first || !work.movers.empty() || !work.active.empty()) {
-        part.moved.passes = run_motion(work, part.motion, epoch);
+        part.moved.passes = run_motion(work, algorithm_.motion, epoch);
     }
     // A vertex that is blocked here may find room once others have moved, unless it is in contact,
     // or this submesh had all the room that there is.
@@ -172,14 +168,12 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
         report = aim_together(flow, time, dt);
     }
     if (parallel_.profile) {
-        SubStepProfile& profile = profile_.sub_steps.emplace_back();
+        SubStepProfile& profile = profile_.emplace_back();
         profile.set_up = set_up;
         profile.aim_wall = wall;
         profile.hand_over = timer.lap();
         for (std::size_t i = 0; i < first_colour_; ++i) {
             profile.aim.push_back(parts_[i]->aim_s);
-            profile.upkeep += parts_[i]->upkeep_s;
-            profile.velocities += parts_[i]->velocities_s;
         }
     }
     progress_ = Progress::aimed;
@@ -320,17 +314,12 @@ MoveReport SubmeshExecutor<Real>::move() {
     report.unreached += report.held;
     this->end_movement();
     if (parallel_.profile) {
-        SubStepProfile& profile = profile_.sub_steps.back();
+        SubStepProfile& profile = profile_.back();
         profile.hand_over += hand_over;
         profile.move_wall = wall;
         profile.clean_up = timer.lap();
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            profile.move.push_back(parts_[i]->move_s);
-            profile.later_colours += i < first_colour_ ? 0 : parts_[i]->move_s;
-            profile.motion_passes.resize(algorithm_.motion.size());
-            for (std::size_t k = 0; i < first_colour_ && k < algorithm_.motion.size(); ++k) {
-                profile.motion_passes[k] += parts_[i]->passes_s[k];
-            }
+        for (const auto& part : parts_) {
+            profile.move.push_back(part->move_s);
         }
     }
     return report;
