@@ -50,8 +50,6 @@ public:
     }
     friend bool operator==(const HandleIterator&, const HandleIterator&) = default;
 
-    [[nodiscard]] const Cursor& cursor() const { return cursor_; }
-
 private:
     Cursor cursor_;
 };
@@ -83,10 +81,27 @@ private:
 
 namespace detail {
 
-/// Living ids from a given one on, up to the bound at the beginning.
-template <class Real, class Handle>
-struct IdCursor {
+/// Whether a simplex lives.
+template <class Real>
+struct IsAlive {
     const Complex<Real>* complex = nullptr;
+
+    bool operator()(auto handle) const { return complex->is_alive(handle); }
+};
+
+/// Whether a triangle lives, and is of a phase.
+template <class Real>
+struct IsOfPhase {
+    const Complex<Real>* complex = nullptr;
+    Phase phase = exterior_phase;
+
+    bool operator()(Triangle t) const { return complex->is_alive(t) && complex->phase(t) == phase; }
+};
+
+/// The handles that pass a test, by id from a given one on, up to the bound at the beginning.
+template <class Handle, class Test>
+struct IdCursor {
+    Test test;
     std::uint32_t id = 0;
     std::uint32_t bound = 0;
 
@@ -95,61 +110,22 @@ struct IdCursor {
         ++id;
         settle();
     }
-    /// Advances to the first living id, this one included.
+    /// Advances to the first that passes, this one included.
     void settle() {
-        while (id < bound && !complex->is_alive(Handle{id})) {
+        while (id < bound && !test(Handle{id})) {
             ++id;
         }
     }
     friend bool operator==(const IdCursor& a, const IdCursor& b) { return a.id == b.id; }
 };
 
-/// The living triangles of one phase.
-template <class Real>
-struct PhaseCursor {
-    IdCursor<Real, Triangle> at;
-    Phase phase = 0;
-
-    [[nodiscard]] Triangle handle() const { return at.handle(); }
-    void advance() {
-        at.advance();
-        settle();
-    }
-    void settle() {
-        while (at.id < at.bound && at.complex->phase(at.handle()) != phase) {
-            at.advance();
-        }
-    }
-    friend bool operator==(const PhaseCursor& a, const PhaseCursor& b) { return a.at == b.at; }
-};
-
-/// Edges: each triangle's corners that name an edge, triangle by triangle.
-template <class Real>
-struct EdgeCursor {
-    IdCursor<Real, Triangle> at;
-    Corner corner = 0;
-
-    [[nodiscard]] Edge handle() const { return Edge{corner}; }
-    void advance() {
-        ++corner;
-        settle();
-    }
-    void settle() {
-        while (at.id < at.bound) {
-            for (; index_of(corner) < 3; ++corner) {
-                const Corner across = at.complex->twin(corner);
-                if ((is_border(across) || corner < across) && at.complex->is_alive(at.handle())) {
-                    return;
-                }
-            }
-            at.advance();
-            corner = corner_of(at.id, 0);
-        }
-    }
-    friend bool operator==(const EdgeCursor& a, const EdgeCursor& b) {
-        return a.corner == b.corner;
-    }
-};
+template <class Handle, class Test>
+HandleRange<IdCursor<Handle, Test>> handles(const Test& test, std::uint32_t from,
+                                            std::uint32_t bound) {
+    IdCursor<Handle, Test> first{test, from, bound};
+    first.settle();
+    return {first, {test, bound, bound}};
+}
 
 /// The corners at a vertex, counter-clockwise; no_id behind the last.
 template <class Real>
@@ -193,12 +169,6 @@ struct LinkCursor : CornerCursor<Real> {
     friend bool operator==(const LinkCursor&, const LinkCursor&) = default;
 };
 
-template <class Cursor>
-HandleRange<Cursor> settled(Cursor first, const Cursor& last) {
-    first.settle();
-    return {first, last};
-}
-
 template <class Real>
 CornerCursor<Real> corners_at(const Complex<Real>& complex, Vertex v) {
     const Corner start = complex.vertices[v.id].corner;
@@ -212,9 +182,7 @@ CornerCursor<Real> corners_at(const Complex<Real>& complex, Vertex v) {
 /// from free ids in front; O(ids) as a whole.
 template <class Real>
 [[nodiscard]] auto vertices(const Complex<Real>& complex) {
-    const std::uint32_t bound = complex.vertex_bound();
-    return detail::settled<detail::IdCursor<Real, Vertex>>({&complex, 0, bound},
-                                                           {&complex, bound, bound});
+    return detail::handles<Vertex>(detail::IsAlive<Real>{&complex}, 0, complex.vertex_bound());
 }
 
 /// The ids of a range of handles, in its order. O(ids).
@@ -243,27 +211,23 @@ template <class Real>
 /// The living triangles by ascending id. O(ids) as a whole.
 template <class Real>
 [[nodiscard]] auto triangles(const Complex<Real>& complex) {
-    const std::uint32_t bound = complex.triangle_bound();
-    return detail::settled<detail::IdCursor<Real, Triangle>>({&complex, border_triangle + 1, bound},
-                                                             {&complex, bound, bound});
+    return detail::handles<Triangle>(detail::IsAlive<Real>{&complex}, border_triangle + 1,
+                                     complex.triangle_bound());
 }
 
 /// The living triangles of a phase by ascending id. O(ids) as a whole.
 template <class Real>
 [[nodiscard]] auto triangles(const Complex<Real>& complex, Phase phase) {
-    const auto all = triangles(complex);
-    return detail::settled<detail::PhaseCursor<Real>>({all.begin().cursor(), phase},
-                                                      {all.end().cursor(), phase});
+    return detail::handles<Triangle>(detail::IsOfPhase<Real>{&complex, phase}, border_triangle + 1,
+                                     complex.triangle_bound());
 }
 
 /// The living edges by ascending id, the inner ones and those of the domain boundary. O(ids) as a
 /// whole.
 template <class Real>
 [[nodiscard]] auto edges(const Complex<Real>& complex) {
-    const auto first = triangles(complex).begin().cursor();
-    const auto last = triangles(complex).end().cursor();
-    return detail::settled<detail::EdgeCursor<Real>>({first, corner_of(first.id, 0)},
-                                                     {last, corner_of(last.id, 0)});
+    return detail::handles<Edge>(detail::IsAlive<Real>{&complex}, corner_of(border_triangle + 1, 0),
+                                 corner_of(complex.triangle_bound(), 0));
 }
 
 /// The triangles of the star of a living vertex, counter-clockwise; on the domain boundary from the
