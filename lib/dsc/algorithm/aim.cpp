@@ -51,6 +51,9 @@ void begin_aim(Work<Real>& work) {
     }
 }
 
+namespace {
+
+// The velocities of the interface at `time`, in `work.aim`.
 template <class Real>
 AimReport<Real> find_velocities(Work<Real>& work, const Velocity<Real>& velocity, Real time) {
     Aim<Real>& aim = work.aim;
@@ -78,6 +81,8 @@ AimReport<Real> find_velocities(Work<Real>& work, const Velocity<Real>& velocity
     return report;
 }
 
+} // namespace
+
 template <class Real>
 Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt) {
     Aim<Real>& aim = work.aim;
@@ -99,6 +104,13 @@ Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real 
     }
     reach.farthest = std::sqrt(farthest);
     return reach;
+}
+
+template <class Real>
+AimReport<Real> aim_along(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt) {
+    AimReport<Real> report = find_velocities(work, velocity, time);
+    report.reach = find_targets(work, velocity, time, dt);
+    return report;
 }
 
 template <class Real>
@@ -128,8 +140,8 @@ std::uint64_t collect_movers(Work<Real>& work) {
 #define DSC_INSTANTIATE(Real)                                                                      \
     template struct AimReport<Real>;                                                               \
     template void begin_aim(Work<Real>&);                                                          \
-    template AimReport<Real> find_velocities(Work<Real>&, const Velocity<Real>&, Real);            \
     template Reach<Real> find_targets(Work<Real>&, const Velocity<Real>&, Real, Real);             \
+    template AimReport<Real> aim_along(Work<Real>&, const Velocity<Real>&, Real, Real);            \
     template std::uint64_t collect_movers(Work<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -182,23 +182,16 @@ AimReport<Real> Executor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) 
     whole_.time = time;
     whole_.dt = dt;
     keep_up_whole();
-    AimReport<Real> report;
-    if (const Velocity<Real>* velocity = flow.velocity()) {
-        report = find_velocities(whole_, *velocity, time);
-        report.reach = find_targets(whole_, *velocity, time, dt);
-    } else {
-        const std::size_t end = whole_.interface.size();
-        sight_->look(whole_, std::span(&end, 1), [](const auto& run) { run(0); });
-        report = sight_->aim(flow, time, dt);
-    }
+    const std::size_t end = whole_.interface.size();
+    const AimReport<Real> report = sight_->aim(
+        whole_, std::span(&end, 1), [](const auto& run) { run(0); }, flow, time, dt);
     progress_ = Progress::aimed;
     return report;
 }
 
 template <class Real>
 Reach<Real> Executor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
-    return flow.velocity() != nullptr ? find_targets(whole_, *flow.velocity(), time, dt)
-                                      : sight_->aim_again(flow, time, dt);
+    return sight_->aim_again(flow, time, dt);
 }
 
 template <class Real>

@@ -151,9 +151,9 @@ protected:
     std::uint64_t steps_ = 0;        ///< begun so far
     /// At the end of a step `none`, unless it gave up or something threw.
     Progress progress_ = Progress::none;
+    std::unique_ptr<InterfaceSight<Real>> sight_; ///< aims the whole interface at once
 
 private:
-    std::unique_ptr<InterfaceSight<Real>> sight_; ///< for flows that see the interface
     std::vector<Edit> edits_; ///< in the order of the sections, and there of `works_`
 };
 
@@ -166,13 +166,12 @@ private:
 template <class Real>
 void begin_aim(Work<Real>& work);
 
-/// Finds the velocities of `work.interface` at `time` and stores them in `work.aim`. O(interface
-/// vertices).
+/// Finds the velocities of `work.interface` at `time`, and from these its targets at time + dt;
+/// both in `work.aim`. O(interface vertices).
 template <class Real>
-AimReport<Real> find_velocities(Work<Real>& work, const Velocity<Real>& velocity, Real time);
+AimReport<Real> aim_along(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt);
 
-/// Finds their targets at time + dt from these velocities. O(interface vertices); called again
-/// whenever the driver changes dt.
+/// Finds the targets for another dt from the same velocities. O(interface vertices).
 template <class Real>
 Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt);
 

@@ -176,9 +176,8 @@ InterfaceView<Real> InterfaceGraph<Real>::view(const Complex<Real>& complex,
 }
 
 template <class Real>
-void InterfaceSight<Real>::look(Work<Real>& work, std::span<const std::size_t> ends,
-                                RunRanges run_ranges) {
-    work_ = &work;
+void InterfaceSight<Real>::look(std::span<const std::size_t> ends, RunRanges run_ranges) {
+    Work<Real>& work = *work_;
     ends_.assign(ends.begin(), ends.end());
     run_ranges_ = std::move(run_ranges);
     graph_.resize(work.interface.size(), ends.size());
@@ -231,14 +230,18 @@ void InterfaceSight<Real>::evaluate(std::span<const Point<Real>> positions, Real
 }
 
 template <class Real>
-AimReport<Real> InterfaceSight<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
-    AimReport<Real> report;
-    if (flow.motion() == nullptr) {
-        const Velocity<Real> seen = velocity(*flow.seeing());
-        report = find_velocities(*work_, seen, time);
-        report.reach = find_targets(*work_, seen, time, dt);
-        return report;
+AimReport<Real> InterfaceSight<Real>::aim(Work<Real>& work, std::span<const std::size_t> ends,
+                                          RunRanges run_ranges, const Flow<Real>& flow, Real time,
+                                          Real dt) {
+    work_ = &work;
+    if (flow.velocity() != nullptr) {
+        return aim_along(work, *flow.velocity(), time, dt);
     }
+    look(ends, std::move(run_ranges));
+    if (flow.motion() == nullptr) {
+        return aim_along(work, velocity(*flow.seeing()), time, dt);
+    }
+    AimReport<Real> report;
     Aim<Real>& aim = work_->aim;
     const std::vector<std::uint32_t>& list = work_->interface;
     begin_aim(*work_);
@@ -261,6 +264,9 @@ AimReport<Real> InterfaceSight<Real>::aim(const Flow<Real>& flow, Real time, Rea
 
 template <class Real>
 Reach<Real> InterfaceSight<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
+    if (flow.velocity() != nullptr) {
+        return find_targets(*work_, *flow.velocity(), time, dt);
+    }
     return flow.motion() == nullptr ? find_targets(*work_, velocity(*flow.seeing()), time, dt)
                                     : displace(*flow.motion(), time, dt);
 }

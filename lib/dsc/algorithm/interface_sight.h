@@ -64,27 +64,25 @@ private:
 /// Calls `run` for ranges 0, 1, ..., at once or one after the other, and returns when all are done.
 using RunRanges = std::function<void(const std::function<void(std::size_t range)>& run)>;
 
-/// Must not be moved while a velocity from it is in use. Reuses its memory.
+/// Aims the whole interface at once by a flow of any kind. Reuses its memory.
 template <class Real>
-class InterfaceSight {
+class InterfaceSight : public Unmovable {
 public:
-    /// Reads `work.interface`, which must be the whole interface and is divided into ranges that
-    /// end at `ends`. O(its stars), shared among the ranges.
-    void look(Work<Real>& work, std::span<const std::size_t> ends, RunRanges run_ranges);
-
-    /// The flow as a function of the positions of all of `work.interface`, in that order: for
-    /// `find_velocities` and `find_targets` of the work that was read. Valid until the next look,
-    /// and while `flow` exists. Locked and held vertices, and those whose stage is not finite, are
-    /// seen at their present positions: a failure at one vertex must not affect its neighbours.
-    [[nodiscard]] Velocity<Real> velocity(const InterfaceFlow<Real>& flow);
-
-    /// Aims the work that was read by a flow that sees the interface: velocities at `time`, and
-    /// targets at time + dt.
-    AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt);
-    /// New targets of the same flow for another dt. A vertex that is held stays held.
+    /// Finds the velocities of `work.interface` at `time`, and targets at time + dt. It must be the
+    /// whole interface, and is divided into ranges that end at `ends`: a flow that sees the
+    /// interface is asked for each of them. O(its stars), shared among the ranges, if the flow sees
+    /// it; else O(interface vertices).
+    AimReport<Real> aim(Work<Real>& work, std::span<const std::size_t> ends, RunRanges run_ranges,
+                        const Flow<Real>& flow, Real time, Real dt);
+    /// New targets of the same work and flow for another dt. A vertex that is held stays held.
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt);
 
 private:
+    void look(std::span<const std::size_t> ends, RunRanges run_ranges);
+    /// The flow as a function of the positions of all of the interface, in the order of its list.
+    /// Valid while `flow` exists. Locked and held vertices, and those whose stage is not finite,
+    /// are seen at their present positions: a failure at one vertex must not affect its neighbours.
+    [[nodiscard]] Velocity<Real> velocity(const InterfaceFlow<Real>& flow);
     Reach<Real> displace(const InterfaceMotion<Real>& motion, Real time, Real dt);
     void evaluate(std::span<const Point<Real>> positions, Real time,
                   std::span<Point<Real>> velocities);

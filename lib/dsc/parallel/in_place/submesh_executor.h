@@ -110,6 +110,7 @@ private:
     std::unique_ptr<Joined> joined_;    // made when a flow sees the interface
     std::vector<std::uint32_t> listed_; // scratch of hand_over
     std::vector<Point<double>> listed_places_;
+    std::vector<std::size_t> kept_; // scratch of unlist
     std::uint32_t threads_ = 1;
     std::uint32_t useful_threads_ = 1;    // that have enough to do in this step
     std::vector<SubStepProfile> profile_; // of the last step

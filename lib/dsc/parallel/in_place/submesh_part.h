@@ -58,7 +58,6 @@ struct SubmeshExecutor<Real>::Joined {
 
     Work<Real> work;
     std::vector<std::size_t> ends; // of each submesh, and of the vertices in none
-    InterfaceSight<Real> sight;
 };
 
 } // namespace dsc

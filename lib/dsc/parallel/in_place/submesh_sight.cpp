@@ -34,26 +34,19 @@ AimReport<Real> SubmeshExecutor<Real>::aim_together(const Flow<Real>& flow, Real
         joined_ = std::make_unique<Joined>(complex_, options_);
     }
     join_interface();
-    if (const Velocity<Real>* velocity = flow.velocity()) {
-        AimReport<Real> report = find_velocities(joined_->work, *velocity, time);
-        report.reach = find_targets(joined_->work, *velocity, time, dt);
-        hand_out_aims();
-        return report;
-    }
-    joined_->sight.look(joined_->work, joined_->ends, [this](const auto& run) {
+    const auto run_ranges = [this](const auto& run) {
         aiming_.run(pool_, threads_, parallel_.assignment, run);
         run(first_colour_); // those in no submesh: few
-    });
-    const AimReport<Real> report = joined_->sight.aim(flow, time, dt);
+    };
+    const AimReport<Real> report =
+        this->sight_->aim(joined_->work, joined_->ends, run_ranges, flow, time, dt);
     hand_out_aims();
     return report;
 }
 
 template <class Real>
 Reach<Real> SubmeshExecutor<Real>::aim_again_together(const Flow<Real>& flow, Real time, Real dt) {
-    const Reach<Real> reach = flow.velocity() != nullptr
-                                  ? find_targets(joined_->work, *flow.velocity(), time, dt)
-                                  : joined_->sight.aim_again(flow, time, dt);
+    const Reach<Real> reach = this->sight_->aim_again(flow, time, dt);
     hand_out_aims();
     return reach;
 }

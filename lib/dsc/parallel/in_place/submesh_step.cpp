@@ -63,8 +63,7 @@ void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Re
             part.aimed = {};
             part.forget_aims(); // until the whole interface can be seen
         } else {
-            part.aimed = find_velocities(work, *flow.velocity(), time);
-            part.aimed.reach = find_targets(work, *flow.velocity(), time, dt);
+            part.aimed = aim_along(work, *flow.velocity(), time, dt);
         }
     }
     part.aim_s += timer.lap();
@@ -229,12 +228,7 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     unlist(gone);
     std::erase_if(whole_.interface,
                   [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
-    if (flow.needs_all()) {
-        return {};
-    }
-    AimReport<Real> report = find_velocities(whole_, *flow.velocity(), time);
-    report.reach = find_targets(whole_, *flow.velocity(), time, dt);
-    return report;
+    return flow.needs_all() ? AimReport<Real>{} : aim_along(whole_, *flow.velocity(), time, dt);
 }
 
 // Removes vertices (ascending) from the lists that have them, together with their aims. O(interface
@@ -243,28 +237,24 @@ template <class Real>
 void SubmeshExecutor<Real>::unlist(std::span<const std::uint32_t> vertices) {
     for (std::size_t i = 0; i < first_colour_ && !vertices.empty(); ++i) {
         Work<Real>& work = parts_[i]->work;
-        Aim<Real>& aim = work.aim;
-        const bool is_aimed = !aim.positions.empty();
-        std::size_t kept = 0;
+        kept_.clear();
         for (std::size_t k = 0; k < work.interface.size(); ++k) {
-            if (std::ranges::binary_search(vertices, work.interface[k])) {
-                continue;
+            if (!std::ranges::binary_search(vertices, work.interface[k])) {
+                kept_.push_back(k);
             }
-            work.interface[kept] = work.interface[k];
-            if (is_aimed) {
-                aim.positions[kept] = aim.positions[k];
-                aim.targets[kept] = aim.targets[k];
-                aim.held[kept] = aim.held[k];
-                aim.scratch.first[kept] = aim.scratch.first[k];
-            }
-            ++kept;
         }
-        work.interface.resize(kept);
-        if (is_aimed) {
-            aim.positions.resize(kept);
-            aim.targets.resize(kept);
-            aim.held.resize(kept);
-            aim.scratch.first.resize(kept);
+        const auto keep = [this](auto&... lists) {
+            const auto keep_in = [this](auto& list) {
+                for (std::size_t k = 0; k < kept_.size(); ++k) {
+                    list[k] = list[kept_[k]];
+                }
+                list.resize(kept_.size());
+            };
+            (keep_in(lists), ...);
+        };
+        keep(work.interface);
+        if (!work.aim.positions.empty()) {
+            keep(work.aim.positions, work.aim.targets, work.aim.held, work.aim.scratch.first);
         }
     }
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <random>
 
@@ -26,7 +27,7 @@ void shuffle_interface(std::vector<std::uint32_t>& list, std::uint64_t seed) {
 }
 
 template <class Real>
-std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::uint64_t seed) {
+std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex) {
     // next[v]: where the interface half-edge with the larger phase on its left leads from v.
     std::vector<std::uint32_t> list;
     std::vector<std::uint8_t> seen(complex.vertex_bound(), 0);
@@ -61,7 +62,6 @@ std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::
             }
         }
     }
-    shuffle_interface(list, seed);
     return list;
 }
 
@@ -131,14 +131,11 @@ bool is_carried(const Complex<Real>& complex, std::span<const Phase> phases, Ver
 template <class Real>
 std::vector<std::uint32_t> collect_moved(const Complex<Real>& complex,
                                          const Options<Real>& options) {
-    if (options.carried_phases.empty()) {
-        return collect_interface(complex, options.shuffle_seed);
-    }
     std::vector<std::uint32_t> list = collect_interface(complex);
-    for (const Vertex v : vertices(complex)) {
-        if (is_carried<Real>(complex, options.carried_phases, v)) {
-            list.push_back(v.id);
-        }
+    if (!options.carried_phases.empty()) {
+        std::ranges::copy_if(ids_of(vertices(complex)), std::back_inserter(list), [&](auto v) {
+            return is_carried<Real>(complex, options.carried_phases, Vertex{v});
+        });
     }
     shuffle_interface(list, options.shuffle_seed);
     return list;
@@ -152,7 +149,7 @@ bool is_moved(const Complex<Real>& complex, const Options<Real>& options, Vertex
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template std::vector<std::uint32_t> collect_interface(const Complex<Real>&, std::uint64_t);    \
+    template std::vector<std::uint32_t> collect_interface(const Complex<Real>&);                   \
     template void order_interface(Complex<Real>&, std::vector<std::uint32_t>&, std::uint32_t);     \
     template void mark_corners(Complex<Real>&, const std::vector<std::uint32_t>&, double);         \
     template bool is_carried(const Complex<Real>&, std::span<const Phase>, Vertex);                \

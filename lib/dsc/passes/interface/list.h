@@ -12,13 +12,13 @@
 
 namespace dsc {
 
-/// Shuffles the list if `seed` is not 0; the same seed gives the same order. O(list).
+/// Shuffles the list if `seed` is not 0, to see how much results depend on the order of operations;
+/// the same seed gives the same order. O(list).
 void shuffle_interface(std::vector<std::uint32_t>& list, std::uint64_t seed);
 
-/// All interface vertices of a complex, curve by curve; shuffled if `seed` is not 0, to see how
-/// much results depend on the order of operations. O(n), once at the start.
+/// All interface vertices of a complex, curve by curve. O(n), once at the start.
 template <class Real>
-std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex, std::uint64_t seed = 0);
+std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex);
 
 /// Restores the order along the curve in a list of interface vertices, starting at its first
 /// vertex. O(list). Uses the stamps, of which `epoch` and epoch + 1 must not be in use.
