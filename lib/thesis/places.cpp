@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/parallel/partition/partition.h"
+#include "thesis/places.h"
 
 #include "dsc/base/error.h"
 

@@ -22,5 +22,6 @@
 #include "thesis/copied_submeshes.h"
 #include "thesis/copy_executor.h"
 #include "thesis/divisions.h"
+#include "thesis/places.h"
 #include "thesis/slabs.h"
 #include "thesis/voronoi.h"

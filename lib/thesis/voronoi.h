@@ -2,7 +2,7 @@
 // Voronoi regions as submeshes (thesis, section 6): colours for a `PlacePartitioner`.
 #pragma once
 
-#include "dsc/parallel/partition/partition.h"
+#include "thesis/places.h"
 
 #include <vector>
 

@@ -9,11 +9,10 @@
 #include "dsc/base/types.h"
 #include "dsc/complex/submesh.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace dsc {
@@ -23,36 +22,14 @@ struct Colour {
     std::vector<Region> regions; ///< disjoint
 
     /// The region that holds a vertex at (x, y); tries `hint` first. regions.size() if there is
-    /// none. O(regions), O(1) if the hint is right. A place function that the regions share is
-    /// called once.
+    /// none. O(regions), O(1) if the hint is right.
     [[nodiscard]] std::size_t locate(std::uint32_t vertex, double x, double y,
                                      std::size_t hint = 0) const {
-        const Region* asked = nullptr; // the last region whose place function was called...
-        std::uint32_t number = 0;      // ...and what it returned
-        const auto owns = [&](const Region& region) {
-            if (region.kind != Region::Kind::places) {
-                return region.owns(vertex, x, y);
-            }
-            if (asked == nullptr || asked->place != region.place ||
-                asked->context != region.context) {
-                asked = &region;
-                number = region.place(region.context, x, y);
-            }
-            return number == region.label;
-        };
+        const auto owns = [&](const Region& region) { return region.owns(vertex, x, y); };
         if (hint < regions.size() && owns(regions[hint])) {
             return hint;
         }
-        // Usually the regions are in the order of their numbers.
-        if (asked != nullptr && number < regions.size() && owns(regions[number])) {
-            return number;
-        }
-        for (std::size_t i = 0; i < regions.size(); ++i) {
-            if (owns(regions[i])) {
-                return i;
-            }
-        }
-        return regions.size();
+        return static_cast<std::size_t>(std::ranges::find_if(regions, owns) - regions.begin());
     }
 };
 
@@ -148,41 +125,6 @@ public:
 private:
     CellOptions options_;
     std::vector<Site> sites_;
-};
-
-// --- a function of the application ---------------------------------------------------------------
-// It divides the plane, not the vertices, so that it stays valid while vertices are created,
-// deleted and moved. Voronoi regions (thesis, section 6) are such a function: see lib/thesis.
-
-/// One colour: `number_of(x, y)` is below `submeshes`, always the same for the same place, and safe
-/// to call from several threads. Two submeshes of one colour may touch; a colour's boundaries
-/// should lie away from those of the colours before it.
-struct PlaceColour {
-    /// The number of the submesh that holds a place.
-    std::function<std::uint32_t(double x, double y)> number_of;
-    std::uint32_t submeshes = 1; ///< how many there are
-};
-
-/// Called at construction of the executor, and then every `recut` steps: gets the interface,
-/// returns the colours.
-template <class Real>
-using PlaceFunction = std::function<std::vector<PlaceColour>(const PartitionInput<Real>& input)>;
-
-/// Divides by the function of the application.
-template <class Real>
-class PlacePartitioner final : public Partitioner<Real> {
-public:
-    /// Calls the function every `recut` steps.
-    explicit PlacePartitioner(PlaceFunction<Real> function, std::uint32_t recut = 64);
-    /// All colours every `recut` steps.
-    [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
-    /// Throws InputError if the function returns no colour, or one without a submesh.
-    void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) override;
-
-private:
-    PlaceFunction<Real> function_;
-    std::uint32_t recut_;
-    std::vector<PlaceColour> colours_; // regions point to these
 };
 
 } // namespace dsc
