@@ -153,7 +153,7 @@ void insert_vertices(const Complex<Real>& mesh, std::span<const std::uint32_t> t
             submesh.shared.push_back(is_shared ? v : no_id);
         }
     }
-    complex.attributes.append(SimplexKind::vertex, mesh.attributes, submeshes.order);
+    copying::append(complex.attributes, SimplexKind::vertex, mesh.attributes, submeshes.order);
 }
 
 template <class Real>
@@ -215,7 +215,7 @@ void create_submeshes(const Complex<Real>& mesh, const CountingDivision& divisio
         CopiedSubmesh<Real>& submesh = *submeshes.list[i];
         clear(submesh.complex);
         submesh.complex.ids.may_grow = false;
-        submesh.complex.attributes = mesh.attributes.clone_empty();
+        submesh.complex.attributes = copying::without_entries(mesh.attributes);
         const std::size_t end = submeshes.cuts[i];
         const std::span<const std::uint32_t> triangles =
             std::span(submeshes.by_submesh).subspan(begin, end - begin);

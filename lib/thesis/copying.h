@@ -4,22 +4,39 @@
 
 #include "dsc/complex/complex.h"
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace dsc::copying {
 
-inline bool has_edges(const AttributeSet& attributes) {
-    return std::any_of(attributes.list().begin(), attributes.list().end(),
-                       [](const auto& each) { return each->kind() == SimplexKind::edge; });
+// The same attributes without entries.
+inline AttributeSet without_entries(const AttributeSet& attributes) {
+    AttributeSet empty;
+    for (const auto& each : attributes.list()) {
+        auto copy = each->clone_empty();
+        copy->set_field(each->is_field(), each->on_interface());
+        empty.add(std::move(copy));
+    }
+    return empty;
+}
+
+// Appends the entries order[i] of a set that has the same attributes; no_id: the initial value.
+// When all simplices are there, the set is to be resized to their number.
+inline void append(AttributeSet& to, SimplexKind kind, const AttributeSet& from,
+                   const std::vector<std::uint32_t>& order) {
+    for (std::size_t i = 0; i < to.list().size(); ++i) {
+        if (to.list()[i]->kind() == kind) {
+            to.list()[i]->append(*from.list()[i], order);
+        }
+    }
 }
 
 // Copies the data of triangles, and of their edges, which are stored at corners.
 inline void append_triangles(AttributeSet& to, const AttributeSet& from,
                              const std::vector<std::uint32_t>& order,
                              std::vector<std::uint32_t>& corner_order) {
-    to.append(SimplexKind::triangle, from, order);
-    if (!has_edges(to)) {
+    append(to, SimplexKind::triangle, from, order);
+    if (to.empty(SimplexKind::edge)) {
         return;
     }
     corner_order.clear();
@@ -29,7 +46,7 @@ inline void append_triangles(AttributeSet& to, const AttributeSet& from,
             corner_order.push_back(triangle == no_id ? no_id : corner_of(triangle, i));
         }
     }
-    to.append(SimplexKind::edge, from, corner_order);
+    append(to, SimplexKind::edge, from, corner_order);
 }
 
 // The record of the border, as a new complex has it.

@@ -52,7 +52,7 @@ void merge_vertices(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& subme
         fresh.vertices.push_back({record.x, record.y, no_id, record.flags, 0, no_id});
         submeshes.order.push_back(v.id);
     }
-    fresh.attributes.append(SimplexKind::vertex, complex.attributes, submeshes.order);
+    copying::append(fresh.attributes, SimplexKind::vertex, complex.attributes, submeshes.order);
 }
 
 // The border in a submesh is either that of the domain, or stands for another submesh: then both
@@ -130,7 +130,7 @@ template <class Real>
 void merge_submeshes(CopiedSubmeshes<Real>& submeshes, Complex<Real>& mesh) {
     Complex<Real>& fresh = submeshes.fresh;
     clear(fresh);
-    fresh.attributes = mesh.attributes.clone_empty();
+    fresh.attributes = copying::without_entries(mesh.attributes);
     submeshes.order.assign(1, border_triangle);
     append_triangles(fresh.attributes, mesh.attributes, submeshes.order, submeshes.corner_order);
     submeshes.merged.assign(submeshes.owner.size(), no_id);
@@ -143,7 +143,11 @@ void merge_submeshes(CopiedSubmeshes<Real>& submeshes, Complex<Real>& mesh) {
     // K <- K': from here on nothing throws.
     mesh.vertices.swap(fresh.vertices);
     mesh.triangles.swap(fresh.triangles);
-    mesh.attributes.swap_entries(fresh.attributes);
+    for (std::size_t i = 0; i < mesh.attributes.list().size(); ++i) {
+        mesh.attributes.list()[i]->swap_entries(*fresh.attributes.list()[i]);
+    }
+    mesh.attributes.resize_vertices(mesh.vertices.size()); // which they have: the set notes it
+    mesh.attributes.resize_triangles(mesh.triangles.size());
     mesh.ids.vertices.clear();
     mesh.ids.triangles.clear();
 }

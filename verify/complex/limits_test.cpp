@@ -71,24 +71,5 @@ TEST(AreaLimits, SmallTrianglesCountBesideALargeOne) {
     EXPECT_EQ(phase_area(complex, 1), side * side + 16);
 }
 
-TEST(AttributeLimits, EntriesThatAreExchangedBringTheirBounds) {
-    AttributeSet few;
-    AttributeSet many;
-    few.resize_vertices(2);
-    few.resize_triangles(3);
-    many.resize_vertices(5);
-    many.resize_triangles(7);
-    few.swap_entries(many);
-    EXPECT_EQ((few.add<Vertex>("a", 0.0).size()), 5U);
-    EXPECT_EQ((few.add<Triangle>("b", 0.0).size()), 7U);
-    EXPECT_EQ((many.add<Vertex>("a", 0.0).size()), 2U);
-    EXPECT_EQ((many.add<Triangle>("b", 0.0).size()), 3U);
-    AttributeSet whole;
-    whole.append(SimplexKind::vertex, AttributeSet{}, {0, 1, 2});
-    whole.append(SimplexKind::triangle, AttributeSet{}, {0, 1, 2, 3});
-    EXPECT_EQ((whole.add<Vertex>("a", 0.0).size()), 3U);
-    EXPECT_EQ((whole.add<Triangle>("b", 0.0).size()), 4U);
-}
-
 } // namespace
 } // namespace dsc::limits_test

@@ -190,6 +190,28 @@ TEST(CopiedSubmeshes, MayBeEmptyWhereTrianglesAreFew) {
     EXPECT_EQ(empty.triangle_count(), 0U);
 }
 
+// Also where there was none before: then the set alone knows how many entries a new one has.
+TEST(CopiedSubmeshes, KnowHowLongNewAttributesAre) {
+    auto mesh = test::disc_complex<double>(0.1);
+    mesh.attributes.add<Vertex, double>("heat").set_field(true, OnInterface::carried);
+    for (const auto colour : {RedBlack::red, RedBlack::black}) {
+        CopiedSubmeshes<double> submeshes;
+        create_submeshes(mesh, {3, 1, 0, colour}, submeshes);
+        for (const auto& submesh : submeshes.list) {
+            auto& copy = submesh->complex;
+            EXPECT_EQ((copy.attributes.add<Vertex>("new", 0).size()), copy.vertices.size());
+            EXPECT_EQ(copy.attributes.list().front()->on_interface(), OnInterface::carried);
+            EXPECT_TRUE(copy.attributes.has_fields());
+            copy.attributes.remove("new");
+        }
+        merge_submeshes(submeshes, mesh);
+        EXPECT_EQ((mesh.attributes.add<Vertex>("v", 0).size()), mesh.vertices.size());
+        EXPECT_EQ((mesh.attributes.add<Triangle>("t", 0).size()), mesh.triangles.size());
+        mesh.attributes.remove("v");
+        mesh.attributes.remove("t");
+    }
+}
+
 TEST(CopiedSubmeshes, RefuseAMeshWhoseIdsAreLent) {
     auto mesh = test::disc_complex<double>(0.1);
     CopiedSubmeshes<double> submeshes;

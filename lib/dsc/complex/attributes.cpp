@@ -125,37 +125,6 @@ void AttributeSet::permute(SimplexKind kind, const std::vector<std::uint32_t>& o
     }
 }
 
-AttributeSet AttributeSet::clone_empty() const {
-    AttributeSet other;
-    other.counts_ = counts_;
-    for (const auto& attribute : list_) {
-        other.list_.push_back(taken_from(*attribute, {}));
-    }
-    return other;
-}
-
-void AttributeSet::append(SimplexKind kind, const AttributeSet& from,
-                          const std::vector<std::uint32_t>& order) {
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-        if (list_[i]->kind() == kind) {
-            list_[i]->append(*from.list_[i], order);
-        }
-    }
-    if (kind == SimplexKind::vertex) {
-        vertex_bound_ += order.size();
-    } else if (kind == SimplexKind::triangle) {
-        triangle_bound_ += order.size();
-    }
-}
-
-void AttributeSet::swap_entries(AttributeSet& other) noexcept {
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-        list_[i]->swap_entries(*other.list_[i]);
-    }
-    std::swap(vertex_bound_, other.vertex_bound_);
-    std::swap(triangle_bound_, other.triangle_bound_);
-}
-
 void AttributeSet::archive(Archive& archive) {
     std::uint64_t count = list_.size();
     archive(count, vertex_bound_, triangle_bound_);

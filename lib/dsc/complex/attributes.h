@@ -130,15 +130,6 @@ public:
     /// Entry i of the result is the old entry order[i]; no_id: the initial value.
     void permute(SimplexKind kind, const std::vector<std::uint32_t>& order);
 
-    // --- for complexes that are divided and merged; the sets must be clones of each other
-    /// The same attributes without entries.
-    [[nodiscard]] AttributeSet clone_empty() const;
-    /// Appends the entries order[i] of `from`; no_id: the initial value.
-    void append(SimplexKind kind, const AttributeSet& from,
-                const std::vector<std::uint32_t>& order);
-    /// Swaps the entries; references to the attributes of either set stay valid.
-    void swap_entries(AttributeSet& other) noexcept;
-
     /// Writes the entries of all attributes, or reads them back into a set that has the same ones,
     /// in any order. Throws FileError where it has others, InputError for one that cannot be
     /// archived.
