@@ -16,6 +16,7 @@ namespace {
 
 constexpr TriangleRecord border_record{
     {0, 0, 0}, {border_corner, border_corner, border_corner}, border_phase, 0};
+constexpr TriangleRecord dead_record{{no_id, no_id, no_id}, border_record.n, border_phase, 0};
 
 [[noreturn]] void refuse(const std::string& what, const std::string& value,
                          const std::string& allowed) {
@@ -71,14 +72,6 @@ Edge Complex<Real>::find_edge(Vertex a, Vertex b) const {
 }
 
 template <class Real>
-typename Complex<Real>::Positions Complex<Real>::positions() {
-    static_assert(sizeof(VertexRecord<Real>) % sizeof(Real) == 0);
-    return Positions(vertices.empty() ? nullptr : &vertices.front().x, 2,
-                     static_cast<Eigen::Index>(vertices.size()),
-                     Eigen::OuterStride<>(sizeof(VertexRecord<Real>) / sizeof(Real)));
-}
-
-template <class Real>
 void Complex<Real>::set_position(Vertex v, const Point<Real>& p) {
     rewire::move(*this, journal, v.id, p.x(), p.y(), MoveReason::application);
 }
@@ -87,6 +80,23 @@ template <class Real>
 void Complex<Real>::set_phase(Triangle t, Phase phase) {
     rewire::relabel(*this, journal, t, phase);
 }
+
+namespace {
+
+// Appends a record; `resize` makes its attributes. An exception leaves both as they were.
+template <class Record, class Resize>
+void append(std::vector<Record>& records, const Record& record, Resize resize) {
+    records.push_back(record);
+    try {
+        resize(records.size());
+    } catch (...) {
+        records.pop_back();
+        resize(records.size());
+        throw;
+    }
+}
+
+} // namespace
 
 // New ids go to the end of the pool that is taken from last.
 template <class Real>
@@ -97,14 +107,8 @@ void Complex<Real>::grow(IdPool& pool, std::size_t vertex_total, std::size_t tri
             refuse_to_grow("vertices", id, no_id - 1);
         }
         pool.vertices.reserve(vertex_total);
-        vertices.push_back({0, 0, no_id, vertex_dead, 0, no_id});
-        try {
-            attributes.resize_vertices(vertices.size());
-        } catch (...) {
-            vertices.pop_back();
-            attributes.resize_vertices(vertices.size());
-            throw;
-        }
+        append(vertices, {0, 0, no_id, vertex_dead, 0, no_id},
+               [this](std::size_t size) { attributes.resize_vertices(size); });
         pool.vertices.insert(pool.vertices.begin(), id);
     }
     while (pool.triangles.size() < triangle_total) {
@@ -113,15 +117,8 @@ void Complex<Real>::grow(IdPool& pool, std::size_t vertex_total, std::size_t tri
             refuse_to_grow("triangles", id - 1, triangle_limit - 2);
         }
         pool.triangles.reserve(triangle_total);
-        triangles.push_back(border_record);
-        triangles.back().v = {no_id, no_id, no_id};
-        try {
-            attributes.resize_triangles(triangles.size());
-        } catch (...) {
-            triangles.pop_back();
-            attributes.resize_triangles(triangles.size());
-            throw;
-        }
+        append(triangles, dead_record,
+               [this](std::size_t size) { attributes.resize_triangles(size); });
         pool.triangles.insert(pool.triangles.begin(), id);
     }
 }

@@ -177,11 +177,6 @@ public:
     }
     /// Moves a vertex, even if a triangle turns over. Noted in `journal`.
     void set_position(Vertex v, const Point<Real>& p);
-    /// All positions as a 2 x vertex_bound() matrix, without a copy; free ids hold stale values.
-    /// Changes made through it are not recorded in any log.
-    using Positions = Eigen::Map<Eigen::Matrix<Real, 2, Eigen::Dynamic>, 0, Eigen::OuterStride<>>;
-    /// The map; valid until vertices are added.
-    [[nodiscard]] Positions positions();
     /// The phase of a living triangle.
     [[nodiscard]] Phase phase(Triangle t) const { return triangles[t.id].phase; }
     /// Noted in `journal`.

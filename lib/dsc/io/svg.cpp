@@ -113,29 +113,20 @@ void write_path(PartFile& file, const Complex<Real>& complex, const View& view,
 template <class Real>
 void write_triangles(PartFile& file, const Complex<Real>& complex, const View& view,
                      const SvgOptions& options) {
-    if (!options.fill) {
-        std::map<Phase, std::vector<Triangle>> members;
-        for (const Triangle t : triangles(complex)) {
-            members[complex.phase(t)].push_back(t);
-        }
-        for (const auto& [phase, list] : members) {
-            write_path(file, complex, view, options, "phase-" + std::to_string(phase),
-                       colour_of(phase, options), list);
-        }
-        return;
-    }
-    const SvgFill& fill = *options.fill;
-    std::vector<std::vector<Triangle>> members(fill.colours.size() + 1);
+    const std::optional<SvgFill>& fill = options.fill;
+    const auto grey = static_cast<std::uint32_t>(fill ? fill->colours.size() : 0);
+    std::map<std::uint32_t, std::vector<Triangle>> members; // by phase, or by place in `colours`
     for (const Triangle t : triangles(complex)) {
-        members[std::min<std::size_t>(fill.of[t.id], fill.colours.size())].push_back(t);
+        members[fill ? std::min(fill->of[t.id], grey) : complex.phase(t)].push_back(t);
     }
-    for (std::size_t i = 0; i < members.size(); ++i) {
-        if (!members[i].empty()) {
-            const bool is_none = i == fill.colours.size();
-            write_path(file, complex, view, options,
-                       fill.name + '-' + (is_none ? "none" : std::to_string(i)),
-                       is_none ? "#bbbbbb" : fill.colours[i], members[i]);
-        }
+    for (const auto& [key, list] : members) {
+        const bool is_grey = fill && key == grey;
+        const std::string name = is_grey ? "none" : std::to_string(key);
+        write_path(file, complex, view, options, (fill ? fill->name : "phase") + '-' + name,
+                   is_grey ? "#bbbbbb"
+                   : fill  ? fill->colours[key]
+                           : colour_of(key, options),
+                   list);
     }
 }
 

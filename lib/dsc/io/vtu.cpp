@@ -16,17 +16,11 @@ namespace dsc {
 namespace {
 
 template <class Number>
-constexpr std::string_view vtk_type() {
-    if constexpr (std::is_floating_point_v<Number>) {
-        return sizeof(Number) == 8 ? "Float64" : "Float32";
-    } else {
-        constexpr std::array<std::string_view, 9> signed_types{"", "Int8", "Int16", "",     "Int32",
-                                                               "", "",     "",      "Int64"};
-        constexpr std::array<std::string_view, 9> unsigned_types{
-            "", "UInt8", "UInt16", "", "UInt32", "", "", "", "UInt64"};
-        return std::is_signed_v<Number> ? signed_types[sizeof(Number)]
-                                        : unsigned_types[sizeof(Number)];
-    }
+std::string vtk_type() {
+    const char* const family = std::is_floating_point_v<Number> ? "Float"
+                               : std::is_signed_v<Number>       ? "Int"
+                                                                : "UInt";
+    return family + std::to_string(8 * sizeof(Number));
 }
 
 // VTK counts without gaps: the living vertices and triangles, numbered in the order of their ids.

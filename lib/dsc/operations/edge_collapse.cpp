@@ -12,34 +12,21 @@ namespace {
 template <class Real>
 bool links_meet_elsewhere(const Complex<Real>& complex, std::uint32_t v, std::uint32_t keep,
                           std::uint32_t apex_a, std::uint32_t apex_b) {
-    bool found = false;
-    const auto near_keep = [&](std::uint32_t candidate) {
-        bool adjacent = false;
-        turn(complex, keep, [&](Corner c) {
-            adjacent = adjacent || complex.vertex(next(c)) == candidate ||
-                       complex.vertex(prev(c)) == candidate;
-        });
-        return adjacent;
+    const auto any_corner = [&](std::uint32_t centre, auto test) {
+        return find_corner(complex, Vertex{centre}, [&](Corner c) {
+                   return test(complex.vertex(next(c)), complex.vertex(prev(c)));
+               }) != no_id;
     };
-    turn(complex, v, [&](Corner c) {
-        for (const std::uint32_t w : {complex.vertex(next(c)), complex.vertex(prev(c))}) {
-            if (!found && w != keep && w != apex_a && w != apex_b) {
-                found = near_keep(w);
-            }
-        }
-        // A common edge needs two common vertices: only (apex_a, apex_b) remains to be checked.
-        const std::uint32_t p = complex.vertex(next(c));
-        const std::uint32_t q = complex.vertex(prev(c));
-        if (!found && apex_b != no_id &&
-            ((p == apex_a && q == apex_b) || (p == apex_b && q == apex_a))) {
-            turn(complex, keep, [&](Corner k) {
-                const std::uint32_t r = complex.vertex(next(k));
-                const std::uint32_t s = complex.vertex(prev(k));
-                found = found || (r == p && s == q) || (r == q && s == p);
-            });
-        }
-    });
-    return found;
+    const auto is_common = [&](std::uint32_t w) {
+        return w != keep && w != apex_a && w != apex_b &&
+               any_corner(keep, [w](std::uint32_t p, std::uint32_t q) { return p == w || q == w; });
+    };
+    // A common edge needs two common vertices: only (apex_a, apex_b) remains to be checked.
+    const auto joins_apexes = [&](std::uint32_t p, std::uint32_t q) {
+        return (p == apex_a && q == apex_b) || (p == apex_b && q == apex_a);
+    };
+    return any_corner(v, [&](auto p, auto q) { return is_common(p) || is_common(q); }) ||
+           (apex_b != no_id && any_corner(v, joins_apexes) && any_corner(keep, joins_apexes));
 }
 
 } // namespace
@@ -87,15 +74,12 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
     if (links_meet_elsewhere(complex, v, keep, apex_a, apex_b)) {
         return Verdict::changes_topology;
     }
-    bool positive = true;
-    const auto target = at(keep);
-    turn(complex, v, [&](Corner c) {
+    const auto turns_over = [&](Corner c) {
         const std::uint32_t p = complex.vertex(next(c));
         const std::uint32_t q = complex.vertex(prev(c));
-        positive =
-            positive && (p == keep || q == keep || orientation<Real>(target, at(p), at(q)) > 0);
-    });
-    return positive ? Verdict::legal : Verdict::inverts;
+        return p != keep && q != keep && orientation<Real>(at(keep), at(p), at(q)) <= 0;
+    };
+    return find_corner(complex, Vertex{v}, turns_over) == no_id ? Verdict::legal : Verdict::inverts;
 }
 
 template <class Real>

@@ -7,6 +7,7 @@
 #include "dsc/complex/rewire.h"
 #include "dsc/complex/submesh.h"
 
+#include <optional>
 #include <utility>
 
 namespace dsc {
@@ -22,21 +23,27 @@ template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
                             rewire::Vanishing end, JunctionRule junctions = JunctionRule::kept);
 
+/// Which end of an edge a vertex is, as seen from the corner that names the edge; nothing if the
+/// edge is not alive or the vertex is not one of its ends. O(1).
+template <class Real>
+[[nodiscard]] std::optional<rewire::Vanishing> end_of(const Complex<Real>& complex, Edge edge,
+                                                      Vertex vertex) {
+    if (!complex.is_alive(edge)) {
+        return {};
+    }
+    const auto [first, second] = complex.vertices_of(edge);
+    return vertex == first    ? std::optional(rewire::Vanishing::next)
+           : vertex == second ? std::optional(rewire::Vanishing::prev)
+                              : std::nullopt;
+}
+
 /// Whether `vanishing` may be merged into the other end of the edge; also answers not_a_simplex if
 /// the edge is not alive or `vanishing` is not one of its ends.
 template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, Edge edge, Vertex vanishing,
                             const Region& region = {}) {
-    if (!complex.is_alive(edge)) {
-        return Verdict::not_a_simplex;
-    }
-    const auto ends = complex.vertices_of(edge);
-    if (vanishing != ends[0] && vanishing != ends[1]) {
-        return Verdict::not_a_simplex;
-    }
-    return edge_collapse_guard(complex, region, edge.id,
-                               vanishing == ends[0] ? rewire::Vanishing::next
-                                                    : rewire::Vanishing::prev);
+    const auto end = end_of(complex, edge, vanishing);
+    return end ? edge_collapse_guard(complex, region, edge.id, *end) : Verdict::not_a_simplex;
 }
 
 /// The guard for a vertex inside one phase whose star has been gathered and is owned as a whole:
@@ -61,14 +68,8 @@ Verdict edge_collapse(const Submesh<Real>& submesh, Corner corner, rewire::Vanis
 /// By handle, which is checked: also answers not_a_simplex.
 Verdict edge_collapse(Editable auto&& where, Edge edge, Vertex vanishing) {
     const Submesh submesh(where);
-    const Verdict verdict = edge_collapse_guard(submesh.complex, edge, vanishing, submesh.region);
-    if (verdict == Verdict::legal) {
-        const bool is_next = submesh.complex.vertices_of(edge)[0] == vanishing;
-        rewire::collapse(submesh.complex, *submesh.log, edge.id,
-                         is_next ? rewire::Vanishing::next : rewire::Vanishing::prev,
-                         *submesh.pool);
-    }
-    return verdict;
+    const auto end = end_of(submesh.complex, edge, vanishing);
+    return end ? edge_collapse(submesh, edge.id, *end) : Verdict::not_a_simplex;
 }
 
 /// Tries both ends, the vertex with the smaller id first, as in algorithm 7.7 of the thesis; if
