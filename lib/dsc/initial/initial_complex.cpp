@@ -26,10 +26,9 @@ template <class Real>
 Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& options,
                     initial::Protection protection) {
     using namespace initial;
-    std::vector<Path> paths;
+    const std::span<const CheckedPath> paths = input.paths;
     std::size_t pieces = 0;
-    for (const CheckedPath& path : input.paths) {
-        paths.emplace_back(path.points);
+    for (const CheckedPath& path : paths) {
         pieces += path.points.size() - 1;
     }
     Complex<Real> complex;
@@ -37,7 +36,7 @@ Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& op
     clear_lattice(complex, input.lattice, paths, clearance);
     Chains chains = insert_paths(complex, input.lattice, paths);
     const std::vector<std::uint32_t> touched = recover_segments(complex, chains);
-    fill_phases(complex, input.paths, chains);
+    fill_phases(complex, paths, chains);
     std::vector<Corner> stack;
     for (const std::uint32_t v : touched) {
         legalise_star(complex, v, stack);

@@ -23,10 +23,6 @@ Point<Real> narrowed(const Point<double>& point) {
     return {narrowed<Real>(point.x()), narrowed<Real>(point.y())};
 }
 
-inline bool is_finite(const Point<double>& point) {
-    return std::isfinite(point.x()) && std::isfinite(point.y());
-}
-
 /// The larger magnitude of the two coordinates.
 inline double largest(const Point<double>& point) {
     return std::max(std::abs(point.x()), std::abs(point.y()));

@@ -6,8 +6,6 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/walk.h"
 
-#include <cmath>
-
 namespace dsc {
 
 namespace {
@@ -61,7 +59,7 @@ WalkEnd look_into(const Complex<Real>& complex, Triangle t, const Point<Real>& p
 
 template <class Real>
 Location locate(const Complex<Real>& complex, const Point<Real>& point, Triangle hint) {
-    if (!std::isfinite(point.x()) || !std::isfinite(point.y())) {
+    if (!point.allFinite()) {
         throw InputError({.what = "a coordinate is not finite",
                           .where = "locate",
                           .value = to_text(point),

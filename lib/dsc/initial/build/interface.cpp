@@ -176,13 +176,14 @@ private:
 } // namespace
 
 template <class Real>
-void clear_lattice(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths,
-                   double clearance) {
+void clear_lattice(Complex<Real>& complex, const Lattice& lattice,
+                   std::span<const CheckedPath> paths, double clearance) {
     std::vector<Corner> stack;
     if (lattice.rows < 2) {
         return;
     }
-    for (const Path& path : paths) {
+    for (const CheckedPath& each : paths) {
+        const std::vector<Point<double>>& path = each.points;
         for (std::size_t i = 0; i + 1 < path.size(); ++i) {
             const double reach = clearance * (path[i + 1] - path[i]).norm();
             clear_piece(complex, lattice, path[i], path[i + 1], reach, stack);
@@ -191,10 +192,12 @@ void clear_lattice(Complex<Real>& complex, const Lattice& lattice, std::span<con
 }
 
 template <class Real>
-Chains insert_paths(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths) {
+Chains insert_paths(Complex<Real>& complex, const Lattice& lattice,
+                    std::span<const CheckedPath> paths) {
     Chains chains;
     std::vector<Corner> stack;
-    for (const Path& path : paths) {
+    for (const CheckedPath& each : paths) {
+        const std::vector<Point<double>>& path = each.points;
         auto& chain = chains.emplace_back();
         chain.reserve(path.size());
         std::uint32_t near = lattice.triangle_near(path.front());
@@ -229,8 +232,9 @@ std::vector<std::uint32_t> recover_segments(Complex<Real>& complex, Chains& chai
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template void clear_lattice(Complex<Real>&, const Lattice&, std::span<const Path>, double);    \
-    template Chains insert_paths(Complex<Real>&, const Lattice&, std::span<const Path>);           \
+    template void clear_lattice(Complex<Real>&, const Lattice&, std::span<const CheckedPath>,      \
+                                double);                                                           \
+    template Chains insert_paths(Complex<Real>&, const Lattice&, std::span<const CheckedPath>);    \
     template std::vector<std::uint32_t> recover_segments(Complex<Real>&, Chains&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -4,30 +4,27 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
-#include "dsc/initial/build/lattice.h"
+#include "dsc/initial/input/input_check.h"
 
 #include <span>
 #include <vector>
 
 namespace dsc::initial {
 
-/// Two or more points, each joined to the next one by a piece. A closed path repeats its first
-/// point at the end.
-using Path = std::span<const Point<double>>;
-
-/// The same by the ids of vertices, one chain for each path.
+/// A path by the ids of its vertices, one chain for each path.
 using Chain = std::vector<std::uint32_t>;
 using Chains = std::vector<Chain>;
 
 /// Removes the lattice's inner vertices that are closer to a piece of a path than `clearance` times
 /// the length of that piece. Only for a lattice as written. O(1) per piece.
 template <class Real>
-void clear_lattice(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths,
-                   double clearance);
+void clear_lattice(Complex<Real>& complex, const Lattice& lattice,
+                   std::span<const CheckedPath> paths, double clearance);
 
 /// Inserts all points of the paths; for each path the ids of its vertices, in order.
 template <class Real>
-Chains insert_paths(Complex<Real>& complex, const Lattice& lattice, std::span<const Path> paths);
+Chains insert_paths(Complex<Real>& complex, const Lattice& lattice,
+                    std::span<const CheckedPath> paths);
 
 /// Makes each link of the chains an edge: edges that cross a missing one are flipped until none is
 /// left (S. W. Sloan, "A fast algorithm for generating constrained Delaunay triangulations", 1993).

@@ -96,7 +96,7 @@ BreakUp break_up(Complex<Real>& complex, std::uint32_t triangle, Protection prot
     const auto& v = complex.triangles[triangle].v;
     const Point<double> centre = circumcentre<double>(
         position_of(complex, v[0]), position_of(complex, v[1]), position_of(complex, v[2]));
-    if (!std::isfinite(centre.x()) || !std::isfinite(centre.y())) {
+    if (!centre.allFinite()) {
         return {};
     }
     const Point<Real> point = narrowed<Real>(centre);

@@ -39,7 +39,7 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     require(options.improve_rounds >= 0, "improve_rounds", options.improve_rounds, "0 or more");
     const Point<double> low = rounded<Real>(domain.low);
     const Point<double> high = rounded<Real>(domain.high);
-    if (!is_finite(low) || !is_finite(high)) {
+    if (!low.allFinite() || !high.allFinite()) {
         throw InputError({.what = "a coordinate is not finite",
                           .where = "domain",
                           .value = to_text(domain.low) + " to " + to_text(domain.high),
@@ -140,7 +140,7 @@ Points round_points(const Line& line) {
     points.reserve(given.size());
     for (std::size_t i = 0; i < given.size(); ++i) {
         points.push_back(rounded<Real>(given[i]));
-        if (!is_finite(given[i]) || !is_finite(points.back())) {
+        if (!given[i].allFinite() || !points.back().allFinite()) {
             throw InputError({.what = "a coordinate is not finite",
                               .where = line.point(i),
                               .value = to_text(given[i]),
@@ -390,10 +390,13 @@ bool is_counter_clockwise(std::span<const Point<double>> points) {
     return orientation<double>(*before, *at, *after) > 0;
 }
 
-template <class Real>
-CheckedInput check(const Rectangle& domain, std::vector<Line> lines,
-                   const InitialOptions& options) {
+} // namespace
+
+template <class Real, class Drawn>
+CheckedInput check_input(const Rectangle& domain, std::span<const Drawn> drawn,
+                         const InitialOptions& options) {
     CheckedInput input{check_domain<Real>(domain, options), {}};
+    std::vector<Line> lines = lines_of(drawn);
     const double h = options.edge_length;
     check_lines<Real>(lines, input.lattice, h);
     Network network(lines, input.lattice, h);
@@ -417,27 +420,13 @@ CheckedInput check(const Rectangle& domain, std::vector<Line> lines,
     return input;
 }
 
-} // namespace
-
-template <class Real>
-CheckedInput check_input(const Rectangle& domain, std::span<const Shape> shapes,
-                         const InitialOptions& options) {
-    return check<Real>(domain, lines_of(shapes), options);
-}
-
-template <class Real>
-CheckedInput check_input(const Rectangle& domain, std::span<const Curve> curves,
-                         const InitialOptions& options) {
-    return check<Real>(domain, lines_of(curves), options);
-}
-
-#define DSC_INSTANTIATE(Real)                                                                      \
-    template CheckedInput check_input<Real>(const Rectangle&, std::span<const Shape>,              \
-                                            const InitialOptions&);                                \
-    template CheckedInput check_input<Real>(const Rectangle&, std::span<const Curve>,              \
+#define DSC_INSTANTIATE(Real, Drawn)                                                               \
+    template CheckedInput check_input<Real>(const Rectangle&, std::span<const Drawn>,              \
                                             const InitialOptions&);
-DSC_INSTANTIATE(double)
-DSC_INSTANTIATE(float)
+DSC_INSTANTIATE(double, Shape)
+DSC_INSTANTIATE(double, Curve)
+DSC_INSTANTIATE(float, Shape)
+DSC_INSTANTIATE(float, Curve)
 #undef DSC_INSTANTIATE
 
 } // namespace dsc::initial

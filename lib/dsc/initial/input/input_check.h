@@ -38,13 +38,11 @@ struct CheckedInput {
     std::vector<CheckedPath> paths;
 };
 
-/// Throws InputError as `initial_complex` documents, except for phases that contradict each other:
-/// `fill_phases` finds these. O(n log n) for n pieces.
-template <class Real>
-CheckedInput check_input(const Rectangle& domain, std::span<const Shape> shapes,
-                         const InitialOptions& options);
-template <class Real>
-CheckedInput check_input(const Rectangle& domain, std::span<const Curve> curves,
+/// What is drawn is outlines (`Shape`) or curves. Throws InputError as `initial_complex` documents,
+/// except for phases that contradict each other: `fill_phases` finds these. O(n log n) for n
+/// pieces.
+template <class Real, class Drawn>
+CheckedInput check_input(const Rectangle& domain, std::span<const Drawn> drawn,
                          const InitialOptions& options);
 
 } // namespace dsc::initial
