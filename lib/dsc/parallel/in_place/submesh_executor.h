@@ -46,7 +46,6 @@ protected:
 
 private:
     struct Part;
-    struct Joined;
 
     // Set-up.
     void divide();
@@ -78,7 +77,6 @@ private:
     void expect_pools(const Archive& archive) const; // submesh_archive.cpp
     // Flows that see the interface: submesh_sight.cpp.
     AimReport<Real> aim_together(const Flow<Real>& flow, Real time, Real dt);
-    Reach<Real> aim_again_together(const Flow<Real>& flow, Real time, Real dt);
     void join_interface();
     void hand_out_aims();
     [[nodiscard]] std::size_t owner_of(std::uint32_t vertex, std::size_t hint = 0) const;
@@ -107,7 +105,10 @@ private:
     ThreadPool pool_;
     ThreadChoice choice_;
     Timer step_timer_;
-    std::unique_ptr<Joined> joined_;    // made when a flow sees the interface
+    // The interface of all submeshes, one after the other, for flows that see it: such flows are
+    // evaluated, and the vertices integrated, all at once.
+    Work<Real> joined_;
+    std::vector<std::size_t> ends_;     // in it, of each submesh and of the vertices in none
     std::vector<std::uint32_t> listed_; // scratch of hand_over
     std::vector<Point<double>> listed_places_;
     std::vector<std::size_t> kept_; // scratch of unlist

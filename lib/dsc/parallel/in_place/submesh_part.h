@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the files of the executor share: one submesh, and the joined interface of all submeshes.
+// What the files of the executor share: one submesh.
 #pragma once
 
 #include "dsc/algorithm/interface_sight.h"
@@ -48,16 +48,6 @@ struct SubmeshExecutor<Real>::Part {
         work.aim.held.clear();
         work.aim.scratch.first.clear();
     }
-};
-
-/// The interface of all submeshes, one after the other, for flows that see it: such flows are
-/// evaluated, and the vertices integrated, all at once.
-template <class Real>
-struct SubmeshExecutor<Real>::Joined {
-    Joined(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {}
-
-    Work<Real> work;
-    std::vector<std::size_t> ends; // of each submesh, and of the vertices in none
 };
 
 } // namespace dsc

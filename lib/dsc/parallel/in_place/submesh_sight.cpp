@@ -11,15 +11,14 @@ namespace dsc {
 // them.
 template <class Real>
 void SubmeshExecutor<Real>::join_interface() {
-    auto& list = joined_->work.interface;
-    auto& ends = joined_->ends;
-    auto& stars = joined_->work.stars;
+    auto& list = joined_.interface;
+    auto& stars = joined_.stars;
     list.clear();
-    ends.clear();
+    ends_.clear();
     stars.clear();
     const auto append = [&](const Work<Real>& part) {
         list.insert(list.end(), part.interface.begin(), part.interface.end());
-        ends.push_back(list.size());
+        ends_.push_back(list.size());
         stars.insert(stars.end(), part.stars.begin(), part.stars.end());
     };
     for (std::size_t i = 0; i < first_colour_; ++i) {
@@ -30,34 +29,23 @@ void SubmeshExecutor<Real>::join_interface() {
 
 template <class Real>
 AimReport<Real> SubmeshExecutor<Real>::aim_together(const Flow<Real>& flow, Real time, Real dt) {
-    if (!joined_) {
-        joined_ = std::make_unique<Joined>(complex_, options_);
-    }
     join_interface();
     const auto run_ranges = [this](const auto& run) {
         aiming_.run(pool_, threads_, parallel_.assignment, run);
         run(first_colour_); // those in no submesh: few
     };
-    const AimReport<Real> report =
-        this->sight_->aim(joined_->work, joined_->ends, run_ranges, flow, time, dt);
+    const AimReport<Real> report = this->sight_->aim(joined_, ends_, run_ranges, flow, time, dt);
     hand_out_aims();
     return report;
-}
-
-template <class Real>
-Reach<Real> SubmeshExecutor<Real>::aim_again_together(const Flow<Real>& flow, Real time, Real dt) {
-    const Reach<Real> reach = this->sight_->aim_again(flow, time, dt);
-    hand_out_aims();
-    return reach;
 }
 
 // Back to the submeshes that have the vertices in their lists: `collect_movers` reads it there.
 template <class Real>
 void SubmeshExecutor<Real>::hand_out_aims() {
-    const Aim<Real>& from = joined_->work.aim;
+    const Aim<Real>& from = joined_.aim;
     std::size_t begin = 0;
-    for (std::size_t range = 0; range < joined_->ends.size(); ++range) {
-        const std::size_t end = joined_->ends[range];
+    for (std::size_t range = 0; range < ends_.size(); ++range) {
+        const std::size_t end = ends_[range];
         Aim<Real>& to = range < first_colour_ ? parts_[range]->work.aim : whole_.aim;
         const auto take = [&](const auto& all, auto& part) {
             const auto first = all.begin();
@@ -74,7 +62,7 @@ void SubmeshExecutor<Real>::hand_out_aims() {
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template AimReport<Real> SubmeshExecutor<Real>::aim_together(const Flow<Real>&, Real, Real);   \
-    template Reach<Real> SubmeshExecutor<Real>::aim_again_together(const Flow<Real>&, Real, Real);
+    template void SubmeshExecutor<Real>::hand_out_aims();
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

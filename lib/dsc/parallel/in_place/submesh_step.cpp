@@ -265,7 +265,9 @@ Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, 
         return Executor<Real>::aim_again(flow, time, dt);
     }
     if (flow.needs_all()) {
-        return aim_again_together(flow, time, dt);
+        const Reach<Real> reach = this->sight_->aim_again(flow, time, dt);
+        hand_out_aims();
+        return reach;
     }
     const Velocity<Real>& velocity = *flow.velocity();
     const auto task = [&](std::size_t i) {
