@@ -5,6 +5,7 @@
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/passes/readers.h"
+#include "dsc/queries/validate.h"
 #include "dsc/sizes/sizes.h"
 
 #include <algorithm>
@@ -404,6 +405,31 @@ void Simulation<Real>::forget() {
     most_dt_ = std::numeric_limits<Real>::infinity();
     if (options_.custom_integrator) {
         forget_past(moved());
+    }
+}
+
+template <class Real>
+void Simulation<Real>::archive(Archive& archive) {
+    if (archive.is_reading()) {
+        is_whole_ = false; // until all has been read
+    } else {
+        expect_whole("Simulation::archive");
+    }
+    archive(complex_, fastest_, most_dt_, swept_);
+    std::uint64_t absorbed = absorbed_;
+    archive(absorbed);
+    archive.expect(absorbed <= complex_.journal.records.size(),
+                   "has read edits that were not made");
+    absorbed_ = static_cast<std::size_t>(absorbed);
+    executor_->archive(archive);
+    for (const auto& stage : stages_) {
+        stage->archive(archive);
+    }
+    if (archive.is_reading()) {
+        if (const ValidationReport report = validate(complex_); !report.ok()) {
+            archive.refuse("holds no valid complex: " + report.problem);
+        }
+        is_whole_ = true;
     }
 }
 

@@ -4,7 +4,6 @@
 #include "dsc/base/error.h"
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/interface.h"
-#include "dsc/initial/build/phases.h"
 #include "dsc/initial/improve/improvement.h"
 #include "dsc/initial/input/input_check.h"
 

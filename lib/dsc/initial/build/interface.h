@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Puts the interface into the lattice: makes room for it, inserts its points, and makes its pieces
-// edges of the triangulation.
+// Puts the interface into the lattice: makes room for it, inserts its points, makes its pieces
+// edges of the triangulation, and gives each region between them the phase that the paths around it
+// name.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -33,6 +34,12 @@ Chains insert_paths(Complex<Real>& complex, const Lattice& lattice,
 /// more. O(crossed edges) for each missing link, if they are few.
 template <class Real>
 std::vector<std::uint32_t> recover_segments(Complex<Real>& complex, Chains& chains);
+
+/// Gives each region between the paths the phase that these name; one that none names keeps its
+/// phase. All marks must be 0, and are so afterwards. Throws InputError if two paths name different
+/// phases for one region, or one has the same phase on both sides. O(triangles).
+template <class Real>
+void fill_phases(Complex<Real>& complex, std::span<const CheckedPath> paths, const Chains& chains);
 
 /// The vertices of the chains, the first of each last. A junction comes once for each chain there.
 inline std::vector<std::uint32_t> vertices_on(const Chains& chains) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/initial/build/phases.h"
+#include "dsc/initial/build/interface.h"
 
 #include "dsc/base/error.h"
 #include "dsc/queries/phases.h"
