@@ -222,6 +222,7 @@ void create_submeshes(const Complex<Real>& mesh, const CountingDivision& divisio
         submesh.complex.reserve(triangles.size(), triangles.size());
         insert_vertices(mesh, triangles, submeshes, submesh);
         insert_triangles(mesh, triangles, submeshes, submesh);
+        copying::count_entries(submesh.complex);
         // The next submesh inserts its own copy of a shared vertex.
         for (const std::uint32_t v : submesh.shared) {
             if (v != no_id) {
@@ -243,8 +244,7 @@ void lend_ids(CopiedSubmesh<Real>& submesh, std::size_t vertices) {
         first_triangle + 2 * vertices,
         {{no_id, no_id, no_id}, {border_corner, border_corner, border_corner}, border_phase, 0});
     submesh.shared.resize(complex.vertices.size(), no_id);
-    complex.attributes.resize_vertices(complex.vertices.size());
-    complex.attributes.resize_triangles(complex.triangles.size());
+    copying::count_entries(complex);
     // Ids are taken from the end of the pool, so that the lowest is taken first.
     for (std::uint32_t i = count; i > 0; --i) {
         complex.ids.vertices.push_back(first_vertex + i - 1);

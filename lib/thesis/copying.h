@@ -21,7 +21,7 @@ inline AttributeSet without_entries(const AttributeSet& attributes) {
 }
 
 // Appends the entries order[i] of a set that has the same attributes; no_id: the initial value.
-// When all simplices are there, the set is to be resized to their number.
+// `count_entries` is to be called when all are there.
 inline void append(AttributeSet& to, SimplexKind kind, const AttributeSet& from,
                    const std::vector<std::uint32_t>& order) {
     for (std::size_t i = 0; i < to.list().size(); ++i) {
@@ -47,6 +47,13 @@ inline void append_triangles(AttributeSet& to, const AttributeSet& from,
         }
     }
     append(to, SimplexKind::edge, from, corner_order);
+}
+
+// Tells the attributes how many simplices there are: new attributes get as many entries.
+template <class Real>
+void count_entries(Complex<Real>& complex) {
+    complex.attributes.resize_vertices(complex.vertices.size());
+    complex.attributes.resize_triangles(complex.triangles.size());
 }
 
 // The record of the border, as a new complex has it.

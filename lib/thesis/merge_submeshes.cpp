@@ -146,8 +146,7 @@ void merge_submeshes(CopiedSubmeshes<Real>& submeshes, Complex<Real>& mesh) {
     for (std::size_t i = 0; i < mesh.attributes.list().size(); ++i) {
         mesh.attributes.list()[i]->swap_entries(*fresh.attributes.list()[i]);
     }
-    mesh.attributes.resize_vertices(mesh.vertices.size()); // which they have: the set notes it
-    mesh.attributes.resize_triangles(mesh.triangles.size());
+    copying::count_entries(mesh);
     mesh.ids.vertices.clear();
     mesh.ids.triangles.clear();
 }

@@ -68,7 +68,8 @@ TEST(Attributes, AreFieldsInACopyAsWell) {
     const Complex<double> copy = complex;
     Complex<double> assigned;
     assigned = complex;
-    for (const AttributeSet* set : {&copy.attributes, &assigned.attributes}) {
+    for (const AttributeSet* set :
+         std::initializer_list<const AttributeSet*>{&copy.attributes, &assigned.attributes}) {
         EXPECT_TRUE(set->has_fields());
         ASSERT_EQ(set->list().size(), 2U);
         EXPECT_FALSE(set->list()[0]->is_field());
