@@ -6,7 +6,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -18,92 +17,77 @@ using namespace py::literals; // NOLINT: "name"_a
 namespace {
 
 // The living simplices, in the order of the arrays.
-template <class Simplex>
-auto range_of(const Complex<double>& complex) {
-    if constexpr (std::is_same_v<Simplex, Vertex>) {
-        return vertices(complex);
-    } else {
-        return triangles(complex);
-    }
-}
+auto range_of(const Complex<double>& complex, Vertex /*kind*/) { return vertices(complex); }
+auto range_of(const Complex<double>& complex, Triangle /*kind*/) { return triangles(complex); }
 
-template <class Simplex, class T>
-bool holds(const AttributeBase& attribute) {
-    return dynamic_cast<const Attribute<T, Simplex>*>(&attribute) != nullptr;
-}
-
-// The kinds of data, by number; nothing for an attribute of the library's own.
-std::optional<std::uint32_t> kind_of_data(const AttributeBase& one) {
-    const std::array is{holds<Vertex, double>(one), holds<Vertex, Point<double>>(one),
-                        holds<Triangle, double>(one), holds<Triangle, Point<double>>(one)};
-    const auto found = std::ranges::find(is, true);
-    return found == is.end() ? std::nullopt
-                             : std::optional(static_cast<std::uint32_t>(found - is.begin()));
-}
-
-void add_kind(AttributeSet& attributes, const std::string& name, std::uint32_t kind) {
+// The kinds of data, by number: calls `visit` with a simplex and a value of the kind's types.
+constexpr std::uint32_t kinds_of_data = 4;
+template <class Visit>
+void with_kind(std::uint32_t kind, Visit visit) {
     switch (kind) {
-    case 0: attributes.add<Vertex>(name, 0.0); break;
-    case 1: attributes.add<Vertex>(name, Point<double>(0, 0)); break;
-    case 2: attributes.add<Triangle>(name, 0.0); break;
-    default: attributes.add<Triangle>(name, Point<double>(0, 0)); break;
+    case 0: visit(Vertex(), 0.0); break;
+    case 1: visit(Vertex(), Point<double>(0, 0)); break;
+    case 2: visit(Triangle(), 0.0); break;
+    default: visit(Triangle(), Point<double>(0, 0)); break;
     }
 }
+
+// Nothing for an attribute of the library's own.
+std::optional<std::uint32_t> kind_of_data(const AttributeBase& one) {
+    std::optional<std::uint32_t> found;
+    for (std::uint32_t kind = 0; kind < kinds_of_data; ++kind) {
+        with_kind(kind, [&]<class Simplex, class T>(Simplex /*of*/, const T& /*value*/) {
+            if (dynamic_cast<const Attribute<T, Simplex>*>(&one) != nullptr) {
+                found = kind;
+            }
+        });
+    }
+    return found;
+}
+
+py::array listed(std::span<const double> values) { return array_of(values); }
+py::array listed(std::span<const Point<double>> values) { return array_of(values); }
 
 template <class Simplex>
 std::vector<std::string> names_of(const Mesh& mesh) {
     std::vector<std::string> names;
     for (const auto& one : mesh.complex().attributes.list()) {
-        if (holds<Simplex, double>(*one) || holds<Simplex, Point<double>>(*one)) {
+        if (one->kind() == kind_of<Simplex> && kind_of_data(*one)) {
             names.push_back(one->name());
         }
     }
     return names;
 }
 
-template <class Simplex, class T>
-Attribute<T, Simplex>* find(const Mesh& mesh, const std::string& name) {
-    for (const auto& one : mesh.complex().attributes.list()) {
-        if (one->name() == name) {
-            return dynamic_cast<Attribute<T, Simplex>*>(one.get());
-        }
-    }
-    return nullptr;
-}
-
-template <class Simplex, class T>
-py::array listed(const Mesh& mesh, const Attribute<T, Simplex>& attribute) {
-    std::vector<T> values;
-    for (const Simplex s : range_of<Simplex>(mesh.complex())) {
-        values.push_back(attribute[s]);
-    }
-    if constexpr (std::is_same_v<T, double>) {
-        return array_of<double>(values);
-    } else {
-        return array_of(values);
-    }
-}
-
 template <class Simplex>
 std::optional<py::array> values_of(const Mesh& mesh, const std::string& name) {
-    if (const auto* numbers = find<Simplex, double>(mesh, name)) {
-        return listed(mesh, *numbers);
+    std::optional<py::array> array;
+    for (const auto& one : mesh.complex().attributes.list()) {
+        const auto kind = kind_of_data(*one);
+        if (kind && one->kind() == kind_of<Simplex> && one->name() == name) {
+            with_kind(*kind, [&]<class Of, class T>(Of of, const T&) {
+                const auto& attribute = static_cast<const Attribute<T, Of>&>(*one);
+                std::vector<T> values;
+                for (const Of each : range_of(mesh.complex(), of)) {
+                    values.push_back(attribute[each]);
+                }
+                array = listed(values);
+            });
+        }
     }
-    if (const auto* points = find<Simplex, Point<double>>(mesh, name)) {
-        return listed(mesh, *points);
-    }
-    return std::nullopt;
+    return array;
 }
 
 template <class Simplex, class T>
-void write(Mesh& mesh, const std::string& name, std::span<const T> values, T initial) {
-    Attribute<T, Simplex>* attribute = find<Simplex, T>(mesh, name);
-    if (attribute == nullptr) { // refused if the name is that of another kind or type
-        attribute = &mesh.complex_to_step().attributes.template add<Simplex>(name, initial);
+void write(Mesh& mesh, const std::string& name, std::span<const T> values, const T& initial) {
+    AttributeSet& attributes = mesh.complex_to_step().attributes;
+    if (!attributes.contains(name)) {
+        attributes.add<Simplex>(name, initial);
     }
+    auto& attribute = attributes.get<Simplex, T>(name); // refused if it is of another kind or type
     std::size_t i = 0;
-    for (const Simplex s : range_of<Simplex>(mesh.complex())) {
-        (*attribute)[s] = values[i++];
+    for (const Simplex each : range_of(mesh.complex(), Simplex())) {
+        attribute[each] = values[i++];
     }
 }
 
@@ -116,7 +100,7 @@ void set_values(Mesh& mesh, const std::string& name, const py::handle& value) {
     if (given && given.ndim() == 2) {
         std::vector<Point<double>> points(count);
         read_points(value, points, name);
-        write<Simplex, Point<double>>(mesh, name, points, Point<double>(0, 0));
+        write<Simplex, Point<double>>(mesh, name, points, {0.0, 0.0});
         return;
     }
     const auto numbers =
@@ -171,7 +155,9 @@ Complex<double> complex_from(std::string bytes) {
     archive(data);
     Complex<double> complex;
     for (const auto& [name, kind] : data) {
-        add_kind(complex.attributes, name, kind);
+        with_kind(kind, [&]<class Of, class T>(Of /*of*/, const T& initial) {
+            complex.attributes.add<Of>(name, initial);
+        });
     }
     archive(complex);
     archive.expect_end();

@@ -6,8 +6,11 @@
 #include <pybind11/stl.h>
 
 #include <map>
+#include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
+#include <variant>
 
 namespace dsc::python {
 
@@ -15,18 +18,29 @@ using namespace py::literals; // NOLINT: "name"_a
 
 namespace {
 
-using Properties = std::map<Phase, std::pair<double, double>>;
-using Tensions = std::map<std::pair<Phase, Phase>, double>;
+// (density, viscosity); none: a void.
+using Properties = std::map<Phase, std::optional<std::pair<double, double>>>;
+// A tension, alone or with the angle at which its interface meets a wall that slips.
+using Tension = std::variant<double, std::pair<double, double>>;
+using Tensions = std::map<std::pair<Phase, Phase>, Tension>;
 
 FluidOptions options_from(const Properties& phases, const Tensions& tensions,
                           const py::object& gravity, const std::set<std::string>& slip,
-                          bool has_inertia) {
-    FluidOptions options;
+                          bool has_inertia, double tolerance, std::uint32_t threads) {
+    FluidOptions options{.tolerance = tolerance, .threads = threads};
     for (const auto& [phase, one] : phases) {
-        options.phases.push_back({phase, one.first, one.second});
+        const auto [density, viscosity] = one.value_or(std::pair(1.0, 1.0));
+        options.phases.push_back({phase, density, viscosity, !one});
     }
-    for (const auto& [pair, tension] : tensions) {
-        options.tensions.push_back({pair.first, pair.second, tension});
+    for (const auto& [pair, one] : tensions) {
+        FluidTension& tension = options.tensions.emplace_back();
+        tension.one = pair.first;
+        tension.other = pair.second;
+        if (const auto* both = std::get_if<1>(&one)) {
+            std::tie(tension.tension, tension.contact_angle) = *both;
+        } else {
+            tension.tension = std::get<0>(one);
+        }
     }
     options.gravity = point_from(gravity, "gravity");
     const std::map<std::string, Wall*> walls{{"left", &options.walls.left},
@@ -52,7 +66,7 @@ public:
     [[nodiscard]] const Fluid& fluid() const { return fluid_; }
     py::object step(double dt) {
         py::object report = simulation_.step_by(
-            [&](Simulation<double>& simulation) { return fluid_.step(simulation, dt).moved; },
+            [&](Simulation<double>& simulation) { return fluid_.advance(simulation, dt).moved; },
             fluid_.time());
         revision_ = simulation_.mesh()->revision();
         return report;
@@ -104,25 +118,35 @@ Parameters
 ----------
 sim : Simulation
 phases : dict
-    `{phase: (density, viscosity)}`, for each phase.
+    `{phase: (density, viscosity)}`, for each phase; None in their place: a void, with a free
+    surface around it.
 tensions : dict
-    `{(phase, phase): tension}`, for each pair that meets.
+    `{(one, other): tension}`, for each pair that meets, or `(tension, angle)`: in degrees, between
+    the interface and a wall that slips, inside `other`.
 gravity : (2,) array_like
 slip : set of {'left', 'right', 'bottom', 'top'}
     The sides of the domain along which the fluid slides; it rests at the others.
 inertia : bool
     Whether it has any: else the equations are those of Stokes.
+tolerance : float
+    Error per step, as a share of the edge length, from which the steps are chosen; 0: those asked for.
+threads : int
+    Any number gives the same bits.
 )")
         .def(py::init([](Running& sim, const Properties& phases, const Tensions& tensions,
-                         const py::object& gravity, const std::set<std::string>& slip,
-                         bool inertia) {
+                         const py::object& gravity, const std::set<std::string>& slip, bool inertia,
+                         double tolerance, std::uint32_t threads) {
                  return std::make_unique<FlowingFluid>(
-                     sim, options_from(phases, tensions, gravity, slip, inertia));
+                     sim,
+                     options_from(phases, tensions, gravity, slip, inertia, tolerance, threads));
              }),
              "sim"_a, "phases"_a, "tensions"_a, py::kw_only(),
              "gravity"_a = py::make_tuple(0.0, 0.0), "slip"_a = py::set(), "inertia"_a = true,
-             py::keep_alive<1, 2>())
-        .def("step", &FlowingFluid::step, "dt"_a, "Moves on by dt; returns a `Report`.")
+             "tolerance"_a = 0.0, "threads"_a = 1, py::keep_alive<1, 2>())
+        .def("step", &FlowingFluid::step, "dt"_a,
+             "Moves on by dt, with a tolerance in as many steps as it takes; returns a `Report` of "
+             "them "
+             "all.")
         .def_property_readonly(
             "time", [](const FlowingFluid& one) { return one.fluid().time(); },
             "Of the last solution.")

@@ -8,20 +8,11 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <vector>
 
 namespace dsc::python {
 
 namespace {
-
-struct Keyword {
-    std::string name;
-    std::string meaning;
-    std::function<void(Choices&, const py::handle&)> set;
-    std::function<py::object(const Choices&)> value;
-    bool is_size = false; ///< `initial_complex` takes it, too
-};
 
 /// A function of Python that returns a number, called by whichever thread needs it.
 struct NumberFunction {
@@ -51,37 +42,44 @@ private:
 // --- types of fields ---------------------------------------------------------------------------
 // For each its values in words, and its way from Python and back.
 
-const auto& table_of(Integrator /*type*/) { return integrator_names; }
-const auto& table_of(Insertion /*type*/) { return insertion_names; }
-const auto& table_of(Coarsening /*type*/) { return coarsening_names; }
-const auto& table_of(Reading /*type*/) { return reading_names; }
-const auto& table_of(Topology /*type*/) { return topology_names; }
+template <class Field>
+using Is = std::type_identity<Field>;
 
-std::string division_names() {
-    std::string all;
-    for (const Division* one : in_place_divisions) {
-        all += (all.empty() ? "" : ", ") + std::string(one->name);
-    }
-    return all;
+const auto& table_of(Is<Integrator> /*type*/) { return integrator_names; }
+const auto& table_of(Is<Insertion> /*type*/) { return insertion_names; }
+const auto& table_of(Is<Coarsening> /*type*/) { return coarsening_names; }
+const auto& table_of(Is<Reading> /*type*/) { return reading_names; }
+const auto& table_of(Is<Topology> /*type*/) { return topology_names; }
+const auto& table_of(Is<const Division*> /*type*/) {
+    static const auto table = [] {
+        std::array<Named<const Division*>, in_place_divisions.size()> list;
+        std::ranges::transform(in_place_divisions, list.begin(), [](const Division* one) {
+            return Named<const Division*>{one, one->name};
+        });
+        return list;
+    }();
+    return table;
 }
 
-std::string form_of(const SizeOptions<double>::ByPlace& /*type*/) { return "f(x, y, time, phase)"; }
-std::string form_of(const SizeOptions<double>::OnInterface& /*type*/) { return "f(x, y, time)"; }
-std::string form_of(const SizeOptions<double>::ByDistance& /*type*/) { return "f(distance)"; }
+std::string form_of(Is<SizeOptions<double>::ByPlace> /*type*/) { return "f(x, y, time, phase)"; }
+std::string form_of(Is<SizeOptions<double>::OnInterface> /*type*/) { return "f(x, y, time)"; }
+std::string form_of(Is<SizeOptions<double>::ByDistance> /*type*/) { return "f(distance)"; }
 
 template <class Field>
-concept IsFunction = requires(Field field) {
-    form_of(field);
+concept IsNamed = requires {
+    table_of(Is<Field>());
+};
+template <class Field>
+concept IsFunction = requires {
+    form_of(Is<Field>());
 };
 
 template <class Field>
-std::string allowed_for(const Field& field) {
-    if constexpr (std::is_enum_v<Field>) {
-        return names_in(table_of(field));
-    } else if constexpr (std::is_same_v<Field, const Division*>) {
-        return division_names();
+std::string allowed() {
+    if constexpr (IsNamed<Field>) {
+        return names_in(table_of(Is<Field>()));
     } else if constexpr (IsFunction<Field>) {
-        return "a function " + form_of(field);
+        return "a function " + form_of(Is<Field>());
     } else if constexpr (std::is_same_v<Field, bool>) {
         return "True or False";
     } else if constexpr (std::is_arithmetic_v<Field>) {
@@ -91,189 +89,177 @@ std::string allowed_for(const Field& field) {
     }
 }
 
-// Returns whether the value is one of the field.
+// Nothing if the value is none of the field.
 template <class Field>
-bool take(const py::handle& value, Field& field) {
-    if constexpr (std::is_enum_v<Field>) {
-        const auto found = py::isinstance<py::str>(value)
-                               ? value_in(table_of(field), value.cast<std::string>())
-                               : std::nullopt;
-        field = found.value_or(field);
-        return found.has_value();
-    } else if constexpr (std::is_same_v<Field, const Division*>) {
-        const auto found = std::ranges::find_if(in_place_divisions, [&](const Division* one) {
-            return py::isinstance<py::str>(value) && one->name == value.cast<std::string>();
-        });
-        field = found == in_place_divisions.end() ? field : *found;
-        return found != in_place_divisions.end();
+std::optional<Field> read(const py::handle& value) {
+    if constexpr (IsNamed<Field>) {
+        return py::isinstance<py::str>(value)
+                   ? value_in(table_of(Is<Field>()), value.cast<std::string>())
+                   : std::nullopt;
     } else if constexpr (IsFunction<Field>) {
-        field = nullptr;
         if (PyCallable_Check(value.ptr()) != 0) {
-            field = NumberFunction{share(py::reinterpret_borrow<py::function>(value))};
+            return NumberFunction{share(py::reinterpret_borrow<py::function>(value))};
         }
-        return field || value.is_none();
+        return value.is_none() ? std::optional(Field()) : std::nullopt;
     } else {
         try {
-            field = value.cast<Field>();
-            return true;
+            return value.cast<Field>();
         } catch (const py::cast_error&) {
-            return false;
+            return std::nullopt;
         }
     }
 }
 
 template <class Field>
-py::object shown_in_python(const Field& field) {
-    if constexpr (std::is_enum_v<Field>) {
-        return py::str(std::string(name_in(table_of(field), field)));
-    } else if constexpr (std::is_same_v<Field, const Division*>) {
-        return py::str(std::string(field->name));
+Field required(const std::string& name, const py::handle& value) {
+    std::optional<Field> one = read<Field>(value);
+    if (!one) {
+        refuse("bad value", name, shown(value), allowed<Field>());
+    }
+    return *std::move(one);
+}
+template <class Field>
+void set(Field& field, const std::string& name, const py::handle& value) {
+    field = required<Field>(name, value);
+}
+template <class Field>
+void set(std::optional<Field>& field, const std::string& name, const py::handle& value) {
+    if (value.is_none()) {
+        field.reset();
+    } else {
+        field = required<Field>(name, value);
+    }
+}
+
+template <class Field>
+py::object in_python(const Field& field) {
+    if constexpr (IsNamed<Field>) {
+        return py::str(std::string(name_in(table_of(Is<Field>()), field)));
     } else if constexpr (IsFunction<Field>) {
-        const auto* set = field.template target<NumberFunction>();
-        return set == nullptr ? py::object(py::none()) : py::object(*set->function);
+        const auto* function = field.template target<NumberFunction>();
+        return function == nullptr ? py::object(py::none()) : py::object(*function->function);
     } else {
         return py::cast(field);
     }
 }
+template <class Field>
+py::object in_python(const std::optional<Field>& field) {
+    return field ? in_python(*field) : py::none();
+}
+
+// What the help adds to the meaning.
+template <class Field>
+std::string choice() {
+    return IsNamed<Field> || IsFunction<Field> ? ": " + allowed<Field>() : "";
+}
+template <class Field>
+std::string choice_of(const Field& /*field*/) {
+    return choice<Field>();
+}
+template <class Field>
+std::string choice_of(const std::optional<Field>& /*field*/) {
+    return choice<Field>();
+}
 
 // --- the table ---------------------------------------------------------------------------------
-
-// `place` gives a reference to the field of some choices, const or not.
-template <class Place>
-Keyword keyword(std::string name, std::string meaning, Place place) {
-    using Field = std::remove_cvref_t<decltype(place(std::declval<Choices&>()))>;
-    if constexpr (std::is_enum_v<Field> || std::is_same_v<Field, const Division*> ||
-                  IsFunction<Field>) {
-        meaning += ": " + allowed_for(place(static_cast<const Choices&>(Choices())));
-    }
-    return {name, std::move(meaning),
-            [=](Choices& choices, const py::handle& value) {
-                if (!take(value, place(choices))) {
-                    refuse("bad value", name, shown(value), allowed_for(place(choices)));
-                }
-            },
-            [=](const Choices& choices) { return shown_in_python(place(choices)); }};
-}
-
-Keyword size(Keyword keyword) {
-    keyword.is_size = true;
-    return keyword;
-}
-
-// None stands for a sequential simulation, which these do not concern.
-Keyword parallel(Keyword keyword) {
-    keyword.set = [set = keyword.set](Choices& choices, const py::handle& value) {
-        if (!value.is_none()) {
-            set(choices, value);
-            choices.is_parallel = true;
-        }
-    };
-    keyword.value = [value = keyword.value](const Choices& choices) {
-        return choices.is_parallel ? value(choices) : py::object(py::none());
-    };
-    return keyword;
-}
-
-#define DSC_ROW(name, place, meaning)                                                              \
-    keyword(                                                                                       \
-        name, meaning, [](auto& choices) -> auto& { return choices.place; })
+// `visit(name, field, meaning)` for each; the choices may be const.
 
 // clang-format off: a row is a line or two
-std::vector<Keyword> make_keywords() {
-    return {
-        size(DSC_ROW("edge_length", options.edge_length,
-                     "target length of edges, in units of the domain")),
-        size(DSC_ROW("growth", options.sizes.growth,
-                     "how much longer an edge may be than the next one, 1 to 2; 0: of one length")),
-        size(DSC_ROW("longest", options.sizes.longest,
-                     "the longest edge where they grow; 0: as long as the domain")),
-        size(DSC_ROW("by_place", options.sizes.by_place, "a target by place where edges grow")),
-        size(DSC_ROW("by_distance", options.sizes.by_distance,
-                     "a target by the distance to the interface")),
-        size(DSC_ROW("on_interface", options.sizes.on_interface,
-                     "a target for the interface's own edges")),
-        size(DSC_ROW("changes_in_time", options.sizes.changes_in_time,
-                     "whether these functions do")),
-        DSC_ROW("integrator", options.integrator, "how targets are found from velocities"),
-        DSC_ROW("tolerance", options.tolerance, "of the adaptive integrator, in edge lengths"),
-        DSC_ROW("insertion", options.insertion, "where new interface vertices go"),
-        DSC_ROW("coarsening", options.interface.coarsening, "which interface vertices may go"),
-        DSC_ROW("reading", options.interface.reading,
-                "what the deviation of the interface is measured from"),
-        DSC_ROW("deviation", options.interface.deviation,
-                "by which coarsening may move the interface, in edge lengths"),
-        DSC_ROW("corner_degrees", options.interface.corner_degrees,
-                "sharper turns at the start are corners, which are kept"),
-        DSC_ROW("turn_degrees", options.interface.turn_degrees,
-                "interface edges along which it turns by more are split; 0: none"),
-        DSC_ROW("gap", options.interface.gap,
-                "interface edges longer than this times a gap are split; 0: none"),
-        DSC_ROW("carried_phases", options.carried_phases,
-                "phases whose inside moves with the flow"),
-        DSC_ROW("sub_step", options.sub_step,
-                "the farthest that a vertex moves at a time, in edge lengths"),
-        DSC_ROW("max_sub_steps", options.max_sub_steps, "of one step, which gives up then"),
-        DSC_ROW("topology", topology.rule, "what happens where a phase becomes thin"),
-        DSC_ROW("contact", topology.contact,
-                "thickness at which a film opens, a length; 0: 0.4 edge lengths"),
-        DSC_ROW("least_area", topology.least_area,
-                "smaller pieces vanish where topology is change; 0: edge_length**2"),
-        DSC_ROW("gives_back_area", topology.gives_back_area,
-                "whether area that changes hands is given back"),
-        parallel(
-            DSC_ROW("threads", parallel.threads,
-                    "None: sequential; 1 to 1024: in submeshes, with one result for any number")),
-        parallel(DSC_ROW("division", parallel.division, "how the mesh is divided among threads")),
-        parallel(DSC_ROW("submeshes", parallel.submeshes, "0: the division's own choice")),
-    };
+template <class AnyChoices, class Visit>
+void for_each_option(AnyChoices& choices, Use use, Visit visit) {
+    auto& [options, topology, threads, division, submeshes] = choices;
+    auto& sizes = options.sizes;
+    auto& interface = options.interface;
+    visit("edge_length", options.edge_length, "target length of edges, in units of the domain");
+    visit("growth", sizes.growth,
+          "how much longer an edge may be than the next one, 1 to 2; 0: of one length");
+    visit("longest", sizes.longest, "the longest edge where they grow; 0: as long as the domain");
+    visit("by_place", sizes.by_place, "a target by place where edges grow");
+    visit("by_distance", sizes.by_distance, "a target by the distance to the interface");
+    visit("on_interface", sizes.on_interface, "a target for the interface's own edges");
+    visit("changes_in_time", sizes.changes_in_time, "whether these functions do");
+    if (use == Use::initial_complex) {
+        return;
+    }
+    visit("integrator", options.integrator, "how targets are found from velocities");
+    visit("tolerance", options.tolerance, "of the adaptive integrator, in edge lengths");
+    visit("insertion", options.insertion, "where new interface vertices go");
+    visit("coarsening", interface.coarsening, "which interface vertices may go");
+    visit("reading", interface.reading, "what the deviation of the interface is measured from");
+    visit("deviation", interface.deviation,
+          "by which coarsening may move the interface, in edge lengths");
+    visit("corner_degrees", interface.corner_degrees,
+          "sharper turns at the start are corners, which are kept");
+    visit("turn_degrees", interface.turn_degrees,
+          "interface edges along which it turns by more are split; 0: none");
+    visit("gap", interface.gap, "interface edges longer than this times a gap are split; 0: none");
+    visit("carried_phases", options.carried_phases, "phases whose inside moves with the flow");
+    visit("sub_step", options.sub_step,
+          "the farthest that a vertex moves at a time, in edge lengths");
+    visit("max_sub_steps", options.max_sub_steps, "of one step, which gives up then");
+    visit("topology", topology.rule, "what happens where a phase becomes thin");
+    visit("contact", topology.contact,
+          "thickness at which a film opens, a length; 0: 0.4 edge lengths");
+    visit("least_area", topology.least_area,
+          "smaller pieces vanish where topology is change; 0: edge_length**2");
+    visit("gives_back_area", topology.gives_back_area,
+          "whether area that changes hands is given back");
+    visit("threads", threads,
+          "None: sequential; 1 to 1024: in submeshes, with one result for any number");
+    visit("division", division, "how the mesh is divided among threads");
+    visit("submeshes", submeshes, "0: the division's own choice");
 }
 // clang-format on
-#undef DSC_ROW
-
-const std::vector<Keyword>& keywords() {
-    static const std::vector<Keyword> list = make_keywords();
-    return list;
-}
-
-bool is_for(const Keyword& keyword, Use use) { return use == Use::simulation || keyword.is_size; }
 
 } // namespace
 
+std::optional<Parallel> Choices::parallel() const {
+    if (!threads && !division && !submeshes) {
+        return std::nullopt;
+    }
+    Parallel parallel;
+    parallel.threads = threads.value_or(parallel.threads);
+    parallel.division = division.value_or(parallel.division);
+    parallel.submeshes = submeshes.value_or(parallel.submeshes);
+    return parallel;
+}
+
 void apply(Choices& choices, const py::dict& given, Use use) {
     for (const auto& [key, value] : given) {
-        const auto name = key.cast<std::string>();
-        const auto found = std::ranges::find(keywords(), name, &Keyword::name);
-        if (found == keywords().end() || !is_for(*found, use)) {
-            std::string names;
-            for (const Keyword& one : keywords()) {
-                if (is_for(one, use)) {
-                    names += (names.empty() ? "" : ", ") + one.name;
-                }
+        const auto wanted = key.cast<std::string>();
+        bool is_known = false;
+        std::string names;
+        const auto try_one = [&](const std::string& name, auto& field, const char* /*meaning*/) {
+            names += (names.empty() ? "" : ", ") + name;
+            if (name == wanted) {
+                is_known = true;
+                set(field, name, value);
             }
+        };
+        for_each_option(choices, use, try_one);
+        if (!is_known) {
             refuse("unknown option", use == Use::simulation ? "Simulation" : "initial_complex",
-                   "'" + name + "'", names);
+                   "'" + wanted + "'", names);
         }
-        found->set(choices, value);
     }
 }
 
 py::dict values_of(const Choices& choices) {
     py::dict values;
-    for (const Keyword& one : keywords()) {
-        values[py::str(one.name)] = one.value(choices);
-    }
+    for_each_option(choices, Use::simulation, [&](const char* name, const auto& field, auto) {
+        values[name] = in_python(field);
+    });
     return values;
 }
 
 std::string option_help(Use use) {
     std::string text;
     const Choices defaults;
-    for (const Keyword& one : keywords()) {
-        if (is_for(one, use)) {
-            text += one.name + " : default " + shown(one.value(defaults)) + "\n    " + one.meaning +
-                    "\n";
-        }
-    }
+    for_each_option(defaults, use,
+                    [&](const std::string& name, const auto& field, const std::string& meaning) {
+                        text += name + " : default " + shown(in_python(field)) + "\n    " +
+                                meaning + choice_of(field) + "\n";
+                    });
     return text;
 }
 

@@ -8,6 +8,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace dsc::python {
@@ -18,8 +20,12 @@ namespace py = pybind11;
 struct Choices {
     Options<double> options;
     TopologyOptions<double> topology;
-    Parallel parallel;
-    bool is_parallel = false; ///< `threads`, `division` or `submeshes` was given
+    std::optional<std::uint32_t> threads; ///< of `Parallel`, like the next two
+    std::optional<const Division*> division;
+    std::optional<std::uint32_t> submeshes;
+
+    /// Nothing if none of these was given: the simulation is sequential.
+    [[nodiscard]] std::optional<Parallel> parallel() const;
 };
 
 /// What keywords are given to.

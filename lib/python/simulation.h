@@ -56,14 +56,14 @@ public:
         forget_foreign_data(complex);
         const Options<double>& options = choices_.options;
         check_options(options);
+        const std::optional<Parallel> parallel = choices_.parallel();
         std::unique_ptr<Executor<double>> executor;
         if (flow != nullptr && flow->growth) {
             const auto algorithm = growth_algorithm(complex, *flow->growth);
-            executor = choices_.is_parallel
-                           ? make_executor(complex, options, choices_.parallel, algorithm)
-                           : std::make_unique<Executor<double>>(complex, options, algorithm);
-        } else if (choices_.is_parallel) {
-            executor = make_executor(complex, options, choices_.parallel);
+            executor = parallel ? make_executor(complex, options, *parallel, algorithm)
+                                : std::make_unique<Executor<double>>(complex, options, algorithm);
+        } else if (parallel) {
+            executor = make_executor(complex, options, *parallel);
         }
         simulation_ = std::make_unique<Simulation<double>>(complex, options, std::move(executor));
         simulation_->add_stage(watch_);

@@ -38,6 +38,37 @@ class Fluids(unittest.TestCase):
         self.assertGreater(fluid.pressures[inside].mean(), 24.5 / 0.25 / 2)  # Laplace's, and more
         self.assertGreater(fluid.energies["kinetic"], 0)
 
+    def test_threads_and_a_tolerance(self):
+        hashes = set()
+        for threads in (1, 2):
+            sim, fluid = bubble(threads=threads, tolerance=0.01)
+            fluid.step(0.05)
+            fluid.step(0.05)
+            self.assertAlmostEqual(fluid.time, 0.1)
+            hashes.add((sim.mesh.mesh_hash, fluid.velocities.tobytes()))
+        self.assertEqual(len(hashes), 1)
+        coarse, one = bubble()
+        one.step(0.05)
+        one.step(0.05)
+        self.assertNotEqual(coarse.mesh.mesh_hash, sim.mesh.mesh_hash)  # which made more steps
+
+    def test_a_drop_in_a_void_meets_the_wall(self):
+        sizes = {"edge_length": 0.05}
+        half = disc((0.5, 0), 0.25, 40)[:21]
+        half[[0, -1], 1] = 0  # on the wall
+        mesh = dsc.initial_complex(((0, 0), (1, 0.5)), curves=[(half, 1, 0)], **sizes)
+        widths = []
+        for angle in (60, 120):  # inside phase 1: below 90 it spreads
+            sim = dsc.Simulation(mesh.copy(), **sizes)
+            fluid = dsc.Fluid(sim, {0: None, 1: (1, 1)}, {(0, 1): (1, angle)},
+                              slip={"bottom"}, inertia=False)
+            for _ in range(5):
+                self.assertEqual(fluid.step(0.01).unreached, 0)
+            x = sim.mesh.interface_curves()[0].points[:, 0]
+            widths.append(np.ptp(x))
+        self.assertGreater(widths[0], 0.5)
+        self.assertLess(widths[1], 0.5)
+
     def test_refused(self):
         sim, fluid = bubble(inertia=False)
         with self.assertRaisesRegex(dsc.InputError, "slip: no side of the domain: got 'front'"):

@@ -119,12 +119,14 @@ class Fluid:
     def __init__(
         self,
         sim: Simulation,
-        phases: Mapping[int, tuple[float, float]],
-        tensions: Mapping[tuple[int, int], float],
+        phases: Mapping[int, tuple[float, float] | None],
+        tensions: Mapping[tuple[int, int], float | tuple[float, float]],
         *,
         gravity: ArrayLike = (0, 0),
         slip: set[str] = ...,
         inertia: bool = True,
+        tolerance: float = 0,
+        threads: int = 1,
     ) -> None: ...
     def step(self, dt: float) -> Report: ...
     @property
