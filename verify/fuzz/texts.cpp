@@ -8,7 +8,6 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
 #include "dsc/queries/validate.h"
-#include "scenes/file/describe.h"
 #include "scenes/file/formula/formula_flow.h"
 #include "scenes/file/grid/grid_files.h"
 #include "scenes/file/outlines/pieces.h"
@@ -86,7 +85,6 @@ std::uint64_t run_scene_file(std::span<const std::uint8_t> bytes) {
         // Beside the examples, whose files a text may name.
         const auto file = scenes::read_scene_text(text, DSC_EXAMPLES "/fuzzed.toml");
         const scenes::Setup setup = file.scene.prepare(file.scene.defaults);
-        (void)scenes::describe(file.scene, file.scene.defaults);
         if (test::is_small(setup, file.scene.defaults.h, most_triangles, most_points)) {
             run_steps_of(file.scene, setup);
         }

@@ -361,7 +361,7 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         ->excludes(settings, strategy, submeshes, angle);
     auto* describe_command =
         app.add_subcommand("describe", "print one scene as a file that can be changed and run");
-    describe_command->add_option("scene", arguments.scene, "a name from the list, or a scene file")
+    describe_command->add_option("scene", arguments.scene, "a name from the list")
         ->required();
     describe_command->add_option("--set", arguments.settings, "key=value; may be repeated")
         ->allow_extra_args(false);
@@ -370,8 +370,8 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         return 0;
     };
     const auto describe_one = [&] {
-        const SceneFile file = scene_of(origin_of(arguments, scenes), scenes);
-        std::cout << describe(file, with_settings(file.scene, arguments.settings));
+        const Scene& scene = find_scene(arguments.scene.value(), scenes);
+        std::cout << describe(scene, with_settings(scene, arguments.settings));
         return 0;
     };
     return call_command(app, program, argc, argv,

@@ -37,10 +37,6 @@ Phase phase_at(const TableReader& reader, const std::string& key) {
     return static_cast<Phase>(reader.integer(key, 0, last_phase));
 }
 
-std::string named(const std::string& key, Wall wall) {
-    return key + " = \"" + std::string(name_in(wall_names, wall)) + '"';
-}
-
 } // namespace
 
 FluidOptions read_fluid(const TableReader& reader) {
@@ -74,33 +70,6 @@ FluidOptions read_fluid(const TableReader& reader) {
     }
     at_key(reader, "", [&] { check_fluid(options); });
     return options;
-}
-
-std::string fluid_in_toml(const FluidOptions& options) {
-    const Walls& walls = options.walls;
-    std::string text = "\n[fluid]\nequations = \"" +
-                       std::string(name_in(equations_names, options.equations)) +
-                       "\"\ngravity = [" + shortest_digits(options.gravity.x()) + ", " +
-                       shortest_digits(options.gravity.y()) +
-                       "]\ntolerance = " + shortest_digits(options.tolerance) + "\nwalls = { " +
-                       named("left", walls.left) + ", " + named("right", walls.right) + ", " +
-                       named("bottom", walls.bottom) + ", " + named("top", walls.top) + " }\n";
-    for (const FluidPhase& phase : options.phases) {
-        text += "[[fluid.phases]]\nphase = " + std::to_string(phase.phase);
-        if (phase.is_void) {
-            text += "\nvoid = true\n";
-            continue;
-        }
-        text += "\ndensity = " + shortest_digits(phase.density) +
-                "\nviscosity = " + shortest_digits(phase.viscosity) + '\n';
-    }
-    for (const FluidTension& pair : options.tensions) {
-        text += "[[fluid.tensions]]\none = " + std::to_string(pair.one) +
-                "\nother = " + std::to_string(pair.other) +
-                "\ntension = " + shortest_digits(pair.tension) +
-                "\ncontact-angle = " + shortest_digits(pair.contact_angle) + '\n';
-    }
-    return text;
 }
 
 } // namespace dsc::scenes

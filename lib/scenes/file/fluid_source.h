@@ -20,14 +20,9 @@
 #include "fluid/options.h"
 #include "scenes/file/table_reader.h"
 
-#include <string>
-
 namespace dsc::scenes {
 
 /// Throws InputError with file, line, key and value.
 [[nodiscard]] FluidOptions read_fluid(const TableReader& reader);
-
-/// The table as text that reads back as the same.
-[[nodiscard]] std::string fluid_in_toml(const FluidOptions& options);
 
 } // namespace dsc::scenes

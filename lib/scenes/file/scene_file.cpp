@@ -258,7 +258,6 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     SceneFile file;
     SceneParts parts{.where = path.string(), .base = read_base(top, scenes)};
     file.scene = parts.base.value_or(Scene{});
-    file.begins_as = file.scene.name;
     file.scene.name = read_name(top);
     file.scene.description =
         top.has("description") ? top.text("description") : "a scene from a file";
@@ -281,8 +280,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     read_motion(top, parts);
     read_upkeep(top, parts);
     if (top.has("exact")) {
-        parts.exact = read_exact(top.table("exact"), scenes, file.begins_as);
-        file.exact = top.table("exact").as_text();
+        parts.exact = read_exact(top.table("exact"));
     }
     if (top.has("measure")) {
         read_measure(top.table("measure"), parts, file);

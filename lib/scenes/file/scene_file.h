@@ -50,8 +50,6 @@ struct SceneFile {
     std::vector<FigureLimit> limits{};
     std::vector<Measure> measures = default_measures(); ///< those that a run takes
     bool measures_shape = true;                         ///< see RunOptions
-    std::string begins_as{}; ///< the scene of the catalogue that it changes; empty: none
-    std::string exact{};     ///< the text of [exact]
 };
 
 /// Reads a scene and the files that it names, relative to its own folder. Nothing is written, and

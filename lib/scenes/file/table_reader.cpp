@@ -250,12 +250,6 @@ std::string TableReader::setting(const std::string& key) const {
     refuse(key, "bad value", "a number, or a text in quotes");
 }
 
-std::string TableReader::as_text() const {
-    std::ostringstream stream;
-    stream << toml::table{{name_, *table_}};
-    return stream.str() + '\n';
-}
-
 void TableReader::allow(std::span<const std::string> keys) const {
     for (const auto& entry : *table_) {
         const std::string key(entry.first.str());

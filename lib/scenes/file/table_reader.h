@@ -65,8 +65,6 @@ public:
     [[nodiscard]] std::optional<TableReader> table_if_one(const std::string& key) const;
     /// The value as --set takes it: a number, a text, or yes and no.
     [[nodiscard]] std::string setting(const std::string& key) const;
-    /// The table with its header, as text that reads back as the same.
-    [[nodiscard]] std::string as_text() const;
     /// Throws InputError for the first key that is not one of these.
     void allow(std::span<const std::string> keys) const;
     void allow(std::initializer_list<std::string> keys) const {

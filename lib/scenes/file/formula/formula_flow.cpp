@@ -7,11 +7,10 @@
 
 namespace dsc::scenes {
 
-FormulaFlow::FormulaFlow(FormulaTexts texts)
-    : texts_(std::make_shared<const FormulaTexts>(std::move(texts))) {
+FormulaFlow::FormulaFlow(const FormulaTexts& texts) {
     const auto program = std::make_shared<Program>();
-    program->u = parse_formula(texts_->u, texts_->parameters, texts_->where_u, program->graph);
-    program->v = parse_formula(texts_->v, texts_->parameters, texts_->where_v, program->graph);
+    program->u = parse_formula(texts.u, texts.parameters, texts.where_u, program->graph);
+    program->v = parse_formula(texts.v, texts.parameters, texts.where_v, program->graph);
     program_ = program;
 }
 

@@ -30,15 +30,13 @@ struct FormulaTexts {
 class FormulaFlow {
 public:
     /// Throws InputError for a formula that cannot be understood, or one with too many operations.
-    explicit FormulaFlow(FormulaTexts texts);
+    explicit FormulaFlow(const FormulaTexts& texts);
 
     void operator()(std::span<const Point<double>> positions, double time,
                     std::span<Point<double>> velocities) const;
 
     /// Whether the time occurs in either formula.
     [[nodiscard]] bool uses_time() const;
-
-    [[nodiscard]] const FormulaTexts& texts() const { return *texts_; }
 
 private:
     struct Program {
@@ -47,7 +45,6 @@ private:
         FormulaNodeId v;
     };
 
-    std::shared_ptr<const FormulaTexts> texts_;
     std::shared_ptr<const Program> program_;
 };
 

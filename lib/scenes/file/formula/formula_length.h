@@ -29,7 +29,6 @@ public:
         return (*this)(place, time);
     }
 
-    [[nodiscard]] const std::string& formula() const { return flow_.texts().u; }
     [[nodiscard]] bool changes_in_time() const { return flow_.uses_time(); }
 
 private:
