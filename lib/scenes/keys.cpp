@@ -132,6 +132,11 @@ std::vector<Key> make_keys() {
         number(
             "contact", 0.0, 1.0, "0 (0.4 edge lengths), or a length, no wider than a phase",
             [](auto& p) -> auto& { return p.contact; }),
+        number(
+            "least_area", 1e-3, 1e3, "0.001 to 1000, in squared edge lengths",
+            [](auto& p) -> auto& { return p.least_area; }),
+        choice(
+            "seams", no_or_yes, [](auto& p) -> auto& { return p.follows_seams; }),
         choice(
             "give_back", no_or_yes, [](auto& p) -> auto& { return p.gives_back; }),
         choice(

@@ -57,8 +57,10 @@ struct Parameters {
     Insertion insertion = Insertion::cubic;
     InterfaceThresholds interface {};
     Topology topology = Topology::keep; ///< of all pairs of phases
-    double contact = 0; ///< thickness at which a film opens, a length; 0: the library's default
-    double grade = 0;   ///< how much longer edges grow, from one to the next; 0: all of one length
+    double contact = 0;    ///< thickness at which a film opens, a length; 0: the library's default
+    double least_area = 1; ///< of a piece that does not vanish, in squared edge lengths
+    bool follows_seams = true; ///< films go on opening beside where they have opened
+    double grade = 0; ///< how much longer edges grow, from one to the next; 0: all of one length
     bool gives_back = false; ///< area that changes of topology take
     RealType real = RealType::double_precision;
     std::uint64_t seed = 0; ///< shuffles the order in which the interface is worked through; 0: not

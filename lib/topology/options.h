@@ -67,6 +67,10 @@ struct TopologyOptions {
     /// simulation begins (contact_check.h).
     Real contact = 0;
     Opening opening = Opening::squeezed; ///< when a film that is thin enough opens
+    /// Where a film has opened, its seam goes on to where the film is thicker. False: it does not.
+    /// That is for flows in which the ends of a film retract by themselves, as tension makes them:
+    /// a filament is cut where it is thinnest, and its stumps are not eaten up.
+    bool follows_seams = true;
     /// Pieces of a phase that are smaller than this area vanish. 0: one edge length squared.
     Real least_area = 0;
     /// Area that an event takes from a phase is given back to it at once: the nearest interface

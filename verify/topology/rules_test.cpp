@@ -50,6 +50,24 @@ TEST(Topology, EveryAreaThatChangesHandsIsTold) {
     EXPECT_GT(relabelled, 1e-5);
 }
 
+TEST(Topology, ASeamDoesNotGoOnWhereItIsNotToBeFollowed) {
+    const auto events_of = [](bool follows_seams) {
+        test::ChangingOptions<double> own = options();
+        own.topology.follows_seams = follows_seams;
+        auto complex = discs_nearby();
+        test::ChangingSimulation<double> simulation(complex, own);
+        return run(complex, simulation).events;
+    };
+    const std::vector<Event> followed = events_of(true);
+    const std::vector<Event> left = events_of(false);
+    ASSERT_FALSE(left.empty());
+    EXPECT_EQ(left.front().kind, EventKind::merge);
+    EXPECT_EQ(left.front().time, followed.front().time);
+    EXPECT_LT(left.front().area, followed.front().area);
+    EXPECT_GT(count(followed, EventKind::widen), 0U);
+    EXPECT_EQ(count(left, EventKind::widen), 0U);
+}
+
 TEST(Topology, EachPairOfPhasesHasItsOwnRule) {
     test::ChangingOptions<double> own = options(Topology::keep);
     own.topology.pairs = {{.one = 0, .other = 1, .rule = Topology::change}};

@@ -89,6 +89,9 @@ TopologyOptions<Real> topology_options(const Parameters& parameters) {
     TopologyOptions<Real> options;
     options.rule = parameters.topology;
     options.contact = static_cast<Real>(parameters.contact);
+    options.least_area = static_cast<Real>(parameters.least_area) *
+                         static_cast<Real>(parameters.h) * static_cast<Real>(parameters.h);
+    options.follows_seams = parameters.follows_seams;
     options.gives_back_area = parameters.gives_back;
     return options;
 }

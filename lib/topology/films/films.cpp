@@ -51,6 +51,9 @@ public:
                 open(bridge);
             }
         }
+        if (!work_.options.follows_seams) {
+            return;
+        }
         // Seams of earlier events, whose sheets have come closer since, and of those just now.
         if (work_.events.size() != before) {
             find_near(suspects, &Suspect<Real>::is_thin);
@@ -196,7 +199,10 @@ private:
                piece.doubled < static_cast<Real>(rest_of_film) * contact * piece.perimeter;
     }
 
-    bool is_seam(std::uint32_t v) const { return is_on_seam(work_, v); }
+    // One that goes on.
+    bool is_seam(std::uint32_t v) const {
+        return work_.options.follows_seams && is_on_seam(work_, v);
+    }
 
     void open(const Bridge<Real>& bridge) {
         const Triangle t{triangle_of(bridge.sheets[0])};
@@ -365,7 +371,10 @@ private:
     // From a triangle of the film on, as far as the seam goes. Returns the area that was closed.
     double close_from(Corner c, Phase film) {
         double area = 0;
-        std::vector<Corner> ahead{c};
+        std::vector<Corner> ahead;
+        if (work_.options.follows_seams) {
+            ahead.push_back(c);
+        }
         while (!ahead.empty()) {
             const Corner here = ahead.back();
             ahead.pop_back();

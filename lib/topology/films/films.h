@@ -3,7 +3,7 @@
 // distance it opens: two of its triangles, one at each sheet, are given to the phases beyond, which
 // makes a bridge as wide as an edge. From there the seam goes on to both sides, triangle by
 // triangle, to where the film is thicker: as at the notch between two drops that merge. A neck that
-// closes is the same, seen from the phase that is thin.
+// closes is the same, seen from the phase that is thin. An option stops the seam at the bridge.
 //
 // A film whose sheets are parallel opens in several places at once. That is one event: what lies
 // between two of these places is thin all along, and the film's seam goes on over it, in this

@@ -58,7 +58,7 @@ private:
                 }
             } else if (!connection.is_seam) {
                 tip = std::min(tip, chord.ray.thickness);
-            } else if (goes_on(chord, connection)) {
+            } else if (work_.options.follows_seams && goes_on(chord, connection)) {
                 seams_.push_back(chord);
             }
         }
