@@ -174,6 +174,8 @@ void for_each_option(AnyChoices& choices, Use use, Visit visit) {
     visit("growth", sizes.growth,
           "how much longer an edge may be than the next one, 1 to 2; 0: of one length");
     visit("longest", sizes.longest, "the longest edge where they grow; 0: as long as the domain");
+    visit("shortest", sizes.shortest,
+          "the shortest edge that these functions may ask for; 0: the edge length");
     visit("by_place", sizes.by_place, "a target by place where edges grow");
     visit("by_distance", sizes.by_distance, "a target by the distance to the interface");
     visit("on_interface", sizes.on_interface, "a target for the interface's own edges");
@@ -202,6 +204,8 @@ void for_each_option(AnyChoices& choices, Use use, Visit visit) {
           "thickness at which a film opens, a length; 0: 0.4 edge lengths");
     visit("least_area", topology.least_area,
           "smaller pieces vanish where topology is change; 0: edge_length**2");
+    visit("follows_seams", topology.follows_seams,
+          "whether a film goes on opening beside where it has opened");
     visit("gives_back_area", topology.gives_back_area,
           "whether area that changes hands is given back");
     visit("threads", threads,

@@ -131,9 +131,49 @@ TEST(GradedStart, FollowsThePlace) {
     EXPECT_GT(count[0], 5 * count[1]);
 }
 
+// A curve ends on a side of the domain with edges of a fiftieth of the edge length, which grow
+// along it. The sides of both phases are as fine there, and so is all that lies between.
+TEST(GradedStart, SidesAreAsFineAsTheInterfaceThatEndsThere) {
+    const Point<double> tip(0.5, 0);
+    const auto length_at = [&](const Point<double>& p, double) {
+        return std::min(2 * h, h / 50 + 0.2 * (p - tip).norm());
+    };
+    Curve curve{.points = {}, .left = 1, .right = exterior_phase};
+    for (double angle = 0; angle < std::numbers::pi / 2 - h;) {
+        curve.points.emplace_back(0.5 * std::cos(angle), 0.5 * std::sin(angle));
+        angle += 0.99 * length_at(curve.points.back(), 0) / 0.5;
+    }
+    curve.points.emplace_back(0, 0.5);
+    const SizeOptions<double> sizes{.growth = 1.3, .shortest = h / 50, .on_interface = length_at};
+    Complex<double> complex = initial_complex<double>({}, std::vector<Curve>{curve},
+                                                      {.edge_length = 2 * h, .sizes = sizes});
+    EXPECT_EQ(validate(complex).problem, "");
+    EXPECT_GE(smallest_angle(complex), 20);
+    int at_tip = 0;
+    for (const Edge e : edges(complex)) {
+        const auto [a, b] = complex.vertices_of(e);
+        if (complex.position(a) == tip || complex.position(b) == tip) {
+            ++at_tip;
+            EXPECT_LT((complex.position(a) - complex.position(b)).norm(), h / 15);
+        }
+    }
+    EXPECT_GE(at_tip, 3);
+
+    const std::size_t before = complex.vertex_count();
+    Options<double> options = test::options_for<double>(2 * h);
+    options.sizes = sizes;
+    options.interface.longest = 1.05;
+    Simulation<double> simulation(complex, options);
+    simulation.step(test::constant<double>(0, 1e-12), 0, 1);
+    EXPECT_NEAR(static_cast<double>(complex.vertex_count()), static_cast<double>(before),
+                0.1 * static_cast<double>(before))
+        << "a step keeps them";
+}
+
 TEST(GradedStart, BadSizesAreRefused) {
     EXPECT_THROW(disc<double>({.growth = 3}), InputError);
     EXPECT_THROW(disc<double>({.growth = 1.3, .longest = h / 3}), InputError);
+    EXPECT_THROW(disc<double>({.growth = 1.3, .shortest = 2 * h}), InputError);
 }
 
 } // namespace

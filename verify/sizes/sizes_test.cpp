@@ -165,6 +165,9 @@ TEST(Sizes, BadOptionsAreRefused) {
     refused([](auto& sizes) { sizes.longest = h / 2; });
     refused([](auto& sizes) { sizes.longest = std::nan(""); });
     refused([](auto& sizes) { sizes.longest = INFINITY; });
+    refused([](auto& sizes) { sizes.shortest = 2 * h; });
+    refused([](auto& sizes) { sizes.shortest = -h; });
+    refused([](auto& sizes) { sizes.shortest = std::nan(""); });
     refused([](auto& sizes) { sizes.changes_in_time = true; });
     refused([](auto& sizes) {
         sizes.growth = 0;
@@ -173,6 +176,10 @@ TEST(Sizes, BadOptionsAreRefused) {
     refused([](auto& sizes) {
         sizes.growth = 0;
         sizes.longest = 0.1;
+    });
+    refused([](auto& sizes) {
+        sizes.growth = 0;
+        sizes.shortest = h / 2;
     });
 }
 

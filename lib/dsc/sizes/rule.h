@@ -79,6 +79,7 @@ public:
     /// Refers to the options.
     SizeRule(const SizeOptions<Real>& options, Real edge_length)
         : options_(options), edge_length_(edge_length),
+          shortest_(options.shortest > 0 ? options.shortest : edge_length),
           slope_(static_cast<Real>(options.growth) - 1),
           slack_(std::min(Real(0.1), Real(0.3) * slope_)) {}
 
@@ -136,11 +137,12 @@ public:
 
 private:
     [[nodiscard]] Real at_least(Real length) const {
-        return length > edge_length_ ? length : edge_length_; // also for NaN
+        return length > shortest_ ? length : shortest_; // also for NaN
     }
 
     const SizeOptions<Real>& options_;
     Real edge_length_;
+    Real shortest_;
     Real slope_;
     Real slack_;
 };

@@ -18,8 +18,11 @@ void check_sizes(const SizeOptions<Real>& sizes, Real edge_length) {
     const auto longest = static_cast<double>(sizes.longest);
     require(longest == 0 || (std::isfinite(longest) && sizes.longest >= edge_length),
             "sizes.longest", longest, "0 (no bound), or a length of at least the edge length");
-    const bool asks = longest != 0 || sizes.by_place || sizes.on_interface || sizes.by_distance ||
-                      sizes.changes_in_time;
+    const auto shortest = static_cast<double>(sizes.shortest);
+    require(shortest == 0 || (shortest > 0 && sizes.shortest <= edge_length), "sizes.shortest",
+            shortest, "0 (the edge length), or a length of at most the edge length");
+    const bool asks = longest != 0 || shortest != 0 || sizes.by_place || sizes.on_interface ||
+                      sizes.by_distance || sizes.changes_in_time;
     require(!sizes.is_uniform() || !asks, "sizes.growth", sizes.growth,
             "above 1, up to 2, where another target is set");
     require(!sizes.changes_in_time || sizes.by_place || sizes.on_interface, "sizes.changes_in_time",

@@ -13,9 +13,10 @@
 
 namespace dsc {
 
-/// Lengths are in units of the domain. The edge length of the options is the finest target: results
-/// of the functions are clamped to at least that, NaN counts as that too. The functions are called
-/// from several threads at once where submeshes run in parallel.
+/// Lengths are in units of the domain. The edge length of the options is the finest target, unless
+/// `shortest` allows finer ones: results of the functions are clamped to at least that, NaN counts
+/// as that too. The functions are called from several threads at once where submeshes run in
+/// parallel.
 template <class Real>
 struct SizeOptions {
     /// A length by place, time and phase.
@@ -30,6 +31,9 @@ struct SizeOptions {
     /// are of one length, and nothing else here may be set.
     double growth = 0;
     Real longest = 0; ///< the longest target; 0: the extent of the mesh
+    /// The shortest target that the functions may give, at most the edge length. 0: the edge
+    /// length.
+    Real shortest = 0;
     /// A target by place, time and phase; where phases meet the shortest counts. It holds for edges
     /// that end on the interface too, but not for those that are part of it. Empty: none.
     ByPlace by_place = {};
@@ -52,6 +56,7 @@ SizeOptions<Real> sizes_in(const SizeOptions<From>& sizes) {
     SizeOptions<Real> result;
     result.growth = sizes.growth;
     result.longest = static_cast<Real>(sizes.longest);
+    result.shortest = static_cast<Real>(sizes.shortest);
     result.changes_in_time = sizes.changes_in_time;
     if (sizes.by_place) {
         result.by_place = [by_place = sizes.by_place](const Point<Real>& p, Real time,

@@ -20,6 +20,8 @@
 //     [options]                   # all keys of --set; h, and two of dt, steps and period
 //     [sizes]                     # where edges grow by `grade`: edges_to_interface = the number
 //                                 # wanted on the way there; longest = their greatest length;
+//                                 # shortest = the finest that a formula below may ask for, if
+//                                 # that is less than h;
 //                                 # by_phase = [lengths], or by_place = a formula in x, y, t and
 //                                 # h; on_interface = one for the interface's own edges
 //     [[thresholds]]              # phase, and what differs there of PhaseThresholds (options.h):

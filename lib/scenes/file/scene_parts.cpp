@@ -78,10 +78,12 @@ Growth read_growth(const TableReader& reader) {
 }
 
 std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableReader& reader) {
-    reader.allow({"edges_to_interface", "longest", "by_phase", "by_place", "on_interface"});
+    reader.allow(
+        {"edges_to_interface", "longest", "shortest", "by_phase", "by_place", "on_interface"});
     const double number =
         reader.has("edges_to_interface") ? reader.number("edges_to_interface", {1, 1e4}) : 0;
     const double longest = reader.has("longest") ? reader.number("longest", positive_length) : 0;
+    const double shortest = reader.has("shortest") ? reader.number("shortest", positive_length) : 0;
     const LengthByPhase by_phase{reader.has("by_phase")
                                      ? reader.numbers("by_phase", positive_length)
                                      : std::vector<double>{}};
@@ -102,6 +104,7 @@ std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableRead
         [=, by_place = read("by_place"), on_interface = read("on_interface")](const Parameters& p) {
             SizeOptions<double> sizes;
             sizes.longest = longest;
+            sizes.shortest = shortest;
             if (number > 0) {
                 sizes.by_distance = EdgesToInterface{p.h, number};
             }

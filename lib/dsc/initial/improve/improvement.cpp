@@ -67,7 +67,7 @@ public:
     SizeRefinement(Complex<Real>& complex, const SizeOptions<Real>& sizes, Real edge_length,
                    Protection protection)
         : complex_(complex), rule_(sizes, edge_length), field_(size_field(complex)),
-          protection_(protection) {}
+          edge_length_(static_cast<double>(edge_length)), protection_(protection) {}
 
     void run() {
         queue_ = ids_of(triangles(complex_));
@@ -106,15 +106,18 @@ private:
         }
     }
 
-    // Splits the edge opposite to the corner if it is a side of the domain in the exterior phase,
-    // and longer than that share of the target.
+    // Splits the edge opposite to the corner if it is a side of the domain that is longer than that
+    // share of the target. Sides of other phases than the exterior one belong to the interface, and
+    // are split only beside parts of it that are finer than the edge length.
     bool split_side(Corner corner, double share) {
-        if (!is_border(complex_.twin(corner)) || complex_.phase_at(corner) != exterior_phase) {
+        if (!is_border(complex_.twin(corner))) {
             return false;
         }
         const std::uint32_t a = complex_.vertex(next(corner));
         const std::uint32_t b = complex_.vertex(prev(corner));
-        if (!((at(a) - at(b)).norm() > share * (target(a) + target(b)) / 2)) {
+        const double wanted = (target(a) + target(b)) / 2;
+        if ((complex_.phase_at(corner) != exterior_phase && !(wanted < edge_length_)) ||
+            !((at(a) - at(b)).norm() > share * wanted)) {
             return false;
         }
         const Point<Real> middle = narrowed<Real>(midpoint<double>(at(a), at(b)));
@@ -140,6 +143,7 @@ private:
     Complex<Real>& complex_;
     SizeRule<Real> rule_;
     SizeField<Real>& field_;
+    double edge_length_;
     Protection protection_;
     std::vector<std::uint32_t> queue_; ///< triangles to be looked at, in order
     std::vector<Corner> stack_;

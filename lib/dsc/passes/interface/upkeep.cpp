@@ -113,18 +113,25 @@ private:
     // --- the interface along the domain boundary ----------------------------------------------
     bool wants_wall_upkeep(const Ring<Real>& ring) const {
         return !ring.closed &&
-               (should_collapse_on_wall(ring, wall_) ||
-                (ring.phase[0] != exterior_phase && should_split_wall(ring, wall_)));
+               (should_collapse_on_wall(ring, wall_at(ring)) ||
+                (ring.phase[0] != exterior_phase && should_split_wall(ring, wall_at(ring))));
+    }
+
+    // The wall's edges are as fine as the interface where that is finer than the edge length.
+    WallLimits<Real> wall_at(const Ring<Real>& ring) const {
+        const Real share = std::min(Real(1), stretch({ring.x0, ring.y0}));
+        return {share * wall_.longest, share * wall_.shortest, wall_.least_quality,
+                share * wall_.blocking};
     }
 
     // A short wall edge goes, even where the edge that is left is so long that it is split again,
     // if it is in the way of the end of a curve, or of a vertex that slides into a corner of the
     // domain.
-    bool may_collapse_on_wall(const Ring<Real>& ring) {
-        if (!should_collapse_on_wall(ring, wall_)) {
+    bool may_collapse_on_wall(const Ring<Real>& ring, const WallLimits<Real>& wall) {
+        if (!should_collapse_on_wall(ring, wall)) {
             return false;
         }
-        if (merged_on_wall(ring) < wall_.longest) {
+        if (merged_on_wall(ring) < wall.longest) {
             return true;
         }
         const bool is_first = wall_spoke(ring, true).squared < wall_spoke(ring, false).squared;
@@ -149,10 +156,11 @@ private:
 
     // True if the ring is stale; the vertices to be kept in the list have then been put there.
     bool keep_wall(std::uint32_t v, const Ring<Real>& ring) {
-        if (may_collapse_on_wall(ring) && collapse_on_wall(work_, ring, wall_)) {
+        const WallLimits<Real> wall = wall_at(ring);
+        if (may_collapse_on_wall(ring, wall) && collapse_on_wall(work_, ring, wall)) {
             return true;
         }
-        if (ring.phase[0] == exterior_phase || !should_split_wall(ring, wall_)) {
+        if (ring.phase[0] == exterior_phase || !should_split_wall(ring, wall)) {
             return false;
         }
         const SplitResult result = split_wall(work_, ring);
