@@ -158,8 +158,10 @@ std::vector<Check> table() {
     const char* const quality_histogram = "Kolmogorov-Smirnov distance of the triangles' qualities";
     const auto inverted = [](const RunResult& r) { return static_cast<double>(r.inverted); };
     const auto unreached = [](const RunResult& r) { return static_cast<double>(r.unreached); };
-    const auto merges = [](const RunResult& r) {
-        return static_cast<double>(std::ranges::count(r.events, EventKind::merge, &Event::kind));
+    const auto events = [](EventKind kind) {
+        return [kind](const RunResult& r) {
+            return static_cast<double>(std::ranges::count(r.events, kind, &Event::kind));
+        };
     };
     const auto off_first = [](const RunResult& r) { return std::abs(r.area_ratio - 1); };
     return {
@@ -247,7 +249,15 @@ std::vector<Check> table() {
         of_fluid("fluid_rise", "largest mean velocity upwards", "rise_velocity_max"),
         of_fluid("fluid_centre", "height of the centroid at the end", "centre_last"),
         of_fluid("fluid_area", "area at the end against the first, off 1", "area_drift_last"),
-        in_unit(of_run("merges", "pieces that merge", "events", merges, {}, none), "merges"),
+        of_fluid("fluid_neck", "half-width of a neck, largest relative error", "neck_error"),
+        in_unit(of_run("merges", "pieces that merge", "events", events(EventKind::merge), {}, none),
+                "merges"),
+        in_unit(of_run("splits", "pieces that fall in two", "events", events(EventKind::split), {},
+                       none),
+                "splits"),
+        in_unit(of_run("widenings", "times that a film opened farther than at first", "events",
+                       events(EventKind::widen), {}, none),
+                "widenings"),
         at_least(made_of(
             series, of_run("accuracy_order",
                            "order in which the symmetric difference falls with the edge length",
