@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "combinations/scene.h"
 
-#include "combinations/frame.h"
-#include "shapes/voronoi.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,8 +14,6 @@ using std::numbers::pi;
 using P = Point<double>;
 
 // --- the place: where a shape begins -------------------------------------------------------------
-
-constexpr double pi_2 = pi / 2;
 
 struct Shape {
     P centre{0.56, 0.53};
@@ -34,24 +29,22 @@ Shape shape_at(Place place) {
     case Place::slender:
         return {.centre = {20.07, 0.2}, .radius = 0.12, .size = {40, 0.4}, .h = 0.025};
     case Place::on_wall: return {.centre = {0.47, 0}, .to = pi};
-    case Place::in_corner: return {.centre = {0, 0}, .radius = 0.4, .to = pi_2};
+    case Place::in_corner: return {.centre = {0, 0}, .radius = 0.4, .to = pi / 2};
     case Place::pair: return {.centre = {0.5, 0.5}, .radius = 0.12};
     case Place::by_wall: return {.centre = {0.47, 0.32}};
     case Place::square:
-    case Place::layer:
-    case Place::through_corner: break;
+    case Place::layer: break;
     }
     return {};
 }
 
-constexpr double height = 0.4; ///< of the layer
-constexpr double aside = 0.17; ///< of each of a pair
-
+constexpr double height = 0.4;   ///< of the layer
+constexpr double aside = 0.17;   ///< of each of a pair
 constexpr double spacing = 0.27; ///< of the vertices of arcs, at most, in edge lengths
 
 // An arc of the shape, from one angle to another. Corners lie on it 60 degrees apart, or 45.
 std::vector<P> arc(const Shape& shape, double radius, double from, double to, Outline outline) {
-    const double most = to - from < 1.1 * pi_2 ? pi / 4 : pi / 3;
+    const double most = to - from < 0.55 * pi ? pi / 4 : pi / 3;
     const int n = outline == Outline::round
                       ? static_cast<int>(std::ceil(radius * (to - from) / (spacing * shape.h)))
                       : static_cast<int>(std::ceil((to - from) / most - 1e-9));
@@ -93,9 +86,9 @@ std::vector<Curve> arcs_of(const Row& row, const Shape& shape) {
     }
     // Cut by a chord through the middle: phase 2 on its right.
     const bool is_closed = shape.to - shape.from == 2 * pi;
-    const double cut = is_closed ? pi_2 : (shape.from + shape.to) / 2;
-    std::vector<P> before = piece(shape.radius, is_closed ? -pi_2 : shape.from, cut);
-    std::vector<P> after = piece(shape.radius, cut, is_closed ? 3 * pi_2 : shape.to);
+    const double cut = is_closed ? pi / 2 : (shape.from + shape.to) / 2;
+    std::vector<P> before = piece(shape.radius, is_closed ? -pi / 2 : shape.from, cut);
+    std::vector<P> after = piece(shape.radius, cut, is_closed ? 1.5 * pi : shape.to);
     after.front() = before.back();
     if (is_closed) {
         after.back() = before.front();
@@ -107,18 +100,7 @@ std::vector<Curve> arcs_of(const Row& row, const Shape& shape) {
             {std::move(chord), 1, 2}};
 }
 
-std::vector<Curve> lines_of(const Row& row) {
-    if (row.place == Place::through_corner) {
-        std::vector<Curve> curves;
-        if (row.phases == Phases::junctions) {
-            curves.push_back({{{0, 0}, {0.5, 0.5}}, exterior_phase, 1});
-            curves.push_back({{{0.5, 0.5}, {1, 1}}, exterior_phase, 2});
-            curves.push_back({{{0.5, 0.5}, {1, 0}}, 2, 1});
-        } else {
-            curves.push_back({{{0, 0}, {1, 1}}, exterior_phase, 1});
-        }
-        return curves;
-    }
+std::vector<Curve> layer_of(const Row& row) {
     if (row.phases == Phases::junctions) {
         return {{{{0, height}, {0.5, height}}, exterior_phase, 1},
                 {{{0.5, height}, {1, height}}, exterior_phase, 2},
@@ -131,23 +113,10 @@ std::vector<Curve> lines_of(const Row& row) {
     return curves;
 }
 
-// Cells that are not much narrower than two edges, in the middle of a slender domain smaller.
-std::vector<Curve> cells_of(const Shape& shape) {
-    const Rectangle domain{{0, 0}, shape.size};
-    constexpr std::size_t count = 100;
-    const auto sites = scenes::relaxed_sites(domain, scenes::random_sites(domain, count, 7), 20);
-    return scenes::voronoi_curves(domain, sites, {.shortest = shape.h / 2});
-}
-
 std::vector<Curve> curves_of(const Row& row, const Shape& shape) {
-    if (row.phases == Phases::many) {
-        return cells_of(shape);
-    }
-    if (row.place == Place::pair) {
-        return pair_of(row, shape);
-    }
-    const bool is_line = row.place == Place::layer || row.place == Place::through_corner;
-    return is_line ? lines_of(row) : arcs_of(row, shape);
+    return row.place == Place::pair    ? pair_of(row, shape)
+           : row.place == Place::layer ? layer_of(row)
+                                       : arcs_of(row, shape);
 }
 
 // --- the motion ----------------------------------------------------------------------------------
@@ -163,58 +132,61 @@ P kept_inside(const P& start, const P& end, const P& size) {
     return kept;
 }
 
-void translate(Scene& scene, const P& way, const P& size) {
-    scene.velocity = [way](const P&, double) { return way; };
-    scene.exact = [way, size](const P& p) { return kept_inside(p, p + way, size); };
-    scene.fastest = way.norm();
-}
-
-// By three quarters of a turn about the middle of the square.
-void turn(Scene& scene) {
-    constexpr double angle = 1.5 * pi;
-    const P centre(0.5, 0.5);
-    scene.steps = 60;
-    scene.velocity = [](const P& p, double) {
-        return P(-angle * (p.y() - 0.5), angle * (p.x() - 0.5));
-    };
-    scene.exact = [centre](const P& p) { // a quarter of a turn clockwise
-        const P off = p - centre;
-        return P(centre + P(off.y(), -off.x()));
-    };
-    scene.fastest = angle * 0.45;
-}
-
-// By the stream function s sin^2(pi X) sin(pi Y) in a part of the domain: along the walls of Y
-// there is slip; and of the square's X as well.
-void swirl(Scene& scene, const Shape& shape, Place place) {
-    const bool is_slender = place == Place::slender;
-    const double from = is_slender ? shape.centre.x() - 0.5 : 0;
-    const double b = shape.size.y();
-    const double strength = is_slender ? 0.02 : 0.1;
-    scene.velocity = [=](const P& p, double t) {
-        const double x = std::clamp(p.x() - from, 0.0, 1.0) * pi;
-        const double y = p.y() / b * pi;
-        const double at = strength * pi * std::cos(pi * t);
-        const double across = is_slender ? std::pow(std::sin(x), 2) : std::sin(x);
-        const double slope = is_slender ? std::sin(2 * x) : std::cos(x);
-        return P(at * across * std::cos(y) / b, -at * slope * std::sin(y));
-    };
-    scene.exact = [](const P& p) { return p; };
-    scene.fastest = strength * pi / b;
-    // In half of the time curves become longer by the integral of the gradient, which is no more
-    // than k times the speed, and bend by that of the second derivatives, k squared times it; and a
-    // curve that is drawn out by a factor across its bend is bent by the square of it.
-    const double k = pi / std::min(b, 1.0);
-    const double way = scene.fastest / pi;
-    scene.stretch = std::exp(k * way);
-    scene.curvature = (scene.curvature * scene.stretch + k * k * way) * scene.stretch;
-}
-
 // A circle of this radius meets a line at this distance from its centre.
 void meet(Scene& scene, double radius, double distance) {
     scene.meets = true;
     scene.seam = 2 * std::sqrt(radius * radius - distance * distance);
     scene.seam_angle = std::acos(distance / radius);
+}
+
+void translate(Scene& scene, const Row& row, const Shape& shape) {
+    // Not as far as to a wall: nothing meets there by the widest contact distance.
+    const bool is_slender = row.place == Place::slender;
+    const P way = row.motion == Motion::right  ? P(is_slender ? 0.3 : 0.12, 0)
+                  : row.motion == Motion::down ? P(0, is_slender ? -0.03 : -0.15)
+                                               : P(0, 0);
+    scene.velocity = [way](const P&, double) { return way; };
+    scene.exact = [way, size = shape.size](const P& p) { return kept_inside(p, p + way, size); };
+    if (row.motion == Motion::right) {
+        scene.runs_into_wall = row.place == Place::layer;
+    } else if (row.motion == Motion::down && row.place == Place::by_wall) {
+        meet(scene, shape.radius, shape.centre.y() + way.y());
+        scene.meets_wall = true;
+        scene.runs_into_wall = row.inside == Inside::carried;
+    } else if (row.motion == Motion::down && row.place == Place::layer &&
+               row.phases == Phases::junctions) {
+        // The curve below the layer shortens from its end on the wall: its last vertex is collapsed
+        // before it runs into the wall, unless a step is longer than short edges.
+        scene.runs_into_wall = -way.y() / scene.steps > InterfaceThresholds{}.shortest * shape.h;
+    }
+}
+
+void turn(Scene& scene) {
+    constexpr double angle = 1.5 * pi;
+    scene.steps = 60;
+    scene.velocity = [](const P& p, double) {
+        return P(-angle * (p.y() - 0.5), angle * (p.x() - 0.5));
+    };
+    scene.exact = [](const P& p) { return P(p.y(), 1 - p.x()); }; // a quarter of a turn clockwise
+}
+
+// By the stream function s sin(pi x) sin(pi y): along the walls there is slip.
+void swirl(Scene& scene, const Row& row) {
+    constexpr double strength = 0.1;
+    scene.velocity = [](const P& p, double t) {
+        const double at = strength * pi * std::cos(pi * t);
+        return P(at * std::sin(pi * p.x()) * std::cos(pi * p.y()),
+                 -at * std::cos(pi * p.x()) * std::sin(pi * p.y()));
+    };
+    scene.exact = [](const P& p) { return p; };
+    // In half of the time curves become longer by the integral of the gradient, which is no more
+    // than pi times the speed, and bend by that of the second derivatives, pi squared times it; and
+    // a curve that is drawn out by a factor across its bend is bent by the square of it.
+    scene.stretch = std::exp(pi * strength);
+    scene.curvature = (scene.curvature * scene.stretch + pi * pi * strength) * scene.stretch;
+    if (row.phases == Phases::junctions && row.place != Place::pair) {
+        scene.longest_at_start = 1; // of the chord, which bends as well
+    }
 }
 
 // With half the speed where the inner shape grows: then all is scaled alike.
@@ -268,78 +240,81 @@ void bend(Scene& scene, const Row& row, const Shape& shape) {
     if (scene.curvature > 0) {
         scene.curvature = 1 / std::sqrt(smallest * smallest - 2 * scene.end);
     }
-    if (row.phases == Phases::many) {
-        scene.end = 2e-4;
-        scene.is_only_conserved = true;
-    } else if (row.place == Place::layer) {
-        scene.exact = [](const P& p) { return p; };
-        if (row.phases ==
-            Phases::junctions) { // a sixth of a half turn, at right angles to the walls
-            scene.area_changes = {pi / 3, -pi / 6, -pi / 6};
-        }
+    if (row.phases == Phases::junctions && row.place == Place::layer) {
+        // A sixth of a half turn, at right angles to the walls.
+        const double each = pi / 6 * scene.end;
+        scene.area_changes = {2 * each, -each, -each};
     } else if (row.phases == Phases::junctions && row.place != Place::pair) {
-        const double each = pi / 3 * (2 - 6) * (shape.to - shape.from) / (2 * pi);
+        const double each = pi / 3 * (2 - 6) * (shape.to - shape.from) / (2 * pi) * scene.end;
         scene.area_changes = {-2 * each, each, each};
     }
-    for (double& change : scene.area_changes) {
-        change *= scene.end;
+    if (row.place == Place::layer) {
+        scene.exact = [](const P& p) { return p; };
+        return;
     }
-    if (row.place != Place::layer) {
-        const double end = scene.end;
-        const double to_the_side = row.place == Place::pair ? aside : 0;
-        scene.exact = [=, middle = shape.centre](const P& p) {
-            const P centre = middle + P(p.x() < middle.x() ? -to_the_side : to_the_side, 0);
-            const double r = (p - centre).norm();
-            const double rest = r * r - 2 * end;
-            return rest > 0 ? P(centre + std::sqrt(rest) / r * (p - centre)) : centre;
-        };
-    }
-}
-
-// Of the curves at the start: of the inner of two nested ones, if there is one.
-double first_curvature(const Row& row, const Shape& shape) {
-    const bool is_straight = row.outline != Outline::round || row.phases == Phases::many ||
-                             row.place == Place::layer || row.place == Place::through_corner;
-    return is_straight ? 0 : (row.phases == Phases::nested ? 2 : 1) / shape.radius;
+    const double to_the_side = row.place == Place::pair ? aside : 0;
+    scene.exact = [=, end = scene.end, middle = shape.centre](const P& p) {
+        const P centre = middle + P(p.x() < middle.x() ? -to_the_side : to_the_side, 0);
+        const double r = (p - centre).norm();
+        const double rest = r * r - 2 * end;
+        return rest > 0 ? P(centre + std::sqrt(rest) / r * (p - centre)) : centre;
+    };
 }
 
 void set_motion(Scene& scene, const Row& row, const Shape& shape) {
-    scene.curvature = first_curvature(row, shape);
-    scene.longest_at_start = scene.curvature > 0 ? spacing : 1;
-    // Those of the inner of two nested shapes; of 45 degrees where arcs are shorter.
+    // Those of the inner of two nested shapes.
     const double radius = row.phases == Phases::nested ? shape.radius / 2 : shape.radius;
-    scene.corner_distance = 2 * radius * std::sin(pi / 8);
-    const bool is_small = row.place == Place::slender || row.place == Place::pair;
-    scene.runs_into_wall =
-        row.place == Place::layer && (row.motion == Motion::right || row.motion == Motion::left);
-    // Not as far as to a wall: nothing meets there by the widest contact distance.
-    const double far = row.place == Place::slender ? 0.3 : 0.12;
-    const double near = row.place == Place::slender ? 0.03 : 0.15;
+    const bool is_straight = row.outline == Outline::corners || row.place == Place::layer;
+    scene.curvature = is_straight ? 0 : 1 / radius;
+    scene.longest_at_start = is_straight ? 1 : spacing;
+    const bool is_slender = row.place == Place::slender;
+    const bool is_small = is_slender || row.place == Place::pair;
     switch (row.motion) {
-    case Motion::rest: translate(scene, {0, 0}, shape.size); break;
-    case Motion::right: translate(scene, {far, 0}, shape.size); break;
-    case Motion::left: translate(scene, {-far, 0}, shape.size); break;
-    case Motion::up: translate(scene, {0, near}, shape.size); break;
-    case Motion::down:
-        translate(scene, {0, -near}, shape.size);
-        if (row.place == Place::by_wall) {
-            meet(scene, shape.radius, shape.centre.y() - near);
-            scene.meets_wall = true;
-            scene.runs_into_wall = row.inside == Inside::carried;
-        } else if (row.place == Place::layer && row.phases == Phases::junctions) {
-            // The curve below the layer shortens from its end on the wall: its last vertex is
-            // collapsed before it runs into the wall, unless a step is longer than short edges.
-            scene.runs_into_wall = near / scene.steps > InterfaceThresholds{}.shortest * shape.h;
-        }
-        break;
+    case Motion::rest:
+    case Motion::right:
+    case Motion::down: translate(scene, row, shape); break;
     case Motion::turn: turn(scene); break;
-    case Motion::swirl: swirl(scene, shape, row.place); break;
-    case Motion::grow: grow(scene, row, shape, row.place == Place::slender ? 0.04 : 0.12); break;
+    case Motion::swirl: swirl(scene, row); break;
+    case Motion::grow: grow(scene, row, shape, is_slender ? 0.04 : 0.12); break;
     case Motion::shrink: grow(scene, row, shape, is_small ? -0.04 : -0.08); break;
     case Motion::curvature:
     case Motion::vanish: bend(scene, row, shape); break;
     }
 }
+
+// --- the turn ------------------------------------------------------------------------------------
+
+// Exact but for one subtraction of each coordinate.
+class Frame {
+public:
+    Frame(Turned turned, const P& size) : is_mirrored_(turned == Turned::mirrored) {
+        const double x = turned == Turned::half || turned == Turned::mirrored ? -1 : 1;
+        const double y = turned == Turned::half ? -1 : 1;
+        turn_ << x, 0, 0, y;
+        if (turned == Turned::quarter) {
+            turn_ << 0, -1, 1, 0;
+        } else if (turned == Turned::three_quarters) {
+            turn_ << 0, 1, -1, 0;
+        }
+        shift_ = (-way(size)).cwiseMax(P(0, 0));
+    }
+    [[nodiscard]] P way(const P& v) const { return turn_ * v; }
+    [[nodiscard]] P place(const P& p) const { return turn_ * p + shift_; }
+    [[nodiscard]] P place_before(const P& p) const { return turn_.transpose() * (p - shift_); }
+    [[nodiscard]] Curve curve(Curve one) const {
+        std::ranges::transform(one.points, one.points.begin(),
+                               [&](const P& p) { return place(p); });
+        if (is_mirrored_) {
+            std::swap(one.left, one.right);
+        }
+        return one;
+    }
+
+private:
+    bool is_mirrored_;
+    Eigen::Matrix2d turn_;
+    P shift_;
+};
 
 } // namespace
 
@@ -350,16 +325,14 @@ Scene scene_of(const Row& row, double fineness) {
     scene.h = shape.h;
     set_motion(scene, row, shape);
     const Frame frame(row.turned, shape.size);
-    scene.domain = {{0, 0}, frame.size()};
+    scene.domain = {{0, 0}, frame.way(shape.size).cwiseAbs()};
     for (Curve& curve : curves_of(row, shape)) {
         scene.phases = std::max({scene.phases, curve.left + 1, curve.right + 1});
         scene.curves.push_back(frame.curve(std::move(curve)));
     }
-    if (scene.exact) {
-        scene.exact = [frame, exact = std::move(scene.exact)](const P& p) {
-            return frame.place(exact(frame.place_before(p)));
-        };
-    }
+    scene.exact = [frame, exact = std::move(scene.exact)](const P& p) {
+        return frame.place(exact(frame.place_before(p)));
+    };
     if (scene.velocity) {
         scene.velocity = [frame, velocity = std::move(scene.velocity)](const P& p, double t) {
             return frame.way(velocity(frame.place_before(p), t));

@@ -26,14 +26,12 @@ struct Scene {
     /// Where a place of the interface is at the end. Places on a wall stay on it; where pieces of
     /// a phase overlap then, they are one.
     std::function<Point<double>(const Point<double>&)> exact;
-    /// Velocity by place and time; for `grow`, `shrink` and `curvature` nothing.
+    /// By place and time; none for `grow`, `shrink`, `curvature` and `vanish`.
     std::function<Point<double>(const Point<double>&, double)> velocity;
-    double fastest = 0; ///< of these velocities
     /// The largest curvature of the curves at any time, where they are smooth; 0: they are
     /// straight.
     double curvature = 0;
     double longest_at_start = 1; ///< interface edge, in edge lengths
-    double corner_distance = 0;  ///< between corners along the curves, where there are any
     double stretch = 1;          ///< the largest factor by which a piece of a curve becomes longer
     /// The shape meets itself or a wall, or a piece of it vanishes: where the topology may change,
     /// that is told; where it is kept, vertices are in each other's way.
@@ -50,8 +48,6 @@ struct Scene {
     /// junctions, by the rule of J. von Neumann (1952) and W. W. Mullins (1956). Empty: `exact`
     /// tells.
     std::vector<double> area_changes;
-    /// Only the area of all phases together is known.
-    bool is_only_conserved = false;
 };
 
 /// With edges of the usual length over `fineness`.

@@ -6,23 +6,91 @@
 #include "support/topology/changing.h"
 
 #include "dsc/parallel/parallel.h"
-#include "dsc/passes/options.h"
 #include "geometric_flows/growth.h"
+#include "thesis/divisions.h"
+
+#include <array>
+#include <cmath>
 
 namespace dsc::combinations {
 
+/// The thickness at which a film opens, in edge lengths.
+[[nodiscard]] inline double contact_of(const Row& row) {
+    return row.topology == Rule::wide ? 1.5 : default_contact;
+}
+
 /// `half`: 0 in the first half of the run, 1 in the second.
 template <class Real>
-[[nodiscard]] test::ChangingOptions<Real> options_of(const Row& row, const Scene& scene, int half);
+[[nodiscard]] SizeOptions<Real> sizes_of(const Row& row, const Scene& scene, int half) {
+    SizeOptions<Real> sizes;
+    if (row.sizes == Sizes::uniform || (row.sizes == Sizes::switched_on && half == 0) ||
+        (row.sizes == Sizes::switched_off && half == 1)) {
+        return sizes;
+    }
+    const Real h = static_cast<Real>(scene.h);
+    sizes.growth = 1.3;
+    sizes.longest = 4 * h;
+    sizes.changes_in_time = row.sizes == Sizes::in_time;
+    if (row.sizes == Sizes::by_place || row.sizes == Sizes::in_time) {
+        const Real speed = sizes.changes_in_time ? 1 / static_cast<Real>(scene.end) : 0;
+        sizes.by_place = [h, speed](const Point<Real>& p, Real time, Phase) {
+            return h * (Real(2.5) + Real(1.5) * std::sin(9 * (p.x() + speed * time)));
+        };
+    }
+    return sizes;
+}
+
+/// Of the simulation, in that half of the run.
+template <class Real>
+[[nodiscard]] test::ChangingOptions<Real> options_of(const Row& row, const Scene& scene, int half) {
+    test::ChangingOptions<Real> options;
+    const Real h = static_cast<Real>(scene.h);
+    options.edge_length = h;
+    options.sizes = sizes_of<Real>(row, scene, half);
+    scenes::choose_integrator(options, row.integrator);
+    options.insertion = row.insertion;
+    options.interface.coarsening = row.coarsening;
+    options.interface.corner_degrees = 40;
+    if (row.inside == Inside::carried) {
+        options.carried_phases = {1};
+    }
+    auto& topology = options.topology;
+    topology.rule = row.topology == Rule::keep ? Topology::keep : Topology::change;
+    switch (row.topology) {
+    case Rule::keep:
+    case Rule::change: break;
+    case Rule::forbidden: topology.may_change = [](const Contact&) { return false; }; break;
+    case Rule::given_back: topology.gives_back_area = true; break;
+    case Rule::wide: topology.contact = static_cast<Real>(contact_of(row)) * h; break;
+    case Rule::least_area: topology.least_area = 4 * h * h; break;
+    }
+    return options;
+}
 
 /// Of `grow` and `shrink`.
 template <class Real>
-[[nodiscard]] GrowthOptions<Real> growth_of(const Row& row);
+[[nodiscard]] GrowthOptions<Real> growth_of(const Row& row) {
+    const double speed = row.motion == Motion::grow ? 1 : -1;
+    GrowthOptions<Real> options;
+    options.speeds = {{1, 0, speed}};
+    if (row.phases == Phases::nested) {
+        options.speeds.push_back({2, 1, speed / 2});
+    } else if (row.phases == Phases::junctions) {
+        options.speeds.push_back({2, 0, speed});
+    }
+    return options;
+}
 
 /// Of all ways but the sequential one.
-[[nodiscard]] Parallel parallel_of(const Row& row, std::uint32_t threads);
-
-/// The thickness at which a film opens, in edge lengths.
-[[nodiscard]] double contact_of(const Row& row);
+[[nodiscard]] inline Parallel parallel_of(const Row& row, std::uint32_t threads) {
+    constexpr std::array divisions{&cells_division,    &cells_division,  &fixed_division,
+                                   &counting_division, &active_division, &blocks_division,
+                                   &copy_division};
+    constexpr std::array submeshes{0U, 2U, 9U};
+    return {.threads = threads,
+            .division = divisions[static_cast<std::size_t>(row.way)],
+            .submeshes = submeshes[static_cast<std::size_t>(row.submeshes)],
+            .always_all_threads = true};
+}
 
 } // namespace dsc::combinations

@@ -21,16 +21,9 @@ struct Tolerance {
     }
 };
 
-/// `length`: of the curve, in edge lengths. `epsilon`: of the scalar type.
+/// `length`: of the curve, in edge lengths.
 [[nodiscard]] Tolerance tolerance_of(const Row& row, const Scene& scene, double length,
-                                     std::size_t sub_steps, double epsilon);
-
-/// Coordinates are rounded when a target is found and when it is reached: by half a unit in the
-/// last place of the largest one, twice, in either direction. In edge lengths.
-[[nodiscard]] double rounding_of(const Scene& scene, std::size_t sub_steps, double epsilon);
-
-/// Whether paths are curved, so that an integrator does not hit their ends exactly.
-[[nodiscard]] bool has_method_error(const Row& row);
+                                     std::size_t sub_steps);
 
 /// Where the integrator of a row brings a place in sub-steps that begin at these times.
 [[nodiscard]] Point<double> by_method(const Row& row, const Scene& scene,

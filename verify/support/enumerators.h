@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace dsc::test {
 
@@ -33,6 +34,15 @@ constexpr std::size_t count_enumerators() {
         return (std::size_t{!identifier<static_cast<Enum>(number)>().empty()} + ...);
     }
     (std::make_index_sequence<64>{});
+}
+
+/// The identifiers of all enumerators, of an enum whose numbers begin with 0.
+template <class Enum>
+std::vector<std::string_view> identifiers() {
+    return []<std::size_t... number>(std::index_sequence<number...>) {
+        return std::vector<std::string_view>{identifier<static_cast<Enum>(number)>()...};
+    }
+    (std::make_index_sequence<count_enumerators<Enum>()>{});
 }
 
 /// Each enumerator once, in order, and no two with the same name.
