@@ -65,12 +65,10 @@ struct Case {
 };
 
 Velocity<double> mapped(const Case& one, const Map& map) {
-    return [velocity = one.velocity, map](auto positions, double time, auto velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = map.scale / map.time_scale *
-                            velocity(positions[i] / map.scale, time / map.time_scale);
-        }
-    };
+    return test::pointwise([velocity = one.velocity, map](const Point<double>& p, double time) {
+        return Point<double>(map.scale / map.time_scale *
+                             velocity(p / map.scale, time / map.time_scale));
+    });
 }
 
 test::ChangingOptions<double> options_of(double h) {

@@ -2,6 +2,7 @@
 // A step looks at the interface and at what changes around it, never at the whole mesh: of a large
 // mesh with a small disc in it, steps touch a small part. Counted by Linux, which marks the pages
 // that a process uses.
+#include "support/pointwise.h"
 #include "support/random/scene.h"
 #include "support/topology/changing.h"
 #include "support/ways.h"
@@ -62,11 +63,8 @@ Touched touched_by_steps(const test::ChangingOptions<double>& options, Way way) 
         simulation.add_stage(std::make_shared<TopologyStage<double>>(options.topology));
     }
     double speed = 1;
-    const Velocity<double> shear = [&](auto positions, double, auto velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = {speed, speed * (positions[i].x() - centre.x())};
-        }
-    };
+    const auto shear = test::pointwise(
+        [&](const Point<double>& p) { return Point<double>(speed, speed * (p.x() - centre.x())); });
     const auto step = [&] {
         speed = -speed;
         return simulation.step(shear, 0, h / 2).operations.moves;

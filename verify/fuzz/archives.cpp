@@ -3,6 +3,7 @@
 // FileError. The bytes of a simulation that are read, however damaged, make a valid complex.
 #include "fuzz/bytes.h"
 #include "fuzz/target.h"
+#include "support/pointwise.h"
 #include "support/random/scene.h"
 
 #include "dsc/algorithm/simulation.h"
@@ -75,11 +76,7 @@ std::uint64_t end_or_refuse(Read read) {
 }
 
 Velocity<double> steady_flow() {
-    return [](auto positions, double, auto velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = {0.3, positions[i].x() - 0.5};
-        }
-    };
+    return test::pointwise([](const Point<double>& p) { return Point<double>(0.3, p.x() - 0.5); });
 }
 
 // The disc whose simulation is written to the corpus, and read back here.

@@ -9,6 +9,7 @@
 #include "flows/velocity.h"
 #include "measures/interface_outlines.h"
 #include "shapes/shapes.h"
+#include "support/pointwise.h"
 
 #include <cmath>
 #include <limits>
@@ -190,14 +191,10 @@ HardResult wall_case(const std::string& asked, double width, const WallMotion& m
     });
     Watch<double> watch(scene.complex, scene.options, {.domain = domain}, result);
     const double rate = std::log(motion.stretch);
-    const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double,
-                                          std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = {motion.shift + motion.shear * (positions[i].y() - 0.5) +
-                                 rate * (positions[i].x() - wall_middle),
-                             0};
-        }
-    };
+    const auto velocity = test::pointwise([&](const Point<double>& p) {
+        return Point<double>(
+            motion.shift + motion.shear * (p.y() - 0.5) + rate * (p.x() - wall_middle), 0);
+    });
     const std::vector<Outline> outlines{{{left, 0}, {right, 0}, {right, 1}, {left, 1}}};
     constexpr int steps = 50;
     const bool going = watch.run(velocity, 0, 1.0 / steps, steps);

@@ -8,6 +8,7 @@
 #include "flows/exact.h"
 #include "measures/interface_outlines.h"
 #include "shapes/shapes.h"
+#include "support/pointwise.h"
 
 #include <cmath>
 #include <limits>
@@ -30,20 +31,9 @@ constexpr int step_count = 20;
 
 using Field = std::function<Point<double>(const Point<double>&, double time)>;
 
-Velocity<double> pointwise(const Field& field) {
-    return [field](std::span<const Point<double>> positions, double time,
-                   std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = field(positions[i], time);
-        }
-    };
-}
-
 const Point<double> right(1, 0);
 
-Velocity<double> to_the_right() {
-    return pointwise([](const Point<double>&, double) { return right; });
-}
+Velocity<double> to_the_right() { return test::constant(right.x(), right.y()); }
 
 std::vector<Outline> disc() { return {scenes::circle({0.4, 0.5}, 0.2, circle_h)}; }
 
@@ -68,7 +58,7 @@ HardResult strange_case(const Strange& strange) {
     bool going = true;
     for (int i = 0; i < step_count && going; ++i) {
         const bool is_asked = strange.only_step < 0 || strange.only_step == i;
-        going = watch.step(is_asked ? pointwise(strange.field) : to_the_right(), i * dt, dt);
+        going = watch.step(is_asked ? test::pointwise(strange.field) : to_the_right(), i * dt, dt);
         moves += watch.last().operations.moves;
     }
     expect(result, going, "the run ended early");
@@ -122,8 +112,8 @@ HardResult denormal_coordinates() {
                   "denormal size",
          .outlines = outlines,
          .h = circle_h,
-         .flow =
-             pointwise([](const Point<double>& p, double) { return Point<double>(-p.y(), p.x()); }),
+         .flow = test::pointwise(
+             [](const Point<double>& p, double) { return Point<double>(-p.y(), p.x()); }),
          .dt = dt,
          .steps = step_count,
          .exact = scenes::rotated_shape(outlines, {0, 0}, step_count * dt).outlines,
@@ -155,7 +145,7 @@ HardResult too_fast(double speed) {
                    "more";
     auto scene = scene_of<double>(unit_square, disc(), circle_h);
     Watch<double> watch(scene.complex, scene.options, {.domain = unit_square}, result);
-    const auto field = pointwise([speed](const Point<double>& p, double) {
+    const auto field = test::pointwise([speed](const Point<double>& p, double) {
         return Point<double>(p.x() > 0.55 ? speed * p.x() : 1.0, 0);
     });
     const bool going = watch.step(field, 0, dt);

@@ -2,6 +2,8 @@
 // The integrators keep their orders, in place and in time, for both scalar types.
 #include "dsc/motion/integrator.h"
 
+#include "support/pointwise.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,12 +13,9 @@ namespace dsc::integrator_test {
 namespace {
 
 // A turn about the origin whose speed changes: by sin(t) from time 0 to t.
-void changing_turn(std::span<const Point<double>> positions, double time,
-                   std::span<Point<double>> velocities) {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        velocities[i] = std::cos(time) * Point<double>(-positions[i].y(), positions[i].x());
-    }
-}
+const Velocity<double> changing_turn = test::pointwise([](const Point<double>& p, double time) {
+    return Point<double>(std::cos(time) * Point<double>(-p.y(), p.x()));
+});
 
 template <class Real>
 std::vector<Point<Real>> one_step(Integrator integrator, const Velocity<Real>& velocity,

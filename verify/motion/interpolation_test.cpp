@@ -3,6 +3,8 @@
 // curves, and linear where the curve has a corner.
 #include "dsc/motion/interpolation.h"
 
+#include "support/pointwise.h"
+
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
 
@@ -183,12 +185,8 @@ TEST(CubicInsertion, DoesNotLookAroundCorners) {
         return insertion_point(Insertion::cubic, n);
     };
     Simulation<double> simulation(complex, options);
-    const Velocity<double> grow = [&](std::span<const Point<double>> positions, double,
-                                      std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = positions[i] - centre;
-        }
-    };
+    const auto grow =
+        test::pointwise([&](const Point<double>& p) { return Point<double>(p - centre); });
     for (int step = 0; step < 40; ++step) {
         const auto report = simulation.step(grow, 0, 0.025);
         ASSERT_EQ(report.unreached, 0U);

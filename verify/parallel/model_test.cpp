@@ -32,12 +32,8 @@ Profiled profiled_steps() {
         Parallel{.threads = 1, .profile = true});
     const SubmeshExecutor<double>& seen = *executor;
     Simulation<double> simulation(complex, options, std::move(executor));
-    const Velocity<double> grow = [](std::span<const Point<double>> positions, double,
-                                     std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = positions[i] - Point<double>(0.5, 0.5);
-        }
-    };
+    const auto grow = test::pointwise(
+        [](const Point<double>& p) { return Point<double>(p - Point<double>(0.5, 0.5)); });
     Profiled profiled;
     for (int step = 0; step < 3; ++step) {
         simulation.step(grow, 0, 0.2);

@@ -44,12 +44,8 @@ TEST(Work, IsCountedWhereItIsDone) {
                                       complex, options, default_algorithm<double>(),
                                       std::make_unique<Listening>(told), Parallel{.threads = 1}));
     // The right half is stretched; the left one stands still.
-    const Velocity<double> flow = [](auto positions, double, auto velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            const double right = positions[i].x() - 0.55;
-            velocities[i] = {right > 0 ? 0.4 * right : 0, 0};
-        }
-    };
+    const auto flow = test::pointwise(
+        [](const Point<double>& p) { return Point<double>(0.4 * std::max(p.x() - 0.55, 0.0), 0); });
     for (int step = 0; step < 12; ++step) {
         simulation.step(flow, 0, h);
     }

@@ -36,15 +36,12 @@ make_simulation(Complex<double>& complex, const Options<double>& options, const 
         Parallel{.threads = way.threads, .division = way.division, .always_all_threads = true});
 }
 
-inline const Velocity<double> swirl = [](std::span<const Point<double>> positions, double,
-                                         std::span<Point<double>> velocities) {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const double x = std::numbers::pi * positions[i].x();
-        const double y = std::numbers::pi * positions[i].y();
-        velocities[i] = {std::pow(std::sin(x), 2) * std::sin(2 * y),
-                         -std::pow(std::sin(y), 2) * std::sin(2 * x)};
-    }
-};
+inline const Velocity<double> swirl = pointwise([](const Point<double>& p) {
+    const double x = std::numbers::pi * p.x();
+    const double y = std::numbers::pi * p.y();
+    return Point<double>(std::pow(std::sin(x), 2) * std::sin(2 * y),
+                         -std::pow(std::sin(y), 2) * std::sin(2 * x));
+});
 
 inline const Velocity<double> still = constant<double>(0, 0);
 

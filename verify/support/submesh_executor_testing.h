@@ -54,12 +54,9 @@ struct Growing {
         }
     }
 
-    Velocity<double> grow = [](std::span<const Point<double>> positions, double,
-                               std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = (positions[i] - Point<double>(0.5, 0.5)).normalized();
-        }
-    };
+    Velocity<double> grow = pointwise([](const Point<double>& p) {
+        return Point<double>((p - Point<double>(0.5, 0.5)).normalized());
+    });
     Complex<double> complex;
     Options<double> options;
     const SubmeshExecutor<double>* seen = nullptr;

@@ -22,12 +22,9 @@ namespace {
 using test::options_for;
 
 // A turn about the origin whose speed changes: by sin(t) from time 0 to t.
-void changing_turn(std::span<const Point<double>> positions, double time,
-                   std::span<Point<double>> velocities) {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        velocities[i] = std::cos(time) * Point<double>(-positions[i].y(), positions[i].x());
-    }
-}
+const Velocity<double> changing_turn = test::pointwise([](const Point<double>& p, double time) {
+    return Point<double>(std::cos(time) * Point<double>(-p.y(), p.x()));
+});
 
 // One point, remembered as if it were the first vertex of a complex.
 class OnePoint {

@@ -15,6 +15,8 @@
 
 #include <gtest/gtest.h>
 
+#include <omp.h>
+
 #include <array>
 #include <atomic>
 #include <limits>
@@ -40,13 +42,9 @@ TEST(CopyExecutor, TakesTheMemoryOfVerticesAlong) {
     options.custom_integrator = centred_difference<double>();
     auto simulation = in_copies(complex, options, {.submeshes = 4, .threads = 2});
     const Point<double> centre(0.5, 0.5);
-    const Velocity<double> turn = [&](std::span<const Point<double>> positions, double,
-                                      std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            const Point<double> arm = positions[i] - centre;
-            velocities[i] = {-arm.y(), arm.x()};
-        }
-    };
+    const auto turn = test::pointwise([&](const Point<double>& p) {
+        return Point<double>(centre.y() - p.y(), p.x() - centre.x());
+    });
     for (int step = 0; step < 8; ++step) {
         EXPECT_EQ(simulation.step(turn, 0.05 * step, 0.05).unreached, 0U);
         const auto& past = past_of(complex);
@@ -58,6 +56,22 @@ TEST(CopyExecutor, TakesTheMemoryOfVerticesAlong) {
             EXPECT_LT((past[Vertex{v}].way - (arm - before)).norm(), 2e-5);
         }
     }
+}
+
+TEST(CopyExecutor, SharesItsSubmeshesAmongTheThreads) {
+    auto complex = test::disc_complex<double>(0.03);
+    Options<double> options;
+    options.edge_length = 0.03;
+    std::atomic<int> most{0};
+    auto algorithm = default_algorithm<double>();
+    algorithm.motion.push_back({"counting", [&](Work<double>&) {
+                                    if (omp_get_num_threads() > most) {
+                                        most = omp_get_num_threads();
+                                    }
+                                }});
+    auto simulation = in_copies(complex, options, {.submeshes = 4, .threads = 3}, algorithm);
+    EXPECT_EQ(simulation.step(constant<double>(0.01, 0), 0, 1).unreached, 0U);
+    EXPECT_EQ(most, 3);
 }
 
 // Every active vertex and every mover comes to one submesh that owns its star, in some round, with

@@ -16,11 +16,7 @@ using P = Point<double>;
 
 // Towards the place, by the same factor everywhere.
 Velocity<double> shrink_to(P place) {
-    return [place](std::span<const P> positions, double, std::span<P> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = place - positions[i];
-        }
-    };
+    return test::pointwise([place](const P& p) { return P(place - p); });
 }
 
 // Phase 1 shrinks, by two percent of its area in a step, until it vanishes: that is at the area

@@ -106,12 +106,8 @@ Area area_and_centre(const Complex<double>& complex, Phase phase) {
 // The first disc has to go where the second one is, and cannot. Then the second one is taken away,
 // as by a change of topology at the end of a sub-step: all of the first one arrive after all.
 void expect_arrival_once_free(Complex<double>& complex, Executor<double>& executor) {
-    const Velocity<double> to_the_right = [](std::span<const Point<double>> positions, double,
-                                             std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = {positions[i].x() < 0.5 ? 1.0 : 0.0, 0.0};
-        }
-    };
+    const auto to_the_right = test::pointwise(
+        [](const Point<double>& p) { return Point<double>(p.x() < 0.5 ? 1 : 0, 0); });
     const Area first_before = area_and_centre(complex, 1);
     complex.journal.readers = 1;
     constexpr double way = 2 * h;
@@ -174,14 +170,10 @@ Complex<double> squares_with_a_neck() {
 }
 
 Velocity<double> squeeze() {
-    return
-        [](std::span<const Point<double>> positions, double, std::span<Point<double>> velocities) {
-            for (std::size_t i = 0; i < positions.size(); ++i) {
-                const Point<double> p = positions[i] - Point<double>(0.5, 0.5);
-                const double share = std::clamp((0.13 - std::abs(p.x())) / 0.02, 0.0, 1.0);
-                velocities[i] = {0, p.y() > 0 ? -share : share};
-            }
-        };
+    return test::pointwise([](const Point<double>& p) {
+        const double share = std::clamp((0.13 - std::abs(p.x() - 0.5)) / 0.02, 0.0, 1.0);
+        return Point<double>(0, p.y() > 0.5 ? -share : share);
+    });
 }
 
 // The neck opens at its waists, in one and the same sub-step: one event, not five. What is between
@@ -244,13 +236,8 @@ TEST(Topology, AFilmThatOpensIsShared) {
 // In a flow that keeps areas what becomes thin is a filament, and is not cut.
 TEST(Topology, AFilamentIsDrawnOutWithoutEnd) {
     const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.12, 50), 1}};
-    const Velocity<double> strain = [](std::span<const Point<double>> positions, double,
-                                       std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            const Point<double> p = positions[i] - Point<double>(0.5, 0.5);
-            velocities[i] = Point<double>(p.x(), -p.y());
-        }
-    };
+    const auto strain = test::pointwise(
+        [](const Point<double>& p) { return Point<double>(p.x() - 0.5, 0.5 - p.y()); });
     for (const Opening opening : {Opening::squeezed, Opening::thin}) {
         auto complex = initial_complex<double>({{-6, 0}, {7, 1}}, shapes, {.edge_length = 0.06});
         test::ChangingOptions<double> stretching = options();
@@ -279,12 +266,9 @@ TEST(Topology, WhatVanishesIsNotLeftBehind) {
         in_one.integrator = Integrator::euler;
         test::ChangingSimulation<double> simulation(complex, in_one);
         constexpr double dt = 0.1;
-        const Velocity<double> mirrored = [&](std::span<const Point<double>> positions, double,
-                                              std::span<Point<double>> velocities) {
-            for (std::size_t i = 0; i < positions.size(); ++i) {
-                velocities[i] = {2 * (centre.x() - positions[i].x()) / dt, 0.0};
-            }
-        };
+        const auto mirrored = test::pointwise([&](const Point<double>& p) {
+            return Point<double>(2 * (centre.x() - p.x()) / dt, 0);
+        });
         const test::ChangingReport report = simulation.step(mirrored, 0, dt);
         EXPECT_EQ(validate(complex).problem, "");
         if (rule == Topology::keep) {

@@ -50,15 +50,10 @@ Wetted run(const Approach& approach, test::ChangingOptions<double> options,
         parallel
             ? std::make_unique<test::ChangingSimulation<double>>(result.complex, options, *parallel)
             : std::make_unique<test::ChangingSimulation<double>>(result.complex, options);
-    const Velocity<double> velocity = [&](std::span<const P> positions, double,
-                                          std::span<P> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = approach.way;
-            if (approach.rise > 0) {
-                velocities[i] += approach.rise * (positions[i] - approach.centre).normalized();
-            }
-        }
-    };
+    const auto velocity = test::pointwise([&](const P& p) {
+        const P outwards = (p - approach.centre).normalized();
+        return approach.rise > 0 ? P(approach.way + approach.rise * outwards) : approach.way;
+    });
     for (int step = 0; step < steps; ++step) {
         const test::ChangingReport report = simulation->step(velocity, step / 60.0, 1 / 60.0);
         result.events.insert(result.events.end(), report.events.begin(), report.events.end());
@@ -183,10 +178,7 @@ TEST(WallFilms, NoVertexWetsTheWallWhereTheApplicationSaysNo) {
             return !refuses;
         };
         test::ChangingSimulation<double> simulation(complex, options);
-        const Velocity<double> fall = [](std::span<const P> positions, double,
-                                         std::span<P> velocities) {
-            std::ranges::fill(velocities.first(positions.size()), P(0, -0.3));
-        };
+        const auto fall = test::constant(0, -0.3);
         std::vector<Event> events;
         for (int step = 0; step < 20; ++step) {
             const test::ChangingReport report = simulation.step(fall, 0, 1 / 60.0);
@@ -205,12 +197,7 @@ void expect_left_alone(const std::vector<P>& curve, double speed, double contact
     auto complex = initial_complex<double>({}, curves, {.edge_length = h});
     const double before = phase_area(complex, 1);
     test::ChangingSimulation<double> simulation(complex, changing(h, contact));
-    const Velocity<double> slide = [&](std::span<const P> positions, double,
-                                       std::span<P> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = P(speed, 0);
-        }
-    };
+    const auto slide = test::constant(speed, 0);
     std::uint64_t unreached = 0;
     for (int step = 0; step < 20; ++step) {
         const test::ChangingReport report = simulation.step(slide, 0, 0.4 * h);

@@ -2,6 +2,7 @@
 // Films that open at a contact distance of several edge lengths: each as one event, at the time
 // when it is that thin, without holes. What is no film stays: round ends, tips, shapes wider than
 // that, sheets that move apart.
+#include "support/pointwise.h"
 #include "support/random/scene.h"
 #include "support/small_meshes.h"
 #include "support/topology/changing.h"
@@ -47,20 +48,9 @@ Complex<double> two_discs_apart(double gap, double edge_length, Phase second = 1
     return initial_complex<double>({}, shapes, {.edge_length = edge_length});
 }
 
-// The velocity at one place.
-template <class At>
-Velocity<double> velocity_of(At at) {
-    return [at](std::span<const Point<double>> positions, double,
-                std::span<Point<double>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = at(positions[i]);
-        }
-    };
-}
-
 // Each disc grows about its own centre, or shrinks.
 Velocity<double> grow_apart(double gap, double speed = 1) {
-    return velocity_of([=](const Point<double>& p) {
+    return test::pointwise([=](const Point<double>& p) {
         const double side = p.x() < 0.5 ? -1 : 1;
         const Point<double> centre(0.5 + side * (0.1 + gap / 2), 0.5);
         return Point<double>(speed * (p - centre).normalized());
@@ -236,7 +226,7 @@ TEST(WideContactOf, ASlotIsFilled) {
                                              {0.53, 0.35}, {0.47, 0.35}, {0.47, 0.8}, {0.2, 0.8}};
     auto complex =
         initial_complex<double>({}, std::vector<Shape>{{outline, 1}}, {.edge_length = h});
-    const Velocity<double> press = velocity_of([](const Point<double>& p) {
+    const Velocity<double> press = test::pointwise([](const Point<double>& p) {
         return Point<double>(std::abs(p.x() - 0.5) > 0.1 ? 0.0 : (p.x() < 0.5 ? 1.0 : -1.0), 0);
     });
     test::ChangingSimulation<double> simulation(complex, wide_options(2.5 * h, h));
@@ -252,8 +242,8 @@ TEST(WideContactOf, AThinBarVanishesAtOnce) {
     const std::vector<Point<double>> outline{{0.1, 0.46}, {0.9, 0.46}, {0.9, 0.54}, {0.1, 0.54}};
     auto complex =
         initial_complex<double>({}, std::vector<Shape>{{outline, 1}}, {.edge_length = h});
-    const Velocity<double> press =
-        velocity_of([](const Point<double>& p) { return Point<double>(0, p.y() < 0.5 ? 1 : -1); });
+    const Velocity<double> press = test::pointwise(
+        [](const Point<double>& p) { return Point<double>(0, p.y() < 0.5 ? 1 : -1); });
     test::ChangingSimulation<double> simulation(complex, wide_options(3 * h, h));
     const Events events = run_on(complex, simulation, press, dt, 4);
     ASSERT_EQ(events.size(), 1U);
@@ -334,7 +324,7 @@ TEST(WideContactOf, AFilmIsStraightenedOnlyToWhereNoTriangleIsTurnedOver) {
 
 // Everything comes closer to the middle, or goes away from it.
 Velocity<double> scale(double rate) {
-    return velocity_of([rate](const Point<double>& p) {
+    return test::pointwise([rate](const Point<double>& p) {
         return Point<double>(rate * (p - Point<double>(0.5, 0.5)));
     });
 }

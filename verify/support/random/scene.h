@@ -111,61 +111,49 @@ Complex<Real> random_shapes(Dice& dice, double h) {
     return initial_complex<Real>({}, shapes, {.edge_length = h});
 }
 
-/// No shapes, but random phases of the triangles: junctions, pinched vertices, phases at the domain
-/// boundary. With few patches, each phase forms large pieces.
+struct Site {
+    double x, y;
+    Phase phase;
+};
+
+/// No shapes, but each triangle has the phase of the site that is nearest to its middle.
 template <class Real>
-Complex<Real> random_patches(Dice& dice, double h, int patches) {
+Complex<Real> complex_of_sites(double h, std::span<const Site> sites) {
     auto complex = initial_complex<Real>({}, {}, {.edge_length = h});
-    struct Patch {
-        double x, y;
-        Phase phase;
-    };
-    std::vector<Patch> list;
-    for (int i = 0; i < patches; ++i) {
-        const Point<double> at = dice.point(0, 1);
-        list.push_back({at.x(), at.y(), static_cast<Phase>(dice.in(0, 3))});
-    }
     for (const Triangle t : triangles(complex)) {
         Point<double> middle = Point<double>::Zero();
         for (const Vertex v : complex.vertices_of(t)) {
             middle += complex.position(v).template cast<double>() / 3;
         }
-        const auto squared_distance = [x = middle.x(), y = middle.y()](const Patch& patch) {
-            return (patch.x - x) * (patch.x - x) + (patch.y - y) * (patch.y - y);
+        const auto squared_distance = [x = middle.x(), y = middle.y()](const Site& site) {
+            return (site.x - x) * (site.x - x) + (site.y - y) * (site.y - y);
         };
-        const Patch* nearest = &list.front();
-        double least = squared_distance(*nearest);
-        for (const Patch& patch : list) {
-            if (const double squared = squared_distance(patch); squared < least) {
-                nearest = &patch;
-                least = squared;
-            }
-        }
-        complex.set_phase(t, nearest->phase);
+        complex.set_phase(t, std::ranges::min_element(sites, {}, squared_distance)->phase);
     }
     return complex;
 }
 
-/// Each triangle belongs to the nearest of random sites; phases from 1 on.
+/// Random phases of the triangles: junctions, pinched vertices, phases at the domain boundary. With
+/// few patches, each phase forms large pieces.
+template <class Real>
+Complex<Real> random_patches(Dice& dice, double h, int patches) {
+    std::vector<Site> sites;
+    for (int i = 0; i < patches; ++i) {
+        const Point<double> at = dice.point(0, 1);
+        sites.push_back({at.x(), at.y(), static_cast<Phase>(dice.in(0, 3))});
+    }
+    return complex_of_sites<Real>(h, sites);
+}
+
+/// As many phases as grains, from 1 on.
 inline Complex<double> random_grains(int count, double h, std::uint64_t seed) {
     Dice dice(seed);
-    std::vector<Point<double>> sites;
+    std::vector<Site> sites;
     for (int i = 0; i < count; ++i) {
         const double x = dice.in(0.0, 1.0);
-        sites.emplace_back(x, dice.in(0.0, 1.0));
+        sites.push_back({x, dice.in(0.0, 1.0), static_cast<Phase>(i + 1)});
     }
-    auto complex = initial_complex<double>({}, {}, {.edge_length = h});
-    for (const Triangle t : triangles(complex)) {
-        const auto [a, b, c] = complex.vertices_of(t);
-        const Point<double> p =
-            (complex.position(a) + complex.position(b) + complex.position(c)) / 3;
-        Phase nearest = 0;
-        for (Phase i = 1; i < sites.size(); ++i) {
-            nearest = (p - sites[i]).norm() < (p - sites[nearest]).norm() ? i : nearest;
-        }
-        complex.set_phase(t, nearest + 1);
-    }
-    return complex;
+    return complex_of_sites<double>(h, sites);
 }
 
 /// What makes a flow wild: none of it has to be followed accurately, all of it has to be survived.

@@ -2,6 +2,7 @@
 // Two discs that grow into each other: where the topology changes, they merge or meet.
 #pragma once
 
+#include "support/pointwise.h"
 #include "support/random/scene.h"
 #include "support/topology/changing.h"
 
@@ -30,13 +31,10 @@ inline Complex<double> discs_nearby(Phase second = 1) {
 
 /// Each disc grows about its own centre at speed 1.
 inline Velocity<double> grow() {
-    return
-        [](std::span<const Point<double>> positions, double, std::span<Point<double>> velocities) {
-            for (std::size_t i = 0; i < positions.size(); ++i) {
-                const Point<double> centre(positions[i].x() < 0.5 ? 0.375 : 0.625, 0.5);
-                velocities[i] = (positions[i] - centre).normalized();
-            }
-        };
+    return test::pointwise([](const Point<double>& p) {
+        const Point<double> centre(p.x() < 0.5 ? 0.375 : 0.625, 0.5);
+        return Point<double>((p - centre).normalized());
+    });
 }
 
 inline test::ChangingOptions<double> options(Topology rule = Topology::change) {
