@@ -26,7 +26,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -93,9 +92,8 @@ test::ChangingOptions<Real> draw_all_options(Dice& dice, double h) {
 template <class Real>
 std::unique_ptr<Executor<Real>> draw_executor(Dice dice, Complex<Real>& complex,
                                               const Options<Real>& options, std::uint32_t threads) {
-    std::ostringstream words; // the bytes say all
     if (dice.chance(0.6)) {
-        return test::random_executor(dice, complex, options, threads, words);
+        return test::random_executor(dice, complex, options, threads);
     }
     const auto which =
         static_cast<std::size_t>(dice.in(0, static_cast<int>(all_divisions.size()) - 1));

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -81,10 +80,8 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
     for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
         Dice dice(seed);
         Divided divided = random_divided(dice, seed % 3 == 0);
-        std::ostringstream words;
-        words << "seed " << seed;
-        const auto partitioner = test::random_partitioner<double>(dice, GetParam(), words);
-        SCOPED_TRACE(words.str());
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const auto partitioner = test::random_partitioner<double>(dice, GetParam());
         divided.divide(*partitioner);
         const auto first = divided.regions(0).size();
         several += first >= 3 ? 1 : 0;
@@ -129,13 +126,13 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
 // The same for the same input, whichever object divides and however often: no state is left over.
 TEST_P(EveryPartition, IsTheSameForTheSameInterface) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
         Dice dice(seed);
         Divided divided = random_divided(dice, seed % 3 == 0);
         Divided other = random_divided(dice, false);
-        std::ostringstream words;
         Dice again = dice;
-        const auto used = test::random_partitioner<double>(dice, GetParam(), words);
-        const auto fresh = test::random_partitioner<double>(again, GetParam(), words);
+        const auto used = test::random_partitioner<double>(dice, GetParam());
+        const auto fresh = test::random_partitioner<double>(again, GetParam());
         other.divide(*used);
         divided.divide(*used);
         const auto expected = divided.partition;
@@ -147,11 +144,11 @@ TEST_P(EveryPartition, IsTheSameForTheSameInterface) {
             }
         }
         divided.divide(*fresh);
-        ASSERT_EQ(divided.partition.colours.size(), expected.colours.size()) << words.str();
+        ASSERT_EQ(divided.partition.colours.size(), expected.colours.size());
         std::size_t i = 0;
         for (const Colour& colour : divided.partition.colours) {
             for (const auto& p : points) {
-                EXPECT_EQ(colour.locate(no_id, p.x(), p.y()), places.at(i++)) << words.str();
+                EXPECT_EQ(colour.locate(no_id, p.x(), p.y()), places.at(i++));
             }
         }
     }
@@ -163,8 +160,7 @@ TEST_P(EveryPartition, DividesNothingWhereThereIsNoInterface) {
         Divided divided(initial_complex<double>({}, {}, {.edge_length = 0.1}), 0.1);
         divided.interface.clear();
         divided.work.clear();
-        std::ostringstream words;
-        const auto partitioner = test::random_partitioner<double>(dice, GetParam(), words);
+        const auto partitioner = test::random_partitioner<double>(dice, GetParam());
         divided.divide(*partitioner);
         for (const auto& p : sample_points(dice, divided)) {
             for (const Colour& colour : divided.partition.colours) {

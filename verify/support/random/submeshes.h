@@ -16,7 +16,6 @@
 
 #include <array>
 #include <memory>
-#include <ostream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -42,14 +41,11 @@ inline std::uint32_t number_in(Dice& dice, int low, int high) {
 }
 
 /// A partitioner of this family, with small least widths, so that small scenes have many submeshes,
-/// and with a new division after a few steps; `words` receives what was drawn.
+/// and with a new division after a few steps.
 template <class Real>
-std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamily family,
-                                                      std::ostream& words) {
-    words << ", " << to_string(family);
+std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamily family) {
     const double least_width = dice.in(2.0, 8.0);
     const std::uint32_t recut = number_in(dice, 1, 8);
-    words << " least width " << least_width << " recut " << recut;
     switch (family) {
     case PartitionFamily::fixed:
     case PartitionFamily::counting:
@@ -64,8 +60,6 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamil
         slabs.follow_shape = dice.chance(0.25);
         slabs.least_width = least_width;
         slabs.recut = recut;
-        words << " slabs " << slabs.submeshes << " degrees " << slabs.degrees
-              << (slabs.follow_shape ? " follow shape" : "");
         return std::make_unique<SlabPartitioner<Real>>(slabs);
     }
     case PartitionFamily::blocks: {
@@ -73,7 +67,6 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamil
         blocks.submeshes = number_in(dice, 1, 36);
         blocks.least_width = least_width;
         blocks.recut = recut;
-        words << " submeshes " << blocks.submeshes;
         return std::make_unique<BlockPartitioner<Real>>(blocks);
     }
     case PartitionFamily::cells: {
@@ -84,14 +77,11 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamil
         cells.least_width = least_width;
         cells.recut = recut;
         cells.recut_later = number_in(dice, 1, 4);
-        words << " submeshes " << cells.submeshes << " least vertices " << cells.least_vertices
-              << " band " << cells.band << " recut later " << cells.recut_later;
         return std::make_unique<CellPartitioner<Real>>(cells);
     }
     case PartitionFamily::voronoi: {
         const std::uint32_t submeshes = number_in(dice, 1, 10);
         const int rounds = dice.in(0, 8);
-        words << " submeshes " << submeshes << " rounds " << rounds;
         return std::make_unique<PlacePartitioner<Real>>(
             [=](const PartitionInput<Real>& input) {
                 return voronoi_colours(input, submeshes, rounds);
@@ -102,36 +92,18 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamil
     return nullptr;
 }
 
-/// Always all threads that are requested, however little there is to do.
-inline Parallel random_submesh_options(Dice& dice, std::uint32_t threads, std::ostream& words) {
-    Parallel options;
-    options.assignment = dice.one_of(assignment_names);
-    options.always_all_threads = true;
-    options.threads = threads;
-    words << ", assignment " << to_string(options.assignment) << ", threads " << threads;
-    return options;
-}
-
-/// An executor with a division of the family.
-template <class Real>
-std::unique_ptr<SubmeshExecutor<Real>>
-random_executor(Dice& dice, PartitionFamily family, Complex<Real>& complex,
-                const Options<Real>& options, std::uint32_t threads, std::ostream& words,
-                bool profile = false) {
-    auto partitioner = random_partitioner<Real>(dice, family, words);
-    Parallel submeshes = random_submesh_options(dice, threads, words);
-    submeshes.profile = profile;
-    return std::make_unique<SubmeshExecutor<Real>>(complex, options, default_algorithm<Real>(),
-                                                   std::move(partitioner), submeshes);
-}
-
-/// The same with a random family.
+/// An executor with a division of any family, which always uses all threads, however little there
+/// is to do.
 template <class Real>
 std::unique_ptr<SubmeshExecutor<Real>> random_executor(Dice& dice, Complex<Real>& complex,
                                                        const Options<Real>& options,
-                                                       std::uint32_t threads, std::ostream& words) {
-    const PartitionFamily family = dice.one_of(partition_families);
-    return random_executor(dice, family, complex, options, threads, words);
+                                                       std::uint32_t threads) {
+    auto partitioner = random_partitioner<Real>(dice, dice.one_of(partition_families));
+    const Parallel parallel{.threads = threads,
+                            .always_all_threads = true,
+                            .assignment = dice.one_of(assignment_names)};
+    return std::make_unique<SubmeshExecutor<Real>>(complex, options, default_algorithm<Real>(),
+                                                   std::move(partitioner), parallel);
 }
 
 /// A complex and the view of it that a partitioner gets.
