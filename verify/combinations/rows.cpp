@@ -146,10 +146,12 @@ Cover cover_features(std::size_t strength, std::uint64_t seed) {
     return cover;
 }
 
-std::vector<Values> found_rows() {
-    std::ifstream file(DSC_FOUND_ROWS);
+namespace {
+
+std::vector<Values> read_rows(const std::string& path) {
+    std::ifstream file(path);
     if (!file) {
-        throw std::runtime_error("cannot read " DSC_FOUND_ROWS);
+        throw std::runtime_error("cannot read " + path);
     }
     std::vector<Values> rows;
     for (std::string line; std::getline(file, line);) {
@@ -159,5 +161,10 @@ std::vector<Values> found_rows() {
     }
     return rows;
 }
+
+} // namespace
+
+std::vector<Values> found_rows() { return read_rows(DSC_COMBINATIONS "/found.txt"); }
+std::vector<Values> open_rows() { return read_rows(DSC_COMBINATIONS "/open.txt"); }
 
 } // namespace dsc::combinations

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which rows are run: those that make sense, drawn at random until each combination of a few values
-// stands in one of them; and those that have failed once.
+// stands in one of them; and those that have failed once, or still do.
 #pragma once
 
 #include "combinations/row.h"
@@ -29,5 +29,8 @@ struct Cover {
 /// The rows of found.txt: they failed once, and are cut down to the features that they needed for
 /// it.
 [[nodiscard]] std::vector<Values> found_rows();
+
+/// The rows of open.txt: they still fail.
+[[nodiscard]] std::vector<Values> open_rows();
 
 } // namespace dsc::combinations
