@@ -4,8 +4,8 @@
 #include "scenes/catalogue/coalescence.h"
 #include "scenes/catalogue/families.h"
 #include "scenes/catalogue/small_waves.h"
-#include "scenes/file/formula/formula_length.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -27,7 +27,8 @@ struct Tank {
     std::function<void(double h, Setup& setup)> fill{};
     std::optional<SmallWave> wave{};
     std::function<double(double time)> neck{};
-    std::string edges{};  ///< of the interface, by x, y, t and h where they are not h
+    /// Of the interface, over h; empty: 1.
+    std::function<double(const Point<double>& place, double time)> edges{};
     double shortest = 0;  ///< of these edges, over h
     double tolerance = 0; ///< of the error of a step, in edges there, over h squared; 0: none
     Topology topology = Topology::keep;
@@ -35,10 +36,6 @@ struct Tank {
     double least_area = 1;
     bool follows_seams = true;
 };
-
-FormulaLength edges_of(const std::string& formula, double h) {
-    return {formula, {{"h", h}}, "the edges of a tank"};
-}
 
 Scene scene_of(const Tank& tank) {
     InterfaceThresholds interface;
@@ -64,8 +61,11 @@ Scene scene_of(const Tank& tank) {
                     FluidMotion{.options = tank.fluids, .wave = tank.wave, .neck = tank.neck};
                 setup.fluid->options.tolerance = tank.tolerance * p.h * p.h;
                 setup.sizes.longest = tank.longest * p.h;
-                if (!tank.edges.empty()) {
-                    setup.sizes.on_interface = edges_of(tank.edges, p.h);
+                if (tank.edges) {
+                    setup.sizes.on_interface = [edges = tank.edges, h = p.h](const auto& place,
+                                                                             double time) {
+                        return h * edges(place, time);
+                    };
                     setup.sizes.changes_in_time = true;
                     setup.sizes.shortest = tank.shortest * p.h;
                 }
@@ -225,10 +225,12 @@ Tank coalescing_cylinders() {
     constexpr double last_neck = 0.8955;
     const double m = coalescing_at_neck(first_neck);
     const double first = coalescing_time(m);
-    const std::string root = "sqrt(t + 0.0451)";
-    const std::string neck = "(0.0023 + " + root + "*(0.0575 + " + root + "*(1.572 + " + root +
-                             "*(-1.1925 + " + root + "*0.2607))))";
-    const std::string edges = "h*min(1, 4*" + neck + "^3 + 4*sqrt((x - " + neck + ")^2 + y^2))";
+    const auto edges = [](const Point<double>& place, double time) {
+        const double root = std::sqrt(time + 0.0451);
+        const double neck =
+            0.0023 + root * (0.0575 + root * (1.572 + root * (-1.1925 + root * 0.2607)));
+        return std::min(1.0, 4 * neck * neck * neck + 4 * (place - Point<double>(neck, 0)).norm());
+    };
     Tank tank{.about = {"coalescing-cylinders", "two viscous cylinders become one", "fluid"},
               .h = 0.04,
               .duration = coalescing_time(coalescing_at_neck(last_neck)) - first,
@@ -237,14 +239,13 @@ Tank coalescing_cylinders() {
               .fluids = two_fluids({.is_void = true}, {.viscosity = 1}, 1, 0, all_slip),
               .fill =
                   [m, edges](double h, Setup& setup) {
-                      const FormulaLength length = edges_of(edges, h);
                       dsc::Curve curve{.points = {}, .left = 1, .right = exterior_phase};
                       double angle = 0;
                       while (angle < pi / 2) {
                           const Point<double> at = coalescing_outline(m, angle);
                           curve.points.push_back(at);
                           const double ahead = 1e-6;
-                          angle += ahead * slack * length(at, 0) /
+                          angle += ahead * slack * h * edges(at, 0) /
                                    (coalescing_outline(m, angle + ahead) - at).norm();
                       }
                       curve.points.back() = coalescing_outline(m, pi / 2);

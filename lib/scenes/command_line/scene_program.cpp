@@ -361,8 +361,7 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         ->excludes(settings, strategy, submeshes, angle);
     auto* describe_command =
         app.add_subcommand("describe", "print one scene as a file that can be changed and run");
-    describe_command->add_option("scene", arguments.scene, "a name from the list")
-        ->required();
+    describe_command->add_option("scene", arguments.scene, "a name from the list")->required();
     describe_command->add_option("--set", arguments.settings, "key=value; may be repeated")
         ->allow_extra_args(false);
     const auto list_all = [&] {

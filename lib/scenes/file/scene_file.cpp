@@ -42,10 +42,9 @@ struct SceneParts {
     std::optional<Phase> measured{};
     std::optional<int> half_step{};
 
-    // Of the base, only options have changed.
-    [[nodiscard]] bool is_as_in_catalogue() const {
-        return base && !domain && shapes.empty() && curves.empty() && !flow && !curvature &&
-               !growth && !fluid && carried.empty();
+    [[nodiscard]] bool has_shape_and_motion_of_base() const {
+        return base && shapes.empty() && curves.empty() && !flow && !curvature && !growth &&
+               !fluid && carried.empty();
     }
 };
 
@@ -133,7 +132,7 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
         setup.exact = parts.exact(p, setup,
                                   parts.shapes.empty() ? std::vector<FirstShape>{}
                                                        : first_shapes(parts.shapes, setup));
-    } else if (!parts.is_as_in_catalogue()) {
+    } else if (!parts.has_shape_and_motion_of_base()) {
         setup.exact = {};
     }
     return setup;

@@ -5,7 +5,7 @@
 //     name = "my-scene"           # of result files; else the file's own
 //     description = "..."
 //     scene = "swirl"             # begins as this scene of the catalogue; what follows replaces
-//                                 # its parts, and its exact shape unless only options change
+//                                 # its parts; its exact shape holds while shape and motion do
 //     carried = [phases]          # whose inside moves with the flow
 //     [domain]                    # low = [0, 0], high = [1, 1]; clamped = true: the ends of
 //                                 # curves on the sides stay where they are

@@ -83,7 +83,7 @@ std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableRead
     const double number =
         reader.has("edges_to_interface") ? reader.number("edges_to_interface", {1, 1e4}) : 0;
     const double longest = reader.has("longest") ? reader.number("longest", positive_length) : 0;
-    const double shortest = reader.has("shortest") ? reader.number("shortest", positive_length) : 0;
+    const double least = reader.has("shortest") ? reader.number("shortest", positive_length) : 0;
     const LengthByPhase by_phase{reader.has("by_phase")
                                      ? reader.numbers("by_phase", positive_length)
                                      : std::vector<double>{}};
@@ -104,7 +104,7 @@ std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableRead
         [=, by_place = read("by_place"), on_interface = read("on_interface")](const Parameters& p) {
             SizeOptions<double> sizes;
             sizes.longest = longest;
-            sizes.shortest = shortest;
+            sizes.shortest = least;
             if (number > 0) {
                 sizes.by_distance = EdgesToInterface{p.h, number};
             }

@@ -178,7 +178,7 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {options + "shape = 3\n", {"s.toml:5", "unknown key", "'shape'"}},
         {options + "[sizes]\nedges_to_interface = 0\n", {"s.toml:6", "edges_to_interface", "0"}},
         {options + "[sizes]\nlongest = -1\n", {"s.toml:6", "longest", "-1"}},
-        {options + "[sizes]\nshortest = 1\n", {"s.toml:6", "unknown key", "'shortest'"}},
+        {options + "[sizes]\nsmallest = 1\n", {"s.toml:6", "unknown key", "'smallest'"}},
         {disc + "[[curve]]\npoints = [[0, 0], [1, 1]]\n" + options, {"s.toml:3", "curve"}},
         {flow, {"s.toml:5", "[flow]", "swirl"}},
         {flow + "u = 'x +'\nv = '1'\n", {"s.toml:6", "[flow] u", "character 4", "a number"}},
