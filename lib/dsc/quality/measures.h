@@ -218,4 +218,34 @@ StarReport<Real> examine(const Ring<Real>& ring) {
     return examine(ring, margins);
 }
 
+/// The Delaunay test of the spokes alone: writes their margins, and returns the lowest one, at most
+/// 0. O(degree).
+template <class Real>
+Real examine_spokes(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
+    Real lowest = 0;
+    const std::uint32_t n = ring.padded();
+    const Real* x = ring.x.data();
+    const Real* y = ring.y.data();
+    const Real* x_next = ring.x_next.data();
+    const Real* y_next = ring.y_next.data();
+    const Real* x_previous = ring.x_previous.data();
+    const Real* y_previous = ring.y_previous.data();
+    const Real px = ring.x0;
+    const Real py = ring.y0;
+    Real* margin = margins.data();
+#pragma omp simd reduction(min : lowest)
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const Real ax = x[i] - px;
+        const Real ay = y[i] - py;
+        const Real bx = x_next[i] - px;
+        const Real by = y_next[i] - py;
+        const Real ex = x_previous[i] - px;
+        const Real ey = y_previous[i] - py;
+        const Real found = spoke_margin<Real>(ax, ay, bx, by, ex, ey);
+        margin[i] = found;
+        lowest = std::min(lowest, found);
+    }
+    return lowest;
+}
+
 } // namespace dsc
