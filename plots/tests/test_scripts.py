@@ -11,6 +11,7 @@ import sys
 import unittest
 
 import matplotlib.pyplot as plt
+from PIL import Image
 
 import flow
 import over_time
@@ -120,6 +121,22 @@ class Scripts(Case):
             self.assertEqual(axes.collections[0].get_clim(), (0, 5))
             self.assertEqual(len(axes.collections[1].get_segments()), 2, "edges of the interface")
         plt.close(figure)
+
+    def test_a_film_has_all_frames_in_order(self):
+        folder = os.path.dirname(self.frame())
+        self.frame(7)
+        self.write("frames/bubbles_cells.pvd", "<VTKFile><Collection>" + "".join(
+            f'<DataSet timestep="{step}" part="0" file="bubbles_cells_{step:05}.vtu"/>'
+            for step in (0, 7)) + "</Collection></VTKFile>")
+        out = self.path("film.webp")
+        self.assertEqual(self.call("film", folder, "--out", out),
+                         (0, "", f"{out}: bubbles in 2 frames.\n"))
+        with Image.open(out) as film:
+            self.assertEqual((film.n_frames, film.info["loop"]), (2, 0))
+        status, errors, _ = self.call("film", self.folder, "--out", out)
+        self.assertEqual(status, 2)
+        self.assertIn("frames of 0 runs, where one is needed", errors)
+        self.assertEqual(self.call("film", folder, "--out", self.path("film.gif"))[0], 2)
 
     def test_a_run_over_time(self):
         columns = over_time.read(self.write("s.csv", SERIES))
