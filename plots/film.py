@@ -71,17 +71,13 @@ def main(argv=None):
     words.add_argument("folder", metavar="FOLDER")
     words.add_argument("--out", required=True, metavar="FILM", help="webp")
     given = words.parse_args(argv)
-    try:
-        if not given.out.endswith(".webp"):
-            raise load.InputFault(f"--out has '{given.out}', where a name ending in .webp is "
-                                  "allowed.")
+
+    def write():
         data, sentence = film(given.folder)
         style.write_bytes(given.out, data)
-    except (load.InputFault, OSError) as fault:
-        sys.stderr.write(f"film.py: {fault}\n")
-        return 2
-    print(f"{given.out}: {sentence}")
-    return 0
+        print(f"{given.out}: {sentence}")
+
+    return script.attempt(words.prog, write)
 
 
 if __name__ == "__main__":

@@ -91,12 +91,7 @@ def _head(context):
 
 def main(argv=None):
     options = arguments(argv)
-    try:
-        build(options)
-    except (load.InputFault, OSError) as fault:
-        sys.stderr.write(f"report.py: {fault}\n")
-        return 2
-    return 0
+    return script.attempt("report.py", lambda: build(options))
 
 
 if __name__ == "__main__":

@@ -20,6 +20,16 @@ def parser(doc):
         formatter_class=argparse.RawDescriptionHelpFormatter)
 
 
+def attempt(name, work):
+    """The exit status of a script that does this."""
+    try:
+        work()
+    except (InputFault, OSError) as fault:
+        sys.stderr.write(f"{name}: {fault}\n")
+        return 2
+    return 0
+
+
 def main(doc, draw, argv=None, **options):
     """Saves the Pictures that draw(given) makes of given.files: into given.out, or into a file for
     each, if they are several. options: {name: keywords of argparse} of the script's own."""
@@ -30,7 +40,8 @@ def main(doc, draw, argv=None, **options):
         words.add_argument(f"--{name}", **keywords)
     given = words.parse_args(argv)
     stem, form = os.path.splitext(given.out)
-    try:
+
+    def draw_all():
         if form not in FORMATS:
             raise InputFault(f"--out has '{given.out}', where names ending in "
                              f"{style.listing(FORMATS)} are allowed.")
@@ -42,7 +53,5 @@ def main(doc, draw, argv=None, **options):
             folder, name = os.path.split(path)
             style.save(picture.figure, folder or ".", os.path.splitext(name)[0], [form[1:]])
             print(f"{path}: {picture.sentence}")
-    except (InputFault, OSError) as fault:
-        sys.stderr.write(f"{words.prog}: {fault}\n")
-        return 2
-    return 0
+
+    return attempt(words.prog, draw_all)
