@@ -301,6 +301,15 @@ run_gallery() {
         </dev/null || failed+=("the thesis's figures")
 }
 
+# A fluid at work, coarse: the page shows it.
+run_film() {
+    say "thirty bubbles"
+    rm -rf "$frames/film"
+    { "$scene" run bubbles --set h=0.03 --frames "$frames/film" --every 8 &&
+        "$python" plots/film.py "$frames/film" --out "$report/bubbles.webp"; } \
+        </dev/null >/dev/null || failed+=("the film")
+}
+
 draw() {
     local scenes=("$report"/scenes/*.json) verify=("$report"/gate/*.json)
     local errors=("$report"/precision/*.json) cases=()
@@ -358,6 +367,7 @@ run_all() {
     fi
     run_scenes
     run_gallery
+    run_film
     await_beside "gate or literal method"
     draw || failed+=("plots")
     rm -rf "$frames"

@@ -8,6 +8,7 @@ The folder is one of `dsc_scene run --frames FOLDER --every N`, with one run. A 
 speed, on a scale that ends at the median of the frames' largest, anything else by its phases; the
 interface is bold.
 """
+import base64
 import io
 import os
 import sys
@@ -26,6 +27,7 @@ SIDE = 3.0           # inches, the shorter side of the domain
 DPI = 90
 SECONDS_A_FRAME = 0.08
 QUALITY = 55         # of WebP's 100
+OF_REPORT = "bubbles.webp"
 
 
 def drawn(frame, time, most):
@@ -64,6 +66,17 @@ def film(folder):
     images[0].save(buffer, format="WEBP", save_all=True, append_images=images[1:], loop=0,
                    duration=round(1000 * SECONDS_A_FRAME), quality=QUALITY, method=6)
     return buffer.getvalue(), f"{scene} in {style.counted(len(images), 'frame')}."
+
+
+def section(out):
+    """The part of the report in the folder `out`, where bench/run.sh has left a film; else nothing."""
+    path = out / OF_REPORT
+    if not path.is_file():
+        return ""
+    data = base64.b64encode(path.read_bytes()).decode("ascii")
+    return (f'<figure><img alt="Thirty bubbles rise and merge" src="data:image/webp;base64,{data}">'
+            "<figcaption>The scene bubbles: the speed as a colour, brighter where it is faster, and "
+            "the interface in white. Times are in units of the scene.</figcaption></figure>\n")
 
 
 def main(argv=None):

@@ -8,6 +8,7 @@ from look import style  # first: it says which Python has no matplotlib
 
 import breakdown
 import convergence
+import film
 import frames
 import gallery
 import granularity
@@ -92,6 +93,7 @@ def build(results, drawn, out):
         ("compared", "Area, shape, triangles and speed", comparison.section(results),
          "Neither the gate nor whole runs were made, so there is nothing to compare."),
         ("frames", "The meshes", pictures("frames", len(FIRST)), _no_frames(results)),
+        ("film", "Thirty bubbles rise and merge", film.section(pathlib.Path(out)), ""),
         ("thesis", "The thesis's figures", gallery.section(pathlib.Path(out)), ""),
         ("steps", "Time of a step", pictures("steps", 1), _no_bench(bench)),
         ("speedup", "Several threads", pictures("speedup", 1), _no_bench(bench)),

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Tests of the page itself: what it says first, its verdicts, its tables, its parts."""
 import os
+import pathlib
 import re
 
+import film
 from page import comparison, contents, document, findings, verdicts
 from results import load
 from tests.samples import PUBLISHED, Case, bench, hard_cases, row, scene, verify
@@ -176,6 +178,12 @@ class Words(Case):
             self.assertNotIn(word, text)
 
     # Parts.
+
+    def test_a_film_has_its_place(self):
+        self.write("out/bubbles.webp", "a film")
+        self.assertIn("data:image/webp;base64,YSBmaWxt",
+                      film.section(pathlib.Path(self.folder) / "out"))
+        self.assertEqual(film.section(pathlib.Path(self.folder)), "")
 
     def test_the_gallery_has_its_place(self):
         self.write("out/gallery/section.html", "<p>drawn</p>")
