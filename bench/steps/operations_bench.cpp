@@ -16,6 +16,7 @@
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/run/clock.h"
 #include "scenes/run/run.h"

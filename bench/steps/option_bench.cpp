@@ -7,7 +7,7 @@
 #include "suites.h"
 
 #include "dsc/base/error.h"
-#include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 #include "scenes/run/start.h"
 
 #include <benchmark/benchmark.h>

@@ -8,6 +8,7 @@
 #include "dsc/queries/validate.h"
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"
+#include "replay/mesh_hash.h"
 #include "scenes/run/clock.h"
 #include "scenes/run/reference_run.h"
 #include "scenes/run/start.h"

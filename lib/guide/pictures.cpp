@@ -18,7 +18,7 @@ constexpr double size_px = 220;
 std::string folder;
 
 // The whole domain, or a part of it with bolder edges.
-void draw(const Complex<double>& complex, const std::string& name, const SvgBox& view = {},
+void draw(const Complex<double>& complex, const std::string& name, const Rectangle& view = {},
           double edge_width_px = 0.6) {
     write_svg(complex, folder + "/" + name + ".svg",
               {.size_px = size_px,
@@ -30,7 +30,7 @@ void draw(const Complex<double>& complex, const std::string& name, const SvgBox&
 }
 
 void draw_detail(const Complex<double>& complex, const std::string& name) {
-    draw(complex, name, {.low_x = 0.22, .low_y = 0.1, .high_x = 0.82, .high_y = 0.7}, 1.2);
+    draw(complex, name, {{0.22, 0.1}, {0.82, 0.7}}, 1.2);
 }
 
 std::vector<Point<double>> circle(const Point<double>& centre, double radius) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "python/data.h"
 
-#include "dsc/io/part_file.h"
+#include "replay/sealed_file.h"
+#include "scenes/run/standard_archive.h"
 
 #include <pybind11/stl.h>
 

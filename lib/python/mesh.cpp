@@ -4,6 +4,7 @@
 #include "python/data.h"
 #include "python/measures.h"
 #include "python/options.h"
+#include "replay/mesh_hash.h"
 
 #include <pybind11/stl.h>
 

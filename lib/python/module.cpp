@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The compiled part of the Python package dsc, which dsc/__init__.py completes.
-#include "dsc/io/part_file.h"
 #include "python/fluid.h"
+#include "replay/sealed_file.h"
 
 PYBIND11_MODULE(_dsc, module) {
     namespace py = pybind11;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "replay/replay.h"
+#include "replay/edits.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/complex.h"

@@ -5,7 +5,7 @@
 #include "support/courses.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 
 #include <gtest/gtest.h>
 

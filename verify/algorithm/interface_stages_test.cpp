@@ -4,7 +4,7 @@
 #include "support/interface_view_testing.h"
 #include "support/simulation_testing.h"
 
-#include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 #include "scenes/integrator_choice.h"
 
 #include <gtest/gtest.h>

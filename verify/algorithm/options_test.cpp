@@ -5,7 +5,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 #include "thesis/centred_difference.h"
 
 #include <gtest/gtest.h>

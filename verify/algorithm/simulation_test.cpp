@@ -9,7 +9,7 @@
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/algorithm.h"
-#include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 
 #include <gtest/gtest.h>
 

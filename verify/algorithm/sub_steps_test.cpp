@@ -7,6 +7,7 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // State as bytes: everything reads back as it was, and nothing that cannot be true is believed.
 #include "dsc/base/archive.h"
+#include "scenes/run/standard_archive.h"
 
 #include "dsc/base/error.h"
 

@@ -7,6 +7,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 #include "thesis/algebra.h"
 #include "thesis/insertion_removal.h"
 

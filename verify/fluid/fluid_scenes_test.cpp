@@ -6,6 +6,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 
 #include <gtest/gtest.h>
 

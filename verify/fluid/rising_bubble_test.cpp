@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Case 1 of Hysing's rising bubble, early: the acceleration, the area and the energy.
 #include "fluid/scenes.h"
+#include "replay/mesh_hash.h"
 
 #include <gtest/gtest.h>
 

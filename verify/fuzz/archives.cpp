@@ -14,6 +14,7 @@
 #include "dsc/queries/validate.h"
 #include "replay/replay.h"
 #include "scenes/run/checkpoint.h"
+#include "scenes/run/standard_archive.h"
 #include "thesis/replay.h"
 
 #include <unistd.h>

@@ -120,8 +120,7 @@ void draw(const Mesh& mesh, const Spot& spot, double edge_length, const std::str
           const std::string& path) {
     const double reach = edges_around * edge_length;
     write_svg(mesh, path,
-              {.view = SvgBox{spot.at.x() - reach, spot.at.y() - reach, spot.at.x() + reach,
-                              spot.at.y() + reach},
+              {.view = Rectangle{spot.at.array() - reach, spot.at.array() + reach},
                .title = title,
                .marks = {{spot.at.x(), spot.at.y(), spot.what}}});
 }

@@ -3,11 +3,11 @@
 #include "scene.h"
 #include "watch.h"
 
-#include "dsc/queries/validate.h"
 #include "flows/exact.h"
 #include "flows/velocity.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
+#include "replay/mesh_hash.h"
 #include "shapes/shapes.h"
 #include "support/frame_testing.h"
 

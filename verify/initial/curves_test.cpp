@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The initial complex of a network of curves: every curve comes out as it went in, with its phases
 // on both sides, and the triangles are as good as the angles between the curves allow.
-#include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 #include "shapes/shapes.h"
 #include "shapes/voronoi.h"
 #include "support/curve_testing.h"

@@ -6,6 +6,7 @@
 #include "dsc/initial/initial_complex.h"
 #include "dsc/queries/validate.h"
 #include "measures/symmetric_difference.h"
+#include "replay/mesh_hash.h"
 #include "shapes/shapes.h"
 #include "support/initial_testing.h"
 

@@ -129,7 +129,7 @@ TYPED_TEST(Io, SvgOptions) {
     options.edge_width_px = 0;
     options.size_px = 100;
     options.margin_px = 0;
-    options.view = SvgBox{0, 0, 3, 1.5};
+    options.view = Rectangle{{0, 0}, {3, 1.5}};
     options.phase_colours = {"white", "red", "blue"};
     write_svg(complex, file, options);
     const std::string text = read(file);
@@ -160,7 +160,7 @@ TYPED_TEST(Io, SvgOptions) {
     refused([](SvgOptions& o) { o.margin_px = -1; });
     refused([](SvgOptions& o) { o.interface_width_px = -1; });
     refused([](SvgOptions& o) { o.phase_colours.clear(); });
-    refused([](SvgOptions& o) { o.view = SvgBox{1, 0, 1, 1}; });
+    refused([](SvgOptions& o) { o.view = Rectangle{{1, 0}, {1, 1}}; });
     EXPECT_EQ(this->files(), 1U);
 }
 
@@ -262,18 +262,6 @@ TYPED_TEST(Io, VtuReadsBackBitByBit) {
     EXPECT_THROW(write_vtu(complex, file, short_one), InputError);
 }
 
-TYPED_TEST(Io, PvdNamesFilesAndTimes) {
-    const std::string file = this->path("run.pvd");
-    const std::vector<PvdEntry> entries{{0, "a.vtu"}, {0.1, "b&c.vtu"}, {1e-9, "d.vtu"}};
-    write_pvd(entries, file);
-    const std::string text = read(file);
-    expect_well_formed(text);
-    EXPECT_EQ(count(text, "<DataSet"), 3U);
-    EXPECT_NE(text.find("timestep=\"0.1\" part=\"0\" file=\"b&amp;c.vtu\""), std::string::npos);
-    write_pvd({}, file);
-    expect_well_formed(read(file));
-}
-
 TYPED_TEST(Io, NoFolderNoFile) {
     const auto complex = scene<TypeParam>();
     const std::string file = this->path("missing/mesh.svg");
@@ -285,8 +273,6 @@ TYPED_TEST(Io, NoFolderNoFile) {
         EXPECT_NE(std::string(error.what()).find("No such file"), std::string::npos);
     }
     EXPECT_THROW(write_vtu(complex, this->path("missing/mesh.vtu")), FileError);
-    EXPECT_THROW(write_pvd({}, this->path("missing/run.pvd")), FileError);
-    EXPECT_THROW(write_pvd({}, this->path("")), FileError);
     // The place is a folder that is not empty: nothing can be renamed onto it.
     fs::create_directories(this->folder / "full.vtu" / "more");
     EXPECT_THROW(write_vtu(complex, this->path("full.vtu")), FileError);

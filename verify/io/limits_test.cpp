@@ -3,8 +3,8 @@
 // are taken, kinds of eight bytes.
 #include "dsc/base/error.h"
 #include "dsc/io/appended_data.h"
-#include "dsc/io/part_file.h"
 #include "dsc/io/pictures.h"
+#include "replay/sealed_file.h"
 
 #include "support/small_meshes.h"
 
@@ -48,12 +48,10 @@ TEST_F(FileLimits, AnEmptyArrayIsAHeaderWithoutBlocks) {
 }
 
 TEST_F(FileLimits, AViewMayBeNarrowerThanTheUnit) {
-    EXPECT_EQ(SvgBox{}.high_x, 1);
-    EXPECT_EQ(SvgBox{}.high_y, 1);
-    EXPECT_NO_THROW((void)picture({.view = SvgBox{0, 0, 0.5, 0.5}}));
+    EXPECT_NO_THROW((void)picture({.view = Rectangle{{0, 0}, {0.5, 0.5}}}));
     for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
-        EXPECT_THROW((void)picture({.view = SvgBox{0, 0, bad, 0.5}}), InputError);
-        EXPECT_THROW((void)picture({.view = SvgBox{0, 0, 0.5, bad}}), InputError);
+        EXPECT_THROW((void)picture({.view = Rectangle{{0, 0}, {bad, 0.5}}}), InputError);
+        EXPECT_THROW((void)picture({.view = Rectangle{{0, 0}, {0.5, bad}}}), InputError);
     }
 }
 

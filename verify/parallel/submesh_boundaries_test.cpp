@@ -6,7 +6,7 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/quality/measures.h"
-#include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
-#include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,6 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -194,8 +193,3 @@ inline constexpr std::array verdict_names{
 }
 
 } // namespace dsc
-
-template <class Tag>
-struct std::hash<dsc::Handle<Tag>> {
-    std::size_t operator()(dsc::Handle<Tag> handle) const noexcept { return handle.id; }
-};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
+#include "dsc/geometry/points.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,9 +16,6 @@ void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
     }
     const Point<Real> centre = complex.position(v);
     const Point<Real> way = place - centre;
-    const auto cross = [](const Point<Real>& a, const Point<Real>& b) {
-        return a.x() * b.y() - a.y() * b.x();
-    };
     Vertex best_a;
     Vertex best_b;
     Real share_a = 0;
@@ -28,9 +26,9 @@ void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
         const Vertex b{complex.vertex(prev(c))};
         const Point<Real> to_a = complex.position(a) - centre;
         const Point<Real> to_b = complex.position(b) - centre;
-        const Real area = cross(to_a, to_b);
-        const Real of_a = cross(way, to_b) / area;
-        const Real of_b = cross(to_a, way) / area;
+        const Real area = cross<Real>(to_a, to_b);
+        const Real of_a = cross<Real>(way, to_b) / area;
+        const Real of_b = cross<Real>(to_a, way) / area;
         // Neither is negative in the triangle that the way leads into.
         if (const Real least = std::min(of_a, of_b); least > best) {
             best = least;

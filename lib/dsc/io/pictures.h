@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/initial/initial_complex.h"
 
 #include <cstdint>
 #include <optional>
@@ -15,14 +16,6 @@
 namespace dsc {
 
 // --- as SVG --------------------------------------------------------------------------------------
-
-/// An upright rectangle, in units of the domain.
-struct SvgBox {
-    double low_x = 0; ///< the corner of the smallest coordinates
-    double low_y = 0;
-    double high_x = 1; ///< the corner of the largest coordinates
-    double high_y = 1;
-};
 
 /// Colours of triangles by something other than their phase: a number, or which group they are in.
 struct SvgFill {
@@ -53,7 +46,7 @@ struct SvgOptions {
                                            "#cc79a7", "#f0e442", "#0072b2", "#d55e00"};
     /// The part of the plane to show; empty: all living vertices. The frames of a film need a
     /// fixed one.
-    std::optional<SvgBox> view{};
+    std::optional<Rectangle> view{};
     std::string title{}; ///< empty: none
     /// In place of the colours of phases. One entry for each triangle id.
     std::optional<SvgFill> fill{};
@@ -68,9 +61,8 @@ void write_svg(const Complex<Real>& complex, const std::string& path,
                const SvgOptions& options = {});
 
 // --- for ParaView --------------------------------------------------------------------------------
-// A complex as a VTK unstructured grid (.vtu), and the collection (.pvd) that gives a series of
-// them their times. The formats are those of Kitware's "VTK file formats": numbers are appended in
-// binary, compressed by zlib.
+// A complex as a VTK unstructured grid (.vtu), as Kitware's "VTK file formats" describes it:
+// numbers are appended in binary, compressed by zlib, in a fifth of the bytes.
 
 /// An array to be written beside the complex's own data.
 struct VtuArray {
@@ -90,14 +82,5 @@ struct VtuArray {
 template <class Real>
 void write_vtu(const Complex<Real>& complex, const std::string& path,
                std::span<const VtuArray> more = {});
-
-/// One file of a series.
-struct PvdEntry {
-    double time = 0;    ///< in the units of the simulation
-    std::string file{}; ///< relative to the folder of the .pvd file
-};
-
-/// Writes the collection. Throws FileError.
-void write_pvd(std::span<const PvdEntry> entries, const std::string& path);
 
 } // namespace dsc

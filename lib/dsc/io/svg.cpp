@@ -18,25 +18,23 @@ namespace dsc {
 namespace {
 
 template <class Real>
-SvgBox box_of(const Complex<Real>& complex) {
+Rectangle box_of(const Complex<Real>& complex) {
     const auto [low, high] = bounds_of(complex);
     return low.x() <= high.x()
-               ? SvgBox{static_cast<double>(low.x()), static_cast<double>(low.y()),
-                        static_cast<double>(high.x()), static_cast<double>(high.y())}
-               : SvgBox{};
+               ? Rectangle{low.template cast<double>(), high.template cast<double>()}
+               : Rectangle{};
 }
 
 // From the plane to pixels; y turns downwards.
 class View {
 public:
-    View(const SvgBox& box, const SvgOptions& options)
-        : low_x_(box.low_x), high_y_(box.high_y), margin_(options.margin_px) {
-        const double width = box.high_x - box.low_x;
-        const double height = box.high_y - box.low_y;
-        const double extent = std::max(width, height);
+    View(const Rectangle& box, const SvgOptions& options)
+        : low_x_(box.low.x()), high_y_(box.high.y()), margin_(options.margin_px) {
+        const Point<double> sides = box.high - box.low;
+        const double extent = sides.maxCoeff();
         scale_ = extent > 0 ? options.size_px / extent : 1;
-        width_ = width * scale_ + 2 * margin_;
-        height_ = height * scale_ + 2 * margin_;
+        width_ = sides.x() * scale_ + 2 * margin_;
+        height_ = sides.y() * scale_ + 2 * margin_;
     }
     [[nodiscard]] double width() const { return width_; }
     [[nodiscard]] double height() const { return height_; }
@@ -68,11 +66,9 @@ void check(const SvgOptions& options) {
     }
     require(!options.phase_colours.empty(), "phase_colours", 0, "one or more");
     if (options.view) {
-        const SvgBox& box = *options.view;
-        const double width = box.high_x - box.low_x;
-        const double height = box.high_y - box.low_y;
-        require(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height), "view",
-                std::min(width, height), "a positive width and height");
+        const Point<double> sides = options.view->high - options.view->low;
+        require(sides.minCoeff() > 0 && sides.allFinite(), "view", sides.minCoeff(),
+                "a positive width and height");
     }
 }
 

@@ -217,18 +217,6 @@ void write_vtu(const Complex<Real>& complex, const std::string& path,
     file.commit();
 }
 
-void write_pvd(std::span<const PvdEntry> entries, const std::string& path) {
-    PartFile file(path);
-    file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
-         << "byte_order=\"LittleEndian\">\n<Collection>\n";
-    for (const PvdEntry& entry : entries) {
-        file << "<DataSet timestep=\"" << entry.time << "\" part=\"0\" file=\""
-             << escape_xml(entry.file) << "\"/>\n";
-    }
-    file << "</Collection>\n</VTKFile>\n";
-    file.commit();
-}
-
 template void write_vtu(const Complex<double>&, const std::string&, std::span<const VtuArray>);
 template void write_vtu(const Complex<float>&, const std::string&, std::span<const VtuArray>);
 

@@ -46,9 +46,6 @@ struct Parallel {
     const Division* division = &cells_division; ///< how the mesh is divided; outlives the executor
     std::uint32_t submeshes = 0;                ///< 0: the division's own choice
     bool always_all_threads = false; ///< also if there is too little to do for them, or no gain
-    /// Microseconds that threads wait awake between two steps before they sleep. Nothing: 2000, or
-    /// 0 if the environment variable OMP_WAIT_POLICY is `passive`.
-    std::optional<std::uint32_t> awake_us = std::nullopt;
     Assignment assignment = Assignment::queue; ///< which thread runs which submesh
     bool profile = false;                      ///< measure times: see `SubmeshView`
 };

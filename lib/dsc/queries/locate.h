@@ -25,9 +25,8 @@ struct Location {
 /// finite.
 ///
 /// O(triangles on the way) if the walk arrives: O(sqrt(n)) in a uniform mesh, O(1) with a hint
-/// nearby. It stops at the domain boundary if the point is outside, which is certain if the domain
-/// is convex and of one piece: O(boundary edges) more. Elsewhere a point inside may stop it too,
-/// and all triangles are tested, O(n). Thread-safe while nobody writes.
+/// nearby. It stops at the domain boundary if the point is outside, but also where the domain is
+/// not convex: then all triangles are tested, O(n). Thread-safe while nobody writes.
 template <class Real>
 [[nodiscard]] Location locate(const Complex<Real>& complex, const Point<Real>& point,
                               Triangle hint = {});

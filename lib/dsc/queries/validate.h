@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is this a simplicial complex (thesis, chapter 3), and a manifold (section 3.2)? And is it the
-// same mesh as another one, bit for bit?
+// Is this a simplicial complex (thesis, chapter 3), and a manifold (section 3.2)?
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -41,13 +40,5 @@ template <class Real>
 /// Throws InvariantError with the problem reported if the complex is not valid.
 template <class Real>
 void validate_or_throw(const Complex<Real>& complex);
-
-/// A fingerprint of the mesh: a 64-bit hash of the living triangles: the coordinates of their
-/// corners, bit by bit, and their phases. Independent of ids, of the order of triangles and of
-/// which corner comes first; the order of corners (orientation) counts; -0.0 counts as 0.
-/// Coordinates are hashed as doubles: a float complex and its double copy agree. Unused vertices,
-/// attributes and locks do not count. O(n).
-template <class Real>
-[[nodiscard]] std::uint64_t mesh_hash(const Complex<Real>& complex);
 
 } // namespace dsc

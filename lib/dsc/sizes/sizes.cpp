@@ -7,6 +7,7 @@
 #include "dsc/sizes/rule.h"
 
 #include <cmath>
+#include <queue>
 #include <string>
 
 namespace dsc {
@@ -54,14 +55,12 @@ public:
     void run() {
         for (const Vertex v : vertices(complex_)) {
             if (std::isfinite(values_[v.id])) {
-                heap_.push_back({values_[v.id], v.id});
+                queue_.push({values_[v.id], v.id});
             }
         }
-        std::make_heap(heap_.begin(), heap_.end());
-        while (!heap_.empty()) {
-            std::pop_heap(heap_.begin(), heap_.end());
-            const Reached<Real> lowest = heap_.back();
-            heap_.pop_back();
+        while (!queue_.empty()) {
+            const Reached<Real> lowest = queue_.top();
+            queue_.pop();
             if (lowest.value == values_[lowest.vertex]) {
                 reach_from(lowest.vertex);
             }
@@ -98,15 +97,14 @@ private:
         constexpr Real worth = Real(1e-3); // of the value: what a second turn has to bring
         if (value < values_[v] && !(values_[v] - value < worth * value)) {
             values_[v] = value;
-            heap_.push_back({value, v});
-            std::push_heap(heap_.begin(), heap_.end());
+            queue_.push({value, v});
         }
     }
 
     const Complex<Real>& complex_;
     std::vector<Real>& values_;
     Real slope_;
-    std::vector<Reached<Real>> heap_;
+    std::priority_queue<Reached<Real>> queue_;
     Ring<Real> ring_;
 };
 

@@ -2,10 +2,12 @@
 #include "scenes/output/frames.h"
 
 #include "dsc/base/error.h"
+#include "dsc/io/part_file.h"
 #include "scenes/digits.h"
 #include "scenes/output/event_lines.h"
 #include "scenes/output/outlines_file.h"
 #include "scenes/output/write_file.h"
+#include "scenes/run/standard_archive.h"
 
 #include <unistd.h>
 
@@ -24,6 +26,20 @@ constexpr double time_slack = 1e-9; // of a step
 
 int step_that_reaches(double time, double dt) {
     return static_cast<int>(std::ceil(std::max(time, 0.0) / dt - time_slack));
+}
+
+// The collection of Kitware's "VTK file formats", which gives each frame its time.
+void write_collection(const std::vector<std::pair<double, std::string>>& frames,
+                      const std::string& path) {
+    PartFile file(path);
+    file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+         << "byte_order=\"LittleEndian\">\n<Collection>\n";
+    for (const auto& [time, name] : frames) {
+        file << "<DataSet timestep=\"" << time << "\" part=\"0\" file=\"" << escape_xml(name)
+             << "\"/>\n";
+    }
+    file << "</Collection>\n</VTKFile>\n";
+    file.commit();
 }
 
 } // namespace
@@ -96,13 +112,13 @@ std::string Frames::write(int step, double time, const Complex<Real>& complex,
     if (!plan_.layers.empty()) {
         std::size_t told = 0; // up to the frame before; events come in the order of time
         while (!entries_.empty() && told < events.size() &&
-               events[told].time <= entries_.back().time) {
+               events[told].time <= entries_.back().first) {
             ++told;
         }
         write_picture(complex, plan_.layers, more, events.subspan(told),
                       name_ + ", time " + shortest_digits(time), path_of(step) + ".svg");
     }
-    entries_.push_back({time, std::filesystem::path(path).filename().string()});
+    entries_.emplace_back(time, std::filesystem::path(path).filename().string());
     return path;
 }
 
@@ -111,7 +127,7 @@ void Frames::finish(std::span<const Event> events) const {
         return;
     }
     const std::filesystem::path path = std::filesystem::path(plan_.folder) / name_;
-    write_pvd(entries_, path.string() + ".pvd");
+    write_collection(entries_, path.string() + ".pvd");
     const std::string list = path.string() + ".events.jsonl";
     if (events.empty()) {
         std::filesystem::remove(list); // of an earlier run
@@ -121,15 +137,7 @@ void Frames::finish(std::span<const Event> events) const {
 }
 
 void Frames::archive(Archive& archive) {
-    std::vector<std::pair<double, std::string>> entries;
-    for (const PvdEntry& entry : entries_) {
-        entries.emplace_back(entry.time, entry.file);
-    }
-    archive(entries);
-    entries_.clear();
-    for (const auto& [time, file] : entries) {
-        entries_.push_back({time, file});
-    }
+    archive(entries_);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dsc::scenes {
@@ -65,7 +66,7 @@ private:
     FramePlan plan_;
     FrameSchedule schedule_;
     std::string name_;
-    std::vector<PvdEntry> entries_;
+    std::vector<std::pair<double, std::string>> entries_; ///< time and file name of each
 };
 
 } // namespace dsc::scenes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/run/checkpoint.h"
 
-#include "dsc/io/part_file.h"
+#include "replay/sealed_file.h"
 
 namespace dsc::scenes {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/base/archive.h"
+#include "scenes/run/standard_archive.h"
 #include "scenes/run/run.h"
 
 namespace dsc {

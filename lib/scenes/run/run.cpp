@@ -2,9 +2,9 @@
 #include "scenes/run/run.h"
 
 #include "dsc/base/error.h"
-#include "dsc/queries/validate.h"
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"
+#include "replay/mesh_hash.h"
 #include "scenes/output/outlines_file.h"
 #include "scenes/output/progress.h"
 #include "scenes/output/write_file.h"

@@ -12,6 +12,7 @@
 #include "dsc/quality/measures.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 
 #include <gtest/gtest.h>
 

@@ -24,10 +24,6 @@ std::size_t size_of(const Partition& partition) {
     return size;
 }
 
-std::chrono::microseconds awake_time(const Parallel& parallel) {
-    return parallel.awake_us ? std::chrono::microseconds(*parallel.awake_us) : default_awake_time();
-}
-
 // Each colour covers the plane: the whole is in one submesh.
 bool is_one(const Partition& partition) { return size_of(partition) == partition.colours.size(); }
 
@@ -39,7 +35,7 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
                                        std::unique_ptr<Partitioner<Real>> partitioner,
                                        const Parallel& parallel)
     : Executor<Real>(complex, options, std::move(algorithm)), partitioner_(std::move(partitioner)),
-      parallel_(parallel), pool_(awake_time(parallel)), choice_(parallel.threads),
+      parallel_(parallel), choice_(parallel.threads),
       joined_(complex, options_) {
     check_options(options); // a partitioner uses the edge length
     require(parallel.threads >= 1 && parallel.threads <= 1024, "threads", parallel.threads,

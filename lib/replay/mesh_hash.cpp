@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 
 #include "dsc/complex/ranges.h"
 
