@@ -1,60 +1,61 @@
 // SPDX-License-Identifier: MIT
-// Arrays of numpy from lists of points and numbers, and back. Arrays are C-contiguous; points have
-// the shape (n, 2). All of it needs the GIL.
+// Arrays of numpy from lists of numbers and points, and back. Arrays are C-contiguous; points have
+// the shape (n, 2), and functions of the module take and return them as `Points`. What users give
+// is checked before by dsc/arrays.py, which says what is wrong with it. All of this needs the GIL.
 #pragma once
 
 #include "dsc/dsc.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
+#include <cstddef>
+#include <cstring>
+#include <functional>
 #include <memory>
-#include <span>
-#include <string>
+#include <ranges>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace dsc::python {
 
 namespace py = pybind11;
+using namespace py::literals; // NOLINT: "name"_a
 
-/// Throws InputError.
-[[noreturn]] void refuse(const std::string& what, const std::string& where,
-                         const std::string& value, const std::string& allowed);
+using Points = std::vector<Point<double>>;
+static_assert(sizeof(Point<double>) == 2 * sizeof(double));
 
-/// A record of dsc/records.py, such as `Report`, with these fields.
-[[nodiscard]] py::object record(const char* name, const py::dict& fields);
-
-/// A copy of an array-like of the shape (n, 2). `where` names the argument. Throws InputError where
-/// it is no such array.
-[[nodiscard]] std::vector<Point<double>> points_from(const py::handle& value,
-                                                     const std::string& where);
-
-/// Writes the rows of an array-like of the shape (points.size(), 2). Throws as `points_from`.
-void read_points(const py::handle& value, std::span<Point<double>> points,
-                 const std::string& where);
-
-/// One outline, or those of a list or tuple of arrays.
-[[nodiscard]] std::vector<py::object> outline_list(const py::handle& value);
-
-/// Numbers from 0 that fit into 32 bits, with so many dimensions. Throws InputError.
-[[nodiscard]] py::array_t<std::uint32_t> whole_numbers(const py::handle& value,
-                                                       const std::string& where,
-                                                       const std::string& shape, int dimensions);
-
-/// A new array of the shape (n, 2).
-[[nodiscard]] py::array_t<double> array_of(std::span<const Point<double>> points);
-
-/// A point from anything with two numbers. Throws as `points_from`.
-[[nodiscard]] Point<double> point_from(const py::handle& value, const std::string& where);
-
-/// A new array of numbers.
+/// Whatever numpy can cast to an array of these numbers.
 template <class Number>
-[[nodiscard]] py::array_t<Number> array_of(std::span<const Number> numbers) {
-    return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+using ArrayLike = py::array_t<Number, py::array::c_style | py::array::forcecast>;
+
+/// A new array of what `value(one)` is for each one of a range of this size: of numbers (n,), or of
+/// rows of `Number`, such as points (n, 2).
+template <class Number = double, class Range, class Value>
+[[nodiscard]] py::array array_over(const Range& range, std::size_t size, Value value) {
+    using Entry = std::decay_t<decltype(value(*range.begin()))>;
+    constexpr bool is_row = !std::is_arithmetic_v<Entry>;
+    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(size)};
+    if (is_row) {
+        shape.push_back(sizeof(Entry) / sizeof(Number));
+    }
+    py::array_t<std::conditional_t<is_row, Number, Entry>> array(shape);
+    auto* to = reinterpret_cast<std::byte*>(array.mutable_data());
+    for (auto&& one : range) {
+        const Entry entry = value(one);
+        std::memcpy(to, &entry, sizeof(Entry));
+        to += sizeof(Entry);
+    }
+    return array;
 }
 
-/// The array, which nobody may write to any more.
-[[nodiscard]] py::array frozen(py::array array);
+/// A new array of these numbers or points.
+template <std::ranges::sized_range List>
+[[nodiscard]] py::array array_of(const List& list) {
+    return array_over(list, std::ranges::size(list), std::identity());
+}
 
 /// An object of Python that C++ copies and drops without the GIL.
 template <class Object>
@@ -67,7 +68,23 @@ template <class Object>
             }};
 }
 
-/// As Python would print it, cut after 60 characters.
-[[nodiscard]] std::string shown(const py::handle& value);
-
 } // namespace dsc::python
+
+/// How pybind11 converts points.
+template <>
+struct pybind11::detail::type_caster<dsc::python::Points> {
+    PYBIND11_TYPE_CASTER(dsc::python::Points, const_name("points (n, 2)"));
+
+    bool load(handle source, bool /*convert*/) {
+        const auto rows = dsc::python::ArrayLike<double>::ensure(source);
+        if (!rows || rows.ndim() != 2 || rows.shape(1) != 2) {
+            return false;
+        }
+        value.resize(static_cast<std::size_t>(rows.shape(0)));
+        std::memcpy(static_cast<void*>(value.data()), rows.data(), value.size() * sizeof(value[0]));
+        return true;
+    }
+    static handle cast(const dsc::python::Points& points, return_value_policy, handle /*parent*/) {
+        return dsc::python::array_of(points).release();
+    }
+};

@@ -1,135 +1,105 @@
 // SPDX-License-Identifier: MIT
-#include "python/data.h"
+// Attributes as arrays: numbers and points of vertices and of triangles, which dsc/data.py makes a
+// dictionary of.
+#include "python/module.h"
 
-#include "replay/sealed_file.h"
-#include "scenes/run/standard_archive.h"
-
-#include <pybind11/stl.h>
-
-#include <algorithm>
-#include <optional>
+#include <string>
 #include <type_traits>
-#include <utility>
+#include <vector>
 
 namespace dsc::python {
 
-using namespace py::literals; // NOLINT: "name"_a
-
 namespace {
 
-// The living simplices, in the order of the arrays.
+// The living simplices, in the order of the arrays, and their number.
 auto range_of(const Complex<double>& complex, Vertex /*kind*/) { return vertices(complex); }
 auto range_of(const Complex<double>& complex, Triangle /*kind*/) { return triangles(complex); }
+auto count_of(const Complex<double>& complex, Vertex /*kind*/) { return complex.vertex_count(); }
+auto count_of(const Complex<double>& complex, Triangle /*kind*/) {
+    return complex.triangle_count();
+}
 
-// The kinds of data, by number: calls `visit` with a simplex and a value of the kind's types.
-constexpr std::uint32_t kinds_of_data = 4;
+// Calls `visit` with the attribute in its own type. False for one of the library's own.
 template <class Visit>
-void with_kind(std::uint32_t kind, Visit visit) {
-    switch (kind) {
-    case 0: visit(Vertex(), 0.0); break;
-    case 1: visit(Vertex(), Point<double>(0, 0)); break;
-    case 2: visit(Triangle(), 0.0); break;
-    default: visit(Triangle(), Point<double>(0, 0)); break;
-    }
+bool visit_data(const AttributeBase& one, Visit visit) {
+    const auto visit_as = [&]<class T, class Simplex>(std::type_identity<Attribute<T, Simplex>>) {
+        const auto* const attribute = dynamic_cast<const Attribute<T, Simplex>*>(&one);
+        if (attribute != nullptr) {
+            visit(*attribute);
+        }
+        return attribute != nullptr;
+    };
+    return visit_as(std::type_identity<Attribute<double, Vertex>>()) ||
+           visit_as(std::type_identity<Attribute<Point<double>, Vertex>>()) ||
+           visit_as(std::type_identity<Attribute<double, Triangle>>()) ||
+           visit_as(std::type_identity<Attribute<Point<double>, Triangle>>());
 }
 
-// Nothing for an attribute of the library's own.
-std::optional<std::uint32_t> kind_of_data(const AttributeBase& one) {
-    std::optional<std::uint32_t> found;
-    for (std::uint32_t kind = 0; kind < kinds_of_data; ++kind) {
-        with_kind(kind, [&]<class Simplex, class T>(Simplex /*of*/, const T& /*value*/) {
-            if (dynamic_cast<const Attribute<T, Simplex>*>(&one) != nullptr) {
-                found = kind;
-            }
-        });
-    }
-    return found;
+bool is_data(const AttributeBase& one) {
+    return visit_data(one, [](const auto& /*attribute*/) {});
 }
 
-py::array listed(std::span<const double> values) { return array_of(values); }
-py::array listed(std::span<const Point<double>> values) { return array_of(values); }
-
-template <class Simplex>
-std::vector<std::string> names_of(const Mesh& mesh) {
-    std::vector<std::string> names;
+// Whether the data of each name is that of vertices.
+py::dict data_names(const Mesh& mesh) {
+    py::dict names;
     for (const auto& one : mesh.complex().attributes.list()) {
-        if (one->kind() == kind_of<Simplex> && kind_of_data(*one)) {
-            names.push_back(one->name());
+        if (is_data(*one)) {
+            names[py::str(one->name())] = one->kind() == SimplexKind::vertex;
         }
     }
     return names;
 }
 
-template <class Simplex>
-std::optional<py::array> values_of(const Mesh& mesh, const std::string& name) {
-    std::optional<py::array> array;
-    for (const auto& one : mesh.complex().attributes.list()) {
-        const auto kind = kind_of_data(*one);
-        if (kind && one->kind() == kind_of<Simplex> && one->name() == name) {
-            with_kind(*kind, [&]<class Of, class T>(Of of, const T&) {
-                const auto& attribute = static_cast<const Attribute<T, Of>&>(*one);
-                std::vector<T> values;
-                for (const Of each : range_of(mesh.complex(), of)) {
-                    values.push_back(attribute[each]);
-                }
-                array = listed(values);
+// The data of that name, which exists.
+py::array data_of(const Mesh& mesh, const std::string& name) {
+    const Complex<double>& complex = mesh.complex();
+    py::array values;
+    for (const auto& one : complex.attributes.list()) {
+        if (one->name() == name) {
+            visit_data(*one, [&]<class T, class Simplex>(const Attribute<T, Simplex>& attribute) {
+                const Simplex kind;
+                values = array_over(range_of(complex, kind), count_of(complex, kind),
+                                    [&](Simplex each) { return attribute[each]; });
             });
         }
     }
-    return array;
+    return values;
 }
 
 template <class Simplex, class T>
-void write(Mesh& mesh, const std::string& name, std::span<const T> values, const T& initial) {
-    AttributeSet& attributes = mesh.complex_to_step().attributes;
-    if (!attributes.contains(name)) {
-        attributes.add<Simplex>(name, initial);
+void write(Complex<double>& complex, const std::string& name, const double* values, T initial) {
+    if (!complex.attributes.contains(name)) {
+        complex.attributes.add<Simplex>(name, initial);
     }
-    auto& attribute = attributes.get<Simplex, T>(name); // refused if it is of another kind or type
-    std::size_t i = 0;
-    for (const Simplex each : range_of(mesh.complex(), Simplex())) {
-        attribute[each] = values[i++];
+    auto& attribute = complex.attributes.get<Simplex, T>(name); // refused if it is of another type
+    for (const Simplex each : range_of(complex, Simplex())) {
+        std::memcpy(static_cast<void*>(&attribute[each]), values, sizeof(T));
+        values += sizeof(T) / sizeof(double);
     }
 }
 
+// The array has a number, or a row of two, for each simplex.
 template <class Simplex>
-void set_values(Mesh& mesh, const std::string& name, const py::handle& value) {
-    const Complex<double>& complex = mesh.complex();
-    const std::size_t count =
-        std::is_same_v<Simplex, Vertex> ? complex.vertex_count() : complex.triangle_count();
-    const py::array given = py::array::ensure(value);
-    if (given && given.ndim() == 2) {
-        std::vector<Point<double>> points(count);
-        read_points(value, points, name);
-        write<Simplex, Point<double>>(mesh, name, points, {0.0, 0.0});
-        return;
+void set_data(Mesh& mesh, const std::string& name, const ArrayLike<double>& values) {
+    (void)mesh.complex(); // refused while a step runs
+    if (values.ndim() == 1) {
+        write<Simplex>(mesh.complex_to_step(), name, values.data(), 0.0);
+    } else {
+        write<Simplex>(mesh.complex_to_step(), name, values.data(), Point<double>(0.0, 0.0));
     }
-    const auto numbers =
-        py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
-    if (!numbers || numbers.ndim() != 1 || static_cast<std::size_t>(numbers.shape(0)) != count) {
-        PyErr_Clear();
-        const std::string n = std::to_string(count);
-        refuse("not the data of these simplices", name, shown(value),
-               "numbers of the shape (" + n + ",) or (" + n + ", 2)");
-    }
-    write<Simplex, double>(mesh, name, {numbers.data(), count}, 0.0);
 }
 
-void remove(Mesh& mesh, const std::string& name) {
+void remove_data(Mesh& mesh, const std::string& name) {
     (void)mesh.complex(); // refused while a step runs
     mesh.complex_to_step().attributes.remove(name);
 }
 
-constexpr const char* sealed_kind = "dsc-mesh";
-
 } // namespace
-
-// --- state -------------------------------------------------------------------------------------
 
 void forget_foreign_data(Complex<double>& complex) {
     std::vector<std::string> names;
     for (const auto& one : complex.attributes.list()) {
-        if (!kind_of_data(*one)) {
+        if (!is_data(*one)) {
             names.push_back(one->name());
         }
     }
@@ -138,46 +108,12 @@ void forget_foreign_data(Complex<double>& complex) {
     }
 }
 
-std::string bytes_of(const Complex<double>& complex) {
-    Complex<double> copy(complex);
-    forget_foreign_data(copy);
-    std::vector<std::pair<std::string, std::uint32_t>> data;
-    for (const auto& one : copy.attributes.list()) {
-        data.emplace_back(one->name(), *kind_of_data(*one));
-    }
-    Archive archive;
-    archive(data, copy);
-    return sealed({sealed_kind}, archive.bytes());
-}
-
-Complex<double> complex_from(std::string bytes) {
-    Archive archive(unsealed(std::move(bytes), {sealed_kind}, "mesh"), "mesh");
-    std::vector<std::pair<std::string, std::uint32_t>> data;
-    archive(data);
-    Complex<double> complex;
-    for (const auto& [name, kind] : data) {
-        with_kind(kind, [&]<class Of, class T>(Of /*of*/, const T& initial) {
-            complex.attributes.add<Of>(name, initial);
-        });
-    }
-    archive(complex);
-    archive.expect_end();
-    if (const ValidationReport report = validate(complex); !report.ok()) {
-        archive.refuse("holds no valid complex: " + report.problem);
-    }
-    return complex;
-}
-
-// --- the module --------------------------------------------------------------------------------
-
-void add_data(py::class_<Mesh, std::shared_ptr<Mesh>>& mesh) {
-    mesh.def("_vertex_data_names", &names_of<Vertex>)
-        .def("_triangle_data_names", &names_of<Triangle>)
-        .def("_vertex_data", &values_of<Vertex>, "name"_a)
-        .def("_triangle_data", &values_of<Triangle>, "name"_a)
-        .def("_set_vertex_data", &set_values<Vertex>, "name"_a, "values"_a)
-        .def("_set_triangle_data", &set_values<Triangle>, "name"_a, "values"_a)
-        .def("_remove_data", &remove, "name"_a);
+void add_data(MeshClass& mesh) {
+    mesh.def("_data_names", &data_names)
+        .def("_data", &data_of)
+        .def("_set_vertex_data", &set_data<Vertex>)
+        .def("_set_triangle_data", &set_data<Triangle>)
+        .def("_remove_data", &remove_data);
 }
 
 } // namespace dsc::python

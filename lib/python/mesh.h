@@ -14,6 +14,7 @@ namespace dsc::python {
 class Mesh {
 public:
     explicit Mesh(Complex<double> complex) : complex_(std::move(complex)) {}
+    /// A copy of the complex. Throws as `complex`.
     Mesh(const Mesh& other) : complex_(other.complex()) {}
     Mesh& operator=(const Mesh&) = delete;
     Mesh(Mesh&&) = delete;
@@ -53,7 +54,9 @@ private:
     bool is_busy_ = false;
 };
 
-/// Adds `Mesh` and `initial_complex` to the module.
-void add_mesh(py::module_& module);
+using MeshClass = py::class_<Mesh, std::shared_ptr<Mesh>>;
+
+/// Removes attributes that are no data of Python, which simulations before have left.
+void forget_foreign_data(Complex<double>& complex);
 
 } // namespace dsc::python

@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: MIT
-// The compiled part of the Python package dsc, which dsc/__init__.py completes.
-#include "python/fluid.h"
+// The compiled part of the Python package dsc: it takes what dsc/*.py has checked, and these have
+// what users see.
+#include "python/module.h"
 #include "replay/sealed_file.h"
+#include "fluid/solve_report.h"
 
 PYBIND11_MODULE(_dsc, module) {
     namespace py = pybind11;
-    py::register_exception<dsc::InputError>(module, "InputError", PyExc_ValueError)
-        .attr("__doc__") = "Bad input: what is wrong, where, what was given and what is allowed.";
-    py::register_exception<dsc::FileError>(module, "FileError", PyExc_OSError).attr("__doc__") =
+    py::register_exception<dsc::InputError>(module, "InputError", PyExc_ValueError).doc() =
+        "Bad input: what is wrong, where, what was given and what is allowed.";
+    py::register_exception<dsc::FileError>(module, "FileError", PyExc_OSError).doc() =
         "A file that cannot be written, or bytes that are not what was written.";
+    py::register_exception<dsc::SolveError>(module, "SolveError", PyExc_RuntimeError).doc() =
+        "Equations of a fluid that cannot be solved: triangles have degenerated, or it is too "
+        "fast.";
     // Bytes that a changed byte makes unreadable.
     const dsc::SealedKind kind{"dsc-py"};
-    module.def("_sealed",
+    module.def("sealed",
                [kind](const std::string& bytes) { return py::bytes(dsc::sealed(kind, bytes)); });
-    module.def("_unsealed", [kind](const std::string& bytes, const std::string& name) {
+    module.def("unsealed", [kind](const std::string& bytes, const std::string& name) {
         return py::bytes(dsc::unsealed(bytes, kind, name));
     });
-    module.def("_write_sealed", [kind](const std::string& path, const std::string& bytes) {
+    module.def("write_sealed", [kind](const std::string& path, const std::string& bytes) {
         dsc::write_sealed(path, kind, bytes);
     });
     dsc::python::add_mesh(module);

@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "python/options.h"
 
-#include "python/arrays.h"
 #include "thesis/divisions.h"
-
-#include <pybind11/stl.h>
 
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <functional>
 
 namespace dsc::python {
 
 namespace {
 
-/// A function of Python that returns a number, called by whichever thread needs it.
-struct NumberFunction {
+// As Python would print it, cut after 60 characters.
+std::string shown(const py::handle& value) {
+    constexpr std::size_t longest = 60;
+    const auto text = py::repr(value).cast<std::string>();
+    return text.size() <= longest ? text : text.substr(0, longest) + "…";
+}
+
+// --- sizes: functions of Python that return a number, called by whichever thread needs it --------
+
+struct SizeFunction {
     Shared<py::function> function;
 
     double operator()(const Point<double>& p, double time, Phase phase) const {
@@ -34,131 +39,114 @@ private:
         try {
             return result.cast<double>();
         } catch (const py::cast_error&) {
-            refuse("not a length", "what a size function returns", shown(result), "a number");
+            throw InputError({.what = "not a length",
+                              .where = "what a size function returns",
+                              .value = shown(result),
+                              .allowed = "a number"});
         }
     }
 };
 
-// --- types of fields ---------------------------------------------------------------------------
-// For each its values in words, and its way from Python and back.
+// What it is called with.
+std::string call_of(const SizeOptions<double>::ByPlace& /*type*/) { return "f(x, y, time, phase)"; }
+std::string call_of(const SizeOptions<double>::OnInterface& /*type*/) { return "f(x, y, time)"; }
+std::string call_of(const SizeOptions<double>::ByDistance& /*type*/) { return "f(distance)"; }
 
-template <class Field>
-using Is = std::type_identity<Field>;
+// --- choices by name ---------------------------------------------------------------------------
 
-const auto& table_of(Is<Integrator> /*type*/) { return integrator_names; }
-const auto& table_of(Is<Insertion> /*type*/) { return insertion_names; }
-const auto& table_of(Is<Coarsening> /*type*/) { return coarsening_names; }
-const auto& table_of(Is<Reading> /*type*/) { return reading_names; }
-const auto& table_of(Is<Topology> /*type*/) { return topology_names; }
-const auto& table_of(Is<const Division*> /*type*/) {
+const auto& names_of(Integrator /*type*/) { return integrator_names; }
+const auto& names_of(Insertion /*type*/) { return insertion_names; }
+const auto& names_of(Coarsening /*type*/) { return coarsening_names; }
+const auto& names_of(Reading /*type*/) { return reading_names; }
+const auto& names_of(Topology /*type*/) { return topology_names; }
+const auto& names_of(ChosenDivision /*type*/) {
     static const auto table = [] {
-        std::array<Named<const Division*>, in_place_divisions.size()> list;
+        EnumTable<ChosenDivision, in_place_divisions.size()> list;
         std::ranges::transform(in_place_divisions, list.begin(), [](const Division* one) {
-            return Named<const Division*>{one, one->name};
+            return Named<ChosenDivision>{{one}, one->name};
         });
         return list;
     }();
     return table;
 }
 
-std::string form_of(Is<SizeOptions<double>::ByPlace> /*type*/) { return "f(x, y, time, phase)"; }
-std::string form_of(Is<SizeOptions<double>::OnInterface> /*type*/) { return "f(x, y, time)"; }
-std::string form_of(Is<SizeOptions<double>::ByDistance> /*type*/) { return "f(distance)"; }
-
 template <class Field>
-concept IsNamed = requires {
-    table_of(Is<Field>());
-};
-template <class Field>
-concept IsFunction = requires {
-    form_of(Is<Field>());
+concept IsNamed = requires(Field field) {
+    names_of(field);
 };
 
-template <class Field>
-std::string allowed() {
-    if constexpr (IsNamed<Field>) {
-        return names_in(table_of(Is<Field>()));
-    } else if constexpr (IsFunction<Field>) {
-        return "a function " + form_of(Is<Field>());
-    } else if constexpr (std::is_same_v<Field, bool>) {
-        return "True or False";
-    } else if constexpr (std::is_arithmetic_v<Field>) {
-        return std::is_integral_v<Field> ? "a whole number" : "a number";
-    } else {
-        return "a list of phases";
+} // namespace
+
+} // namespace dsc::python
+
+// --- how pybind11 converts them ------------------------------------------------------------------
+
+template <dsc::python::IsNamed Choice>
+struct pybind11::detail::type_caster<Choice> {
+    PYBIND11_TYPE_CASTER(Choice, const_name("str"));
+
+    bool load(handle source, bool /*convert*/) {
+        if (isinstance<str>(source)) {
+            const auto found =
+                dsc::value_in(dsc::python::names_of(value), source.cast<std::string>());
+            value = found.value_or(value);
+            return found.has_value();
+        }
+        return false;
     }
+    static handle cast(const Choice& choice, return_value_policy /*policy*/, handle /*parent*/) {
+        return str(std::string(dsc::name_in(dsc::python::names_of(choice), choice))).release();
+    }
+};
+
+template <class... Arguments>
+struct pybind11::detail::type_caster<std::function<double(Arguments...)>> {
+    using Function = std::function<double(Arguments...)>;
+    PYBIND11_TYPE_CASTER(Function, const_name("function"));
+
+    bool load(handle source, bool /*convert*/) {
+        if (PyCallable_Check(source.ptr()) == 0) {
+            return source.is_none();
+        }
+        value = dsc::python::SizeFunction{
+            dsc::python::share(reinterpret_borrow<pybind11::function>(source))};
+        return true;
+    }
+    static handle cast(const Function& function, return_value_policy /*policy*/,
+                       handle /*parent*/) {
+        const auto* own = function.template target<dsc::python::SizeFunction>();
+        return own == nullptr ? none().release() : handle(*own->function).inc_ref();
+    }
+};
+
+namespace dsc::python {
+
+namespace {
+
+// What a field may be: in Python's words, but for choices and functions.
+template <class Field>
+std::string allowed(const Field& field) {
+    if constexpr (IsNamed<Field>) {
+        return names_in(names_of(field));
+    } else if constexpr (requires { call_of(field); }) {
+        return "a function " + call_of(field);
+    } else {
+        return py::detail::make_caster<Field>::name.text;
+    }
+}
+template <class Field>
+std::string allowed(const std::optional<Field>& /*field*/) {
+    return allowed(Field()) + " or None";
 }
 
-// Nothing if the value is none of the field.
-template <class Field>
-std::optional<Field> read(const py::handle& value) {
-    if constexpr (IsNamed<Field>) {
-        return py::isinstance<py::str>(value)
-                   ? value_in(table_of(Is<Field>()), value.cast<std::string>())
-                   : std::nullopt;
-    } else if constexpr (IsFunction<Field>) {
-        if (PyCallable_Check(value.ptr()) != 0) {
-            return NumberFunction{share(py::reinterpret_borrow<py::function>(value))};
-        }
-        return value.is_none() ? std::optional(Field()) : std::nullopt;
-    } else {
-        try {
-            return value.cast<Field>();
-        } catch (const py::cast_error&) {
-            return std::nullopt;
-        }
-    }
-}
-
-template <class Field>
-Field required(const std::string& name, const py::handle& value) {
-    std::optional<Field> one = read<Field>(value);
-    if (!one) {
-        refuse("bad value", name, shown(value), allowed<Field>());
-    }
-    return *std::move(one);
-}
 template <class Field>
 void set(Field& field, const std::string& name, const py::handle& value) {
-    field = required<Field>(name, value);
-}
-template <class Field>
-void set(std::optional<Field>& field, const std::string& name, const py::handle& value) {
-    if (value.is_none()) {
-        field.reset();
-    } else {
-        field = required<Field>(name, value);
+    try {
+        field = value.cast<Field>();
+    } catch (const py::cast_error&) {
+        throw InputError(
+            {.what = "bad value", .where = name, .value = shown(value), .allowed = allowed(field)});
     }
-}
-
-template <class Field>
-py::object in_python(const Field& field) {
-    if constexpr (IsNamed<Field>) {
-        return py::str(std::string(name_in(table_of(Is<Field>()), field)));
-    } else if constexpr (IsFunction<Field>) {
-        const auto* function = field.template target<NumberFunction>();
-        return function == nullptr ? py::object(py::none()) : py::object(*function->function);
-    } else {
-        return py::cast(field);
-    }
-}
-template <class Field>
-py::object in_python(const std::optional<Field>& field) {
-    return field ? in_python(*field) : py::none();
-}
-
-// What the help adds to the meaning.
-template <class Field>
-std::string choice() {
-    return IsNamed<Field> || IsFunction<Field> ? ": " + allowed<Field>() : "";
-}
-template <class Field>
-std::string choice_of(const Field& /*field*/) {
-    return choice<Field>();
-}
-template <class Field>
-std::string choice_of(const std::optional<Field>& /*field*/) {
-    return choice<Field>();
 }
 
 // --- the table ---------------------------------------------------------------------------------
@@ -223,7 +211,7 @@ std::optional<Parallel> Choices::parallel() const {
     }
     Parallel parallel;
     parallel.threads = threads.value_or(parallel.threads);
-    parallel.division = division.value_or(parallel.division);
+    parallel.division = division.value_or(ChosenDivision{parallel.division}).division;
     parallel.submeshes = submeshes.value_or(parallel.submeshes);
     return parallel;
 }
@@ -233,26 +221,26 @@ void apply(Choices& choices, const py::dict& given, Use use) {
         const auto wanted = key.cast<std::string>();
         bool is_known = false;
         std::string names;
-        const auto try_one = [&](const std::string& name, auto& field, const char* /*meaning*/) {
+        for_each_option(choices, use, [&](const std::string& name, auto& field, auto) {
             names += (names.empty() ? "" : ", ") + name;
             if (name == wanted) {
                 is_known = true;
                 set(field, name, value);
             }
-        };
-        for_each_option(choices, use, try_one);
+        });
         if (!is_known) {
-            refuse("unknown option", use == Use::simulation ? "Simulation" : "initial_complex",
-                   "'" + wanted + "'", names);
+            throw InputError({.what = "unknown option",
+                              .where = use == Use::simulation ? "Simulation" : "initial_complex",
+                              .value = "'" + wanted + "'",
+                              .allowed = names});
         }
     }
 }
 
 py::dict values_of(const Choices& choices) {
     py::dict values;
-    for_each_option(choices, Use::simulation, [&](const char* name, const auto& field, auto) {
-        values[name] = in_python(field);
-    });
+    for_each_option(choices, Use::simulation,
+                    [&](const char* name, const auto& field, auto) { values[name] = field; });
     return values;
 }
 
@@ -261,8 +249,8 @@ std::string option_help(Use use) {
     const Choices defaults;
     for_each_option(defaults, use,
                     [&](const std::string& name, const auto& field, const std::string& meaning) {
-                        text += name + " : default " + shown(in_python(field)) + "\n    " +
-                                meaning + choice_of(field) + "\n";
+                        text += name + " : " + allowed(field) + ", default " +
+                                shown(py::cast(field)) + "\n    " + meaning + "\n";
                     });
     return text;
 }

@@ -3,10 +3,9 @@
 // what errors allow and what the help says come from it.
 #pragma once
 
-#include "dsc/dsc.h"
-#include "topology/topology.h"
+#include "python/arrays.h"
 
-#include <pybind11/pybind11.h>
+#include "topology/topology.h"
 
 #include <cstdint>
 #include <optional>
@@ -14,14 +13,18 @@
 
 namespace dsc::python {
 
-namespace py = pybind11;
+/// A division by its name.
+struct ChosenDivision {
+    const Division* division = nullptr;
+    bool operator==(const ChosenDivision&) const = default;
+};
 
 /// All that `Simulation(mesh, **options)` takes.
 struct Choices {
     Options<double> options;
     TopologyOptions<double> topology;
     std::optional<std::uint32_t> threads; ///< of `Parallel`, like the next two
-    std::optional<const Division*> division;
+    std::optional<ChosenDivision> division;
     std::optional<std::uint32_t> submeshes;
 
     /// Nothing if none of these was given: the simulation is sequential.
@@ -40,7 +43,7 @@ void apply(Choices& choices, const py::dict& keywords, Use use = Use::simulation
 /// All values, by name.
 [[nodiscard]] py::dict values_of(const Choices& choices);
 
-/// A line for each option: name, default, what it is.
+/// For each option its name, type and default, and what it is, as numpydoc has them.
 [[nodiscard]] std::string option_help(Use use = Use::simulation);
 
 } // namespace dsc::python

@@ -2,7 +2,6 @@
 // A simulation as Python sees it: with its mesh, its stages, and what the last step did.
 #pragma once
 
-#include "python/data.h"
 #include "python/flows.h"
 #include "python/mesh.h"
 #include "python/options.h"
@@ -13,15 +12,6 @@
 #include <vector>
 
 namespace dsc::python {
-
-/// What a step did, with the changes of topology in it.
-struct Report {
-    StepReport step;
-    std::vector<Event> events;
-
-    /// As dsc/records.py has it. Needs the GIL.
-    [[nodiscard]] py::object made() const;
-};
 
 /// After each sub-step it notes how far the step has come, and lets handlers of signals run: what
 /// they raise, such as KeyboardInterrupt, ends the step.
@@ -43,11 +33,8 @@ public:
 /// A simulation with its mesh, its stages and what the last step did.
 class Running {
 public:
-    Running(std::shared_ptr<Mesh> mesh, const OwnFlow* flow, const py::dict& keywords)
+    Running(std::shared_ptr<Mesh> mesh, const AnyFlow* flow, const py::dict& keywords)
         : mesh_(std::move(mesh)) {
-        if (flow != nullptr) {
-            flow_ = *flow;
-        }
         apply(choices_, keywords);
         const auto change = mesh_->change();     // refused while a step of it runs
         const py::gil_scoped_release others_run; // sizes may be functions of Python
@@ -75,79 +62,60 @@ public:
 
     [[nodiscard]] const std::shared_ptr<Mesh>& mesh() const { return mesh_; }
     [[nodiscard]] py::dict options() const { return values_of(choices_); }
-    [[nodiscard]] const Report& report() const { return report_; }
-    [[nodiscard]] const std::optional<OwnFlow>& flow() const { return flow_; }
+    [[nodiscard]] double time() const { return report_.reached; }
+    /// What the last step did, by the names of dsc/records.py.
+    [[nodiscard]] py::dict report() const;
     [[nodiscard]] std::size_t interface_size() const {
         (void)mesh_->complex(); // refused while a step runs
         return simulation_->interface_size();
     }
 
-    py::object step(const py::object& flow, double time, double dt) {
-        if (py::isinstance<OwnFlow>(flow)) {
-            return std::visit([&](const auto& one) { return step_along(one, time, dt); },
-                              flow.cast<const OwnFlow&>().flow);
-        }
-        if (PyCallable_Check(flow.ptr()) == 0) {
-            refuse("not a flow", "Simulation.step", shown(flow),
-                   "a function of positions (n, 2) and time, or a dsc.Flow");
-        }
-        return step_along(velocity_of(py::reinterpret_borrow<py::function>(flow)), time, dt);
+    void step(const AnyFlow& flow, double time, double dt) {
+        step_by([&](auto& simulation) { return flow.step(simulation, time, dt); }, time);
     }
 
     /// A step of something that steps the simulation itself.
     template <class MakeStep>
-    py::object step_by(MakeStep make_step, double time) {
+    void step_by(MakeStep make_step, double time) {
         const auto change = mesh_->change();
         watch_->so_far = {};
         watch_->so_far.reached = time;
         try {
             const py::gil_scoped_release others_run;
-            report_.step = make_step(*simulation_);
+            report_ = make_step(*simulation_);
         } catch (...) {
-            report_ = {watch_->so_far, take_events()};
+            report_ = watch_->so_far;
+            note_events();
             throw;
         }
-        report_.events = take_events();
-        return report_.made();
+        note_events();
     }
 
     [[nodiscard]] py::bytes state() {
         (void)mesh_->complex(); // refused while a step runs
         Archive archive;
-        archive(report_.step.reached);
+        archive(report_.reached);
         simulation_->archive(archive);
         return archive.bytes();
     }
     void restore(const std::string& bytes) {
         const auto change = mesh_->change();
         Archive archive(bytes, "simulation");
-        archive(report_.step.reached);
+        archive(report_.reached);
         simulation_->archive(archive);
         archive.expect_end();
     }
 
 private:
-    py::object step_along(const SeeingFunction& seeing, double time, double dt) {
-        return step_along(motion_of(seeing, choices_.options.integrator), time, dt);
-    }
-    template <class AnyFlow>
-    py::object step_along(const AnyFlow& flow, double time, double dt) {
-        return step_by([&](auto& simulation) { return simulation.step(flow, time, dt); }, time);
-    }
-    [[nodiscard]] std::vector<Event> take_events() {
-        return topology_ ? topology_->take_events() : std::vector<Event>();
-    }
+    void note_events() { events_ = topology_ ? topology_->take_events() : std::vector<Event>(); }
 
     std::shared_ptr<Mesh> mesh_;
-    std::optional<OwnFlow> flow_; ///< that it was made for
     Choices choices_;
-    Report report_;
+    StepReport report_;         ///< of the last step...
+    std::vector<Event> events_; ///< ...and the changes of topology in it
     std::shared_ptr<Watch> watch_ = std::make_shared<Watch>();
     std::shared_ptr<TopologyStage<double>> topology_;
     std::unique_ptr<Simulation<double>> simulation_;
 };
-
-/// Adds `Simulation` to the module.
-void add_simulation(py::module_& module);
 
 } // namespace dsc::python

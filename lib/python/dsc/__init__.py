@@ -10,14 +10,16 @@
 >>> round(mesh.areas[1], 12)
 0.16
 """
-from . import bench, interplay, scenes
-from ._dsc import (FileError, Flow, Fluid, InputError, Mesh, Simulation, SolveError, area, circle,
-                   curvature_flow, growth, hausdorff, initial_complex, interface_flow, swirl,
-                   symmetric_difference)
+from ._dsc import FileError, InputError, SolveError
 from .data import Data
 from .drawing import animate, plot
+from .flows import Flow, curvature_flow, growth, interface_flow, swirl
+from .fluid import Fluid
+from .measures import area, circle, hausdorff, symmetric_difference
+from .mesh import Mesh, initial_complex
 from .records import Curve, Event, Interface, Report
 from .runs import run
+from .simulation import Simulation
 from .state import load, save
 
 __all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError", "Interface", "Mesh", "Report",
@@ -25,12 +27,11 @@ __all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError",
            "hausdorff", "initial_complex", "interface_flow", "load", "plot", "run", "save", "scenes", "swirl",
            "symmetric_difference"]
 
-Mesh.vertex_data = property(lambda mesh: Data(mesh, "vertex"), doc="Of vertices: a `Data`.")
-Mesh.triangle_data = property(lambda mesh: Data(mesh, "triangle"), doc="Of triangles: a `Data`.")
-Mesh.areas = property(lambda mesh: {phase: one["area"] for phase, one in mesh.figures["phases"].items()},
-                      doc="The area of each phase that occurs: a dict.")
-Mesh.__repr__ = lambda mesh: (f"<dsc.Mesh: {len(mesh.triangles)} triangles, {len(mesh.points)} vertices, "
-                              f"phases {', '.join(map(str, mesh.areas))}>")
-Flow.__repr__ = lambda flow: f"<dsc.Flow: {flow._name}{flow._given}>"
-Simulation.__repr__ = lambda sim: (f"<dsc.Simulation: {sim.interface_size} interface vertices, "
-                                   f"time {sim.time:.6g}>")
+
+def __getattr__(name):
+    """Imports what few programs need when they do."""
+    import importlib
+
+    if name in ("bench", "scenes"):
+        return importlib.import_module(f".{name}", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

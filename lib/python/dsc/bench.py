@@ -3,6 +3,8 @@
 import json
 import pathlib
 
+import numpy as np
+
 
 def read(*paths):
     """Reads the rows of result files.
@@ -18,8 +20,6 @@ def read(*paths):
         A column for each name that a row has; NaN or None where others have none. A frame where
         pandas is installed. `file` says where a row comes from.
     """
-    import numpy as np
-
     files = [file for path in map(pathlib.Path, paths)
              for file in (sorted(path.glob("*.json")) if path.is_dir() else [path])]
     rows = [row | {"file": str(file)} for file in files

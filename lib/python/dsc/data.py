@@ -2,6 +2,8 @@
 """Data of vertices and triangles as dictionaries of arrays."""
 from collections.abc import MutableMapping
 
+from .arrays import numbers, refuse, shown
+
 
 class Data(MutableMapping):
     """Arrays by name, one entry for each vertex or triangle: numbers (n,) or vectors (n, 2).
@@ -14,27 +16,33 @@ class Data(MutableMapping):
         self._mesh = mesh
         self._kind = kind
 
-    def _call(self, name, *arguments):
-        return getattr(self._mesh, name.replace("data", f"{self._kind}_data"))(*arguments)
+    def _names(self):
+        return [name for name, is_of_vertices in self._mesh._data_names().items()
+                if is_of_vertices == (self._kind == "vertex")]
 
     def __getitem__(self, name):
-        values = self._call("_data", name)
-        if values is None:
+        if name not in self._names():
             raise KeyError(name)
-        return values
+        return self._mesh._data(name)
 
     def __setitem__(self, name, values):
-        self._call("_set_data", name, values)
+        count = len(self._mesh.points if self._kind == "vertex" else self._mesh.triangles)
+        array = numbers(values)
+        if array is None or array.shape not in ((count,), (count, 2)):
+            refuse("not the data of these simplices", name, shown(values),
+                   f"numbers of the shape ({count},) or ({count}, 2)")
+        getattr(self._mesh, f"_set_{self._kind}_data")(name, array)
 
     def __delitem__(self, name):
-        self[name]
+        if name not in self._names():
+            raise KeyError(name)
         self._mesh._remove_data(name)
 
     def __iter__(self):
-        return iter(self._call("_data_names"))
+        return iter(self._names())
 
     def __len__(self):
-        return len(self._call("_data_names"))
+        return len(self._names())
 
     def __repr__(self):
         return f"<{self._kind} data: {', '.join(self) or 'none'}>"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Pictures of meshes by matplotlib, which is imported where something is drawn."""
+import numpy as np
 
 # Okabe and Ito (2008), which the colour-blind can tell apart; the exterior is white.
 PALETTE = ("#ffffff", "#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#0072b2", "#d55e00")
@@ -30,7 +31,6 @@ def plot(mesh, ax=None, *, values=None, edges=None, interface=True, palette=PALE
     matplotlib.axes.Axes
     """
     import matplotlib.pyplot as plt
-    import numpy as np
     from matplotlib.collections import LineCollection
     from matplotlib.colors import ListedColormap
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """A mesh in the forms of other packages, which are imported where they are asked for."""
-from . import _dsc
+import numpy as np
+
+from .measures import area
 
 
 def _encloses(loop, point):
     """Whether the point lies inside the loop: an odd number of its edges lie to the right."""
-    import numpy as np
-
     a, b = loop, np.roll(loop, -1, axis=0)
     straddles = (a[:, 1] > point[1]) != (b[:, 1] > point[1])
     a, b = a[straddles], b[straddles]
@@ -28,18 +28,16 @@ def polygons(mesh, phase):
         For each region the outline and then its holes.
     """
     loops = mesh.outlines(phase)
-    outer = [[loop] for loop in loops if _dsc.area(loop) > 0]
-    for hole in (loop for loop in loops if _dsc.area(loop) < 0):
+    outer = [[loop] for loop in loops if area(loop) > 0]
+    for hole in (loop for loop in loops if area(loop) < 0):
         middle = (hole[0] + hole[1]) / 2  # of an edge: a vertex may be one of the outline as well
         around = [one for one in outer if _encloses(one[0], middle)]
-        min(around, key=lambda one: _dsc.area(one[0])).append(hole)
+        min(around, key=lambda one: area(one[0])).append(hole)
     return outer
 
 
 def to_geojson(mesh):
     """A FeatureCollection (RFC 7946) with a MultiPolygon for each phase, as dictionaries and lists."""
-    import numpy as np
-
     def feature(phase):
         rings = [[np.vstack((loop, loop[:1])).tolist() for loop in region]
                  for region in polygons(mesh, phase)]
@@ -70,7 +68,3 @@ def to_triangulation(mesh):
     from matplotlib.tri import Triangulation
 
     return Triangulation(*mesh.points.T, mesh.triangles)
-
-
-for _function in (polygons, to_geojson, to_meshio, to_shapely, to_triangulation):
-    setattr(_dsc.Mesh, _function.__name__, _function)

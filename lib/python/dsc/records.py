@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """What the compiled part tells: plain records, which can be kept, compared and pickled."""
-import dataclasses
+from typing import NamedTuple
 
 
-@dataclasses.dataclass(eq=False)
-class Curve:
+class Curve(NamedTuple):
     """A piece of the interface between two phases.
 
     Attributes
@@ -23,8 +22,7 @@ class Curve:
     right: int
 
 
-@dataclasses.dataclass
-class Event:
+class Event(NamedTuple):
     """A change of topology.
 
     Attributes
@@ -52,8 +50,7 @@ class Event:
     area: float
 
 
-@dataclasses.dataclass
-class Report:
+class Report(NamedTuple):
     """What one step did.
 
     Attributes
@@ -83,7 +80,6 @@ class Report:
     events: list
 
 
-@dataclasses.dataclass(eq=False, repr=False)
 class Interface:
     """The interface at one stage of the integrator, for a function that `interface_flow` takes.
 
@@ -125,6 +121,9 @@ class Interface:
     is_corner: object
     is_on_boundary: object
     is_locked: object
+
+    def __init__(self, **arrays):
+        self.__dict__.update(arrays)
 
     def __len__(self):
         return len(self.positions)

@@ -1,35 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""Meshes, flows and simulations as bytes: for pickles, copies and checkpoints."""
-import copy
+"""Bytes: sealed for pickles, so that a changed byte is noticed, and as checkpoints in files."""
 import pickle
 
 from . import _dsc
 
 
-def _load_mesh(state):
-    return _dsc.Mesh._from_state(state)
+def sealed(*state):
+    """Anything that can be pickled, as bytes."""
+    return _dsc.sealed(pickle.dumps(state))
 
 
-def _load_simulation(mesh, state):
-    options, flow, inner = pickle.loads(_dsc._unsealed(state, "simulation"))
-    sim = _dsc.Simulation(mesh, flow, **options)
-    sim._restore(inner)
-    return sim
-
-
-def _load_flow(name, given):
-    return getattr(_dsc, name)(*given)
-
-
-def _reduce_simulation(sim):
-    state = pickle.dumps((sim.options, sim.flow, sim._state()))
-    return _load_simulation, (sim.mesh, _dsc._sealed(state))
-
-
-_dsc.Mesh.__reduce__ = lambda mesh: (_load_mesh, (mesh._state(),))
-_dsc.Flow.__reduce__ = lambda flow: (_load_flow, (flow._name, flow._given))
-_dsc.Simulation.__reduce__ = _reduce_simulation
-_dsc.Simulation.__copy__ = copy.deepcopy  # of a mesh of its own, which has one simulation only
+def unsealed(state, name):
+    """The tuple that was sealed. Raises FileError, which begins with the name."""
+    return pickle.loads(_dsc.unsealed(state, name))
 
 
 def save(path, thing):
@@ -47,7 +30,7 @@ def save(path, thing):
     ------
     FileError
     """
-    _dsc._write_sealed(str(path), pickle.dumps(thing))
+    _dsc.write_sealed(str(path), pickle.dumps(thing))
 
 
 def load(path):
@@ -75,4 +58,4 @@ def load(path):
     True
     """
     with open(path, "rb") as file:
-        return pickle.loads(_dsc._unsealed(file.read(), str(path)))
+        return unsealed(file.read(), str(path))

@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: MIT
-# What the compiled part and the package's other files put together; docstrings are in the module.
-from collections.abc import Callable, Mapping, Sequence
+# The types of what users find in the package; docstrings are in the module.
+from collections.abc import Callable, Collection, Mapping, Sequence
 from os import PathLike
 from typing import Any, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .data import Data
-from .records import Curve, Interface, Report
+from . import bench as bench
+from . import scenes as scenes
+from .data import Data as Data
+from .records import Curve as Curve
+from .records import Event as Event
+from .records import Interface as Interface
+from .records import Report as Report
 
 Floats = NDArray[np.float64]
 Velocity = Callable[[Floats, float], ArrayLike]
@@ -125,7 +130,7 @@ class Fluid:
         tensions: Mapping[tuple[int, int], float | tuple[float, float]],
         *,
         gravity: ArrayLike = (0, 0),
-        slip: set[str] = ...,
+        slip: Collection[str] = (),
         inertia: bool = True,
         tolerance: float = 0,
         threads: int = 1,
@@ -143,7 +148,7 @@ class Fluid:
 
 def initial_complex(
     domain: ArrayLike,
-    shapes: Mapping[int, ArrayLike | Sequence[ArrayLike]] = ...,
+    shapes: Mapping[int, ArrayLike | Sequence[ArrayLike]] | None = None,
     *,
     curves: Sequence[tuple[ArrayLike, int, int]] | None = None,
     edge_length: float,
@@ -165,3 +170,28 @@ def symmetric_difference(first: ArrayLike | Sequence[ArrayLike], second: ArrayLi
 def hausdorff(first: ArrayLike | Sequence[ArrayLike], second: ArrayLike | Sequence[ArrayLike]) -> float: ...
 def area(outlines: ArrayLike | Sequence[ArrayLike]) -> float: ...
 def circle(centre: ArrayLike, radius: float, edge_length: float) -> Floats: ...
+def plot(
+    mesh: Mesh,
+    ax: Any = None,
+    *,
+    values: ArrayLike | None = None,
+    edges: bool | None = None,
+    interface: bool = True,
+    palette: Sequence[Any] = ...,
+    **style: Any,
+) -> Any: ...
+def animate(
+    sim: Simulation, flow: Velocity | Flow, dt: float, steps: int, *, every: int = 1, ax: Any = None, **style: Any
+) -> Any: ...
+def run(
+    sim: Simulation,
+    flow: Velocity | Flow,
+    dt: float,
+    steps: int,
+    *,
+    time: float | None = None,
+    after: Callable[[Simulation, Report], object] | None = None,
+    progress: Callable[[str], object] | None = None,
+) -> list[Report]: ...
+def save(path: str | PathLike[str], thing: object) -> None: ...
+def load(path: str | PathLike[str]) -> Any: ...

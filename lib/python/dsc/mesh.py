@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+"""Meshes: what the compiled part has of them, and what people expect of an object in Python."""
+from . import _dsc, arrays, interplay
+from .data import Data
+from .records import Curve
+from .state import sealed, unsealed
+
+
+class Mesh(_dsc.Mesh):
+    """A triangle mesh whose triangles have phases: a 2D simplicial complex.
+
+    Made by `initial_complex`, changed by the steps of a `Simulation`. Points, triangles and phases
+    have no gaps, are C-contiguous and not writable; those of before a step stay as they were.
+
+    Parameters
+    ----------
+    points : (n, 2) array_like
+    triangles : (m, 3) array_like of int
+        Rows of `points`, either way round. An edge has at most two triangles.
+    phases : (m,) array_like of int
+    """
+
+    def __init__(self, points, triangles, phases):
+        triangles = arrays.whole_numbers(triangles, "triangles", "(m, 3)", 2)
+        phases = arrays.whole_numbers(phases, "phases", "(m,)", 1)
+        if triangles.shape != (len(phases), 3):
+            arrays.refuse("arrays that do not fit", "Mesh",
+                          f"triangles of the shape {triangles.shape} and {len(phases)} phases",
+                          "triangles (m, 3) and phases (m,)")
+        super().__init__(arrays.points(points, "points"), triangles, phases)
+
+    @classmethod
+    def _made_of(cls, *parts):
+        """By another constructor of the compiled part."""
+        mesh = cls.__new__(cls)
+        _dsc.Mesh.__init__(mesh, *parts)
+        return mesh
+
+    def copy(self):
+        """A mesh of its own."""
+        return self._made_of(self)
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo):
+        return self.copy()
+
+    def __reduce__(self):
+        return _mesh_from, (sealed(self._bytes(), dict(self.vertex_data), dict(self.triangle_data)),)
+
+    def __repr__(self):
+        return (f"<dsc.Mesh: {len(self.triangles)} triangles, {len(self.points)} vertices, "
+                f"phases {', '.join(map(str, self.areas))}>")
+
+    @property
+    def vertex_data(self):
+        """Of vertices: a `Data`."""
+        return Data(self, "vertex")
+
+    @property
+    def triangle_data(self):
+        """Of triangles: a `Data`."""
+        return Data(self, "triangle")
+
+    @property
+    def areas(self):
+        """The area of each phase that occurs: a dict."""
+        return {phase: one["area"] for phase, one in self.figures["phases"].items()}
+
+    def interface_curves(self):
+        """The interface as curves, cut where more than two phases meet: a list of `Curve`."""
+        return [Curve(*parts) for parts in self._interface_curves()]
+
+    def outlines(self, phase, samples=1):
+        """Closed loops around a phase, counter-clockwise, clockwise around its holes.
+
+        Parameters
+        ----------
+        phase : int
+        samples : int
+            Points to an edge, on the cubic through its neighbours; 1: the vertices alone.
+
+        Returns
+        -------
+        list of (n, 2) arrays
+        """
+        return self._outlines(phase, samples)
+
+    polygons = interplay.polygons
+    to_geojson = interplay.to_geojson
+    to_meshio = interplay.to_meshio
+    to_shapely = interplay.to_shapely
+    to_triangulation = interplay.to_triangulation
+
+
+def _mesh_from(state):
+    complex_bytes, vertex_data, triangle_data = unsealed(state, "mesh")
+    mesh = Mesh._made_of(complex_bytes)
+    mesh.vertex_data.update(vertex_data)
+    mesh.triangle_data.update(triangle_data)
+    return mesh
+
+
+def _curve(value, where):
+    try:
+        points, left, right = value
+    except (TypeError, ValueError):
+        arrays.refuse("not a curve", where, arrays.shown(value),
+                      "(points, phase on the left, phase on the right)")
+    return arrays.points(points, where), arrays.phase(left, where), arrays.phase(right, where)
+
+
+def initial_complex(domain, shapes=None, *, curves=None, **options):
+    corners = arrays.points(domain, "domain")
+    if len(corners) != 2:
+        arrays.refuse("not a rectangle", "domain", f"{len(corners)} points",
+                      "two: the lower left corner and the upper right one")
+    if shapes and curves is not None:
+        arrays.refuse("shapes and curves", "initial_complex", "both", "either")
+    if curves is None:
+        pieces = [(outline, arrays.phase(phase, "shapes")) for phase, value in (shapes or {}).items()
+                  for outline in arrays.outlines(value, f"shapes[{phase!r}]")]
+    else:
+        pieces = [_curve(one, f"curves[{k}]") for k, one in enumerate(curves)]
+    return Mesh._made_of(corners, pieces, options)
+
+
+initial_complex.__doc__ = f"""The mesh that a simulation starts from.
+
+Parameters
+----------
+domain : array_like (2, 2)
+    The lower left corner of a rectangle, and the upper right one.
+shapes : dict, optional
+    For each phase a polygon (n, 2), or a list of polygons. The innermost polygon counts; outside of
+    all the phase is 0.
+curves : sequence of (points, left, right), optional
+    In place of shapes: curves from junction to junction with the phases on both sides.
+**options
+    The following ones.
+{_dsc.size_help}
+Returns
+-------
+Mesh
+"""

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+"""Simulations: their compiled part, with reports, flows and bytes."""
+import copy
+
+from . import _dsc, arrays
+from .flows import Flow
+from .records import Event, Report
+from .state import sealed, unsealed
+
+
+class Simulation(_dsc.Simulation):
+    __doc__ = f"""Moves the interface of a mesh, and keeps the mesh a valid complex around it.
+
+One simulation of a mesh at a time.
+
+Parameters
+----------
+mesh : Mesh
+flow : Flow, optional
+    A flow that the simulation has to be made for: `growth`.
+**options
+    The following ones.
+{_dsc.option_help}"""
+
+    def __init__(self, mesh, flow=None, **options):
+        super().__init__(mesh, getattr(flow, "_compiled", flow), options)
+        self._flow = flow
+
+    @property
+    def flow(self):
+        """The flow that it was made for, or None."""
+        return self._flow
+
+    def step(self, flow, time, dt):
+        """Moves the interface from `time` to `time + dt`.
+
+        Parameters
+        ----------
+        flow : callable or Flow
+            A function of positions (n, 2) and the time, which returns velocities (n, 2). It is
+            called once in each stage of the integrator, for all vertices of the interface, by the
+            thread that called `step`. What it raises comes out of `step`; the mesh is valid then,
+            and has not arrived yet: `time` and `report` say how far it came.
+        time, dt : float
+
+        Returns
+        -------
+        Report
+        """
+        if isinstance(flow, Flow):
+            compiled = flow._compiled
+        elif callable(flow):
+            compiled = _dsc.velocity(flow)
+        else:
+            arrays.refuse("not a flow", "Simulation.step", arrays.shown(flow),
+                          "a function of positions (n, 2) and time, or a dsc.Flow")
+        self._step(compiled, time, dt)
+        return self.report
+
+    @property
+    def report(self):
+        """Of the last step, be it one that ended by an exception: a `Report`."""
+        told = self._report()
+        events = [Event(**event) for event in told.pop("events")]
+        return Report(**told, events=events)
+
+    def __repr__(self):
+        return f"<dsc.Simulation: {self.interface_size} interface vertices, time {self.time:.6g}>"
+
+    def __reduce__(self):
+        return _simulation_from, (self.mesh, sealed(self.options, self.flow, self._state()))
+
+    __copy__ = copy.deepcopy  # of a mesh of its own, which has one simulation only
+
+
+def _simulation_from(mesh, state):
+    options, flow, inner = unsealed(state, "simulation")
+    sim = Simulation(mesh, flow, **options)
+    sim._restore(inner)
+    return sim
