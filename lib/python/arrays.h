@@ -31,13 +31,13 @@ static_assert(sizeof(Point<double>) == 2 * sizeof(double));
 template <class Number>
 using ArrayLike = py::array_t<Number, py::array::c_style | py::array::forcecast>;
 
-/// A new array of what `value(one)` is for each one of a range of this size: of numbers (n,), or of
-/// rows of `Number`, such as points (n, 2).
+/// A new array of what `value(one)` is for each one of a range: of numbers (n,), or of rows of
+/// `Number`, such as points (n, 2).
 template <class Number = double, class Range, class Value>
-[[nodiscard]] py::array array_over(const Range& range, std::size_t size, Value value) {
+[[nodiscard]] py::array array_over(const Range& range, Value value) {
     using Entry = std::decay_t<decltype(value(*range.begin()))>;
     constexpr bool is_row = !std::is_arithmetic_v<Entry>;
-    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(size)};
+    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(std::ranges::distance(range))};
     if (is_row) {
         shape.push_back(sizeof(Entry) / sizeof(Number));
     }
@@ -52,17 +52,15 @@ template <class Number = double, class Range, class Value>
 }
 
 /// A new array of these numbers or points.
-template <std::ranges::sized_range List>
+template <class List>
 [[nodiscard]] py::array array_of(const List& list) {
-    return array_over(list, std::ranges::size(list), std::identity());
+    return array_over(list, std::identity());
 }
 
-/// An object of Python that C++ copies and drops without the GIL.
-template <class Object>
-using Shared = std::shared_ptr<Object>;
-template <class Object>
-[[nodiscard]] Shared<Object> share(const Object& object) {
-    return {new Object(object), [](Object* last) {
+/// A function of Python that C++ copies and drops without the GIL.
+using SharedFunction = std::shared_ptr<py::function>;
+[[nodiscard]] inline SharedFunction share(const py::function& function) {
+    return {new py::function(function), [](py::function* last) {
                 const py::gil_scoped_acquire gil;
                 delete last; // NOLINT: the deleter of a shared_ptr
             }};

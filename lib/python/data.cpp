@@ -11,13 +11,9 @@ namespace dsc::python {
 
 namespace {
 
-// The living simplices, in the order of the arrays, and their number.
+// The living simplices, in the order of the arrays.
 auto range_of(const Complex<double>& complex, Vertex /*kind*/) { return vertices(complex); }
 auto range_of(const Complex<double>& complex, Triangle /*kind*/) { return triangles(complex); }
-auto count_of(const Complex<double>& complex, Vertex /*kind*/) { return complex.vertex_count(); }
-auto count_of(const Complex<double>& complex, Triangle /*kind*/) {
-    return complex.triangle_count();
-}
 
 // Calls `visit` with the attribute in its own type. False for one of the library's own.
 template <class Visit>
@@ -57,8 +53,7 @@ py::array data_of(const Mesh& mesh, const std::string& name) {
     for (const auto& one : complex.attributes.list()) {
         if (one->name() == name) {
             visit_data(*one, [&]<class T, class Simplex>(const Attribute<T, Simplex>& attribute) {
-                const Simplex kind;
-                values = array_over(range_of(complex, kind), count_of(complex, kind),
+                values = array_over(range_of(complex, Simplex()),
                                     [&](Simplex each) { return attribute[each]; });
             });
         }

@@ -46,17 +46,16 @@ py::array arms_in(const InterfaceView<double>& view) {
                             number_or_none(arm.right)});
         }
     }
-    return array_over<std::int64_t>(rows, rows.size(), std::identity());
+    return array_over<std::int64_t>(rows, std::identity());
 }
 
 py::object interface_of(const InterfaceView<double>& view) {
-    const auto numbers = [&](auto list) { return array_over(list, view.size(), number_or_none); };
+    const auto numbers = [](auto list) { return array_over(list, number_or_none); };
     const auto flags = [&](InterfaceFlag flag) {
-        return array_over(view.flags, view.size(),
-                          [=](std::uint8_t all) { return (all & flag) != 0; });
+        return array_over(view.flags, [=](std::uint8_t all) { return (all & flag) != 0; });
     };
     const auto measured = [&](auto measure) {
-        return array_over(std::views::iota(std::size_t{0}, view.size()), view.size(), measure);
+        return array_over(std::views::iota(std::size_t{0}, view.size()), measure);
     };
     return py::module_::import("dsc.records")
         .attr("Interface")(
@@ -73,7 +72,7 @@ py::object interface_of(const InterfaceView<double>& view) {
 
 // Calls `function(interface, t)` in each stage of the integrator, once for the whole interface.
 // Throws InputError for `adaptive`, which motions have no estimate for.
-InterfaceMotion<double> motion_of(const Shared<py::function>& function, Integrator integrator) {
+InterfaceMotion<double> motion_of(const SharedFunction& function, Integrator integrator) {
     if (integrator == Integrator::adaptive) {
         throw InputError({.what = "a flow that sees the interface has no estimate of the error",
                           .where = "integrator",
@@ -111,10 +110,11 @@ InterfaceMotion<double> motion_of(const Shared<py::function>& function, Integrat
 // --- what Python can choose ----------------------------------------------------------------------
 
 template <class Flow>
-AnyFlow along(const Flow& flow) {
-    return {[flow](Simulation<double>& simulation, double time, double dt) {
+AnyFlow along(const Flow& flow, const std::optional<GrowthOptions<double>>& growth = {}) {
+    const auto step = [flow](Simulation<double>& simulation, double time, double dt) {
         return simulation.step(flow, time, dt);
-    }};
+    };
+    return {step, growth};
 }
 
 AnyFlow interface_flow_of(const py::function& function) {
@@ -128,9 +128,7 @@ AnyFlow growth_of(const std::map<std::pair<Phase, Phase>, double>& speeds) {
     for (const auto& [pair, speed] : speeds) {
         options.speeds.push_back({.growing = pair.first, .into = pair.second, .speed = speed});
     }
-    AnyFlow flow = along(growth(options));
-    flow.growth = options;
-    return flow;
+    return along(growth(options), options);
 }
 
 AnyFlow curvature_flow_of(double tension, double mobility, const std::map<Phase, double>& areas) {

@@ -35,8 +35,7 @@ public:
     }
     [[nodiscard]] double time() const { return fluid_.time(); }
     [[nodiscard]] py::array velocities() const {
-        const Complex<double>& complex = mesh_of_solution();
-        return array_over(vertices(complex), complex.vertex_count(),
+        return array_over(vertices(mesh_of_solution()),
                           [&](Vertex v) { return fluid_.field().velocity[v.id]; });
     }
     [[nodiscard]] py::array pressures() const {

@@ -38,15 +38,14 @@ Outlines outlines_of(const Mesh& mesh, Phase phase, int samples) {
 template <double (*measure)(const Complex<double>&, Triangle)>
 py::array of_triangles(const Mesh& mesh) {
     const Complex<double>& complex = mesh.complex();
-    return array_over(triangles(complex), complex.triangle_count(),
-                      [&](Triangle t) { return measure(complex, t); });
+    return array_over(triangles(complex), [&](Triangle t) { return measure(complex, t); });
 }
 
 py::array component_of(const Mesh& mesh) {
     const Complex<double>& complex = mesh.complex();
     const Components parts = components(complex);
     const auto number = [&](Triangle t) { return static_cast<std::int32_t>(parts.of[t.id]); };
-    return array_over(triangles(complex), complex.triangle_count(), number);
+    return array_over(triangles(complex), number);
 }
 
 py::dict figures(const Mesh& mesh) {

@@ -21,7 +21,7 @@ std::string shown(const py::handle& value) {
 // --- sizes: functions of Python that return a number, called by whichever thread needs it --------
 
 struct SizeFunction {
-    Shared<py::function> function;
+    SharedFunction function;
 
     double operator()(const Point<double>& p, double time, Phase phase) const {
         return call(p.x(), p.y(), time, phase);

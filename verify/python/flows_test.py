@@ -5,6 +5,7 @@ import unittest
 
 import dsc
 import numpy as np
+from documented_test import fields
 from meshes import DOMAIN, H, disc, disc_mesh, swirl
 
 
@@ -88,6 +89,7 @@ class ThatSeeTheInterface(unittest.TestCase):
         self.assertEqual(len(seen), 50 * 4)  # rk4: once in each stage
 
         one = seen[0]  # its arrays may be kept
+        self.assertEqual(list(vars(one)), fields("Interface"))
         every = np.arange(len(one))
         self.assertTrue(np.array_equal(one.previous[one.next], every))
         self.assertLess(np.abs(one.curvatures - 1 / 0.15).max(), 1e-2)

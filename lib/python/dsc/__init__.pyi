@@ -2,7 +2,7 @@
 # The types of what users find in the package; docstrings are in the module.
 from collections.abc import Callable, Collection, Mapping, Sequence
 from os import PathLike
-from typing import Any, TypedDict
+from typing import Any, NamedTuple, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,17 +10,54 @@ from numpy.typing import ArrayLike, NDArray
 from . import bench as bench
 from . import scenes as scenes
 from .data import Data as Data
-from .records import Curve as Curve
-from .records import Event as Event
-from .records import Interface as Interface
-from .records import Report as Report
 
 Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Flags = NDArray[np.bool_]
 Velocity = Callable[[Floats, float], ArrayLike]
 
 class InputError(ValueError): ...
 class FileError(OSError): ...
 class SolveError(RuntimeError): ...
+
+class Curve(NamedTuple):
+    points: Floats
+    is_closed: bool
+    left: int
+    right: int
+
+class Event(NamedTuple):
+    kind: str
+    time: float
+    place: tuple[float, float]
+    lost: int
+    taken: tuple[int, int]
+    area: float
+
+class Report(NamedTuple):
+    unreached: int
+    held: int
+    sub_steps: int
+    interface_vertices: int
+    reached: float
+    gave_up: bool
+    events: list[Event]
+
+class Interface:
+    positions: Floats
+    previous: Integers
+    next: Integers
+    left: Integers
+    right: Integers
+    normals: Floats
+    curvatures: Floats
+    lengths: Floats
+    arms: Integers
+    is_junction: Flags
+    is_corner: Flags
+    is_on_boundary: Flags
+    is_locked: Flags
+    def __len__(self) -> int: ...
 
 class PhaseFigures(TypedDict):
     area: float

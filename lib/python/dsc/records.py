@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""What the compiled part tells: plain records, which can be kept, compared and pickled."""
-from typing import NamedTuple
+"""What the compiled part tells: plain records, which can be kept, compared and pickled.
+
+The types of their fields are in the stub: an import of `typing` would take as long as all others.
+"""
+from collections import namedtuple
 
 
-class Curve(NamedTuple):
+class Curve(namedtuple("Curve", "points is_closed left right")):
     """A piece of the interface between two phases.
 
     Attributes
@@ -16,13 +19,10 @@ class Curve(NamedTuple):
         The phases on both sides of the way along it; 0 beyond the sides of the domain.
     """
 
-    points: object
-    is_closed: bool
-    left: int
-    right: int
+    __slots__ = ()
 
 
-class Event(NamedTuple):
+class Event(namedtuple("Event", "kind time place lost taken area")):
     """A change of topology.
 
     Attributes
@@ -42,15 +42,10 @@ class Event(NamedTuple):
         That changed hands.
     """
 
-    kind: str
-    time: float
-    place: tuple
-    lost: int
-    taken: tuple
-    area: float
+    __slots__ = ()
 
 
-class Report(NamedTuple):
+class Report(namedtuple("Report", "unreached held sub_steps interface_vertices reached gave_up events")):
     """What one step did.
 
     Attributes
@@ -71,13 +66,7 @@ class Report(NamedTuple):
         Changes of topology, in their order.
     """
 
-    unreached: int
-    held: int
-    sub_steps: int
-    interface_vertices: int
-    reached: float
-    gave_up: bool
-    events: list
+    __slots__ = ()
 
 
 class Interface:
@@ -107,20 +96,6 @@ class Interface:
         No point of a single curve; kept, without a tangent; can only slide along the domain
         boundary; stays.
     """
-
-    positions: object
-    previous: object
-    next: object
-    left: object
-    right: object
-    normals: object
-    curvatures: object
-    lengths: object
-    arms: object
-    is_junction: object
-    is_corner: object
-    is_on_boundary: object
-    is_locked: object
 
     def __init__(self, **arrays):
         self.__dict__.update(arrays)

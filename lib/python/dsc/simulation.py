@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Simulations: their compiled part, with reports, flows and bytes."""
-import copy
-
 from . import _dsc, arrays
 from .flows import Flow
 from .records import Event, Report
@@ -70,7 +68,9 @@ flow : Flow, optional
     def __reduce__(self):
         return _simulation_from, (self.mesh, sealed(self.options, self.flow, self._state()))
 
-    __copy__ = copy.deepcopy  # of a mesh of its own, which has one simulation only
+    def __copy__(self):
+        make, (mesh, state) = self.__reduce__()
+        return make(mesh.copy(), state)  # a mesh has one simulation only
 
 
 def _simulation_from(mesh, state):
