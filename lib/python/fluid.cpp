@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+// A fluid as Python sees it: a flow, with what is known of it.
 #include "fluid/fluid.h"
+#include "python/flows.h"
 #include "python/module.h"
-#include "python/simulation.h"
 
 #include <array>
 #include <optional>
@@ -21,18 +22,17 @@ using Tensions = std::vector<std::tuple<Phase, Phase, double, std::optional<doub
 // Whether the fluid slips along the left, right, bottom and top side.
 using Slip = std::array<bool, 4>;
 
-class FlowingFluid {
+class FlowingFluid : public AnyFlow {
 public:
-    FlowingFluid(Running& simulation, const FluidOptions& options)
-        : simulation_(simulation), fluid_(simulation.mesh()->complex(), options),
-          revision_(simulation.mesh()->revision()) {}
-
-    void step(double dt) {
-        simulation_.step_by(
-            [&](Simulation<double>& simulation) { return fluid_.advance(simulation, dt).moved; },
-            fluid_.time());
-        revision_ = simulation_.mesh()->revision();
+    FlowingFluid(std::shared_ptr<Mesh> mesh, const FluidOptions& options)
+        : mesh_(std::move(mesh)), fluid_(mesh_->complex(), options), revision_(mesh_->revision()) {
+        step = [this](Simulation<double>& simulation, double /*time*/, double dt) {
+            const StepReport report = fluid_.advance(simulation, dt).moved;
+            revision_ = mesh_->revision();
+            return report;
+        };
     }
+
     [[nodiscard]] double time() const { return fluid_.time(); }
     [[nodiscard]] py::array velocities() const {
         return array_over(vertices(mesh_of_solution()),
@@ -54,19 +54,19 @@ public:
 
 private:
     [[nodiscard]] const Complex<double>& mesh_of_solution() const {
-        const Complex<double>& complex = simulation_.mesh()->complex();
-        if (simulation_.mesh()->revision() != revision_) {
+        const Complex<double>& complex = mesh_->complex();
+        if (mesh_->revision() != revision_) {
             throw std::runtime_error("the mesh has changed since the fluid's last step");
         }
         return complex;
     }
 
-    Running& simulation_;
+    std::shared_ptr<Mesh> mesh_;
     Fluid fluid_;
     std::uint64_t revision_; ///< of the mesh, at the last solution
 };
 
-std::unique_ptr<FlowingFluid> fluid_of(Running& simulation, const Phases& phases,
+std::unique_ptr<FlowingFluid> fluid_of(const std::shared_ptr<Mesh>& mesh, const Phases& phases,
                                        const Tensions& tensions,
                                        const std::pair<double, double>& gravity, const Slip& slip,
                                        bool has_inertia, double tolerance, std::uint32_t threads) {
@@ -82,15 +82,14 @@ std::unique_ptr<FlowingFluid> fluid_of(Running& simulation, const Phases& phases
     options.walls = {.left = wall(0), .right = wall(1), .bottom = wall(2), .top = wall(3)};
     options.gravity = {gravity.first, gravity.second};
     options.equations = has_inertia ? FluidEquations::navier_stokes : FluidEquations::stokes;
-    return std::make_unique<FlowingFluid>(simulation, options);
+    return std::make_unique<FlowingFluid>(mesh, options);
 }
 
 } // namespace
 
 void add_fluid(py::module_& module) {
-    py::class_<FlowingFluid>(module, "Fluid")
-        .def(py::init(&fluid_of), py::keep_alive<1, 2>())
-        .def("_step", &FlowingFluid::step)
+    py::class_<FlowingFluid, AnyFlow>(module, "Fluid")
+        .def(py::init(&fluid_of))
         .def_property_readonly("time", &FlowingFluid::time, "Of the last solution.")
         .def_property_readonly("velocities", &FlowingFluid::velocities,
                                "At the points of the mesh: (n, 2).")

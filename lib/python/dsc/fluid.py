@@ -38,7 +38,7 @@ class Fluid(_dsc.Fluid):
                       for phase, one in phases.items()]
         pairs = [(*pair, *(one if isinstance(one, (tuple, list)) else (one, None)))
                  for pair, one in tensions.items()]
-        super().__init__(sim, properties, pairs, arrays.point(gravity, "gravity"),
+        super().__init__(sim.mesh, properties, pairs, arrays.point(gravity, "gravity"),
                          [side in slip for side in SIDES], inertia, tolerance, threads)
         self._sim = sim
 
@@ -54,5 +54,5 @@ class Fluid(_dsc.Fluid):
         Report
             Of all of these steps.
         """
-        self._step(dt)
+        self._sim._step(self, self.time, dt)
         return self._sim.report
