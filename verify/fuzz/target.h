@@ -34,7 +34,6 @@ std::uint64_t run_operations(std::span<const std::uint8_t> bytes);
 std::uint64_t run_steps(std::span<const std::uint8_t> bytes);
 std::uint64_t run_scene_file(std::span<const std::uint8_t> bytes);
 std::uint64_t run_outlines(std::span<const std::uint8_t> bytes);
-std::uint64_t run_grids(std::span<const std::uint8_t> bytes);
 std::uint64_t run_formulas(std::span<const std::uint8_t> bytes);
 std::uint64_t run_command_line(std::span<const std::uint8_t> bytes);
 std::uint64_t run_archives(std::span<const std::uint8_t> bytes);

@@ -9,19 +9,15 @@
 #include "dsc/base/error.h"
 #include "dsc/queries/validate.h"
 #include "scenes/file/formula/formula_flow.h"
-#include "scenes/file/grid/grid_files.h"
 #include "scenes/file/outlines/pieces.h"
 #include "scenes/file/scene_file.h"
 #include "scenes/run/start.h"
 
-#include <array>
 #include <memory>
 
 namespace dsc::fuzz {
 
 namespace {
-
-using scenes::GridInterpolation;
 
 // The complex is made of scenes up to this size, and a step is tried.
 constexpr double most_triangles = 2'000;
@@ -51,16 +47,6 @@ void check_finite_or_closed(const std::vector<scenes::Piece>& pieces) {
     }
     if (pieces.size() < 20) {
         expect(scenes::nesting(pieces).size() == pieces.size(), "pieces without a nesting");
-    }
-}
-
-void evaluate(const scenes::GridField& field) {
-    constexpr double far = 1e300;
-    std::array<Point<double>, 4> at{Point<double>(0, 0), Point<double>(0.3, 0.7),
-                                    Point<double>(-far, far), Point<double>(1e-300, 1)};
-    std::array<Point<double>, 4> velocities;
-    for (const double time : {0.0, 0.5, -far, far}) {
-        field(at, time, velocities);
     }
 }
 
@@ -102,21 +88,6 @@ std::uint64_t run_outlines(std::span<const std::uint8_t> bytes) {
         case 2: check_finite_or_closed(scenes::read_geojson(text, "file")); break;
         default: check_finite_or_closed(scenes::read_svg_path(text, 1e-3, 0.1, "file")); break;
         }
-    });
-}
-
-std::uint64_t run_grids(std::span<const std::uint8_t> bytes) {
-    Bytes decoder(bytes);
-    const std::uint8_t kind = decoder.byte();
-    const std::string text = decoder.text();
-    return end_or_refuse([&] {
-        const std::vector<double> times =
-            (kind & 2U) == 0 ? std::vector<double>{} : std::vector<double>{0, 1};
-        scenes::GridValues values = (kind & 1U) == 0 ? scenes::read_npy(text, times, "file")
-                                                     : scenes::read_grid_csv(text, "file");
-        evaluate(scenes::GridField(
-            std::move(values),
-            (kind & 4U) == 0 ? GridInterpolation::linear : GridInterpolation::cubic, "file"));
     });
 }
 

@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Flows in Python that see the interface, and the library's own by name."""
+"""Flows in Python that see the interface or are known on a grid, and the library's own by name."""
+import os
+import tempfile
 import threading
 import unittest
 
 import dsc
 import numpy as np
+try:
+    from scipy.interpolate import RegularGridInterpolator
+except ImportError:
+    RegularGridInterpolator = None
 from documented_test import fields
 from meshes import DOMAIN, H, disc, disc_mesh, swirl
 
@@ -54,6 +60,31 @@ class OfTheLibrary(unittest.TestCase):
         sim = dsc.Simulation(disc_mesh(), edge_length=H)
         with self.assertRaisesRegex(dsc.InputError, "growth_algorithm"):
             sim.step(dsc.growth({(1, 0): 1}), 0, H)
+
+
+@unittest.skipUnless(RegularGridInterpolator, "without scipy")
+class OnAGrid(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(folder.name)
+
+    # A rotation is linear, so that no interpolation changes it.
+    def test_a_rotation_is_that_of_its_formula(self):
+        y, x = np.mgrid[0:1:11j, 0:1:21j]
+        np.save("wind.npy", np.stack([0.5 - y, x - 0.5], axis=-1))
+        mesh = disc_mesh()
+        sim = dsc.Simulation(mesh, edge_length=H)
+        wind = np.load("wind.npy")  # rows, columns, (u, v)
+        y, x = (np.linspace(0, 1, count) for count in wind.shape[:2])
+        field = RegularGridInterpolator((y, x), wind)
+        dsc.run(sim, lambda points, t: field(points[:, ::-1]), 0.01, 10)
+        turned = disc_mesh()
+        dsc.run(dsc.Simulation(turned, edge_length=H),
+                lambda points, t: np.c_[0.5 - points[:, 1], points[:, 0] - 0.5], 0.01, 10)
+        (outline,), (expected,) = mesh.outlines(1), turned.outlines(1)
+        self.assertLess(np.abs(outline - expected).max(), 1e-12)
 
 
 class ThatSeeTheInterface(unittest.TestCase):

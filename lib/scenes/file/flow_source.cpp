@@ -3,8 +3,6 @@
 
 #include "dsc/base/error.h"
 #include "scenes/file/formula/formula_flow.h"
-#include "scenes/file/grid/grid_files.h"
-#include "scenes/file/text_file.h"
 
 #include <array>
 #include <limits>
@@ -56,31 +54,6 @@ VelocitySource read_falling(const TableReader& reader) {
                           reader.number_or(1, "speed", any_speed)});
 }
 
-VelocitySource read_grid(const TableReader& reader) {
-    reader.allow({"file", "low", "high", "times", "interpolation"});
-    const std::filesystem::path path = reader.file().parent_path() / reader.text("file");
-    const auto interpolation =
-        read_choice(reader, "interpolation", grid_interpolation_names, GridInterpolation::linear);
-    if (path.extension() == ".csv") {
-        for (const char* key : {"low", "high", "times"}) {
-            if (reader.has(key)) {
-                reader.refuse(key, "this is in the file itself", "only for .npy");
-            }
-        }
-        return always(GridField(read_grid_csv(read_text_file(path), path.string()), interpolation,
-                                path.string()));
-    }
-    if (path.extension() != ".npy") {
-        reader.refuse("file", "unknown kind of file", "a name that ends in .csv or .npy");
-    }
-    GridValues values =
-        read_npy(read_text_file(path),
-                 reader.has("times") ? reader.numbers("times", any_time) : std::vector<double>{},
-                 path.string());
-    values.box = {reader.point("low"), reader.point("high")};
-    return always(GridField(std::move(values), interpolation, reader.where()));
-}
-
 FormulaParameters read_parameters(const TableReader& leg) {
     FormulaParameters parameters;
     if (!leg.has("parameters")) {
@@ -118,9 +91,11 @@ struct NameOfFlow {
 };
 
 constexpr std::array named_flows{
-    NameOfFlow{"translation", read_translation}, NameOfFlow{"radial", read_radial},
-    NameOfFlow{"rotation", read_rotation},       NameOfFlow{"grid", read_grid},
-    NameOfFlow{"vortex", read_vortex},           NameOfFlow{"swirl", read_swirl},
+    NameOfFlow{"translation", read_translation},
+    NameOfFlow{"radial", read_radial},
+    NameOfFlow{"rotation", read_rotation},
+    NameOfFlow{"vortex", read_vortex},
+    NameOfFlow{"swirl", read_swirl},
     NameOfFlow{"falling", read_falling},
 };
 

@@ -8,8 +8,6 @@
 //     vortex      = { centre = [x, y], speed }
 //     swirl       = { amplitude, period }
 //     falling     = { surface, depth, speed }
-//     grid        = { file = "NAME.csv" } or { file = "NAME.npy", low = [x, y], high = [x, y],
-//                   times = [...] }, with interpolation = "linear" or "cubic": see grid/
 //
 // with `until`, the time at which the next one takes over, and `reversed = true` for the opposite.
 #pragma once

@@ -246,23 +246,6 @@ TEST_F(FilesBeside, AreFoundFromTheSceneFile) {
     EXPECT_EQ(setup.phases, (std::vector<Phase>{1, 2}));
 }
 
-TEST_F(FilesBeside, MayBeFieldsOnGrids) {
-    write("mine.toml", options + disc +
-                           "[flow]\ngrid = { file = 'wind.csv', interpolation = "
-                           "'cubic' }\n");
-    write("wind.csv", "x,y,u,v\n0,0,1,0\n1,0,1,0\n0,1,2,0\n1,1,2,0\n");
-    const Scene scene = read_scene_file(folder_ / "mine.toml").scene;
-    const RunResult result = run_scene(scene, scene.defaults, {});
-    EXPECT_TRUE(result.holds());
-    EXPECT_NE(result.operations.at("moves"), 0U);
-    for (const char* bad : {"grid = { file = 'wind.npy' }", "grid = { file = 'wind.txt' }",
-                            "grid = { file = 'wind.csv', low = [0, 0] }",
-                            "grid = { file = 'wind.csv', interpolation = 'best' }", "grid = {}"}) {
-        write("bad.toml", options + disc + "[flow]\n" + bad + '\n');
-        EXPECT_ANY_THROW((void)read_scene_file(folder_ / "bad.toml")) << bad;
-    }
-}
-
 TEST_F(FilesBeside, AreRefusedWhereTheyCannotBeRead) {
     EXPECT_THROW((void)read_scene_file(folder_ / "none.toml"), FileError);
     EXPECT_THROW((void)read_scene_file(folder_), FileError);
