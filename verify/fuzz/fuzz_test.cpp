@@ -72,11 +72,10 @@ private:
     std::size_t below(std::size_t end) { return random_() % end; }
 
     std::string_view token() {
-        static constexpr std::array<std::string_view, 31> tokens{
-            "[",      "]",     "{",    "}",       "\"",    "=",         ",",   "\n",
-            "-",      ".",     "e",    "nan",     "inf",   "1e308",     "0",   "-1",
-            "999999", "1e-12", "true", "[[",      "shape", "[curve]\n", "Z",   "A 1 1 0 0 1 ",
-            "sin(",   "^",     "x",    "\\u0000", "'",     "#",         "1e-5"};
+        static constexpr std::array<std::string_view, 29> tokens{
+            "[",     "]",         "{",    "}",     "\"", "=",       ",",      "\n",    "-",    ".",
+            "e",     "nan",       "inf",  "1e308", "0",  "-1",      "999999", "1e-12", "true", "[[",
+            "shape", "[curve]\n", "sin(", "^",     "x",  "\\u0000", "'",      "#",     "1e-5"};
         return tokens[below(tokens.size())];
     }
 

@@ -7,6 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <unistd.h>
 
 namespace dsc::scenes::scene_file_exact_test {
 namespace {
@@ -35,10 +40,18 @@ TEST(SceneFileExact, KnowsExactShapes) {
     const auto circle =
         setup_of(vortex + "[exact]\ncircle = { centre = [0.5, 0.5], radius = '0.2 + t' }").exact;
     EXPECT_NEAR(circle(0.1).area, 0.09 * 3.14159265358979, 1e-9);
-    const auto holes =
-        setup_of(options + "[flow]\ntranslation = { velocity = [1, 0] }\n[[shape]]\n"
-                           "path = 'M.1.1h.4v.8h-.4z M.2.3h.2v.4h-.2z'\n[exact]\ncarried = true")
-            .exact;
+    const std::string ring = "dsc_ring_" + std::to_string(::getpid()) + ".txt";
+    const std::filesystem::path folder = testing::TempDir();
+    std::ofstream(folder / ring) << "0.1 0.1\n0.5 0.1\n0.5 0.9\n0.1 0.9\n\n"
+                                    "0.2 0.3\n0.4 0.3\n0.4 0.7\n0.2 0.7\n";
+    const Scene with_hole =
+        read_scene_text(options +
+                            "[flow]\ntranslation = { velocity = [1, 0] }\n[[shape]]\nfile = '" +
+                            ring + "'\n[exact]\ncarried = true",
+                        folder / "s.toml")
+            .scene;
+    std::filesystem::remove(folder / ring);
+    const auto holes = with_hole.prepare(with_hole.defaults).exact;
     EXPECT_NEAR(holes(0.1).area, 0.4 * 0.8 - 0.2 * 0.4, 1e-9);
     EXPECT_NEAR(signed_area(holes(0.1).outlines), 0.4 * 0.8 - 0.2 * 0.4, 1e-6);
 }

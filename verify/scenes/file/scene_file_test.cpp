@@ -73,12 +73,12 @@ TEST(SceneFile, HasFlowsOneAfterTheOther) {
     EXPECT_TRUE(std::isinf(setup.flow[2].end));
 }
 
-TEST(SceneFile, HasPhasesHolesAndCurves) {
-    const scenes::Setup shapes = setup_of(options +
-                                          "[[shape]]\nphase = 3\nhole_phase = 2\n"
-                                          "path = 'M.1.1h.8v.8h-.8z M.3.3h.4v.4h-.4z'\n" +
-                                          "[measure]\nphase = 3");
-    EXPECT_EQ(shapes.phases, (std::vector<Phase>{3, 2}));
+TEST(SceneFile, HasPhasesAndCurves) {
+    const scenes::Setup shapes =
+        setup_of(options + "[[shape]]\nphase = 3\n"
+                           "points = [[0.1, 0.1], [0.9, 0.1], [0.5, 0.9]]\n"
+                           "[measure]\nphase = 3");
+    EXPECT_EQ(shapes.phases, std::vector<Phase>{3});
     EXPECT_EQ(shapes.measured, 3U);
     const scenes::Setup curves =
         setup_of(options + "[domain]\nhigh = [2, 1]\nclamped = true\n"
@@ -160,20 +160,18 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {options + "[fluid]\ntensions = [{ one = 0, other = 1, tension = 1 }]\n",
          {"s.toml:5", "phase 0", "properties"}},
         {options + "[fluid]\n[flow]\nu = 'x'\nv = 'y'\n", {"s.toml", "flow", "fluid", "one"}},
-        {shape, {"s.toml:5", "[shape]", "points, file, path, circle"}},
+        {shape, {"s.toml:5", "[shape]", "points, file, circle"}},
         {shape + "circle = { centre = [0.5, 0.5] }\n", {"s.toml:6", "[shape.circle]", "radius"}},
         {shape + "circle = { centre = [0.5, 0.5], radius = 0 }\n", {"s.toml:6", "radius", "0"}},
         {shape + "circle = { centre = 5, radius = 1 }\n", {"s.toml:6", "centre", "5", "[x, y]"}},
         {shape + "cricle = 5\n", {"s.toml:6", "'cricle'", "did you mean circle?"}},
-        {shape + "points = [[0,0],[1,0],[1,1]]\npath = 'M0 0'\n", {"s.toml:7", "points and path"}},
+        {shape + "points = [[0,0],[1,0],[1,1]]\nfile = 'a.txt'\n", {"s.toml:7", "points and file"}},
         {shape + "points = [[0,0],\n[1,0],\n[1]]\n", {"s.toml:8", "bad point 3", "[x, y]"}},
         {shape + "points = [[0,0],[1,0]]\n", {"s.toml:5", "2 points", "3 points or more"}},
-        {shape + "path = 'M 0 0 L 1'\n", {"s.toml:6", "character 10"}},
-        {shape + "path = 'M 0 0 L 1 1 L 0 1'\n", {"s.toml:5", "closed"}},
         {shape + "polygon = { corners = [[0,0],[1,1]] }\n", {"s.toml:6", "corners", "at least 3"}},
         {shape + "crescent = { centre = [0,0], radius = 1, bite_centre = [5,0], bite_radius = 1 }",
          {"s.toml:6", "[shape.crescent]", "circles cross"}},
-        {shape + "phase = -1\npath = ''\n", {"s.toml:6", "phase", "-1"}},
+        {shape + "phase = -1\npoints = []\n", {"s.toml:6", "phase", "-1"}},
         {shape + "file = 'x.exe'\n", {"s.toml:6", "x.exe", ".geojson"}},
         {options + "shape = 3\n", {"s.toml:5", "unknown key", "'shape'"}},
         {options + "[sizes]\nedges_to_interface = 0\n", {"s.toml:6", "edges_to_interface", "0"}},
@@ -235,15 +233,16 @@ protected:
 
 TEST_F(FilesBeside, AreFoundFromTheSceneFile) {
     write("mine.toml", options + "[[shape]]\nfile = 'data/outline.txt'\n[[shape]]\n"
-                                 "file = 'data/map.geojson'\nphase = 2\n");
+                                 "file = 'data/map.geojson'\nphase = 3\nhole_phase = 2\n");
     write("data/outline.txt", "0.1 0.1\n0.3 0.1\n0.3 0.3\n");
     write("data/map.geojson",
-          R"({"type":"Polygon","coordinates":[[[0.5,0.5],[0.8,0.5],[0.8,0.8],[0.5,0.5]]]})");
+          R"({"type":"Polygon","coordinates":[[[0.5,0.1],[0.9,0.1],[0.9,0.9],[0.5,0.1]],
+                                              [[0.7,0.3],[0.8,0.3],[0.8,0.5],[0.7,0.3]]]})");
     const Scene scene = read_scene_file(folder_ / "mine.toml").scene;
     EXPECT_EQ(scene.name, "mine");
     const scenes::Setup setup = scene.prepare(scene.defaults);
-    ASSERT_EQ(setup.outlines.size(), 2U);
-    EXPECT_EQ(setup.phases, (std::vector<Phase>{1, 2}));
+    ASSERT_EQ(setup.outlines.size(), 3U);
+    EXPECT_EQ(setup.phases, (std::vector<Phase>{1, 3, 2}));
 }
 
 TEST_F(FilesBeside, AreRefusedWhereTheyCannotBeRead) {
@@ -264,6 +263,14 @@ TEST_F(FilesBeside, AreRefusedWhereTheyCannotBeRead) {
         ADD_FAILURE() << "accepted";
     } catch (const InputError& error) {
         EXPECT_NE(error.where().find("bad.txt:3"), std::string::npos) << error.what();
+    }
+    write("open.toml", options + "[[shape]]\nfile = 'open.geojson'\n");
+    write("open.geojson", R"({"type":"LineString","coordinates":[[0,0],[1,0],[1,1]]})");
+    try {
+        (void)read_scene_file(folder_ / "open.toml");
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("closed"), std::string::npos) << error.what();
     }
     std::filesystem::create_directory(folder_ / "folder.txt");
     write("c.toml", options + "[[shape]]\nfile = 'folder.txt'\n");

@@ -11,11 +11,6 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Of the curves of a path, in edge lengths.
-constexpr double flattening = 0.01;
-/// A path of a scene file: longer ones belong in a file of points.
-constexpr std::size_t longest_path = 1'000'000;
-
 std::vector<Piece> read_outline_file(const TableReader& reader, bool close) {
     const std::string name = reader.text("file");
     const std::filesystem::path path = reader.file().parent_path() / name;
@@ -33,7 +28,7 @@ std::vector<Piece> read_outline_file(const TableReader& reader, bool close) {
 } // namespace
 
 std::vector<std::string> source_keys() {
-    std::vector<std::string> keys{"points", "file", "path"};
+    std::vector<std::string> keys{"points", "file"};
     keys.insert(keys.end(), shape_names().begin(), shape_names().end());
     return keys;
 }
@@ -51,16 +46,6 @@ OutlineSource read_outline_source(const TableReader& reader, bool close) {
             [pieces = key == "file" ? read_outline_file(reader, close)
                                     : std::vector<Piece>{piece_of(reader.points("points"), close)}](
                 double) { return pieces; };
-    } else if (key == "path") {
-        const std::string text = reader.text("path");
-        if (text.size() > longest_path) {
-            reader.refuse("path", "path too long", "at most 1000000 characters");
-        }
-        const double stretch = scale.cwiseAbs().maxCoeff();
-        source.pieces = [text, stretch, where = reader.where("path")](double h) {
-            return read_svg_path(text, flattening * h / stretch, h / stretch, where);
-        };
-        (void)source.pieces(1);
     } else {
         NamedShape shape = read_named_shape(reader, key);
         source.pieces = [outline = std::move(shape.outline)](double h) {

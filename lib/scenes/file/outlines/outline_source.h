@@ -3,12 +3,10 @@
 //
 //     points = [[x, y], ...]
 //     file   = "NAME.txt", .csv or .dat: lines of x y; .geojson or .json: see outlines/pieces.h
-//     path   = "M 0 0 L 1 0 ...", the attribute d of an SVG path
 //     circle = { ... } and the other shapes of outlines/named_shapes.h
 //
 // and optionally `scale = [a, b]` and `move = [x, y]`: coordinates are multiplied first and then
-// moved. The y axis of SVG points downwards: there, b is negative. Curves of a path are flattened
-// to a hundredth of h.
+// moved.
 #pragma once
 
 #include "scenes/file/outlines/pieces.h"

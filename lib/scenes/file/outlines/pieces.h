@@ -36,12 +36,4 @@ struct Piece {
 /// for anything else.
 [[nodiscard]] std::vector<Piece> read_geojson(const std::string& text, const std::string& where);
 
-/// The outline of an SVG path by the text of its attribute `d`, with all its commands: M L H V C S
-/// Q T A Z, absolute and relative. Curves become polygons that are nowhere farther from them than
-/// `tolerance`, with edges of at most `edge_length`; both are in the path's own units. A subpath is
-/// closed if it ends with Z. Throws InputError, with the character, for a path that cannot be
-/// understood or has too many points.
-[[nodiscard]] std::vector<Piece> read_svg_path(std::string_view text, double tolerance,
-                                               double edge_length, const std::string& where);
-
 } // namespace dsc::scenes
