@@ -206,7 +206,7 @@ BAD_SUITES = {
     '[[case]]\nscene = "grow-shrink"\n': ("suite.toml:2", "growth", "velocity"),
     '[[case]]\nscene = ["swirl", "swirl"]\n': ("two rows of one name", "swirl_run/"),
     '[[case]]\nscene = "swirl"\nrows = [{ threads = 0 }]\n': ("suite.toml:3", "got 0"),
-    'also = ["operations"]\n': ("suite.toml:1: also", "did you mean operation"),
+    'also = ["operations"]\n': ("suite.toml:1: also", "operation, kernel"),
 }
 
 

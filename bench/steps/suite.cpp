@@ -7,8 +7,8 @@
 #include "dsc/base/types.h"
 #include "scenes/digits.h"
 #include "scenes/file/case_reader.h"
-#include "scenes/file/nearest.h"
 #include "scenes/file/text_file.h"
+#include "scenes/name_list.h"
 #include "scenes/run/usage.h"
 
 #include <algorithm>
@@ -422,7 +422,7 @@ Suite read_suite(const std::filesystem::path& path) {
         suite.also = top.texts("also");
         for (const std::string& name : suite.also) {
             if (std::ranges::find(also_names(), name) == also_names().end()) {
-                top.refuse("also", "unknown rows", scenes::allowed_names(name, also_names()));
+                top.refuse("also", "unknown rows", scenes::name_list(also_names()));
             }
         }
     }

@@ -2,6 +2,7 @@
 #include "scenes/keys.h"
 
 #include "dsc/base/error.h"
+#include "scenes/name_list.h"
 
 #include <algorithm>
 #include <charconv>
@@ -12,14 +13,6 @@
 namespace dsc::scenes {
 
 namespace {
-
-std::string join(const std::vector<std::string>& words) {
-    std::string text;
-    for (const auto& word : words) {
-        text += (text.empty() ? "" : ", ") + word;
-    }
-    return text;
-}
 
 template <class Number>
 bool read_number(const std::string& text, Number low, Number high, Number& number) {
@@ -173,7 +166,7 @@ void set_parameter(Parameters& parameters, const std::vector<std::string>& keys,
         throw InputError({.what = "unknown key",
                           .where = "--set",
                           .value = "'" + key + "'",
-                          .allowed = "for this scene: " + join(keys)});
+                          .allowed = "for this scene: " + name_list(keys)});
     }
     if (!found->parse(parameters, value)) {
         throw InputError({.what = "bad value",

@@ -3,11 +3,10 @@
 
 #include "measures/histogram.h"
 #include "scenes/file/excerpt.h"
-#include "scenes/file/nearest.h"
+#include "scenes/name_list.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace dsc::gate {
 
@@ -311,12 +310,11 @@ const std::vector<std::shared_ptr<const Check>>& all_checks() {
 std::shared_ptr<const Check> find_check(const std::string& name) {
     const auto found = std::ranges::find(all_checks(), name, &Check::name);
     if (found == all_checks().end()) {
-        std::vector<std::string> known;
-        std::ranges::transform(all_checks(), std::back_inserter(known), &Check::name);
         throw InputError({.what = "unknown check",
                           .where = "run",
                           .value = scenes::quoted_excerpt(name),
-                          .allowed = scenes::allowed_names(name, known)});
+                          .allowed = scenes::name_list(all_checks(),
+                                                       [](const auto& one) { return one->name; })});
     }
     return *found;
 }

@@ -3,7 +3,7 @@
 
 #include "scenes/digits.h"
 #include "scenes/file/excerpt.h"
-#include "scenes/file/nearest.h"
+#include "scenes/name_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,12 +36,10 @@ std::vector<const Check*> checks_of(const Cases& cases) {
 void check_known(const std::vector<const Check*>& checks, const std::vector<std::string>& only) {
     for (const std::string& name : only) {
         if (std::ranges::none_of(checks, [&](const Check* one) { return one->is_called(name); })) {
-            std::vector<std::string> known;
-            std::ranges::transform(checks, std::back_inserter(known), &Check::name);
             throw InputError({.what = "unknown check",
                               .where = "run",
                               .value = scenes::quoted_excerpt(name),
-                              .allowed = scenes::allowed_names(name, known)});
+                              .allowed = scenes::name_list(checks, &Check::name)});
         }
     }
 }

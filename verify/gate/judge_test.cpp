@@ -242,7 +242,7 @@ TEST(Suites, SayWhatIsWrong) {
     const std::map<std::string, std::vector<std::string>> wrong{
         {"", {"mine.toml", "no [[case]]"}},
         {head, {"mine.toml:2", "no limit"}},
-        {head + "limits.aera_ratio = 1", {"aera_ratio", "did you mean area_ratio?"}},
+        {head + "limits.aera_ratio = 1", {"aera_ratio", "area_ratio"}},
         {head + "limits.area_ratio = nan", {"mine.toml:3", "area_ratio", "nan"}},
         {head + "limits.area_ratio = { measured = 1 }", {"a limit is missing", "at_most"}},
         {head + "limits.area_ratio = { at_least = 1 }", {"wrong side", "at_most"}},

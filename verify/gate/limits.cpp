@@ -6,13 +6,12 @@
 #include "dsc/base/error.h"
 #include "scenes/digits.h"
 #include "scenes/file/case_reader.h"
-#include "scenes/file/nearest.h"
+#include "scenes/name_list.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 
 namespace dsc::gate {
 
@@ -114,12 +113,10 @@ std::string few_digits(double value, int digits) {
 const Rule& find_rule(const std::string& name) {
     const auto found = std::ranges::find(rules(), name, &Rule::name);
     if (found == rules().end()) {
-        std::vector<std::string> known;
-        std::ranges::transform(rules(), std::back_inserter(known), &Rule::name);
         throw InputError({.what = "unknown rule",
                           .where = "rule",
                           .value = "'" + name + "'",
-                          .allowed = scenes::allowed_names(name, known)});
+                          .allowed = scenes::name_list(rules(), &Rule::name)});
     }
     return *found;
 }

@@ -14,8 +14,8 @@
 #include "dsc/base/error.h"
 #include "scenes/command_line/command_line.h"
 #include "scenes/file/excerpt.h"
-#include "scenes/file/nearest.h"
 #include "scenes/file/text_file.h"
+#include "scenes/name_list.h"
 #include "scenes/output/write_file.h"
 
 #include <algorithm>
@@ -299,15 +299,13 @@ int write_proposal(const Proposal& proposal) {
     const std::string text = text_of(proposal, is_of_suite);
     const std::string path = proposal.update ? proposal.what : proposal.out;
     Cases cases = read_suite_text(text, is_of_suite ? proposal.what : path, false);
+    const auto name_of = [](const auto& c) { return c->name; };
     for (const std::string& name : proposal.cases) {
-        std::vector<std::string> known;
-        std::ranges::transform(cases, std::back_inserter(known),
-                               [](const auto& c) { return c->name; });
-        if (std::ranges::find(known, name) == known.end()) {
+        if (std::ranges::find(cases, name, name_of) == cases.end()) {
             throw dsc::InputError({.what = "unknown case",
                                    .where = proposal.what,
                                    .value = dsc::scenes::quoted_excerpt(name),
-                                   .allowed = dsc::scenes::allowed_names(name, known)});
+                                   .allowed = dsc::scenes::name_list(cases, name_of)});
         }
     }
     std::erase_if(cases, [&](const auto& c) {

@@ -274,7 +274,7 @@ class Proposed(OwnScenes):
         self.scene(MINE)
         suite = self.suite("limits.inverted = 0")
         self.expect_refusal("propose", suite, "--out", "l.toml", words=["--out", "--update"])
-        self.expect_refusal("propose", suite, "mien", words=["mien", "did you mean mine?"])
+        self.expect_refusal("propose", suite, "mien", words=["'mien'", "allowed", "mine"])
         shared = self.write("l.toml", "[[case]]\nscene = ['mine.toml', 'zalesak']\n"
                             "limits.inverted = 0\n"
                             "limits.unreached = { at_most = 2, measured = 1 }\n")

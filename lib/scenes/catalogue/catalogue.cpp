@@ -3,6 +3,9 @@
 
 #include "dsc/base/error.h"
 #include "scenes/catalogue/families.h"
+#include "scenes/name_list.h"
+
+#include <algorithm>
 
 namespace dsc::scenes {
 
@@ -41,15 +44,14 @@ std::vector<Scene> scenes_without_fluid() {
 }
 
 const Scene& find_scene(const std::string& name, const std::vector<Scene>& scenes) {
-    std::string names;
-    for (const Scene& scene : scenes) {
-        if (scene.name == name) {
-            return scene;
-        }
-        names += (names.empty() ? "" : ", ") + scene.name;
+    const auto found = std::ranges::find(scenes, name, &Scene::name);
+    if (found == scenes.end()) {
+        throw InputError({.what = "unknown scene",
+                          .where = "run",
+                          .value = "'" + name + "'",
+                          .allowed = name_list(scenes, &Scene::name)});
     }
-    throw InputError(
-        {.what = "unknown scene", .where = "run", .value = "'" + name + "'", .allowed = names});
+    return *found;
 }
 
 InterfaceThresholds coarse_interface() {

@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/file/text_file.h"
+#include "scenes/name_list.h"
 
 namespace dsc::scenes {
 
@@ -15,14 +16,11 @@ auto read_or_refuse(const std::string& name, const std::vector<Scene>& scenes, R
     try {
         return read();
     } catch (const FileError& error) {
-        std::string names;
-        for (const Scene& scene : scenes) {
-            names += (names.empty() ? "" : ", ") + scene.name;
-        }
         throw InputError({.what = error.what(),
                           .where = "run",
                           .value = "'" + name + "'",
-                          .allowed = "a scene file that can be read, or one of " + names});
+                          .allowed = "a scene file that can be read, or one of " +
+                                     name_list(scenes, &Scene::name)});
     }
 }
 

@@ -3,7 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "scenes/file/excerpt.h"
-#include "scenes/file/nearest.h"
+#include "scenes/name_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,19 +56,16 @@ FigureLimit read_limit(const TableReader& reader, const std::string& key, std::s
 
 std::vector<Measure> read_measures(const TableReader& reader) {
     const std::string key = "measures";
-    std::vector<std::string> known;
-    for (const Measure& measure : default_measures()) {
-        known.push_back(measure.name);
-    }
+    const std::vector<Measure>& known = default_measures();
     const std::vector<std::string> names = reader.texts(key);
     if (names.empty()) {
-        reader.refuse(key, "no measure", allowed_names("", known));
+        reader.refuse(key, "no measure", name_list(known, &Measure::name));
     }
     std::set<std::string> before;
     for (const std::string& name : names) {
-        if (std::ranges::find(known, name) == known.end()) {
+        if (std::ranges::find(known, name, &Measure::name) == known.end()) {
             reader.refuse(key, "unknown measure " + quoted_excerpt(name),
-                          allowed_names(name, known));
+                          name_list(known, &Measure::name));
         }
         if (!before.insert(name).second) {
             reader.refuse(key, "a measure that is there twice, " + name, "each of them once");
@@ -95,7 +92,7 @@ std::vector<FigureLimit> read_limits(const TableReader& reader) {
         throw InputError({.what = "no limit",
                           .where = reader.where(),
                           .value = "an empty table",
-                          .allowed = allowed_names("", names)});
+                          .allowed = name_list(names)});
     }
     return limits;
 }

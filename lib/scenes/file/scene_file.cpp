@@ -5,9 +5,9 @@
 #include "scenes/catalogue/families.h"
 #include "scenes/file/flow_source.h"
 #include "scenes/file/fluid_source.h"
-#include "scenes/file/nearest.h"
 #include "scenes/file/scene_parts.h"
 #include "scenes/file/text_file.h"
+#include "scenes/name_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -235,14 +235,11 @@ std::optional<Scene> read_base(const TableReader& top, const std::vector<Scene>&
         return std::nullopt;
     }
     const std::string name = top.text("scene");
-    std::vector<std::string> names;
-    for (const Scene& scene : scenes) {
-        if (scene.name == name) {
-            return scene;
-        }
-        names.push_back(scene.name);
+    const auto found = std::ranges::find(scenes, name, &Scene::name);
+    if (found == scenes.end()) {
+        top.refuse("scene", "unknown scene", name_list(scenes, &Scene::name));
     }
-    top.refuse("scene", "unknown scene", allowed_names(name, names));
+    return *found;
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 
 #include "scenes/digits.h"
 #include "scenes/file/excerpt.h"
-#include "scenes/file/nearest.h"
+#include "scenes/name_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -260,7 +260,7 @@ void TableReader::allow(std::span<const std::string> keys) const {
             throw InputError({.what = "unknown key",
                               .where = at_line,
                               .value = quoted_excerpt(key),
-                              .allowed = allowed_names(key, keys)});
+                              .allowed = name_list(keys)});
         }
     }
 }

@@ -74,7 +74,7 @@ TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
         {few_steps + circle_known + "[measure]\nshape = false\n[limits]\nsd_last = 1\n",
          {"s.toml:10", "sd_last", "not measured against"}},
         {few_steps + "[measure]\nmeasures = ['aera']\n",
-         {"s.toml:6", "[measure] measures", "'aera'", "did you mean area?", "min_quality"}},
+         {"s.toml:6", "[measure] measures", "'aera'", "area", "min_quality"}},
         {few_steps + "[measure]\nmeasures = ['area', 'area']\n", {"s.toml:6", "twice, area"}},
         {few_steps + "[measure]\nmeasures = []\n", {"s.toml:6", "no measure", "area"}},
         {few_steps + "[measure]\nmeasures = 'area'\n", {"s.toml:6", "list of texts"}},
