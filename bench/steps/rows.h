@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The rows of a case: one for each of its scenes, sizes, strategies and numbers of threads.
+#pragma once
+
+#include "suite.h"
+
+#include "scenes/file/case_reader.h"
+
+#include <string>
+#include <vector>
+
+namespace dsc::bench {
+
+/// A [[case]], read as far as its keys do not depend on its scenes.
+struct Case {
+    const scenes::CaseReader* reader = nullptr; ///< outlives it
+    std::vector<std::string> scenes{};
+    std::vector<std::string> names{}; ///< of the scenes; empty: that of the scene itself
+    Measure measure = Measure::run;
+    std::vector<scenes::CaseSize> sizes{};
+    std::vector<scenes::Strategy> strategies{};
+    std::vector<std::uint32_t> threads{};
+    std::vector<int> between_us{};
+};
+
+/// Prepares the scenes without making their meshes, and adds their rows or comparisons to the
+/// suite. Throws InputError for keys that do not suit a scene.
+void add_rows(const Case& c, Suite& suite);
+
+} // namespace dsc::bench
