@@ -7,8 +7,6 @@
 #include "scenes/run/usage.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <utility>
 
 namespace dsc::bench {
@@ -72,27 +70,14 @@ void read_part(const CaseReader& reader, Measure measure, Workload& workload) {
     }
 }
 
-// Everything that a start depends on, as text: doubles by their bits.
+// Everything that a start depends on.
 std::string key_of(const Workload& workload, const std::string& scene) {
-    std::string key = scene;
-    const auto add = [&](const auto& value) {
-        using Value = std::decay_t<decltype(value)>;
-        key += '/';
-        if constexpr (std::is_same_v<Value, std::string>) {
-            key += value;
-        } else if constexpr (std::is_same_v<Value, double>) {
-            key += std::to_string(std::bit_cast<std::uint64_t>(value));
-        } else {
-            key += std::to_string(value);
-        }
-    };
-    for (const scenes::Key& one : scenes::parameter_keys()) {
-        std::visit(add, one.value(workload.parameters));
+    std::string key = scene + scenes::text_of(workload.parameters) + '/' +
+                      std::to_string(static_cast<int>(workload.part));
+    for (const double value :
+         {workload.around, workload.dt_over_h.value_or(-1), workload.area_error.value_or(-1)}) {
+        key += '/' + scenes::shortest_digits(value);
     }
-    add(static_cast<int>(workload.part));
-    add(workload.around);
-    add(workload.dt_over_h.value_or(-1));
-    add(workload.area_error.value_or(-1));
     return key;
 }
 

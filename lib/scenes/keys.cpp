@@ -2,6 +2,7 @@
 #include "scenes/keys.h"
 
 #include "dsc/base/error.h"
+#include "scenes/digits.h"
 #include "scenes/name_list.h"
 
 #include <algorithm>
@@ -142,6 +143,16 @@ std::vector<Key> make_keys() {
 
 } // namespace
 
+std::string text_of(const Setting& setting) {
+    struct Writer {
+        std::string operator()(double value) const { return shortest_digits(value); }
+        std::string operator()(int value) const { return std::to_string(value); }
+        std::string operator()(std::uint64_t value) const { return std::to_string(value); }
+        std::string operator()(const std::string& value) const { return value; }
+    };
+    return std::visit(Writer{}, setting);
+}
+
 const std::vector<Key>& parameter_keys() {
     static const std::vector<Key> keys = make_keys();
     return keys;
@@ -156,6 +167,14 @@ std::vector<std::string> common_keys(std::initializer_list<const char*> more) {
     }
     names.insert(names.end(), more.begin(), more.end());
     return names;
+}
+
+std::string text_of(const Parameters& parameters) {
+    std::string text;
+    for (const Key& key : parameter_keys()) {
+        text += '/' + text_of(key.value(parameters));
+    }
+    return text;
 }
 
 void set_parameter(Parameters& parameters, const std::vector<std::string>& keys,

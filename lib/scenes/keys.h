@@ -16,6 +16,9 @@ namespace dsc::scenes {
 /// The value of a key, as printed in result files.
 using Setting = std::variant<double, int, std::uint64_t, std::string>;
 
+/// As --set takes it; doubles in as many digits as they need.
+[[nodiscard]] std::string text_of(const Setting& setting);
+
 struct Key {
     std::string name;
     std::string allowed; ///< the values it accepts, with their unit, for errors and help texts
@@ -30,6 +33,9 @@ struct Key {
 
 /// The names of those that every scene takes, and of more.
 [[nodiscard]] std::vector<std::string> common_keys(std::initializer_list<const char*> more = {});
+
+/// The values of all keys with slashes between them: the same for no two different parameters.
+[[nodiscard]] std::string text_of(const Parameters& parameters);
 
 /// Sets one key from text. Throws InputError for a key that is not one of `keys` (naming those), a
 /// value that is not a number, or one out of range; then nothing has changed.

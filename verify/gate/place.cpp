@@ -125,16 +125,6 @@ void draw(const Mesh& mesh, const Spot& spot, double edge_length, const std::str
                .marks = {{spot.at.x(), spot.at.y(), spot.what}}});
 }
 
-std::string text_of(const scenes::Setting& setting) {
-    struct Writer {
-        std::string operator()(double value) const { return scenes::shortest_digits(value); }
-        std::string operator()(int value) const { return std::to_string(value); }
-        std::string operator()(std::uint64_t value) const { return std::to_string(value); }
-        std::string operator()(const std::string& value) const { return value; }
-    };
-    return std::visit(Writer{}, setting);
-}
-
 // The run on the command line, with the settings that are not those of the scene.
 std::string command_of(const Configuration& run) {
     const scenes::Scene& scene = run.of->file.scene;
@@ -142,7 +132,7 @@ std::string command_of(const Configuration& run) {
     for (const scenes::Key& key : scenes::parameter_keys()) {
         const scenes::Setting value = key.value(run.parameters);
         if (value != key.value(scene.defaults)) {
-            command += " --set " + key.name + '=' + text_of(value);
+            command += " --set " + key.name + '=' + scenes::text_of(value);
         }
     }
     if (run.strategy != scenes::Strategy::sequential) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "runs.h"
 
-#include <bit>
 #include <chrono>
 
 namespace dsc::gate {
@@ -10,20 +9,12 @@ namespace {
 
 constexpr int shared_steps = 40; ///< enough to show whether threads change the result
 
-std::string text_of(double value) { return std::to_string(std::bit_cast<std::uint64_t>(value)); }
-std::string text_of(const std::string& value) { return value; }
-std::string text_of(auto value) { return std::to_string(value); }
-
 } // namespace
 
 std::string Configuration::key() const {
-    std::string key = of->path + '/' + of->file.scene.name;
-    for (const scenes::Key& one : scenes::parameter_keys()) {
-        key += '/' +
-               std::visit([](const auto& value) { return text_of(value); }, one.value(parameters));
-    }
-    return key + '/' + scenes::to_string(strategy) + '/' + std::to_string(threads) + '/' +
-           std::to_string(static_cast<int>(is_shared));
+    return of->path + '/' + of->file.scene.name + scenes::text_of(parameters) + '/' +
+           scenes::to_string(strategy) + '/' + std::to_string(threads) +
+           (is_shared ? "/shared" : "");
 }
 
 scenes::RunOptions Configuration::options() const {

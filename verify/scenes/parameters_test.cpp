@@ -14,7 +14,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace dsc::scenes::parameters_test {
 namespace {
@@ -118,9 +117,7 @@ TEST(Parameters, ArePrintedAsTheyAreRead) {
         ASSERT_TRUE(texts.contains(key.name)) << key.name;
         const std::string text = texts.at(key.name);
         const Setting value = key.value(with(key.name, text));
-        std::ostringstream printed;
-        std::visit([&](const auto& one) { printed << one; }, value);
-        EXPECT_EQ(printed.str(), text) << key.name;
+        EXPECT_EQ(text_of(value), text) << key.name;
         EXPECT_NE(value, key.value({})) << key.name << ": drawn differently from the default";
         EXPECT_FALSE(key.allowed.empty()) << key.name;
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/base/error.h"
+#include "scenes/name_list.h"
 
 #include <CLI/CLI.hpp>
 
@@ -34,11 +35,9 @@ inline int call_command(CLI::App& app, const std::string& program, int argc,
     const std::string command = argc > 1 ? argv[1] : "";
     const auto is_called = [&](const auto& one) { return one.first == command; };
     if (!command.starts_with('-') && std::ranges::none_of(commands, is_called)) {
-        std::string names;
-        for (const auto& one : commands) {
-            names += (names.empty() ? "" : ", ") + one.first;
-        }
-        return complain("unknown command: got '" + command + "'; allowed: " + names + help, 2);
+        return complain("unknown command: got '" + command + "'; allowed: " +
+                            name_list(commands, &Commands::value_type::first) + help,
+                        2);
     }
     try {
         app.parse(argc, argv);

@@ -6,6 +6,7 @@
 #include "scenes/command_line/command_line.h"
 #include "scenes/command_line/scene_source.h"
 #include "scenes/file/describe.h"
+#include "scenes/name_list.h"
 #include "scenes/output/event_lines.h"
 #include "scenes/output/machine.h"
 #include "scenes/output/write_file.h"
@@ -144,14 +145,6 @@ std::string details() {
              << "]\n";
     }
     return text.str();
-}
-
-std::string names_of_strategies() {
-    std::string names;
-    for (const StrategyEntry& strategy : strategies()) {
-        names += (names.empty() ? "" : ", ") + strategy.name;
-    }
-    return names;
 }
 
 // Who asks for threads and nothing else gets submeshes that follow the interface, as many as its
@@ -303,7 +296,7 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         run_command->add_option("--set", arguments.settings, "key=value; may be repeated")
             ->allow_extra_args(false);
     auto* strategy = run_command->add_option("--strategy", arguments.strategy,
-                                             names_of_strategies() +
+                                             name_list(strategies(), &StrategyEntry::name) +
                                                  " (default sequential, or cells with --threads)");
     auto* submeshes = run_command
                           ->add_option("--submeshes", arguments.run.submeshing.submeshes,

@@ -13,17 +13,6 @@ namespace {
 
 std::string in_quotes(const std::string& text) { return '"' + text + '"'; }
 
-// As --set takes it.
-std::string text_of(const Setting& setting) {
-    struct Writer {
-        std::string operator()(double value) const { return shortest_digits(value); }
-        std::string operator()(int value) const { return std::to_string(value); }
-        std::string operator()(std::uint64_t value) const { return std::to_string(value); }
-        std::string operator()(const std::string& value) const { return value; }
-    };
-    return std::visit(Writer{}, setting);
-}
-
 // Names, and what does not fit the integers of TOML.
 bool needs_quotes(const Setting& setting) {
     const auto* number = std::get_if<std::uint64_t>(&setting);

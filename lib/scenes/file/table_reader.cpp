@@ -80,10 +80,7 @@ void TableReader::refuse(const std::string& key, const std::string& what,
 const toml::node& TableReader::at(const std::string& key) const {
     const toml::node* node = table_->get(key);
     if (node == nullptr) {
-        std::string names;
-        for (const std::string& one : keys()) {
-            names += (names.empty() ? "" : ", ") + one;
-        }
+        const std::string names = name_list(keys());
         throw InputError({.what = "key missing",
                           .where = where(),
                           .value = names.empty() ? "nothing" : excerpt(names),
@@ -267,9 +264,7 @@ void TableReader::allow(std::span<const std::string> keys) const {
 
 std::string TableReader::one_of(std::span<const std::string> keys) const {
     std::string found;
-    std::string all;
     for (const std::string& key : keys) {
-        all += (all.empty() ? "" : ", ") + key;
         if (!has(key)) {
             continue;
         }
@@ -282,7 +277,7 @@ std::string TableReader::one_of(std::span<const std::string> keys) const {
         throw InputError({.what = "key missing",
                           .where = where(),
                           .value = "none",
-                          .allowed = "one of: " + all});
+                          .allowed = "one of: " + name_list(keys)});
     }
     return found;
 }

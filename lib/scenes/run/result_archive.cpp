@@ -35,17 +35,7 @@ void archive(Archive& archive, RunResult& result) {
 std::string identity_of(const RunResult& result, const Submeshing& submeshing) {
     std::string text = result.scene;
     for (const Key& key : parameter_keys()) {
-        const auto print = [](const auto& value) -> std::string {
-            using Kind = std::decay_t<decltype(value)>;
-            if constexpr (std::is_same_v<Kind, std::string>) {
-                return value;
-            } else if constexpr (std::is_same_v<Kind, double>) {
-                return shortest_digits(value);
-            } else {
-                return std::to_string(value);
-            }
-        };
-        text += " " + key.name + "=" + std::visit(print, key.value(result.parameters));
+        text += " " + key.name + "=" + text_of(key.value(result.parameters));
     }
     text += " strategy=" + to_string(result.strategy);
     if (is_parallel(result.strategy)) {

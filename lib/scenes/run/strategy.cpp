@@ -2,8 +2,11 @@
 #include "scenes/run/strategy.h"
 
 #include "dsc/base/error.h"
+#include "scenes/name_list.h"
 #include "thesis/divisions.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace dsc::scenes {
@@ -47,21 +50,6 @@ const std::vector<Strategy>& all_strategies() {
 
 std::string to_string(Strategy strategy) { return entry_of(strategy).name; }
 
-namespace {
-
-template <class Keep>
-std::string names_where(Keep keep) {
-    std::string names;
-    for (const StrategyEntry& entry : strategies()) {
-        if (keep(entry.strategy)) {
-            names += (names.empty() ? "" : ", ") + entry.name;
-        }
-    }
-    return names;
-}
-
-} // namespace
-
 Strategy parse_strategy(const std::string& name) {
     for (const StrategyEntry& entry : strategies()) {
         if (entry.name == name) {
@@ -71,12 +59,16 @@ Strategy parse_strategy(const std::string& name) {
     throw InputError({.what = "unknown strategy",
                       .where = "--strategy",
                       .value = "'" + name + "'",
-                      .allowed = names_where([](Strategy) { return true; })});
+                      .allowed = name_list(strategies(), &StrategyEntry::name)});
 }
 
 bool is_parallel(Strategy strategy) { return entry_of(strategy).division != nullptr; }
 
-std::string parallel_strategies() { return names_where(is_parallel); }
+std::string parallel_strategies() {
+    std::vector<Strategy> parallel;
+    std::ranges::copy_if(all_strategies(), std::back_inserter(parallel), is_parallel);
+    return name_list(parallel, [](Strategy one) { return to_string(one); });
+}
 
 std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing) {
     return is_parallel(strategy) && submeshing.submeshes > 0 ? submeshing.submeshes
