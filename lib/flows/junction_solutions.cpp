@@ -3,7 +3,6 @@
 
 #include "dsc/base/error.h"
 #include "flows/arcs.h"
-#include "measures/grains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -208,13 +207,6 @@ ExactShape right_sector(const FourSectors& sectors, double time, const Rectangle
     shape.description =
         "a self-similar solution of curvature flow, at time " + std::to_string(time);
     return shape;
-}
-
-double grain_area(double first_area, std::uint32_t sides, double time) {
-    require(first_area >= 0 && std::isfinite(first_area), "area of the grain", first_area,
-            "a finite area of 0 or more");
-    require(time >= 0 && std::isfinite(time), "time", time, "a finite time of 0 or more");
-    return std::max(0.0, first_area + time * growth_by_sides({.sides = sides}));
 }
 
 } // namespace dsc::scenes

@@ -57,10 +57,4 @@ struct FourSectors {
 [[nodiscard]] ExactShape right_sector(const FourSectors& sectors, double time,
                                       const Rectangle& box);
 
-/// The area, at a time, of a grain with so many sides that meets others at 120 degrees and does not
-/// touch the border of the domain. It changes at the rate (sides - 6) pi / 3 (see
-/// measures/grains.h), until a side is lost. 0 once it is gone. Throws InputError for an area or
-/// time that is negative or not finite.
-[[nodiscard]] double grain_area(double first_area, std::uint32_t sides, double time);
-
 } // namespace dsc::scenes

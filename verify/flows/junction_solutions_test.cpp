@@ -127,48 +127,6 @@ TEST(FourSectors, RefuseWhatIsNone) {
     EXPECT_THROW((void)right_sector({.centre = {0.5, 0.9}}, 0, box), InputError);
 }
 
-// --- grains -------------------------------------------------------------------------------------
-
-// A grain with n sides: equal arcs that meet at 120 degrees, n below 6. Each moves inwards by its
-// curvature, and the spokes on which they meet go on straight. Its area by Simpson's rule, in one
-// of 2 n equal parts, from the spoke to the middle of a side.
-double area_of_arcs(int n, double radius_of_arc, double inwards) {
-    const double half = pi / n;
-    const double turn = pi / n - pi / 6; // of half an arc
-    // The corner lies on the spoke: the arc's centre is on the middle's ray, on the other side of
-    // the centre of the grain or short of it.
-    const double to_corner = radius_of_arc * std::sin(turn) / std::sin(half);
-    const double centre = to_corner * std::cos(half) - radius_of_arc * std::cos(turn);
-    const double radius = radius_of_arc - inwards;
-    constexpr int parts = 400;
-    double sum = 0;
-    for (int i = 0; i <= parts; ++i) {
-        const double angle = half * i / parts; // from the middle's ray
-        const double across = centre * std::sin(angle);
-        const double along =
-            centre * std::cos(angle) + std::sqrt(radius * radius - across * across);
-        sum += (i == 0 || i == parts ? 1 : (i % 2 == 1 ? 4 : 2)) * along * along / 2;
-    }
-    return 2 * n * sum * half / (3 * parts);
-}
-
-TEST(GrainArea, ChangesByTheNumberOfSides) {
-    for (const int n : {2, 3, 4, 5}) {
-        constexpr double radius = 0.3;
-        constexpr double time = 1e-7;
-        const double first = area_of_arcs(n, radius, 0);
-        const double by_motion = (area_of_arcs(n, radius, time / radius) - first) / time;
-        const double by_law =
-            (grain_area(first, static_cast<std::uint32_t>(n), time) - first) / time;
-        EXPECT_NEAR(by_motion / by_law, 1, 1e-5) << n;
-    }
-    EXPECT_DOUBLE_EQ(grain_area(0.1, 6, 3), 0.1);
-    EXPECT_NEAR(grain_area(0.1, 8, 0.3), 0.1 + 0.2 * pi, 1e-15);
-    EXPECT_EQ(grain_area(0.1, 3, 1), 0);
-    EXPECT_THROW((void)grain_area(-1, 3, 1), InputError);
-    EXPECT_THROW((void)grain_area(1, 3, NAN), InputError);
-}
-
 } // namespace
 
 } // namespace dsc::scenes::junction_solutions_test

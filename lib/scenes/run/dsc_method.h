@@ -62,9 +62,6 @@ public:
     DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run)
         : complex_(first_complex<Real>(setup, parameters)),
           options_(scene_options<Real>(setup, parameters)) {
-        if (!setup.carried.empty()) {
-            carried_.emplace(complex_, setup.carried);
-        }
         Submeshing submeshing = run.submeshing;
         submeshing.profile = !run.frames.folder.empty(); // the submeshes are drawn by their work
         if (setup.value) {
@@ -145,9 +142,6 @@ public:
     void archive(Archive& archive, const Velocity* leg) {
         simulation_->archive(archive);
         archive(vertex_steps_);
-        if (carried_) {
-            carried_->archive(archive);
-        }
         if (fluid_) {
             fluid_->archive(archive);
         }
@@ -249,9 +243,6 @@ private:
                              std::to_string(report.where.id) + " moves at " +
                              std::to_string(report.speed);
         }
-        if (carried_) {
-            result.carried = carried_->look();
-        }
         vertex_steps_ += report.interface_vertices;
         result.vertex_passes += std::uint64_t{report.passes} * report.interface_vertices;
         add_operations(result, report.operations);
@@ -272,7 +263,6 @@ private:
     InterfaceMotion<Real> by_curvature_;
     std::optional<EditFile> edits_;
     std::uint64_t vertex_steps_ = 0;
-    std::optional<CarriedWatch<Real>> carried_;
     std::optional<KeptValue<Real>> value_;
     std::unique_ptr<FluidRun> fluid_; ///< null where no fluid moves the interface
 };

@@ -52,16 +52,6 @@ void add_figures(const RunResult& r, Json& json) {
     }
 }
 
-Json carried_json(const std::optional<CarriedFigures>& carried) {
-    if (!carried) {
-        return nullptr;
-    }
-    return {{"triangles", carried->triangles},
-            {"operations", carried->operations},
-            {"triangles_changed", carried->triangles_changed},
-            {"edge_change_rel", finite(carried->edge_change)}};
-}
-
 Json phases_json(const PhaseReport& report) {
     Json list = Json::array();
     for (const PhaseFigures& one : report.phases) {
@@ -140,7 +130,6 @@ std::string to_json(const RunResult& r) {
     json.update({
         {"phases", phases_json(r.phases)},
         {"pairs", pairs_json(r.phases)},
-        {"carried", carried_json(r.carried)},
         {"junctions_last", r.junctions.count},
         {"junction_crossings", r.junctions.crossings},
         {"junction_angle_min_deg", finite(r.junctions.min_deg)},

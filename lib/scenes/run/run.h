@@ -8,7 +8,6 @@
 #include "measures/phases.h"
 #include "scenes/output/frames.h"
 #include "scenes/output/series.h"
-#include "scenes/run/carried_watch.h"
 #include "scenes/run/checkpoint.h"
 #include "scenes/run/strategy.h"
 #include "scenes/scene.h"
@@ -73,7 +72,6 @@ struct RunResult {
     Figures fluid;      ///< of a fluid (fluid_run.h); without one, none
     PhaseReport phases; ///< at the end, like the next
     JunctionFigures junctions;
-    std::optional<CarriedFigures> carried; ///< of the phases whose inside moves with the flow
     double min_quality_ever = 0;
     int quality_sampled_every = 1; ///< steps between samples of `min_quality_ever` and `inverted`
     std::uint64_t inverted = 0;    ///< triangles that an exact predicate found not positive, summed
