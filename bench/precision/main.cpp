@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 // dsc_precision list
-// dsc_precision run [--quick] [--flow F]... [--method M]... --out DIR [--resume]
-// Exit: 0 done; 1 a run broke an invariant, was interrupted or could not be written; 2 bad usage.
+// dsc_precision run [--quick] [--flow F]... [--method M]... --out DIR
+// Exit: 0 done; 1 a run broke an invariant or could not be written; 2 bad usage.
 #include "dsc/base/error.h"
 #include "run.h"
 #include "scenes/command_line/command_line.h"
-#include "scenes/output/machine.h"
 #include "scenes/output/write_file.h"
 
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace {
@@ -23,15 +20,10 @@ using namespace dsc::bench;
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::atomic<bool> interrupted{false};
-
-void on_interrupt(int) { interrupted.store(true); }
-
 struct Arguments {
     std::vector<std::string> flows;
     std::vector<std::string> methods;
     bool quick = false;
-    bool resume = false;
     std::string out;
 };
 
@@ -84,23 +76,6 @@ std::vector<const Item*> chosen(const std::vector<Item>& table,
     return result;
 }
 
-// A result of this very program: of the same commit and, if the program was built with uncommitted
-// changes, newer than the program.
-bool is_done(const fs::path& file, const Case& item) {
-    std::ifstream stream(file);
-    const Json json = Json::parse(stream, nullptr, false);
-    if (json.is_discarded() || !json.is_object() || json.value("flow", "") != item.flow->name ||
-        json.value("method", "") != item.method->name ||
-        json.value("commit", "") != dsc::scenes::commit() ||
-        json.value("request", Json()) != request_of(item)) {
-        return false;
-    }
-    const bool is_clean = dsc::scenes::commit().find_first_of("+u") == std::string::npos;
-    std::error_code error;
-    return is_clean || fs::last_write_time(file, error) >
-                           fs::last_write_time(fs::read_symlink("/proc/self/exe"), error);
-}
-
 void print_result(const Case& item, const Json& json) {
     const auto number = [&](const char* key) {
         const auto found = json.find(key);
@@ -127,51 +102,33 @@ int run(const Arguments& arguments) {
                                .value = "'" + arguments.out + "'",
                                .allowed = "a folder with permission to write"});
     }
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
-
     const bool watched = isatty(STDERR_FILENO) != 0;
     ExactShapes shapes;
-    std::size_t skipped = 0;
     int broken = 0;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& item = cases[i];
         const fs::path file = fs::path(arguments.out) / file_name(item);
-        if (arguments.resume && is_done(file, item)) {
-            ++skipped;
-            continue;
-        }
         if (watched) {
             std::fprintf(stderr, "\r\033[K%zu of %zu: %s, %s, h = %g", i + 1, cases.size(),
                          item.flow->title.c_str(), item.method->name.c_str(), item.h);
         }
-        const auto result = run_case(item, shapes, interrupted);
+        const CaseResult result = run_case(item, shapes);
         if (watched) {
             std::fputs("\r\033[K", stderr);
         }
-        if (!result) {
-            std::fprintf(stderr,
-                         "dsc_precision: interrupted; %zu of %zu results are there, and --resume "
-                         "goes on from them\n",
-                         i, cases.size());
-            return 1;
-        }
-        dsc::scenes::write_file(file, result->json.dump(2) + "\n");
-        print_result(item, result->json);
+        dsc::scenes::write_file(file, result.json.dump(2) + "\n");
+        print_result(item, result.json);
         // If a method other than the default leaves vertices behind, that is a result to be shown.
         const bool fails =
-            !result->holds || (result->unreached > 0 && item.method->group == Group::base);
+            !result.holds || (result.unreached > 0 && item.method->group == Group::base);
         broken += fails ? 1 : 0;
-        if (fails || result->unreached > 0) {
+        if (fails || result.unreached > 0) {
             std::fprintf(stderr, "dsc_precision: %s: %s; %llu times a vertex did not arrive\n",
                          file.filename().c_str(),
-                         result->holds ? "the mesh stayed valid"
-                                       : "a triangle was inverted or the run gave up",
-                         static_cast<unsigned long long>(result->unreached));
+                         result.holds ? "the mesh stayed valid"
+                                      : "a triangle was inverted or the run gave up",
+                         static_cast<unsigned long long>(result.unreached));
         }
-    }
-    if (skipped > 0) {
-        std::printf("%zu of %zu results were there already\n", skipped, cases.size());
     }
     return broken > 0 ? 1 : 0;
 }
@@ -189,8 +146,6 @@ int main(int argc, char** argv) {
     run_command->add_option("--method", arguments.methods, "only this one; may be repeated")
         ->allow_extra_args(false);
     run_command->add_flag("--quick", arguments.quick, "without the fine edge lengths");
-    run_command->add_flag("--resume", arguments.resume,
-                          "keep existing results of the same commit and parameters");
     run_command->add_option("--out", arguments.out, "folder for the results")->required();
     return dsc::scenes::list_or_run(app, "dsc_precision", argc, argv, list_all,
                                     [&] { return run(arguments); });

@@ -7,8 +7,7 @@
 
 namespace dsc::bench {
 
-MarkerResult run_markers(const scenes::Setup& setup, double h, const BareMarkers& options,
-                         const std::atomic<bool>& interrupted) {
+MarkerResult run_markers(const scenes::Setup& setup, double h, const BareMarkers& options) {
     const reference::MarkerOptions spacing{.longest = h,
                                            .shortest = options.shortest_over_h * h,
                                            .insertion = options.cubic ? &reference::lagrange_point
@@ -26,10 +25,6 @@ MarkerResult run_markers(const scenes::Setup& setup, double h, const BareMarkers
     MarkerResult result;
     result.markers_first = markers.size();
     for (int step = 1; step <= setup.steps; ++step) {
-        if (interrupted.load()) {
-            result.interrupted = true;
-            return result;
-        }
         const double begin = (step - 1) * setup.dt;
         const double end = step * setup.dt;
         const scenes::Stopwatch watch;

@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <atomic>
 #include <optional>
 
 namespace dsc::bench {
@@ -21,13 +20,11 @@ struct MarkerResult {
     double sd_rel_last = 0;            ///< over the exact first area, as in RunResult
     std::optional<double> sd_rel_half; ///< of a reversing flow
     double cpu_s = 0;                  ///< of all steps, without measuring
-    bool interrupted = false;          ///< then nothing else holds
 };
 
 /// From a scene's single first outline, by its steps; h is the longest edge.
 [[nodiscard]] MarkerResult run_markers(const scenes::Setup& setup, double h,
-                                       const BareMarkers& options,
-                                       const std::atomic<bool>& interrupted);
+                                       const BareMarkers& options);
 
 /// Under the names of dsc_scene's JSON, as far as they apply.
 [[nodiscard]] nlohmann::ordered_json to_json(const MarkerResult& result);

@@ -4,13 +4,12 @@
 #include "dsc/base/error.h"
 #include "markers.h"
 #include "scenes/catalogue/catalogue.h"
+#include "scenes/digits.h"
 #include "scenes/output/machine.h"
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace dsc::bench {
@@ -22,13 +21,6 @@ using Json = nlohmann::ordered_json;
 // A single time below this is not reliable on any machine.
 constexpr double short_run_s = 0.3;
 constexpr int most_repetitions = 3;
-
-// The shortest text that reads back as the same number.
-std::string text_of(double value) {
-    std::array<char, 32> text{};
-    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-    return {text.data(), end};
-}
 
 // In all, or each way.
 int steps_of(const Case& item) {
@@ -47,16 +39,17 @@ std::map<std::string, std::string> settings_of(const Case& item) {
     const Flow& flow = *item.flow;
     const int steps = steps_of(item);
     const double duration = flow.there_and_back ? flow.duration / 2 : flow.duration;
-    std::map<std::string, std::string> result{{"h", text_of(item.h)},
-                                              {"dt", text_of(duration / steps)},
+    std::map<std::string, std::string> result{{"h", scenes::shortest_digits(item.h)},
+                                              {"dt", scenes::shortest_digits(duration / steps)},
                                               {"steps", std::to_string(steps)}};
     if (flow.period > 0) {
-        result["period"] = text_of(flow.period);
+        result["period"] = scenes::shortest_digits(flow.period);
     }
     for (const Setting& setting : item.method->settings) {
-        result[setting.key] = !setting.word.empty()
-                                  ? setting.word
-                                  : text_of(setting.factor * std::pow(item.h, setting.power));
+        result[setting.key] =
+            !setting.word.empty()
+                ? setting.word
+                : scenes::shortest_digits(setting.factor * std::pow(item.h, setting.power));
     }
     return result;
 }
@@ -73,52 +66,38 @@ scenes::Scene without_exact_shape(scenes::Scene scene) {
     return scene;
 }
 
-std::optional<CaseResult> run_dsc(const Case& item, ExactShapes& shapes,
-                                  const std::atomic<bool>& interrupted) {
+CaseResult run_dsc(const Case& item, ExactShapes& shapes) {
     const scenes::Parameters parameters = parameters_of(item);
     scenes::RunOptions options;
     options.strategy = item.method->strategy;
-    options.interrupted = &interrupted;
     const scenes::Scene scene = shapes.scene_of(item);
     scenes::RunResult result = scenes::run_scene(scene, parameters, options);
     int repetitions = 1;
     double spent = result.cpu_s;
-    for (; repetitions < most_repetitions && spent < short_run_s && !result.interrupted;
-         ++repetitions) {
+    for (; repetitions < most_repetitions && spent < short_run_s; ++repetitions) {
         const auto again = scenes::run_scene(without_exact_shape(scene), parameters, options);
-        result.interrupted = again.interrupted;
-        if (!again.interrupted && again.mesh_hash != result.mesh_hash) {
+        if (again.mesh_hash != result.mesh_hash) {
             throw InvariantError(file_name(item) + ": two runs ended in different meshes");
         }
         spent += again.cpu_s;
         result.cpu_s = std::min(result.cpu_s, again.cpu_s);
         result.wall_s = std::min(result.wall_s, again.wall_s);
     }
-    if (result.interrupted) {
-        return std::nullopt;
-    }
     Json json = Json::parse(scenes::to_json(result));
     json["repetitions"] = repetitions;
-    return CaseResult{std::move(json), result.inverted == 0 && result.gave_up.empty(),
-                      result.unreached};
+    return {std::move(json), result.inverted == 0 && result.gave_up.empty(), result.unreached};
 }
 
-std::optional<CaseResult> run_bare(const Case& item, ExactShapes& shapes,
-                                   const std::atomic<bool>& interrupted) {
+CaseResult run_bare(const Case& item, ExactShapes& shapes) {
     const scenes::Parameters parameters = parameters_of(item);
     const scenes::Setup setup = shapes.scene_of(item).prepare(parameters);
-    MarkerResult result = run_markers(setup, parameters.h, *item.method->markers, interrupted);
+    MarkerResult result = run_markers(setup, parameters.h, *item.method->markers);
     int repetitions = 1;
     double spent = result.cpu_s;
-    for (; repetitions < most_repetitions && spent < short_run_s && !result.interrupted;
-         ++repetitions) {
-        const auto again = run_markers(setup, parameters.h, *item.method->markers, interrupted);
-        result.interrupted = again.interrupted;
+    for (; repetitions < most_repetitions && spent < short_run_s; ++repetitions) {
+        const auto again = run_markers(setup, parameters.h, *item.method->markers);
         spent += again.cpu_s;
         result.cpu_s = std::min(result.cpu_s, again.cpu_s);
-    }
-    if (result.interrupted) {
-        return std::nullopt;
     }
     Json json = to_json(result);
     json["scene"] = item.flow->scene;
@@ -127,7 +106,7 @@ std::optional<CaseResult> run_bare(const Case& item, ExactShapes& shapes,
     json["repetitions"] = repetitions;
     json["commit"] = scenes::commit();
     json["machine"] = scenes::machine();
-    return CaseResult{std::move(json)};
+    return {std::move(json)};
 }
 
 } // namespace
@@ -154,19 +133,9 @@ std::vector<Case> cases_of(const std::vector<const Flow*>& flows,
     return cases;
 }
 
-Json request_of(const Case& item) {
-    Json request{{"settings", settings_of(item)}, {"strategy", to_string(item.method->strategy)}};
-    if (const auto& markers = item.method->markers) {
-        request["strategy"] = "bare markers";
-        request["markers"] = {{"cubic", markers->cubic},
-                              {"shortest_over_h", markers->shortest_over_h},
-                              {"parts", markers->parts}};
-    }
-    return request;
-}
-
 std::string file_name(const Case& item) {
-    std::string name = item.flow->name + "--" + item.method->name + "--" + text_of(item.h);
+    std::string name =
+        item.flow->name + "--" + item.method->name + "--" + scenes::shortest_digits(item.h);
     std::string result;
     for (const char c : name) {
         const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
@@ -203,17 +172,12 @@ scenes::Scene ExactShapes::scene_of(const Case& item) {
     return scene;
 }
 
-std::optional<CaseResult> run_case(const Case& item, ExactShapes& shapes,
-                                   const std::atomic<bool>& interrupted) {
-    auto result = item.method->markers ? run_bare(item, shapes, interrupted)
-                                       : run_dsc(item, shapes, interrupted);
-    if (result) {
-        result->json["flow"] = item.flow->name;
-        result->json["flow_title"] = item.flow->title;
-        result->json["method"] = item.method->name;
-        result->json["group"] = to_string(item.method->group);
-        result->json["request"] = request_of(item);
-    }
+CaseResult run_case(const Case& item, ExactShapes& shapes) {
+    CaseResult result = item.method->markers ? run_bare(item, shapes) : run_dsc(item, shapes);
+    result.json["flow"] = item.flow->name;
+    result.json["flow_title"] = item.flow->title;
+    result.json["method"] = item.method->name;
+    result.json["group"] = to_string(item.method->group);
     return result;
 }
 

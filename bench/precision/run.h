@@ -8,9 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <atomic>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,9 +25,6 @@ struct Case {
 /// lengths. A method that does not suit a flow has no case there.
 [[nodiscard]] std::vector<Case> cases_of(const std::vector<const Flow*>& flows,
                                          const std::vector<const Method*>& methods, bool quick);
-
-/// Everything except the program that a result depends on: --resume compares it.
-[[nodiscard]] nlohmann::ordered_json request_of(const Case& item);
 
 /// "FLOW--METHOD--H.json", of letters, digits, hyphens and points.
 [[nodiscard]] std::string file_name(const Case& item);
@@ -55,15 +50,13 @@ private:
 };
 
 struct CaseResult {
-    nlohmann::ordered_json json; ///< as of dsc_scene, with flow, method and request
+    nlohmann::ordered_json json; ///< as of dsc_scene, with flow and method
     bool holds = true;           ///< nothing inverted, not given up
     std::uint64_t unreached = 0; ///< vertices that did not arrive, summed over steps
 };
 
 /// Runs until the CPU time has been taken three times or for 0.3 s in all, and keeps the shortest.
-/// Nothing where interrupted. Throws InputError before anything runs; InvariantError where two runs
-/// differ.
-[[nodiscard]] std::optional<CaseResult> run_case(const Case& item, ExactShapes& shapes,
-                                                 const std::atomic<bool>& interrupted);
+/// Throws InputError before anything runs; InvariantError where two runs differ.
+[[nodiscard]] CaseResult run_case(const Case& item, ExactShapes& shapes);
 
 } // namespace dsc::bench

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import random
 import sys
 import tempfile
 import unittest
@@ -14,6 +15,7 @@ import callgrind  # noqa: E402
 import compare  # noqa: E402
 import counting  # noqa: E402
 import judgement  # noqa: E402
+import timing  # noqa: E402
 import workloads  # noqa: E402
 from judgement import Verdict  # noqa: E402
 
@@ -65,6 +67,38 @@ class Times(unittest.TestCase):
                       [(1, 1)] * 5 + [(float("inf"), 1)]):
             with self.assertRaises(ValueError):
                 judgement.median_ratio(pairs)
+
+
+    def test_the_rank_is_that_of_the_sign_test(self):
+        """At most 3 heads or 3 tails of 15 tosses have a chance of 3.5 %, 4 of 11.8 %."""
+        self.assertEqual(judgement.rank_of_bounds(15, 0.95), 3)
+        self.assertEqual(judgement.rank_of_bounds(20, 0.95), 5)
+        self.assertEqual(judgement.rank_of_bounds(100, 0.95), 39)
+        self.assertIsNone(judgement.rank_of_bounds(14))
+        self.assertEqual(judgement.rank_of_bounds(15), 0)
+        self.assertGreater(judgement.rank_of_bounds(3000), 1300)
+
+
+class Procedure(unittest.TestCase):
+    def measure(self, runs, most_pairs, most_seconds=1e9):
+        return timing.measure(runs, most_pairs, most_seconds, lambda _: None, random.Random(1))
+
+    def test_pairs_end_where_all_is_decided_or_time_is_over(self):
+        source = random.Random(1)
+        alike = (lambda: {"time": 1.0},) * 2
+        wild = (lambda: {"time": source.choice((1.0, 2.0))},) * 2
+        found = self.measure({"alike": alike, "wild": wild}, 50)
+        self.assertEqual((found["alike"].count, found["wild"].count), (15, 50))
+        self.assertEqual(self.measure({"wild": wild}, 50, 0)["wild"].count, timing.AT_ONCE)
+
+    def test_which_comes_first_is_drawn(self):
+        """Where the second of two is always slower, it is the new one half of the time."""
+        order = []
+        runs = {"run": (lambda: order.append(0) or {"time": 1.0 + len(order) % 2},
+                        lambda: order.append(1) or {"time": 1.0 + len(order) % 2})}
+        self.measure(runs, 200)
+        first = order[2::2]
+        self.assertTrue(0.4 < sum(first) / len(first) < 0.6)
 
 
 class Numbers(unittest.TestCase):
