@@ -252,6 +252,8 @@ TEST(Suites, SayWhatIsWrong) {
         {head + "limits.fluid_rise = 1", {"fluid_rise", "no fluid"}},
         {head + "limits.area_ratio = { at_most = 1, at = \"here\" }", {"[measured_at]", "here"}},
         {head + "limits.accuracy_order = 2", {"accuracy_order", "no series"}},
+        {"[[case]]\nscene = \"grains\"\nlimits.symmetric_difference = 1",
+         {"mine.toml:3", "symmetric_difference", "exact shape"}},
         {head + "limit.area_ratio = 1", {"unknown key", "limits"}},
         {head + "h = -1\nlimits.area_ratio = 1", {"mine.toml:3", "h"}},
         {head + "set = { stpes = 3 }\nlimits.area_ratio = 1", {"stpes", "steps"}},

@@ -124,12 +124,6 @@ class Judged(OwnScenes):
         self.assertIn("mine.toml:13: [limits] sd_rel_last", rows["limits.sd_rel_last"]["note"])
         self.assertEqual(rows["limits.sd_rel_last"]["scene"], "mine")
 
-    def test_a_broken_limit_of_each_sense(self):
-        for limits in ("sd_rel_last = 1e-9", "min_angle_deg_last.least = 59"):
-            done = self.call("run", self.scene(MINE + "[limits]\n" + limits), "--out", "out")
-            self.assertEqual(done.returncode, 1, done.stdout)
-            self.assertEqual(done.stdout.count("FAIL"), 1)
-
     def test_by_a_suite(self):
         self.scene()
         done = self.call("run", self.suite("limits = { unreached = 0, parallel_area = 1e-3 }",
@@ -174,39 +168,6 @@ class Refused(OwnScenes):
         for name in ("accuracy.toml", "scenes.toml"):
             self.expect_refusal("run", self.scene(), "--limits", os.path.join(SUITES, name),
                                 words=["mine", "propose"])
-
-    def test_bad_limits_in_a_scene_file(self):
-        self.expect_refusal("run", self.scene(MINE + "[limits]\nsd_rel_last = nan\n"),
-                            words=["mine.toml:13", "sd_rel_last", "nan"])
-
-    def test_a_bad_suite(self):
-        self.scene()
-        for limits, words in (("limits.aera_ratio = 1", ["aera_ratio", "area_ratio"]),
-                              ("limits.inverted = nan", ["suite.toml:3", "nan"]),
-                              ("", ["suite.toml:2", "no limit"]),
-                              ("limits = {}", ["no limit"])):
-            self.expect_refusal("run", self.suite(limits), words=words)
-        self.write("suite.toml", "[[case]]\nscene = 'mien.toml'\nlimits.inverted = 0\n")
-        self.expect_refusal("run", self.path("suite.toml"), words=["suite.toml:2", "mien.toml"])
-
-    def test_a_limit_without_its_measure(self):
-        self.scene(MINE.split("[exact]")[0])
-        self.expect_refusal("run", self.suite("limits.symmetric_difference = 1"),
-                            words=["suite.toml:3", "symmetric_difference", "exact shape"])
-        some = MINE + "[measure]\nmeasures = ['area']\n"
-        self.scene(some)
-        self.expect_refusal("run", self.suite("limits.min_quality = 0.1"),
-                            words=["min_quality", "not taken"])
-        self.expect_refusal("run", self.scene(some + LENIENT), words=["mine.toml:17", "not taken"])
-
-    def test_unknown_checks(self):
-        self.expect_refusal("run", "limits.sd", self.scene(), words=["'limits.sd'", "inverted"])
-        self.expect_refusal("run", "mesh_hash", self.scene(), words=["mesh_hash", "limit"])
-
-    def test_files(self):
-        self.expect_refusal("run", self.scene("h = 3"), words=["mine.toml:1", "'h'"])
-        self.expect_refusal("run", self.scene(), self.scene(name="other.toml"),
-                            words=["other.toml", "one name", "mine"])
 
 
 class Proposed(OwnScenes):
