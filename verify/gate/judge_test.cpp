@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -125,6 +126,26 @@ TEST(Checks, CompareRunsOfWhichThreadsHaveShares) {
     for (const Configuration& one : all) {
         EXPECT_EQ(finished(runs.wait(one)).threads_used, 2U) << scenes::to_string(one.strategy);
     }
+}
+
+// The error of three sizes, 2 h^2.5.
+TEST(Checks, FitAnOrderToASeries) {
+    const auto order_with = [](double factor_of_last) {
+        std::vector<Outcome> outcomes;
+        for (const double h : {0.02, 0.005, 0.01}) {
+            outcomes.push_back({.is_done = true});
+            outcomes.back().result.parameters.h = h;
+            outcomes.back().result.last = {{"sd_rel", 2 * std::pow(h, 2.5)}};
+        }
+        outcomes.back().result.last = {
+            {"sd_rel", factor_of_last * number(outcomes.back().result.last, "sd_rel")}};
+        const std::vector<const Outcome*> all{&outcomes[0], &outcomes[1], &outcomes[2]};
+        return measure(*find_check("accuracy_order"), all).value;
+    };
+    EXPECT_NEAR(order_with(1), 2.5, 1e-12);
+    EXPECT_NEAR(order_with(7), 2.5, 1e-12); // the middle one turns no line
+    EXPECT_TRUE(std::isnan(order_with(0)));
+    EXPECT_TRUE(std::isnan(order_with(none)));
 }
 
 // --- suites --------------------------------------------------------------------------------------

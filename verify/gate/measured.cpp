@@ -2,8 +2,6 @@
 // Which runs a check needs, and what is measured of them.
 #include "checks.h"
 
-#include "measures/convergence.h"
-
 #include <cmath>
 #include <limits>
 #include <map>
@@ -81,15 +79,26 @@ Measured mean_difference(const Check& check, std::span<const Outcome* const> out
     return {2 * sum / static_cast<double>(outcomes.size()), outcomes.front()->configuration};
 }
 
+// The slope of the least-squares line through log(error) over log(size). NaN, which is worse than
+// any limit, unless there are two sizes and every error is a number above 0.
 Measured order_of(const Check& check, std::span<const Outcome* const> outcomes) {
-    std::vector<double> sizes;
-    std::vector<double> errors;
+    const auto count = static_cast<double>(outcomes.size());
+    double x = 0;
+    double y = 0;
+    double xx = 0;
+    double xy = 0;
     for (const Outcome* outcome : outcomes) {
         const RunResult& r = finished(*outcome);
-        sizes.push_back(r.parameters.h);
-        errors.push_back(check.figure(r));
+        const double size = std::log(r.parameters.h);
+        const double error = std::log(check.figure(r));
+        x += size / count;
+        y += error / count;
+        xx += size * size / count;
+        xy += size * error / count;
     }
-    return {scenes::fit_order(sizes, errors).order, outcomes.back()->configuration};
+    const double slope = (xy - x * y) / (xx - x * x);
+    return {std::isfinite(slope) ? slope : std::numeric_limits<double>::quiet_NaN(),
+            outcomes.back()->configuration};
 }
 
 } // namespace
