@@ -36,9 +36,6 @@ struct SceneParts {
     std::optional<FluidMotion> fluid{};
     ExactSource exact{};
     std::function<SizeOptions<double>(const Parameters&)> sizes{};
-    std::vector<PhaseThresholds> thresholds{};
-    std::optional<OnCircle> insertion{};
-    std::optional<RadialValue> value{};
     std::optional<Phase> measured{};
     std::optional<int> half_step{};
 
@@ -114,17 +111,9 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
         add_curves(parts.curves, p.h, setup);
     }
     set_motion(parts, p, setup);
-    const auto take = [](bool is_given, const auto& part, auto& of_setup) {
-        if (is_given) {
-            of_setup = part;
-        }
-    };
-    take(!parts.carried.empty(), parts.carried, setup.carried);
-    take(!parts.thresholds.empty(), parts.thresholds, setup.thresholds);
-    take(parts.insertion.has_value(), parts.insertion, setup.insertion);
-    take(parts.value.has_value(), parts.value, setup.value);
-    take(parts.measured.has_value(), parts.measured, setup.measured);
-    take(parts.half_step.has_value(), parts.half_step, setup.half_step);
+    setup.carried = parts.carried.empty() ? setup.carried : parts.carried;
+    setup.measured = parts.measured ? parts.measured : setup.measured;
+    setup.half_step = parts.half_step ? parts.half_step : setup.half_step;
     if (parts.sizes) {
         setup.sizes = parts.sizes(p);
     }
@@ -189,7 +178,7 @@ void read_motion(const TableReader& top, SceneParts& parts) {
     }
 }
 
-// What is asked of the mesh, and what it keeps.
+// What is asked of the mesh.
 void read_upkeep(const TableReader& top, SceneParts& parts) {
     if (top.has("carried")) {
         for (const int phase : top.integers("carried", 0, 1'000'000)) {
@@ -198,14 +187,6 @@ void read_upkeep(const TableReader& top, SceneParts& parts) {
     }
     if (top.has("sizes")) {
         parts.sizes = read_sizes(top.table("sizes"));
-    }
-    parts.thresholds = read_thresholds(top.tables("thresholds"));
-    if (top.has("insertion")) {
-        top.table("insertion").allow({"on_circle"});
-        parts.insertion = OnCircle{top.table("insertion").point("on_circle")};
-    }
-    if (top.has("value")) {
-        parts.value = read_value(top.table("value"));
     }
 }
 
@@ -249,8 +230,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     const toml::table table = parse_toml(text, path);
     const TableReader top(table, "", path);
     top.allow({"name", "description", "scene", "domain", "shape", "curve", "flow", "curvature",
-               "growth", "fluid", "carried", "options", "sizes", "thresholds", "insertion", "value",
-               "exact", "measure", "limits"});
+               "growth", "fluid", "carried", "options", "sizes", "exact", "measure", "limits"});
     SceneFile file;
     SceneParts parts{.where = path.string(), .base = read_base(top, scenes)};
     file.scene = parts.base.value_or(Scene{});

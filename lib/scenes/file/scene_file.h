@@ -24,12 +24,6 @@
 //                                 # that is less than h;
 //                                 # by_phase = [lengths], or by_place = a formula in x, y, t and
 //                                 # h; on_interface = one for the interface's own edges
-//     [[thresholds]]              # phase, and what differs there of PhaseThresholds (options.h):
-//                                 # collapse_quality, smooth_quality, longest, shortest, crowded
-//     [insertion]                 # on_circle = [x, y]: new interface vertices lie on the circle
-//                                 # about that point
-//     [value]                     # kept at the vertices (RadialValue in scene.h): centre,
-//                                 # first_radius, last_radius, speed, power
 //     [exact]                     # exact_source.h
 //     [measure]                   # phase, half_step; shape = false: not against the exact shape;
 //                                 # measures = [names]: no others are taken, but for those that

@@ -125,38 +125,6 @@ std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableRead
         };
 }
 
-std::vector<PhaseThresholds> read_thresholds(const std::vector<TableReader>& tables) {
-    constexpr int most_thresholds = 10'000;
-    constexpr Bounds relative{0, 100};
-    std::vector<PhaseThresholds> all;
-    for (const TableReader& table : tables) {
-        table.allow(
-            {"phase", "collapse_quality", "smooth_quality", "longest", "shortest", "crowded"});
-        const auto phase = static_cast<std::size_t>(table.integer("phase", 0, most_thresholds));
-        all.resize(std::max(all.size(), phase + 1));
-        PhaseThresholds& t = all[phase];
-        t.collapse_quality = table.number_or(t.collapse_quality, "collapse_quality", relative);
-        t.smooth_quality = table.number_or(t.smooth_quality, "smooth_quality", relative);
-        t.longest = table.number_or(t.longest, "longest", relative);
-        t.shortest = table.number_or(t.shortest, "shortest", relative);
-        t.crowded = table.number_or(t.crowded, "crowded", relative);
-    }
-    return all;
-}
-
-RadialValue read_value(const TableReader& reader) {
-    reader.allow({"centre", "first_radius", "last_radius", "speed", "power"});
-    RadialValue value{.centre = reader.point("centre"),
-                      .first_radius = reader.number("first_radius", positive_length),
-                      .last_radius = reader.number("last_radius", positive_length),
-                      .speed = reader.number_or(1, "speed"),
-                      .power = reader.number_or(1, "power", {0.1, 10})};
-    if (!(value.last_radius > value.first_radius)) {
-        reader.refuse("last_radius", "bad value", "more than first_radius");
-    }
-    return value;
-}
-
 void read_options(const TableReader& reader, const std::vector<std::string>& keys,
                   Parameters& parameters) {
     reader.allow(keys);

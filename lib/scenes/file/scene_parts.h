@@ -31,10 +31,6 @@ struct CurveSource {
 /// A [sizes], given the parameters: their h is the shortest target.
 [[nodiscard]] std::function<SizeOptions<double>(const Parameters& parameters)>
 read_sizes(const TableReader& reader);
-/// All [[thresholds]], by phase.
-[[nodiscard]] std::vector<PhaseThresholds> read_thresholds(const std::vector<TableReader>& tables);
-/// A [value].
-[[nodiscard]] RadialValue read_value(const TableReader& reader);
 /// Sets the parameters that the table names; `keys` are those that it may.
 void read_options(const TableReader& reader, const std::vector<std::string>& keys,
                   Parameters& parameters);
