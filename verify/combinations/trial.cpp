@@ -4,12 +4,10 @@
 #include "combinations/run.h"
 #include "combinations/tolerance.h"
 #include "measures/symmetric_difference.h"
-
-#include "dsc/geometry/points.h"
+#include "support/outline_testing.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <ranges>
 #include <span>
@@ -20,17 +18,6 @@ namespace dsc::combinations {
 namespace {
 
 using Outlines = std::span<const scenes::Outline>;
-
-double distance_to(Outlines shape, const Point<double>& p) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const scenes::Outline& outline : shape) {
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            const Point<double>& next = outline[(i + 1) % outline.size()];
-            nearest = std::min(nearest, distance<double>(p, outline[i], next));
-        }
-    }
-    return nearest;
-}
 
 // What the end of a run must be, and what it is.
 class Judge {
@@ -125,7 +112,7 @@ private:
                                 (length * scene_.h * scene_.h);
             double farthest = 0;
             for (const Point<double>& p : std::views::join(last)) {
-                farthest = std::max(farthest, distance_to(expected, p) / scene_.h);
+                farthest = std::max(farthest, test::distance_from(expected, p) / scene_.h);
             }
             expect(mean <= allowed.mean, "phase ", phase, " is off by ", mean,
                    " edge lengths, allowed ", allowed.mean);

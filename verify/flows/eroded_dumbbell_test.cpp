@@ -4,18 +4,15 @@
 #include "flows/eroded_dumbbell.h"
 
 #include "dsc/base/error.h"
+#include "support/initial_testing.h"
 #include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace dsc::scenes::eroded_dumbbell_test {
 namespace {
-
-using std::numbers::pi;
 
 const Dumbbell straight; // the neck closes at 0.03
 // The roundings meet in the middle, and no part of the neck is straight.
@@ -23,34 +20,8 @@ const Dumbbell waisted{.distance = 2 * rounding_offset({.distance = 9, .rounding
                        .rounding = 0.17};
 const Dumbbell short_neck{.centre = {2, -1}, .distance = 0.4, .neck = 0.08, .rounding = 0.06};
 
-// The distance of a point from a closed polygon, by its edges.
-double distance_from(const Outline& outline, const Point<double>& p) {
-    double least = INFINITY;
-    Point<double> a = outline.back();
-    for (const Point<double>& b : outline) {
-        const Point<double> way = b - a;
-        const double along = std::clamp((p - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-        least = std::min(least, (a + along * way - p).squaredNorm());
-        a = b;
-    }
-    return std::sqrt(least);
-}
-
-bool holds(const Outline& outline, const Point<double>& p) {
-    bool is_inside = false;
-    Point<double> a = outline.back();
-    for (const Point<double>& b : outline) {
-        if ((a.y() > p.y()) != (b.y() > p.y()) &&
-            p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
-            is_inside = !is_inside;
-        }
-        a = b;
-    }
-    return is_inside;
-}
-
 double signed_distance(const Outline& outline, const Point<double>& p) {
-    return (holds(outline, p) ? 1 : -1) * distance_from(outline, p);
+    return (test::is_inside(outline, p) ? 1 : -1) * test::distance_from(outline, p);
 }
 
 // Every vertex of the outline is as far from the first one as the shape has shrunk or grown.
@@ -109,7 +80,7 @@ TEST(Dumbbell, MayHaveAWaist) {
     EXPECT_TRUE(test::is_simple(outline));
     EXPECT_LE(test::longest_edge(outline), 1e-4 * (1 + 1e-9));
     EXPECT_NEAR(signed_area(outline), dumbbell_area(waisted), 1e-8);
-    EXPECT_NEAR(distance_from(outline, waisted.centre), 0.03, 1e-8);
+    EXPECT_NEAR(test::distance_from(outline, waisted.centre), 0.03, 1e-8);
 }
 
 } // namespace

@@ -180,16 +180,6 @@ Point<double> carried(Point<double> p, double time, double period) {
     return p;
 }
 
-double distance(const Point<double>& p, const Outline& outline) {
-    double nearest = INFINITY;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point<double> d = outline[(i + 1) % outline.size()] - outline[i];
-        const double t = std::clamp((p - outline[i]).dot(d) / d.squaredNorm(), 0.0, 1.0);
-        nearest = std::min(nearest, (p - outline[i] - t * d).squaredNorm());
-    }
-    return std::sqrt(nearest);
-}
-
 struct Swirled {
     double period; ///< 0: steady
     double time;
@@ -213,7 +203,7 @@ TEST_P(FarthestOut, IsKnownToItsOwnError) {
     double farthest = 0.0;
     for (int i = 0; i < 40; ++i) {
         const Point<double> p = carried(curve.point((i + 0.37) / 40), time, period);
-        farthest = std::max(farthest, distance(p, shape.outlines.front()));
+        farthest = std::max(farthest, test::distance_from(shape.outlines.front(), p));
     }
     EXPECT_LT(farthest, 2e-8);
     EXPECT_GT(farthest, 0.0);

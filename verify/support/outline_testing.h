@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/geometry/contacts.h"
+#include "dsc/geometry/points.h"
 #include "shapes/outline.h"
 
 #include <algorithm>
@@ -47,6 +48,22 @@ inline double longest_edge(const scenes::Outline& outline) {
         longest = std::max(longest, (outline[i] - outline[i - 1]).norm());
     }
     return longest;
+}
+
+/// The distance of a point from the closed polygons.
+inline double distance_from(std::span<const scenes::Outline> outlines, const Point<double>& p) {
+    double least = INFINITY;
+    for (const scenes::Outline& outline : outlines) {
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const Point<double>& next = outline[(i + 1) % outline.size()];
+            least = std::min(least, distance<double>(p, outline[i], next));
+        }
+    }
+    return least;
+}
+
+inline double distance_from(const scenes::Outline& outline, const Point<double>& p) {
+    return distance_from(std::span(&outline, 1), p);
 }
 
 /// True if no two edges of all the outlines meet, except that neighbours share their common vertex.
