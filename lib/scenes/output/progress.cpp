@@ -2,6 +2,7 @@
 #include "scenes/output/progress.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <utility>
@@ -12,7 +13,6 @@ namespace {
 
 constexpr double first_after_s = 2; // shorter runs need no line
 constexpr double shortest_wait_s = 0.1;
-constexpr double wait_per_look = 20; // times as long as it took to find the worst angle
 constexpr const char* clear_line = "\r\033[K";
 
 double steady_seconds() {
@@ -34,15 +34,6 @@ std::string hours_and_minutes(double seconds) {
 
 } // namespace
 
-std::string progress_line(const std::string& name, int step, int steps, double seconds_left,
-                          std::uint64_t triangles, double worst_angle_deg) {
-    char angle[32];
-    std::snprintf(angle, sizeof angle, "%.1f", worst_angle_deg);
-    return name + ": step " + std::to_string(step) + " of " + std::to_string(steps) + ", " +
-           hours_and_minutes(seconds_left) + " left, " + std::to_string(triangles) +
-           " triangles, worst angle " + angle + " degrees";
-}
-
 Progress::Progress(std::ostream& out, Clock clock, std::string name, int begin, int steps)
     : out_(&out), clock_(std::move(clock)), name_(std::move(name)), begin_(begin), steps_(steps),
       started_(clock_()), next_(started_ + first_after_s) {}
@@ -60,17 +51,18 @@ Progress::~Progress() {
     }
 }
 
-void Progress::show(int step, std::uint64_t triangles, const std::function<double()>& worst_angle) {
-    if (out_ == nullptr || clock_() < next_) {
+void Progress::show(int step, std::uint64_t triangles) {
+    if (out_ == nullptr) {
         return;
     }
-    const double before = clock_();
-    const double angle = worst_angle();
     const double now = clock_();
-    next_ = now + std::max(shortest_wait_s, wait_per_look * (now - before));
+    if (now < next_) {
+        return;
+    }
+    next_ = now + shortest_wait_s;
     const double per_step = (now - started_) / std::max(step - begin_, 1);
-    *out_ << clear_line
-          << progress_line(name_, step, steps_, per_step * (steps_ - step), triangles, angle)
+    *out_ << clear_line << name_ << ": step " << step << " of " << steps_ << ", "
+          << hours_and_minutes(per_step * (steps_ - step)) << " left, " << triangles << " triangles"
           << std::flush;
     is_shown_ = true;
 }

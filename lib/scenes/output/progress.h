@@ -3,18 +3,12 @@
 // is watching.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <ostream>
 #include <string>
 
 namespace dsc::scenes {
-
-/// "swirl: step 120 of 520, 0:14 left, 3612 triangles, worst angle 24.1 degrees".
-[[nodiscard]] std::string progress_line(const std::string& name, int step, int steps,
-                                        double seconds_left, std::uint64_t triangles,
-                                        double worst_angle_deg);
 
 class Progress {
 public:
@@ -31,9 +25,8 @@ public:
     Progress(Progress&&) = delete;
     Progress& operator=(Progress&&) = delete;
 
-    /// At most ten times a second, and so that `worst_angle`, which looks at the whole mesh, takes
-    /// no more than a twentieth of the time.
-    void show(int step, std::uint64_t triangles, const std::function<double()>& worst_angle);
+    /// "swirl: step 120 of 520, 0:14 left, 3612 triangles", at most ten times a second.
+    void show(int step, std::uint64_t triangles);
 
 private:
     std::ostream* out_ = nullptr; ///< null: nobody is watching

@@ -80,8 +80,7 @@ public:
             if (every > 0 && step % every == 0 && step < setup_.steps) {
                 save();
             }
-            progress.show(step, complex().triangle_count(),
-                          [this] { return measure_quality(complex()).min_angle_deg; });
+            progress.show(step, complex().triangle_count());
         }
         save();
         frames_.finish(result_.events);
