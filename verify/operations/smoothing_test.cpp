@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smoothing: inside a phase (equation 6), and along the interface without a change of shape.
+// Smoothing along the interface, without a change of shape. Inside a phase (equation 6) it is
+// compared with the reference (reference/equivalence_test.cpp).
 #include "support/operations_testing.h"
 #include "support/small_meshes.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace dsc::test::smoothing_test {
 namespace {
@@ -20,49 +22,10 @@ class Smoothing : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(Smoothing, Reals);
 
-auto smooth(std::uint32_t v) {
-    return [v](const auto& submesh) { return laplacian_smoothing(submesh, Vertex{v}); };
-}
-
 auto slide(std::uint32_t v, InterfaceSmoothingOptions options = {}) {
     return [v, options](const auto& submesh) {
         return interface_smoothing(submesh, Vertex{v}, options);
     };
-}
-
-// --- Laplacian -----------------------------------------------------------------------------------
-
-TYPED_TEST(Smoothing, MovesToTheMeanOfTheNeighbours) {
-    const double tolerance = std::is_same_v<TypeParam, double> ? 1e-15 : 1e-6;
-    auto K = hexagon<TypeParam>();
-    K.set_position(Vertex{0}, {TypeParam(0.5), TypeParam(0.3)});
-    EXPECT_EQ(laplacian_smoothing(K, Vertex{0}), Verdict::legal);
-    expect_valid(K);
-    EXPECT_NEAR(K.position(Vertex{0}).norm(), 0, tolerance);
-    // At the mean already: nothing to gain.
-    auto D = build<TypeParam>({{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}},
-                              {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}, {0, 0, 0, 0});
-    expect_refused(D, Verdict::no_gain, smooth(0));
-    // At the mean the worst angle may be smaller: the nearest neighbour is left, the far ones pull.
-    auto F = build<TypeParam>(
-        {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {TypeParam(0.5), TypeParam(0.5)}},
-        {{0, 1, 5}, {0, 5, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}, std::vector<Phase>(5, 0));
-    expect_refused(F, Verdict::no_gain, smooth(0));
-}
-
-TYPED_TEST(Smoothing, IsRefused) {
-    auto K = grid<TypeParam>(4, 0.15, 2);
-    expect_refused(K, Verdict::not_a_simplex, smooth(no_id));
-    expect_refused(K, Verdict::not_a_simplex, smooth(25));
-    expect_refused(K, Verdict::on_boundary, smooth(1));
-    std::vector<std::uint32_t> labels(25, 1);
-    labels[7] = 0;
-    expect_refused(K, Verdict::on_submesh_boundary, smooth(7), labels);
-    expect_refused(K, Verdict::on_submesh_boundary, smooth(12), labels);
-    K.set_locked(Vertex{12}, true);
-    expect_refused(K, Verdict::locked, smooth(12));
-    K.set_phase(Triangle{triangle_of(K.vertices[12].corner)}, 1);
-    expect_refused(K, Verdict::on_interface, smooth(12));
 }
 
 // --- along the interface -------------------------------------------------------------------------
@@ -179,9 +142,6 @@ TYPED_TEST(Smoothing, SlideIsRefused) {
     // Away from the interface.
     auto G = grid<TypeParam>(4);
     expect_refused(G, Verdict::on_interface, slide(12));
-    EXPECT_THROW(interface_smoothing(G, Vertex{12}, {.corner_degrees = -1}), InputError);
-    EXPECT_THROW(interface_smoothing(G, Vertex{12}, {.step = 2}), InputError);
-    EXPECT_THROW(interface_smoothing(G, Vertex{12}, {.step = std::nan("")}), InputError);
 }
 
 TYPED_TEST(Smoothing, CornersStayAndNoCurveRunsThroughThem) {
@@ -205,16 +165,20 @@ TYPED_TEST(Smoothing, CornersStayAndNoCurveRunsThroughThem) {
     EXPECT_NEAR(K.position(v).x(), 3, 1e-6);
 }
 
-TYPED_TEST(Smoothing, TakesAnglesFromNoneToAllOfAHalfTurn) {
-    using Real = TypeParam;
-    auto complex = grid<Real>(6, 0.1, 1, 2);
+TYPED_TEST(Smoothing, TakesAnglesUpToAHalfTurnAndStepsUpToTheWholeWay) {
+    auto complex = grid<TypeParam>(6, 0.1, 1, 2);
     for (const double degrees : {0.0, 0.5, 180.0}) {
         EXPECT_NO_THROW(
             (void)interface_smoothing(complex, Vertex{10}, {.corner_degrees = degrees}));
     }
-    for (const double degrees : {-0.5, 180.5, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW((void)interface_smoothing(complex, Vertex{10}, {.corner_degrees = degrees}),
-                     InputError);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const InterfaceSmoothingOptions& bad :
+         std::vector<InterfaceSmoothingOptions>{{.corner_degrees = -0.5},
+                                                {.corner_degrees = 180.5},
+                                                {.corner_degrees = nan},
+                                                {.step = 2},
+                                                {.step = nan}}) {
+        EXPECT_THROW((void)interface_smoothing(complex, Vertex{10}, bad), InputError);
     }
 }
 

@@ -6,7 +6,6 @@
 #include "snapshot.h"
 
 #include "dsc/base/types.h"
-#include "dsc/operations/edge_collapse.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>
@@ -67,12 +66,6 @@ Verdict verdict_with_ids(Complex<Real> complex, std::uint32_t vertices, std::uin
     EXPECT_TRUE(verdict == Verdict::legal || before == snapshot(complex));
     expect_valid(complex);
     return verdict;
-}
-
-inline auto collapse_between(std::uint32_t a, std::uint32_t b) {
-    return [a, b](const auto& submesh) {
-        return edge_collapse(submesh, submesh.complex.find_edge(Vertex{a}, Vertex{b}));
-    };
 }
 
 } // namespace dsc::test
