@@ -5,19 +5,18 @@
 #include "dsc/initial/build/lattice.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/queries/validate.h"
-#include "measures/symmetric_difference.h"
-#include "replay/mesh_hash.h"
 #include "shapes/shapes.h"
-#include "support/initial_testing.h"
+#include "support/curve_testing.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <algorithm>
 #include <string>
 
 namespace dsc::initial_complex_test {
 namespace {
 
+using test::CurveScenery;
 using test::Scenery;
 using test::Sizes;
 
@@ -117,112 +116,34 @@ protected:
     }
 };
 
-// Follows the interface around one shape: all vertices of the outline in order, bit for bit, each
-// edge cut into the promised number of pieces, and the same region to the last few bits.
-template <class Real>
-std::size_t expect_outline(const Complex<Real>& complex, const Scenery& scenery,
-                           const Shape& shape) {
-    auto outline = shape.outline;
-    if (dsc::scenes::signed_area(outline) < 0) {
-        std::reverse(outline.begin(), outline.end());
-    }
-    const auto found = test::vertices_by_position(complex);
-    const auto id_of = [&](const Point<double>& p) {
-        const auto at = found.find({static_cast<Real>(p.x()), static_cast<Real>(p.y())});
-        return at == found.end() ? dsc::no_id : at->second;
-    };
-    const std::uint32_t first = id_of(outline.front());
-    if (first == dsc::no_id) {
-        ADD_FAILURE() << "the first vertex is lost";
-        return 0;
-    }
-    // The interface edge out of the first vertex that has the inside on its left.
-    Corner start = dsc::no_id;
-    for (const dsc::Triangle t : dsc::triangles(complex)) {
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = dsc::corner_of(t.id, i);
-            if (complex.vertex(dsc::next(c)) == first && complex.phase_at(c) == shape.phase &&
-                complex.phase_at(complex.twin(c)) != shape.phase) {
-                start = c;
-            }
+// Each shape as a closed curve, with the phase of what is around it on the right.
+CurveScenery as_curves(const Scenery& scenery) {
+    CurveScenery result{{}, scenery.edge_length, scenery.domain};
+    for (const Shape& shape : scenery.shapes) {
+        std::vector<Shape> others = scenery.shapes;
+        std::erase_if(others, [&](const Shape& one) { return one.outline == shape.outline; });
+        auto points = shape.outline;
+        if (dsc::scenes::signed_area(points) < 0) {
+            std::reverse(points.begin(), points.end());
         }
+        points.push_back(points.front());
+        const Phase around = test::innermost_phase(others, points.front());
+        result.curves.push_back({points, shape.phase, around});
     }
-    if (start == dsc::no_id) {
-        ADD_FAILURE() << "the first vertex is not on the interface";
-        return 0;
-    }
-    const auto loop = test::loop_from(complex, start);
-    std::size_t place = 0;
-    dsc::scenes::Outline result;
-    const Point<double> origin = outline.front(); // exact to subtract, and it saves digits
-    for (const std::uint32_t v : loop) {
-        result.push_back(complex.position(Vertex{v}).template cast<double>() - origin);
-    }
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const auto& a = outline[i];
-        const auto& b = outline[i + 1 < outline.size() ? i + 1 : 0];
-        if (place >= loop.size() || loop[place] != id_of(a)) {
-            ADD_FAILURE() << "vertex " << i << " of the outline is not where it should be";
-            return loop.size();
-        }
-        place += static_cast<std::size_t>(
-            std::max(1.0, std::ceil((b - a).norm() / scenery.edge_length * (1 - 1e-9))));
-    }
-    EXPECT_EQ(place, loop.size()) << "pieces of the outline";
-    for (auto& point : outline) {
-        point -= origin;
-    }
-    const double area = dsc::scenes::signed_area(outline);
-    // As floats, each edge may be off by the rounding of its ends.
-    const double step = std::numeric_limits<float>::epsilon() *
-                        (origin.lpNorm<Eigen::Infinity>() + scenery.edge_length);
-    const double tolerance =
-        std::is_same_v<Real, double> ? 1e-12 * area : step * dsc::scenes::perimeter(outline);
-    EXPECT_LE(dsc::scenes::symmetric_difference(result, outline), tolerance);
-    return loop.size();
+    return result;
 }
 
 template <class Real>
 void expect_good(const Complex<Real>& complex, const Case& test) {
     const Scenery& scenery = test.scenery;
-    const auto report = dsc::validate(complex);
-    ASSERT_TRUE(report.ok()) << report.problem;
-    EXPECT_EQ(report.components, 1U);
-    EXPECT_EQ(report.boundary_loops, 1U);
-    EXPECT_EQ(report.unused_vertices, 0U);
-    const Sizes sizes = test::sizes_of(complex);
+    test::expect_sound(complex, as_curves(scenery));
+    EXPECT_GE(test::sizes_of(complex).worst_quality, test.worst_quality);
     const auto& domain = scenery.domain;
-    const double whole = (domain.high - domain.low).prod();
-    EXPECT_NEAR(sizes.area, whole, 1e-6 * whole);
-    EXPECT_EQ(sizes.not_delaunay, 0U);
-    EXPECT_GE(sizes.worst_quality, test.worst_quality);
-    EXPECT_LE(sizes.longest, 1.8 * scenery.edge_length);
     const auto found = test::vertices_by_position(complex);
     for (const double x : {domain.low.x(), domain.high.x()}) {
         for (const double y : {domain.low.y(), domain.high.y()}) {
             EXPECT_EQ(found.count({static_cast<Real>(x), static_cast<Real>(y)}), 1U) << x << y;
         }
-    }
-    std::size_t pieces = 0;
-    for (const Shape& shape : scenery.shapes) {
-        SCOPED_TRACE("phase " + std::to_string(shape.phase));
-        pieces += expect_outline(complex, scenery, shape);
-    }
-    EXPECT_EQ(test::interface_edge_count(complex), pieces) << "edges of the interface";
-    std::size_t wrong_phases = 0;
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        const auto& v = complex.triangles[t].v;
-        const Point<double> centre =
-            ((complex.position(Vertex{v[0]}) + complex.position(Vertex{v[1]}) +
-              complex.position(Vertex{v[2]})) /
-             Real(3))
-                .template cast<double>();
-        wrong_phases += complex.triangles[t].phase != test::innermost_phase(scenery.shapes, centre);
-        EXPECT_EQ(complex.triangles[t].mark, 0U);
-    }
-    EXPECT_EQ(wrong_phases, 0U);
-    for (const auto& record : complex.vertices) {
-        EXPECT_TRUE(record.flags == 0 && record.stamp == 0 && record.slot == dsc::no_id);
     }
 }
 
@@ -236,9 +157,7 @@ TEST_P(InitialComplex, IsValidWithoutImprovement) {
     const auto complex = build<double>(test.scenery, 0);
     ASSERT_TRUE(dsc::validate(complex).ok());
     EXPECT_EQ(test::sizes_of(complex).not_delaunay, 0U);
-    for (const Shape& shape : test.scenery.shapes) {
-        expect_outline(complex, test.scenery, shape);
-    }
+    test::expect_curves(complex, as_curves(test.scenery));
 }
 
 TEST_P(InitialComplex, ComesOutAsItWentInAsFloat) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the initial complex examine: loops of the interface, sizes, phases.
+// What the tests of the initial complex examine: places of vertices, sizes, phases.
 #pragma once
 
 #include "dsc/complex/ranges.h"
@@ -21,29 +21,6 @@ struct Scenery {
     std::vector<Shape> shapes;
     double edge_length = 0.05;
 };
-
-/// An interface vertex's successor along the loop that has `corner`'s triangle on its left.
-/// `corner` is opposite to an interface edge; so is the result.
-template <class Real>
-Corner next_along_interface(const Complex<Real>& complex, Corner corner) {
-    Corner c = next(corner);
-    while (complex.phase_at(c) == complex.phase_at(complex.twin(c))) {
-        c = next(complex.twin(c));
-    }
-    return c;
-}
-
-/// The vertices of the loop from the half-edge opposite to `corner` on.
-template <class Real>
-std::vector<std::uint32_t> loop_from(const Complex<Real>& complex, Corner corner) {
-    std::vector<std::uint32_t> loop;
-    Corner c = corner;
-    do {
-        loop.push_back(complex.vertex(next(c)));
-        c = next_along_interface(complex, c);
-    } while (c != corner && loop.size() <= complex.vertex_count());
-    return loop;
-}
 
 /// The place of each point; two vertices never share one.
 template <class Real>
