@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The literal method of reference/ at work: quality measures and selection, movement, integrators,
-// interpolators, and short runs of algorithm 5.1.
+// The literal method of reference/ at work: quality measures, movement, integrators, and short runs
+// of algorithm 5.1.
 #include "support/reference_testing.h"
 
 #include "dsc/base/error.h"
@@ -119,7 +119,6 @@ TEST(ReferencePasses, PhasesKeepTheirSizes) {
 
 struct Summary {
     std::size_t unreached = 0;
-    double worst = 1;
     StepCounts last;
 };
 
@@ -128,7 +127,6 @@ Summary run(Complex& K, const Velocity& velocity, double dt, int steps, const Op
     for (int i = 0; i < steps; ++i) {
         result.last = step(K, velocity, i * dt, dt, options);
         result.unreached += result.last.unreached;
-        result.worst = std::min(result.worst, worst_quality(K));
     }
     expect_valid(K);
     return result;
@@ -140,47 +138,17 @@ Options with_edge_length(double h) {
     return options;
 }
 
-const Velocity swirl = [](const Point<double>& p, double) {
-    const Point<double> a = std::numbers::pi * p;
-    const double sx = std::sin(a.x());
-    const double sy = std::sin(a.y());
-    return Point<double>(sx * sx * std::sin(2 * a.y()), -sy * sy * std::sin(2 * a.x()));
-};
-
-TEST(ReferenceDsc, CircleGrows) {
-    const Point<double> centre(.5, .5);
-    Complex K = circle_in_square(27, centre, .1);
-    const Velocity grow = [&](const Point<double>& p, double) {
-        return Point<double>(.012 * (p - centre).normalized());
-    };
-    const Summary result = run(K, grow, 1, 30, with_edge_length(.04)); // to r = 0.46
-    EXPECT_EQ(result.unreached, 0U);
-    EXPECT_GT(result.worst, 0.15);
-    EXPECT_NEAR(total_area(K, 1) / (.46 * .46 * std::numbers::pi), 1, .02); // chords
-    EXPECT_NEAR(total_area(K, 0) + total_area(K, 1), 1, 1e-12);
-}
-
-TEST(ReferenceDsc, CircleSwirls) {
-    Complex K = circle_in_square(36, {.5, .75}, .15);
-    const double first = total_area(K, 1);
-    Options options = with_edge_length(.03);
-    options.passes.interface_point = cubic_point;
-    const Summary result = run(K, swirl, .01, 100, options);
-    EXPECT_EQ(result.unreached, 0U);
-    EXPECT_GT(result.worst, 0.15);
-    EXPECT_NEAR(total_area(K, 1) / first, 1, 2e-3);
-}
-
 TEST(ReferenceDsc, FarStepsAreDivided) {
-    Complex K = circle_in_square(20, {.3, .5}, .15);
-    const Velocity wind = [](const Point<double>&, double) { return Point<double>(.4, 0); };
+    Complex K = square_in_square(4, 10);
+    const Velocity wind = [](const Point<double>&, double) { return Point<double>(.4, .1); };
     const Summary result = run(K, wind, 1, 1, with_edge_length(.05)); // 8 h
     EXPECT_EQ(result.unreached, 0U);
     EXPECT_GE(result.last.substeps, 16U);
-    EXPECT_LE(result.last.substeps, 17U);
-    EXPECT_NEAR(total_area(K, 1), .15 * .15 * std::numbers::pi, 3e-3);
+    EXPECT_LE(result.last.substeps, 18U);
+    EXPECT_NEAR(total_area(K, 1), .09, 1e-12);
     for (Vertex v : K.interface().vertices) {
-        EXPECT_NEAR((K.coord(v) - Point<double>(.7, .5)).norm(), .15, 3e-3);
+        const Point<double> from_middle = K.coord(v) - Point<double>(.75, .45);
+        EXPECT_NEAR(from_middle.cwiseAbs().maxCoeff(), .15, 1e-12);
     }
     EXPECT_THROW(step(K, wind, 0, 1e9, with_edge_length(.05)), InputError);
     EXPECT_THROW(step(K, wind, 0, std::nan(""), with_edge_length(.05)), InputError);
@@ -188,7 +156,7 @@ TEST(ReferenceDsc, FarStepsAreDivided) {
 }
 
 TEST(ReferenceDsc, EndsWhereTheWallEnds) {
-    Complex K = circle_in_square(20, {.5, .5}, .3);
+    Complex K = square_in_square(4, 16);
     const Velocity wind = [](const Point<double>&, double) { return Point<double>(.05, 0); };
     Options options = with_edge_length(.05);
     options.max_iterations = 4;

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Small complexes for the tests of the reference, the thesis's method taken literally: checkable by
-// hand, and a square with a circle.
+// hand.
 #pragma once
 
 #include "dsc/base/types.h"
-#include "reference/algorithm/movement.h"
 #include "reference/algorithm/quality.h"
 #include "reference/complex/validate.h"
-#include "reference/operations/edge_split.h"
 
 #include <gtest/gtest.h>
 
@@ -75,57 +73,22 @@ inline double total_area(const Complex& K, Phase phase) {
     return sum;
 }
 
-inline double worst_quality(const Complex& K) {
-    double worst = 1;
-    for (const auto& item : K.phases())
-        worst = std::min(worst, quality(K, item.first));
-    return worst;
-}
-
 inline void expect_valid(const Complex& K) {
     for (const std::string& fault : validate(K))
         ADD_FAILURE() << fault;
 }
 
-/// The unit square in n x n cells with a circle of phase 1: vertices near the circle are moved onto
-/// it, and edges that still cross it are split there.
-inline Complex circle_in_square(std::uint32_t n, const Point<double>& centre, double radius) {
-    Complex K = grid(n);
+/// The unit square in 20 x 20 cells, of which those from `low` up to `high` in both directions have
+/// phase 1.
+inline Complex square_in_square(std::size_t low, std::size_t high) {
+    std::vector<std::size_t> inside;
+    for (std::size_t j = low; j < high; ++j) {
+        for (std::size_t i = low; i < high; ++i)
+            inside.insert(inside.end(), {2 * (20 * j + i), 2 * (20 * j + i) + 1});
+    }
+    Complex K = grid(20, inside);
     for (Vertex v : K.vertices())
-        K.set_coord(v, K.coord(v) / n);
-    const auto height = [&](const Point<double>& p) { return (p - centre).norm() - radius; };
-    std::set<Vertex> on;
-    for (Vertex v : K.vertices()) {
-        const Point<double> p = K.coord(v);
-        if (std::abs(height(p)) < 0.35 / n && !K.is_boundary(v) &&
-            move_vertex(v, centre + radius * (p - centre).normalized(), K)) {
-            on.insert(v);
-        }
-    }
-    const auto side = [&](Vertex v) { return on.contains(v) ? 0.0 : height(K.coord(v)); };
-    std::vector<EdgeKey> crossing;
-    for (const auto& item : K.edges()) {
-        if (side(item.first.v[0]) * side(item.first.v[1]) < 0)
-            crossing.push_back(item.first);
-    }
-    for (const EdgeKey& e : crossing) {
-        Point<double> a = K.coord(e.v[0]);
-        Point<double> b = K.coord(e.v[1]);
-        for (int i = 0; i < 60; ++i) {
-            const Point<double> m = 0.5 * (a + b);
-            (height(m) * side(e.v[0]) > 0 ? a : b) = m;
-        }
-        EXPECT_EQ(edge_split(e, K, a), Verdict::legal);
-        on.insert(*K.vertices().rbegin());
-    }
-    for (const auto& item : K.triangles()) {
-        double extreme = 0;
-        for (Vertex v : item.first.v) {
-            if (std::abs(side(v)) > std::abs(extreme))
-                extreme = side(v);
-        }
-        K.set_phase(item.first, extreme < 0 ? 1 : 0);
-    }
+        K.set_coord(v, K.coord(v) / 20);
     return K;
 }
 
