@@ -2,6 +2,8 @@
 // What a fluid refuses.
 #include "fluid/scenes.h"
 
+#include "support/refusal.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -27,12 +29,8 @@ FluidOptions two_fluids() {
 
 void expect_refused(const FluidOptions& options, const std::string& words) {
     const Complex<double> complex = square_with_disc();
-    try {
-        const Fluid fluid(complex, options);
-        ADD_FAILURE() << "no error; expected: " << words;
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
+    const std::string sentence = test::refusal([&] { const Fluid fluid(complex, options); });
+    EXPECT_NE(sentence.find(words), std::string::npos) << words << ": " << sentence;
 }
 
 TEST(FluidOptions, PropertiesAreFiniteAndOfOneSign) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Growth along the normal: speeds by pairs of phases, by place and time; junctions and walls; what
 // is refused; what fails.
+#include "support/refusal.h"
 #include "support/topology/growth_testing.h"
 
 #include "dsc/base/error.h"
@@ -91,13 +92,9 @@ TEST(GrowthRules, PhasesWithoutASpeedStay) {
 
 std::string refusal(const GrowthOptions<double>& options) {
     auto complex = complex_of(small_square, 0.05);
-    try {
-        (void)growth_algorithm(complex, options);
-    } catch (const InputError& error) {
-        EXPECT_FALSE(fan_rays(complex) != nullptr);
-        return error.what();
-    }
-    return "";
+    const std::string sentence = test::refusal([&] { (void)growth_algorithm(complex, options); });
+    EXPECT_EQ(fan_rays(complex) == nullptr, !sentence.empty());
+    return sentence;
 }
 
 TEST(GrowthRules, RefuseSpeedsThatMakeNoSense) {
@@ -135,12 +132,7 @@ TEST(GrowthRules, RefuseASimulationWithoutTheirAlgorithm) {
         auto complex = complex_of(small_square, h);
         Simulation<double> simulation(complex, test::options_for<double>(h),
                                       Parallel{.threads = threads});
-        try {
-            (void)simulation.step(flow, 0, 0.01);
-            FAIL() << "nothing was thrown";
-        } catch (const InputError& error) {
-            EXPECT_EQ(error.where(), "growth");
-        }
+        test::expect_refusal([&] { (void)simulation.step(flow, 0, 0.01); }, "growth");
         test::expect_sound(complex, simulation);
     }
 }

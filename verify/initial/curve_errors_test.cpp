@@ -6,6 +6,8 @@
 #include "dsc/geometry/predicates.h"
 #include "dsc/initial/initial_complex.h"
 
+#include "support/refusal.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -27,15 +29,7 @@ void build(const std::vector<Curve>& curves, double h = 0.05) {
 template <class Real = double>
 void expect_error(const std::vector<Curve>& curves, const std::string& where,
                   const std::string& words, double h = 0.05) {
-    try {
-        build<Real>(curves, h);
-        ADD_FAILURE() << "no error; expected: " << where << ": " << words;
-    } catch (const dsc::InputError& error) {
-        EXPECT_EQ(error.where(), where) << error.what();
-        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-        EXPECT_FALSE(error.value().empty());
-        EXPECT_FALSE(error.allowed().empty());
-    }
+    test::expect_refusal([&] { build<Real>(curves, h); }, where, words);
 }
 
 const Curve across{{{0, 0.5}, {1, 0.5}}, 1, 0};

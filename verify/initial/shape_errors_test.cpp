@@ -3,6 +3,8 @@
 #include "dsc/base/error.h"
 #include "dsc/initial/initial_complex.h"
 
+#include "support/refusal.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -23,16 +25,12 @@ template <class Real = double>
 void expect_error(const std::vector<Shape>& shapes, const std::string& where,
                   const std::string& words, double edge_length = 0.05, const Rectangle& domain = {},
                   int rounds = 12) {
-    try {
-        static_cast<void>(dsc::initial_complex<Real>(
-            domain, shapes, {.edge_length = edge_length, .improve_rounds = rounds}));
-        ADD_FAILURE() << "no error; expected: " << where << ": " << words;
-    } catch (const dsc::InputError& error) {
-        EXPECT_EQ(error.where(), where) << error.what();
-        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-        EXPECT_FALSE(error.value().empty());
-        EXPECT_FALSE(error.allowed().empty());
-    }
+    test::expect_refusal(
+        [&] {
+            (void)dsc::initial_complex<Real>(
+                domain, shapes, {.edge_length = edge_length, .improve_rounds = rounds});
+        },
+        where, words);
 }
 
 TEST(InitialErrors, OptionsAndDomain) {

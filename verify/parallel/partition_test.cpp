@@ -5,6 +5,7 @@
 
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"
+#include "support/refusal.h"
 
 #include "dsc/base/error.h"
 #include "thesis/blocks.h"
@@ -188,12 +189,7 @@ void expect_refused(const std::vector<Seeded<Options>>& faults) {
     for (const auto& fault : faults) {
         Options options;
         fault.seed(options);
-        try {
-            const Partitioner bad{options};
-            ADD_FAILURE() << "accepted: " << fault.where;
-        } catch (const InputError& error) {
-            EXPECT_EQ(error.where(), fault.where);
-        }
+        test::expect_refusal([&] { const Partitioner bad{options}; }, fault.where);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "support/copy_testing.h"
 #include "support/random/scene.h"
+#include "support/refusal.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
@@ -239,13 +240,12 @@ TEST(CopyExecutor, RefusesOptionsThatMakeNoSense) {
         {"normal", {.normal_x = nan}},
     }};
     for (const auto& fault : faults) {
-        try {
-            CopyExecutor<double> executor(complex, options, default_algorithm<double>(),
-                                          fault.copy);
-            ADD_FAILURE() << "accepted: " << fault.where;
-        } catch (const InputError& error) {
-            EXPECT_EQ(error.where(), fault.where);
-        }
+        test::expect_refusal(
+            [&] {
+                const CopyExecutor<double> executor(complex, options, default_algorithm<double>(),
+                                                    fault.copy);
+            },
+            fault.where);
     }
 }
 
