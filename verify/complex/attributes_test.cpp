@@ -5,6 +5,7 @@
 #include "support/copy_testing.h"
 #include "support/operations_testing.h"
 #include "support/random/complex.h"
+#include "support/refusal.h"
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
 
@@ -22,15 +23,6 @@
 
 namespace dsc::test::attributes_test {
 namespace {
-
-std::string refusal(const auto& act) {
-    try {
-        act();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
 
 TEST(Attributes, AreFoundByNameKindAndType) {
     auto complex = hexagon<double>();
@@ -151,63 +143,48 @@ double total(const Complex<Real>& complex, Conserved& mass) {
     return sum;
 }
 
-// Cuts and flips keep a density of one exactly: each triangle has its area.
-TEST(OwnAttributes, AreSharedOutByArea) {
-    auto complex = grid<double>(6, 0.15, 3);
-    auto& mass = with_density_one(complex);
-    int done = 0;
-    Random random(11);
-    for (int i = 0; i < 300; ++i) {
-        const Triangle t{random.below(complex.triangle_bound())};
-        if (!complex.is_alive(t)) {
-            continue;
-        }
-        const Edge e = complex.edge(corner_of(t.id, random.below(3)));
-        const auto [a, b] = complex.vertices_of(e);
-        const Point<double> third = (2 * complex.position(a) + complex.position(b)) / 3;
-        const std::uint32_t what = random.below(3);
-        const Verdict verdict = what == 0   ? edge_flip(complex, e)
-                                : what == 1 ? edge_split(Submesh(complex), e, third).verdict
-                                            : loop_subdivision(complex, t).verdict;
-        done += verdict == Verdict::legal ? 1 : 0;
-    }
-    EXPECT_GT(done, 100);
-    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
-        ASSERT_NEAR(mass[Triangle{t}], area(complex, Triangle{t}), 1e-12) << "triangle " << t;
-    }
-}
-
-TEST(OwnAttributes, AreConservedByAllOperations) {
+// Cuts and flips keep a density of one exactly: each triangle has its area. Where vertices go, the
+// total stays.
+TEST(OwnAttributes, AreSharedOutByAreaAndConserved) {
     std::array<int, 5> done{};
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         Random random(seed);
         RandomComplexOptions options = random_options(seed, 40);
         options.scramble = 0;
+        options.at_resolution = false; // rounded places do not keep the area
         auto complex = random_complex<double>(seed, options);
         auto& mass = with_density_one(complex);
         const double whole = total(complex, mass);
+        const std::uint32_t kinds = seed % 2 == 0 ? 3 : 5;
         for (int step = 0; step < 60; ++step) {
             const Triangle t{random.below(complex.triangle_bound())};
             if (!complex.is_alive(t)) {
                 continue;
             }
             const Edge e = complex.edge(corner_of(t.id, random.below(3)));
-            const std::uint32_t what = random.below(5);
+            const auto [a, b] = complex.vertices_of(e);
+            const Point<double> third = (2 * complex.position(a) + complex.position(b)) / 3;
+            const std::uint32_t what = random.below(kinds);
             const Verdict verdict =
                 what == 0   ? edge_flip(complex, e)
-                : what == 1 ? edge_split(complex, e).verdict
-                : what == 2 ? edge_collapse(complex, e)
+                : what == 1 ? edge_split(complex, e, third).verdict
+                : what == 2 ? loop_subdivision(complex, t).verdict
                 : what == 3
-                    ? loop_subdivision(complex, t).verdict
+                    ? edge_collapse(complex, e)
                     : local_retriangulation(Submesh(complex), t, RetriangulationMethod::delaunay)
                           .verdict;
             done[what] += verdict == Verdict::legal ? 1 : 0;
             ASSERT_NEAR(total(complex, mass), whole, 1e-11 * std::abs(whole))
                 << "operation " << what << ", seed " << seed;
         }
+        for (const Triangle t : triangles(complex)) {
+            if (kinds == 3) {
+                ASSERT_NEAR(mass[t], area(complex, t), 1e-11 * whole) << "seed " << seed;
+            }
+        }
     }
     for (const int count : done) {
-        EXPECT_GT(count, 40);
+        EXPECT_GT(count, 20);
     }
 }
 
