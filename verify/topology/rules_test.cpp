@@ -30,24 +30,27 @@ TEST(Topology, IsKeptUnlessAskedFor) {
 }
 
 TEST(Topology, EveryAreaThatChangesHandsIsTold) {
-    auto complex = discs_nearby();
-    test::ChangingSimulation<double> simulation(complex, options());
-    std::vector<Event> heard;
-    simulation.topology().add_listener([&](std::span<const Event> events) {
-        heard.insert(heard.end(), events.begin(), events.end());
-    });
-    double relabelled = 0;
-    simulation.add_listener([&](std::span<const Edit> edits) {
-        for (const Edit& edit : edits) {
-            if (edit.kind == EditKind::relabel) {
-                relabelled += area(complex, Triangle{triangle_of(edit.corner)});
+    for (const bool is_wide : {false, true}) {
+        const double gap = is_wide ? 0.12 : nearby;
+        auto complex = is_wide ? discs_apart(gap) : discs_nearby();
+        test::ChangingSimulation<double> simulation(complex, wide(is_wide ? 4 * h : 0));
+        std::vector<Event> heard;
+        simulation.topology().add_listener([&](std::span<const Event> events) {
+            heard.insert(heard.end(), events.begin(), events.end());
+        });
+        double relabelled = 0;
+        simulation.add_listener([&](std::span<const Edit> edits) {
+            for (const Edit& edit : edits) {
+                if (edit.kind == EditKind::relabel) {
+                    relabelled += area(complex, Triangle{triangle_of(edit.corner)});
+                }
             }
-        }
-    });
-    const Grown grown = run(complex, simulation);
-    ASSERT_EQ(heard.size(), grown.events.size());
-    EXPECT_NEAR(area_that_changed_hands(heard), relabelled, 1e-15);
-    EXPECT_GT(relabelled, 1e-5);
+        });
+        const std::vector<Event> events = run_on(complex, simulation, grow(gap), step_dt, 9);
+        ASSERT_EQ(heard.size(), events.size());
+        EXPECT_NEAR(area_that_changed_hands(heard), relabelled, 1e-15);
+        EXPECT_GT(relabelled, is_wide ? 10 * h * h : 1e-5);
+    }
 }
 
 TEST(Topology, ASeamDoesNotGoOnWhereItIsNotToBeFollowed) {
