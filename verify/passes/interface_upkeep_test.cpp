@@ -6,7 +6,6 @@
 
 #include "support/simulation_testing.h"
 
-#include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/passes/interface/curve.h"
@@ -17,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -313,25 +313,6 @@ TEST(Grading, FillsTheMeshBesideShortEdges) {
     }
     EXPECT_LT(worst[0], 0.2);
     EXPECT_GT(worst[1], 0.25);
-}
-
-TEST(InterfaceOptions, AreRefusedWhereTheyMakeNoSense) {
-    const auto refuses = [](auto change) {
-        auto options = options_for<double>(h);
-        change(options);
-        EXPECT_THROW(check_options(options), InputError);
-    };
-    refuses([](auto& o) { o.interface.turn_degrees = -1; });
-    refuses([](auto& o) { o.interface.turn_degrees = 0.1; });
-    refuses([](auto& o) { o.interface.gap = 0.01; });
-    refuses([](auto& o) { o.interface.finest = 0; });
-    refuses([](auto& o) { o.interface.finest = 1.8; });
-    refuses([](auto& o) { o.interface.grading = 1; });
-    refuses([](auto& o) { o.interface.degenerate = -0.5; });
-    refuses([](auto& o) { o.phases.crowded = 3; });
-    refuses([](auto& o) { o.tolerance = 0; });
-    refuses([](auto& o) { o.tolerance = std::numeric_limits<double>::quiet_NaN(); });
-    EXPECT_NO_THROW(check_options(options_for<double>(h)));
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "support/courses.h"
 #include "support/simulation_testing.h"
 
-#include "dsc/base/error.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/phases.h"
@@ -148,39 +147,6 @@ TEST_P(GradedMesh, FollowsTheTimeFarFromTheInterface) {
     };
     const auto coarse = in_the_corner(0, 20);
     EXPECT_GT(in_the_corner(2, 6), 3 * coarse);
-}
-
-TEST(Sizes, BadOptionsAreRefused) {
-    const auto refused = [](auto change) {
-        Options<double> options = graded();
-        change(options.sizes);
-        EXPECT_THROW(check_options(options), InputError);
-    };
-    EXPECT_NO_THROW(check_options(graded()));
-    refused([](auto& sizes) { sizes.growth = 1; });
-    refused([](auto& sizes) { sizes.growth = 0.5; });
-    refused([](auto& sizes) { sizes.growth = 2.1; });
-    refused([](auto& sizes) { sizes.growth = -1; });
-    refused([](auto& sizes) { sizes.growth = std::nan(""); });
-    refused([](auto& sizes) { sizes.longest = h / 2; });
-    refused([](auto& sizes) { sizes.longest = std::nan(""); });
-    refused([](auto& sizes) { sizes.longest = INFINITY; });
-    refused([](auto& sizes) { sizes.shortest = 2 * h; });
-    refused([](auto& sizes) { sizes.shortest = -h; });
-    refused([](auto& sizes) { sizes.shortest = std::nan(""); });
-    refused([](auto& sizes) { sizes.changes_in_time = true; });
-    refused([](auto& sizes) {
-        sizes.growth = 0;
-        sizes.by_distance = [](double) { return 0.1; };
-    });
-    refused([](auto& sizes) {
-        sizes.growth = 0;
-        sizes.longest = 0.1;
-    });
-    refused([](auto& sizes) {
-        sizes.growth = 0;
-        sizes.shortest = h / 2;
-    });
 }
 
 } // namespace
