@@ -16,13 +16,13 @@ constexpr double mass = 1e-4; // of pressures: large enough for one solution to 
 
 // The equations of a drop at rest, and all that their solution needs.
 struct Equations {
-    explicit Equations(double edge_length, std::uint32_t threads = 1)
+    explicit Equations(double edge_length)
         : tank(fluid_scenes::static_drop(edge_length, 25)), mesh(freeze(tank.complex)),
           dissection(dissect(mesh)),
           numbers(number_unknowns(mesh, dissection, tank.fluid.options())),
           system(
               assemble(mesh, numbers, tank.fluid.options(), {&tank.fluid.field(), nullptr}, 0.1)),
-          factors(factorise(system, dissection, numbers, mass, threads)) {}
+          factors(factorise(system, dissection, numbers, mass, 1)) {}
 
     // The matrix that was factorised, times a vector.
     [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& vector) const {
@@ -90,17 +90,6 @@ TEST(FluidFactors, SolveWhatTheyWereMadeFrom) {
         solve_in_place(equations.factors, solution);
         solution -= exact;
         EXPECT_LT(norm(equations.times(solution)), 1e-9 * size) << "edge length " << h;
-    }
-}
-
-TEST(FluidFactors, TheSameForAnyNumberOfThreads) {
-    const Equations alone(0.05);
-    for (const std::uint32_t threads : {2U, 3U}) {
-        const Equations together(0.05, threads);
-        ASSERT_EQ(alone.factors.parts.size(), together.factors.parts.size());
-        for (std::size_t p = 0; p < alone.factors.parts.size(); ++p) {
-            EXPECT_EQ(alone.factors.parts[p].pivots, together.factors.parts[p].pivots);
-        }
     }
 }
 
