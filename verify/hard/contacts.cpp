@@ -255,6 +255,37 @@ HardResult pressed_wall_case() {
     return result;
 }
 
+// The strip's wall is an interface as well, and turns into its side by only 35 degrees: a cubic
+// through both would bulge at the wall. The slope decides at which end of an edge this is seen.
+HardResult slanted_wall_case(double slope) {
+    HardResult result;
+    result.asked =
+        "a strip that meets the walls at a slope of " + text(slope) + ", whose edges are all split";
+    const auto lean = [slope](const Point<double>& p) {
+        return Point<double>(p.x() + slope * (p.y() - 0.5), p.y());
+    };
+    constexpr int columns = 40;
+    auto scene = grid_scene(
+        {{0, 0}, {2, 1}}, columns, columns / 2,
+        [slope](const Point<double>& p) {
+            const double x = p.x() - slope * (p.y() - 0.5);
+            return x > 0.8 && x < 1.1 ? Phase{1} : exterior_phase;
+        },
+        lean);
+    scene.options.edge_length = 1.0 / columns;
+    Watch<double> watch(scene.complex, scene.options, {.domain = {{-9, 0}, {9, 1}}}, result);
+    const bool going = watch.run(scenes::Translation{{0.01, 0}}, 0, 0.01, 3);
+    note_error(
+        result,
+        shape_error(scene.complex, 1,
+                    {lean({0.8003, 0}), lean({1.1003, 0}), lean({1.1003, 1}), lean({0.8003, 1})}),
+        1e-13);
+    result.happened = "the interface is not interpolated along the wall";
+    expect(result, going, "the run ended early");
+    expect_sound(result, Targets::reachable);
+    return result;
+}
+
 // A square of two halves in two phases, with phase 0 about them: two junctions of three phases.
 HardResult junction_case(const scenes::Velocity& velocity, const std::string& motion,
                          const std::function<Point<double>(const Point<double>&)>& exact) {
@@ -323,6 +354,8 @@ void append_contacts(std::vector<HardCase>& cases) {
     add_wall("wall-squeeze", "a strip from wall to wall becomes a third as wide", 0.9,
              {.stretch = 1.0 / 3});
     cases.push_back({"wall-pressed", false, pressed_wall_case});
+    cases.push_back({"wall-slanted", false, [] { return slanted_wall_case(1.4); }});
+    cases.push_back({"wall-slanted-back", false, [] { return slanted_wall_case(-1.4); }});
     cases.push_back({"junction-translation", false, junction_translation});
     cases.push_back({"junction-rotation", false, junction_rotation});
 }

@@ -198,23 +198,12 @@ HardResult bare_size_case(double size) {
     return result;
 }
 
-HardResult float_offset_case() {
+template <class Real>
+HardResult colliding_case(const Place& place, const std::string& asked) {
     HardResult result;
-    result.asked = "float at an offset of 1e5, h = 0.005: coordinates collide";
-    const Place place{.offset = 1e5, .h = 0.005};
+    result.asked = asked + ": coordinates collide";
     expect_input_error(
-        result, [&] { (void)scene_of<float>(place.domain(), place.outlines(), place.h); },
-        "what coordinates of this size resolve");
-    result.happened = "refused by a typed error";
-    return result;
-}
-
-HardResult double_offset_case() {
-    HardResult result;
-    result.asked = "double at an offset of 1e15, h = 0.02: coordinates collide";
-    const Place place{.offset = 1e15};
-    expect_input_error(
-        result, [&] { (void)scene_of<double>(place.domain(), place.outlines(), place.h); },
+        result, [&] { (void)scene_of<Real>(place.domain(), place.outlines(), place.h); },
         "what coordinates of this size resolve");
     result.happened = "refused by a typed error";
     return result;
@@ -284,10 +273,16 @@ void append_coordinates(std::vector<HardCase>& cases) {
         cases.push_back({"size-1e" + std::to_string(power), false,
                          [power] { return bare_size_case(std::pow(10.0, power)); }});
     }
-    cases.push_back({"float-offset-1e5", false, float_offset_case});
+    cases.push_back({"float-offset-1e5", false, [] {
+                         return colliding_case<float>({.offset = 1e5, .h = 0.005},
+                                                      "float at an offset of 1e5, h = 0.005");
+                     }});
     cases.push_back({"float-offset-1e5-mapped", false, float_mapped_case});
     cases.push_back({"float-colliding-vertices", false, float_outline_case});
-    cases.push_back({"double-offset-1e15", false, double_offset_case});
+    cases.push_back({"double-offset-1e15", false, [] {
+                         return colliding_case<double>({.offset = 1e15},
+                                                       "double at an offset of 1e15, h = 0.02");
+                     }});
 }
 
 } // namespace dsc::hard

@@ -23,14 +23,13 @@ struct HardResult {
     std::uint64_t steps = 0;
     std::uint64_t sub_steps = 0;
     std::uint32_t most_sub_steps = 0; ///< of one step
-    std::uint32_t most_passes = 0;    ///< of one sub-step, on the average over its step
     std::uint64_t inverted = 0;  ///< triangles not positive by the exact predicate, over all steps
     std::uint64_t unreached = 0; ///< vertices that did not arrive, as the library counts them
     std::uint64_t held = 0;      ///< of these, for a velocity or a target that is not finite
     std::uint64_t missed = 0;    ///< vertices that an independent look finds not at their target
     std::uint64_t uncounted = 0; ///< of these, beyond what the library counts in the same sub-step
     std::uint64_t overcounted = 0; ///< counted by the library, and at their target all the same
-    std::string gave_up;           ///< empty, or why, where and when a step gave up
+    std::string gave_up;           ///< empty, or why and when a step gave up
     std::string error_message;     ///< empty, or the typed error that stopped the case
     std::optional<double> error;   ///< against the exact shape; its meaning stands in `error_is`
     std::string error_is;

@@ -9,26 +9,9 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 namespace dsc::hard {
-
-namespace {
-
-template <class Real>
-std::string words(const Complex<Real>& complex, const StepReport& report, double dt) {
-    std::ostringstream text;
-    text << "more sub-steps asked for than allowed, in a step of " << dt << ", by a speed of "
-         << report.speed << " at vertex " << report.where.id;
-    if (complex.is_alive(report.where)) {
-        text << " (" << complex.position(report.where).x() << ", "
-             << complex.position(report.where).y() << ")";
-    }
-    return text.str();
-}
-
-} // namespace
 
 template <class Real>
 void WatchingStage<Real>::begin(Complex<Real>& complex, const Options<Real>& /*options*/) {
@@ -91,16 +74,16 @@ void WatchingStage<Real>::run(const Between<Real>& between) {
         missed += is_there ? 0U : 1U;
     }
     const std::uint64_t counted = between.unreached;
-    sighting_.missed += missed;
-    sighting_.uncounted += missed > counted ? missed - counted : 0;
-    sighting_.overcounted += counted > missed ? counted - missed : 0;
+    result_.missed += missed;
+    result_.uncounted += missed > counted ? missed - counted : 0;
+    result_.overcounted += counted > missed ? counted - missed : 0;
 }
 
 template <class Real>
 Watch<Real>::Watch(Complex<Real>& complex, const Options<Real>& options, const WatchOptions& watch,
                    HardResult& result, std::unique_ptr<Executor<Real>> executor)
     : complex_(complex), options_(options), watch_(watch), result_(result),
-      stage_(std::make_shared<WatchingStage<Real>>(watch.domain, sighting_)),
+      stage_(std::make_shared<WatchingStage<Real>>(watch.domain, result)),
       simulation_(complex, options, std::move(executor)) {
     simulation_.add_stage(stage_);
     expect(result_, options.integrator == Integrator::rk4 && !options.custom_integrator,
@@ -110,24 +93,17 @@ Watch<Real>::Watch(Complex<Real>& complex, const Options<Real>& options, const W
 
 template <class Real>
 bool Watch<Real>::step(const Velocity<Real>& velocity, double time, double dt) {
-    const Sighting before = sighting_;
     stage_->follow(velocity);
     last_ = simulation_.step(velocity, static_cast<Real>(time), static_cast<Real>(dt));
     ++result_.steps;
     result_.sub_steps += last_.sub_steps;
     result_.most_sub_steps = std::max(result_.most_sub_steps, last_.sub_steps);
-    if (last_.sub_steps > 0) {
-        const std::uint32_t mean = (last_.passes + last_.sub_steps - 1) / last_.sub_steps;
-        result_.most_passes = std::max(result_.most_passes, mean);
-    }
     result_.unreached += last_.unreached;
     result_.held += last_.held;
-    result_.missed += sighting_.missed - before.missed;
-    result_.uncounted += sighting_.uncounted - before.uncounted;
-    result_.overcounted += sighting_.overcounted - before.overcounted;
     if (last_.gave_up != GiveUp::none && result_.gave_up.empty()) {
-        result_.gave_up =
-            "step " + std::to_string(result_.steps) + ": " + words(complex_, last_, dt);
+        result_.gave_up = "step " + std::to_string(result_.steps) +
+                          ": more sub-steps asked for than allowed, at a speed of " +
+                          text(last_.speed);
     }
     const auto bound = static_cast<std::uint32_t>(options_.max_sub_steps);
     expect(result_, last_.sub_steps <= bound, "a step has more sub-steps than allowed");

@@ -15,22 +15,14 @@
 
 namespace dsc::hard {
 
-/// What one sub-step was seen to do.
-struct Sighting {
-    std::uint64_t missed = 0;      ///< vertices not at the target that was computed here
-    std::uint64_t uncounted = 0;   ///< missed beyond the library's count
-    std::uint64_t overcounted = 0; ///< the library's count beyond the missed
-};
-
 /// Sees for itself where the vertices are before and after each movement. RK4 and functions of
 /// positions and time only.
 template <class Real>
 class WatchingStage final : public Stage<Real> {
 public:
-    /// `domain`: vertices on its sides are expected to slide, corners to stay. `sighting` takes the
-    /// sums.
-    WatchingStage(const Rectangle& domain, Sighting& sighting)
-        : domain_(domain), sighting_(sighting) {}
+    /// `domain`: vertices on its sides are expected to slide, corners to stay. `result` takes the
+    /// sums of what was missed.
+    WatchingStage(const Rectangle& domain, HardResult& result) : domain_(domain), result_(result) {}
 
     /// The velocity of the steps that follow; must outlive them.
     void follow(const Velocity<Real>& velocity) { velocity_ = &velocity; }
@@ -45,7 +37,7 @@ private:
     [[nodiscard]] Point<double> target_of(const Point<double>& from, double time, double dt) const;
 
     Rectangle domain_;
-    Sighting& sighting_;
+    HardResult& result_;
     const Velocity<Real>* velocity_ = nullptr;
     VertexAttribute<Point<Real>>* before_ = nullptr;
 };
@@ -77,7 +69,6 @@ private:
     const Options<Real>& options_;
     WatchOptions watch_;
     HardResult& result_;
-    Sighting sighting_;
     std::shared_ptr<WatchingStage<Real>> stage_;
     Simulation<Real> simulation_;
     StepReport last_;
