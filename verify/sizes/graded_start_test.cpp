@@ -25,34 +25,22 @@ namespace {
 
 constexpr double h = 0.01;
 
-std::vector<Point<double>> circle(const Point<double>& centre, double radius, double length) {
-    const int n = static_cast<int>(std::ceil(2 * std::numbers::pi * radius / length));
-    std::vector<Point<double>> points;
-    for (int i = 0; i < n; ++i) {
-        const double angle = 2 * std::numbers::pi * i / n;
-        points.emplace_back(centre.x() + radius * std::cos(angle),
-                            centre.y() + radius * std::sin(angle));
-    }
-    return points;
-}
-
 template <class Real>
 Complex<Real> disc(const SizeOptions<double>& sizes, double length = h) {
-    const std::vector<Shape> shapes{{circle({0.5, 0.75}, 0.15, length), 1}};
+    const int n = static_cast<int>(std::ceil(2 * std::numbers::pi * 0.15 / length));
+    const std::vector<Shape> shapes{{test::circle_points({0.5, 0.75}, 0.15, n), 1}};
     return initial_complex<Real>({}, shapes, {.edge_length = length, .sizes = sizes});
 }
 
 double smallest_angle(const Complex<double>& complex) {
     double smallest = 180;
     for (const Triangle t : triangles(complex)) {
-        const auto v = complex.vertices_of(t);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Point<double> a = complex.position(v[(i + 1) % 3]) - complex.position(v[i]);
-            const Point<double> b = complex.position(v[(i + 2) % 3]) - complex.position(v[i]);
-            smallest = std::min(smallest, std::acos(a.normalized().dot(b.normalized())));
-        }
+        const auto [a, b, c] = complex.vertices_of(t);
+        smallest =
+            std::min(smallest, min_angle_deg<double>(complex.position(a), complex.position(b),
+                                                     complex.position(c)));
     }
-    return smallest * 180 / std::numbers::pi;
+    return smallest;
 }
 
 double median_quality(const Complex<double>& complex) {
