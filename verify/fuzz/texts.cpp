@@ -3,7 +3,6 @@
 // in one line where it is wrong and what is allowed.
 #include "fuzz/bytes.h"
 #include "fuzz/target.h"
-#include "support/small_setup.h"
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
@@ -50,6 +49,24 @@ void check_finite_or_closed(const std::vector<scenes::Piece>& pieces) {
     }
 }
 
+// Whether a scene of edges of length `h` is small enough to be made here: by its triangles, the
+// points of its outlines and curves, and the edges along them.
+bool is_small(const scenes::Setup& setup, double h) {
+    const Point<double> size = setup.domain.high - setup.domain.low;
+    std::size_t points = 0;
+    double length = 0;
+    for (const scenes::Outline& outline : setup.outlines) {
+        points += outline.size();
+        length += scenes::perimeter(outline);
+    }
+    for (const Curve& curve : setup.curves) {
+        points += curve.points.size();
+        length += scenes::perimeter(curve.points);
+    }
+    return size.prod() / (h * h) < most_triangles && points < most_points &&
+           length / h < static_cast<double>(most_points);
+}
+
 void run_steps_of(const scenes::Scene& scene, const scenes::Setup& setup) {
     Complex<double> complex = scenes::first_complex<double>(setup, scene.defaults);
     expect(validate(complex).ok(), "the first complex: " + validate(complex).problem);
@@ -71,7 +88,7 @@ std::uint64_t run_scene_file(std::span<const std::uint8_t> bytes) {
         // Beside the examples, whose files a text may name.
         const auto file = scenes::read_scene_text(text, DSC_EXAMPLES "/fuzzed.toml");
         const scenes::Setup setup = file.scene.prepare(file.scene.defaults);
-        if (test::is_small(setup, file.scene.defaults.h, most_triangles, most_points)) {
+        if (is_small(setup, file.scene.defaults.h)) {
             run_steps_of(file.scene, setup);
         }
     });

@@ -284,11 +284,8 @@ std::string interface_fault(const Complex<Real>& complex, const std::vector<std:
     return {};
 }
 
-/// How many scenes a test of threads runs, or how many steps: under the thread sanitizer a race
-/// shows in the first ones that divide, hand over and divide anew.
-inline std::uint64_t seeds_or_fewer(std::uint64_t seeds) {
-    return are_asked_for("few") ? 1 : seeds;
-}
+/// How many steps a test of threads runs: under the thread sanitizer a race shows in the first ones
+/// that divide, hand over and divide anew.
 inline int steps_or_fewer(int steps) { return are_asked_for("few") ? std::min(steps, 5) : steps; }
 
 } // namespace dsc::test
