@@ -5,6 +5,7 @@
 #include "dsc/initial/build/lattice.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/queries/validate.h"
+#include "replay/mesh_hash.h"
 #include "shapes/shapes.h"
 #include "support/curve_testing.h"
 
