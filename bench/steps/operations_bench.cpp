@@ -21,9 +21,9 @@
 #include "scenes/run/clock.h"
 #include "scenes/run/run.h"
 #include "scenes/run/start.h"
-#include "thesis/local_retriangulation.h"
-#include "thesis/loop_subdivision.h"
-#include "thesis/smoothing.h"
+#include "thesis/operations/local_retriangulation.h"
+#include "thesis/operations/loop_subdivision.h"
+#include "thesis/operations/smoothing.h"
 
 #include <benchmark/benchmark.h>
 

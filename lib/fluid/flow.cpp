@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/flow.h"
 
-#include "fluid/assembly.h"
-#include "fluid/even_spacing.h"
-#include "fluid/solve.h"
+#include "fluid/interface/even_spacing.h"
+#include "fluid/solve/solve.h"
+#include "fluid/system/assembly.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 // A fluid that moves the interface of a simulation.
 #pragma once
 
-#include "fluid/convection.h"
-#include "fluid/held_areas.h"
+#include "fluid/field/convection.h"
+#include "fluid/interface/held_areas.h"
 #include "fluid/options.h"
-#include "fluid/solve_report.h"
+#include "fluid/solve/solve_report.h"
 
 #include <memory>
 

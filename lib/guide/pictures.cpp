@@ -3,7 +3,7 @@
 // that a test can compare them with the ones in lib/guide/pictures.
 #include "dsc/dsc.h"
 #include "geometric_flows/geometric_flows.h"
-#include "thesis/algebra.h"
+#include "thesis/sets/algebra.h"
 
 #include <cmath>
 #include <iostream>

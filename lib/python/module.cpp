@@ -2,8 +2,8 @@
 // The compiled part of the Python package dsc: it takes what dsc/*.py has checked, and these have
 // what users see.
 #include "python/module.h"
+#include "fluid/solve/solve_report.h"
 #include "replay/sealed_file.h"
-#include "fluid/solve_report.h"
 
 PYBIND11_MODULE(_dsc, module) {
     namespace py = pybind11;

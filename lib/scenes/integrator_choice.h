@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dsc/passes/options.h"
-#include "thesis/centred_difference.h"
+#include "thesis/algorithm/centred_difference.h"
 
 #include <cstdint>
 

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "dsc/parallel/parallel.h"
-#include "thesis/blocks.h"
-#include "thesis/copy_executor.h"
-#include "thesis/slabs.h"
+#include "thesis/copies/copy_executor.h"
+#include "thesis/divisions/blocks.h"
+#include "thesis/divisions/slabs.h"
 
 #include <array>
 

@@ -13,8 +13,8 @@
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 #include "replay/replay.h"
-#include "thesis/blocks.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions/blocks.h"
+#include "thesis/divisions/slabs.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "dsc/operations/edge_split.h"
 #include "dsc/queries/validate.h"
 #include "replay/replay.h"
-#include "thesis/centred_difference.h"
+#include "thesis/algorithm/centred_difference.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
 #include "replay/mesh_hash.h"
-#include "thesis/centred_difference.h"
+#include "thesis/algorithm/centred_difference.h"
 
 #include <gtest/gtest.h>
 

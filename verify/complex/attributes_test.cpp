@@ -16,8 +16,8 @@
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/quality/measures.h"
-#include "thesis/local_retriangulation.h"
-#include "thesis/loop_subdivision.h"
+#include "thesis/operations/local_retriangulation.h"
+#include "thesis/operations/loop_subdivision.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
 #include "dsc/queries/phases.h"
-#include "thesis/insertion_removal.h"
+#include "thesis/sets/insertion_removal.h"
 
 #include "support/small_meshes.h"
 

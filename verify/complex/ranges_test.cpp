@@ -5,8 +5,8 @@
 #include "support/small_meshes.h"
 
 #include "dsc/operations/edge_split.h"
-#include "thesis/algebra.h"
-#include "thesis/insertion_removal.h"
+#include "thesis/sets/algebra.h"
+#include "thesis/sets/insertion_removal.h"
 
 #include <gtest/gtest.h>
 

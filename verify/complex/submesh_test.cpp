@@ -10,7 +10,7 @@
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/queries/validate.h"
-#include "thesis/voronoi.h"
+#include "thesis/divisions/voronoi.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/queries/validate.h"
-#include "thesis/centred_difference.h"
+#include "thesis/algorithm/centred_difference.h"
 
 #include <gtest/gtest.h>
 

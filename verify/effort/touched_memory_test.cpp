@@ -8,8 +8,8 @@
 #include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "thesis/blocks.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions/blocks.h"
+#include "thesis/divisions/slabs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The factorisation against the equations that it was made from.
-#include "fluid/factors.h"
 #include "fluid/scenes.h"
+#include "fluid/solve/factors.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@
 #include "replay/replay.h"
 #include "scenes/run/checkpoint.h"
 #include "scenes/run/standard_archive.h"
-#include "thesis/replay.h"
+#include "thesis/operations/replay.h"
 
 #include <unistd.h>
 

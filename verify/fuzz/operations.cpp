@@ -15,12 +15,12 @@
 #include "dsc/operations/edge_split.h"
 #include "dsc/queries/validate.h"
 #include "replay/replay.h"
-#include "thesis/insertion_removal.h"
-#include "thesis/local_retriangulation.h"
-#include "thesis/loop_subdivision.h"
-#include "thesis/replay.h"
-#include "thesis/smoothing.h"
-#include "thesis/triangle_collapse.h"
+#include "thesis/operations/local_retriangulation.h"
+#include "thesis/operations/loop_subdivision.h"
+#include "thesis/operations/replay.h"
+#include "thesis/operations/smoothing.h"
+#include "thesis/operations/triangle_collapse.h"
+#include "thesis/sets/insertion_removal.h"
 
 #include <algorithm>
 #include <array>

@@ -19,7 +19,7 @@
 #include "dsc/queries/validate.h"
 #include "geometric_flows/curvature_flow.h"
 #include "replay/replay.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions/slabs.h"
 
 #include <algorithm>
 #include <atomic>

@@ -9,9 +9,9 @@
 
 #include "dsc/base/error.h"
 #include "dsc/quality/measures.h"
-#include "thesis/algebra.h"
-#include "thesis/insertion_removal.h"
-#include "thesis/mesh_functions.h"
+#include "thesis/sets/algebra.h"
+#include "thesis/sets/insertion_removal.h"
+#include "thesis/sets/mesh_functions.h"
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/queries/phases.h"
-#include "thesis/local_retriangulation.h"
-#include "thesis/loop_subdivision.h"
-#include "thesis/smoothing.h"
+#include "thesis/operations/local_retriangulation.h"
+#include "thesis/operations/loop_subdivision.h"
+#include "thesis/operations/smoothing.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "support/small_meshes.h"
 
 #include "dsc/base/error.h"
-#include "thesis/smoothing.h"
+#include "thesis/operations/smoothing.h"
 
 #include <gtest/gtest.h>
 

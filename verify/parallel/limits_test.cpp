@@ -8,9 +8,9 @@
 
 #include "support/random/scene.h"
 #include "support/small_meshes.h"
-#include "thesis/blocks.h"
-#include "thesis/slabs.h"
-#include "thesis/voronoi.h"
+#include "thesis/divisions/blocks.h"
+#include "thesis/divisions/slabs.h"
+#include "thesis/divisions/voronoi.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "steps/model.h"
 
 #include "support/submesh_executor_testing.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions/slabs.h"
 
 #include <memory>
 #include <utility>

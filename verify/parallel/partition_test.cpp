@@ -8,8 +8,8 @@
 #include "support/refusal.h"
 
 #include "dsc/base/error.h"
-#include "thesis/blocks.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions/blocks.h"
+#include "thesis/divisions/slabs.h"
 
 #include <gtest/gtest.h>
 

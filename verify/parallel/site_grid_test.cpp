@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The nearest site found through a grid is the one that a search through all sites finds, including
 // ties and rounding, and Voronoi regions search no more often than necessary.
-#include "thesis/site_grid.h"
+#include "thesis/divisions/site_grid.h"
 
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"

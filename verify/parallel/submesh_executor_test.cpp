@@ -10,8 +10,8 @@
 #include "dsc/base/error.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/queries/validate.h"
-#include "thesis/slabs.h"
-#include "thesis/voronoi.h"
+#include "thesis/divisions/slabs.h"
+#include "thesis/divisions/voronoi.h"
 
 #include <gtest/gtest.h>
 

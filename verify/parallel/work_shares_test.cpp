@@ -2,7 +2,7 @@
 // What a partitioner is told of the work: where more is done, a vertex counts for more, and cuts
 // follow.
 #include "support/submesh_executor_testing.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions/slabs.h"
 
 #include <memory>
 #include <utility>

@@ -5,7 +5,7 @@
 
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/phases.h"
-#include "thesis/smoothing.h"
+#include "thesis/operations/smoothing.h"
 
 #include <gtest/gtest.h>
 

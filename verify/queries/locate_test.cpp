@@ -10,8 +10,8 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/walk.h"
 #include "dsc/geometry/predicates.h"
-#include "thesis/algebra.h"
-#include "thesis/insertion_removal.h"
+#include "thesis/sets/algebra.h"
+#include "thesis/sets/insertion_removal.h"
 
 #include <gtest/gtest.h>
 

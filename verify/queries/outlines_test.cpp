@@ -6,8 +6,8 @@
 #include "support/random/complex.h"
 #include "support/small_meshes.h"
 
-#include "thesis/algebra.h"
-#include "thesis/mesh_functions.h"
+#include "thesis/sets/algebra.h"
+#include "thesis/sets/mesh_functions.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include "support/small_meshes.h"
 
 #include "dsc/base/types.h"
-#include "thesis/algebra.h"
-#include "thesis/mesh_functions.h"
+#include "thesis/sets/algebra.h"
+#include "thesis/sets/mesh_functions.h"
 
 #include <gtest/gtest.h>
 

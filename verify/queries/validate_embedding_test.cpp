@@ -6,7 +6,7 @@
 #include "support/small_meshes.h"
 #include "support/validate_testing.h"
 
-#include "thesis/insertion_removal.h"
+#include "thesis/sets/insertion_removal.h"
 
 #include <gtest/gtest.h>
 

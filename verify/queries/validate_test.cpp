@@ -8,8 +8,8 @@
 
 #include "dsc/base/error.h"
 #include "dsc/queries/phases.h"
-#include "thesis/algebra.h"
-#include "thesis/insertion_removal.h"
+#include "thesis/sets/algebra.h"
+#include "thesis/sets/insertion_removal.h"
 
 #include <gtest/gtest.h>
 

@@ -13,10 +13,10 @@
 #include "reference/operations/local_retriangulation.h"
 #include "reference/operations/loop_subdivision.h"
 #include "reference/operations/triangle_collapse.h"
-#include "thesis/local_retriangulation.h"
-#include "thesis/loop_subdivision.h"
-#include "thesis/smoothing.h"
-#include "thesis/triangle_collapse.h"
+#include "thesis/operations/local_retriangulation.h"
+#include "thesis/operations/loop_subdivision.h"
+#include "thesis/operations/smoothing.h"
+#include "thesis/operations/triangle_collapse.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/algorithm/simulation.h"
-#include "thesis/copy_executor.h"
+#include "thesis/copies/copy_executor.h"
 
 #include <algorithm>
 #include <memory>

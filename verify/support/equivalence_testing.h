@@ -11,7 +11,7 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/validate.h"
 #include "reference/algorithm/quality.h"
-#include "thesis/mesh_functions.h"
+#include "thesis/sets/mesh_functions.h"
 
 #include <gtest/gtest.h>
 

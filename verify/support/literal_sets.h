@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
-#include "thesis/simplex_set.h"
+#include "thesis/sets/simplex_set.h"
 
 #include <algorithm>
 #include <iterator>

@@ -9,9 +9,9 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/queries/validate.h"
-#include "thesis/blocks.h"
-#include "thesis/slabs.h"
-#include "thesis/voronoi.h"
+#include "thesis/divisions/blocks.h"
+#include "thesis/divisions/slabs.h"
+#include "thesis/divisions/voronoi.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Simplex algebra (thesis, section 3.1) against its own definitions over vertex sets, the thesis's
 // figures 3.3 to 3.9 on a fan of six, and the laws of sets.
-#include "thesis/algebra.h"
+#include "thesis/sets/algebra.h"
 
 #include "support/literal_sets.h"
 #include "support/small_meshes.h"
@@ -10,7 +10,7 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
-#include "thesis/insertion_removal.h"
+#include "thesis/sets/insertion_removal.h"
 
 #include <gtest/gtest.h>
 

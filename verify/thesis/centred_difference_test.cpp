@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The centred difference: its order, and what it remembers.
-#include "thesis/centred_difference.h"
+#include "thesis/algorithm/centred_difference.h"
 
 #include "support/courses.h"
 #include "support/simulation_testing.h"

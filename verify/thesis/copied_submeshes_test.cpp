@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // CreateSubmeshes and MergeSubmeshes (thesis, algorithms 6.1 and 6.2) by themselves: dividing and
 // merging changes nothing but the ids, whatever data are attached to the simplices.
-#include "thesis/copied_submeshes.h"
+#include "thesis/copies/copied_submeshes.h"
 
 #include "support/random/scene.h"
 #include "support/small_meshes.h"

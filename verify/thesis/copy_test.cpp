@@ -3,8 +3,8 @@
 // holds up is lost, and what an integrator remembers goes along. An exception in a copy is passed
 // on, and leaves a complex and a simulation that can continue.
 #include "dsc/complex/gather.h"
-#include "thesis/centred_difference.h"
-#include "thesis/copy_executor.h"
+#include "thesis/algorithm/centred_difference.h"
+#include "thesis/copies/copy_executor.h"
 
 #include "support/copy_testing.h"
 #include "support/random/scene.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The mesh functions (thesis, sections 4.1 and 8.6): insertion in any order, removal, and the
 // submesh boundary.
-#include "thesis/insertion_removal.h"
-#include "thesis/mesh_functions.h"
+#include "thesis/sets/insertion_removal.h"
+#include "thesis/sets/mesh_functions.h"
 
 #include "support/literal_sets.h"
 #include "support/refusal.h"
@@ -10,7 +10,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/queries/validate.h"
-#include "thesis/algebra.h"
+#include "thesis/sets/algebra.h"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/queries/phases.h"
-#include "thesis/ear_clipping.h"
-#include "thesis/local_retriangulation.h"
-#include "thesis/loop_subdivision.h"
-#include "thesis/triangle_collapse.h"
+#include "thesis/operations/ear_clipping.h"
+#include "thesis/operations/local_retriangulation.h"
+#include "thesis/operations/loop_subdivision.h"
+#include "thesis/operations/triangle_collapse.h"
 
 #include <gtest/gtest.h>
 

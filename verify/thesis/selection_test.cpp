@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Selection strategies (thesis, section 8.8).
-#include "thesis/selection.h"
+#include "thesis/algorithm/selection.h"
 
 #include "dsc/base/error.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Where slabs and blocks are cut: the work is shared, widths are respected, and a colour is not cut
 // where the one before it was.
-#include "thesis/slabs.h"
+#include "thesis/divisions/slabs.h"
 
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"
 
 #include "dsc/complex/ranges.h"
-#include "thesis/blocks.h"
+#include "thesis/divisions/blocks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The passes of the thesis's algorithm, each on a mesh that calls for it alone: what they do, and
 // whom they wake.
-#include "thesis/thesis_algorithm.h"
+#include "thesis/algorithm/thesis_algorithm.h"
 
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"

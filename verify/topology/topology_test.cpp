@@ -12,8 +12,8 @@
 #include "dsc/quality/measures.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
-#include "thesis/blocks.h"
-#include "thesis/slabs.h"
+#include "thesis/divisions/blocks.h"
+#include "thesis/divisions/slabs.h"
 
 #include <gtest/gtest.h>
 

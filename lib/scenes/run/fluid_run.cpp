@@ -4,7 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/queries/phases.h"
 #include "fluid/fluid.h"
-#include "fluid/solve_report.h"
+#include "fluid/solve/solve_report.h"
 #include "measures/phases.h"
 
 #include <algorithm>

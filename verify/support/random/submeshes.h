@@ -10,9 +10,9 @@
 #include "dsc/parallel/partition/partition.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
-#include "thesis/blocks.h"
-#include "thesis/slabs.h"
-#include "thesis/voronoi.h"
+#include "thesis/divisions/blocks.h"
+#include "thesis/divisions/slabs.h"
+#include "thesis/divisions/voronoi.h"
 
 #include <array>
 #include <memory>

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Inertia by following particles back (Lagrange-Galerkin): O. Pironneau, "On the
+// transport-diffusion algorithm and its applications to the Navier-Stokes equations" (1982), with
+// the backward difference of second order.
+#pragma once
+
+#include "fluid/field/frozen_field.h"
+
+namespace dsc {
+
+/// The last two solutions.
+struct FluidPast {
+    const FluidField* one = nullptr; ///< the last one
+    const FluidField* two = nullptr; ///< the one before; null: there is none
+};
+
+/// The derivative in time along the path of a particle as
+/// now * u(time) + one * u(one's time) + two * u(two's time): second order in the duration of the
+/// steps, which may differ; first order without a `two`.
+struct BackwardDifference {
+    double now = 0; ///< 1 / time
+    double one = 0; ///< 1 / time
+    double two = 0; ///< 1 / time; 0 if there is no such solution
+};
+
+/// Its weights at a time after the past. O(1).
+[[nodiscard]] BackwardDifference backward_difference(const FluidPast& past, double time);
+
+/// The velocity at a place, constant in time if there is one field, else extrapolated from both.
+/// The searches begin at `near`, a vertex. O(1) if it is nearby.
+[[nodiscard]] Point<double> extrapolated_velocity(const FluidPast& past, const Point<double>& at,
+                                                  double time, std::uint32_t near);
+
+/// The velocity a step ago of the particle that is at a vertex of this id now.
+[[nodiscard]] Point<double> last_velocity(const FluidPast& past, const Point<double>& at,
+                                          double time, std::uint32_t near);
+
+/// What the past contributes to the derivative at the points of `points_of_degree_5` of a triangle
+/// of `mesh`: one * u(one's time) + two * u(two's time). O(1) if the searches are short.
+[[nodiscard]] std::array<Point<double>, 7> past_accelerations(const FrozenMesh& mesh,
+                                                              const FrozenTriangle& triangle,
+                                                              const FluidPast& past, double time);
+
+} // namespace dsc

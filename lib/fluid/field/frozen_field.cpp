@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "fluid/field/frozen_field.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+namespace {
+
+// A point counts as inside down to this coordinate: rounding must not send a search to and fro
+// between two triangles, and a velocity is continuous.
+constexpr double inside = -1e-12;
+
+inline Barycentric coordinates(const FrozenMesh& mesh, const FrozenTriangle& t,
+                               const Point<double>& x) {
+    const Point<double>& c = mesh.nodes[t.nodes[2]];
+    const Point<double> a = mesh.nodes[t.nodes[0]] - c;
+    const Point<double> b = mesh.nodes[t.nodes[1]] - c;
+    const Point<double> way = x - c;
+    const double inverse = 1 / (a.x() * b.y() - a.y() * b.x());
+    const double first = (way.x() * b.y() - way.y() * b.x()) * inverse;
+    const double second = (a.x() * way.y() - a.y() * way.x()) * inverse;
+    return {first, second, 1 - first - second};
+}
+
+// For walks that circle: a walk is certain to end in a Delaunay triangulation only.
+Spot look_everywhere(const FrozenMesh& mesh, const Point<double>& x) {
+    Spot best;
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Barycentric at = coordinates(mesh, mesh.triangles[t], x);
+        if (const double least = *std::ranges::min_element(at); least > most) {
+            most = least;
+            best = {t, at};
+        }
+    }
+    return best;
+}
+
+// Every number that is looked up names something.
+bool has_valid_numbers(const FluidField& field) {
+    const FrozenMesh& mesh = field.mesh;
+    const auto is_node = [&](std::uint32_t node) { return node < mesh.nodes.size(); };
+    const auto is_triangle_or_none = [&](std::uint32_t t) {
+        return t < mesh.triangles.size() || t == no_id;
+    };
+    return !mesh.triangles.empty() && mesh.vertex_bound <= mesh.nodes.size() &&
+           mesh.triangle_at.size() == mesh.vertex_bound &&
+           field.velocity.size() == mesh.nodes.size() &&
+           field.pressure.size() == mesh.triangles.size() &&
+           std::ranges::all_of(mesh.triangle_at, is_triangle_or_none) &&
+           std::ranges::all_of(mesh.triangles,
+                               [&](const FrozenTriangle& t) {
+                                   return std::ranges::all_of(t.nodes, is_node) &&
+                                          std::ranges::all_of(t.across, is_triangle_or_none);
+                               }) &&
+           std::ranges::all_of(mesh.interface, [&](const FrozenEdge& e) {
+               return is_node(e.from) && is_node(e.to) && is_node(e.middle);
+           });
+}
+
+} // namespace
+
+FrozenMesh freeze(const Complex<double>& complex) {
+    FrozenMesh mesh;
+    mesh.vertex_bound = complex.vertex_bound();
+    mesh.nodes.reserve(4 * std::size_t{mesh.vertex_bound});
+    mesh.nodes.assign(mesh.vertex_bound, Point<double>(0, 0));
+    mesh.triangle_at.assign(mesh.vertex_bound, no_id);
+    std::vector<std::uint32_t> compact(complex.triangle_bound(), no_id);
+    std::uint32_t count = 0;
+    for (const Triangle t : triangles(complex)) {
+        compact[t.id] = count++;
+    }
+    mesh.triangles.resize(count);
+
+    bool is_first = true;
+    for (const Vertex v : vertices(complex)) {
+        const Point<double> p = complex.position(v);
+        mesh.nodes[v.id] = p;
+        mesh.domain.low = is_first ? p : Point<double>(mesh.domain.low.cwiseMin(p));
+        mesh.domain.high = is_first ? p : Point<double>(mesh.domain.high.cwiseMax(p));
+        is_first = false;
+    }
+    for (const Triangle t : triangles(complex)) {
+        FrozenTriangle& frozen = mesh.triangles[compact[t.id]];
+        frozen.phase = complex.phase(t);
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner corner = corner_of(t.id, i);
+            frozen.nodes[i] = complex.vertex(corner);
+            frozen.across[i] = compact[triangle_of(complex.twin(corner))];
+            mesh.triangle_at[frozen.nodes[i]] = compact[t.id];
+        }
+    }
+    for (const Edge e : edges(complex)) {
+        const auto middle = static_cast<std::uint32_t>(mesh.nodes.size());
+        const auto [from, to] = complex.vertices_of(e);
+        mesh.nodes.emplace_back((complex.position(from) + complex.position(to)) / 2);
+        mesh.triangles[compact[triangle_of(e.id)]].nodes[3 + index_of(e.id)] = middle;
+        const Corner twin = complex.twin(e.id);
+        if (is_border(twin)) {
+            continue;
+        }
+        mesh.triangles[compact[triangle_of(twin)]].nodes[3 + index_of(twin)] = middle;
+        const Phase left = complex.phase_at(e.id);
+        const Phase right = complex.phase_at(twin);
+        if (left != right) {
+            mesh.interface.push_back({from.id, to.id, middle, left, right});
+        }
+    }
+    return mesh;
+}
+
+double area(const FrozenMesh& mesh, const FrozenTriangle& triangle) {
+    return area(mesh.nodes[triangle.nodes[0]], mesh.nodes[triangle.nodes[1]],
+                mesh.nodes[triangle.nodes[2]]);
+}
+
+std::uint32_t start_at(const FrozenMesh& mesh, std::uint32_t vertex) {
+    const std::uint32_t found = vertex < mesh.vertex_bound ? mesh.triangle_at[vertex] : no_id;
+    return found == no_id ? 0 : found;
+}
+
+Spot find_spot(const FrozenMesh& mesh, Point<double> point, std::uint32_t start) {
+    point = point.cwiseMax(mesh.domain.low).cwiseMin(mesh.domain.high);
+    std::uint32_t t = start;
+    for (std::size_t steps = 0; steps < mesh.triangles.size(); ++steps) {
+        const FrozenTriangle& triangle = mesh.triangles[t];
+        const Barycentric at = coordinates(mesh, triangle, point);
+        // Across the edge that it lies farthest behind; an edge of the domain only by rounding.
+        std::uint32_t towards = no_id;
+        double least = inside;
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            if (at[i] < least && triangle.across[i] != no_id) {
+                least = at[i];
+                towards = triangle.across[i];
+            }
+        }
+        if (towards == no_id) {
+            return {t, at};
+        }
+        t = towards;
+    }
+    return look_everywhere(mesh, point);
+}
+
+void archive(Archive& archive, FluidField& field) {
+    FrozenMesh& mesh = field.mesh;
+    archive(mesh.domain.low, mesh.domain.high, mesh.vertex_bound, mesh.nodes, mesh.triangle_at,
+            field.time, field.velocity);
+    archive.records(mesh.triangles);
+    archive.records(mesh.interface);
+    archive.records(field.pressure);
+    if (archive.is_reading()) {
+        archive.expect(has_valid_numbers(field), "holds a flow without its mesh");
+    }
+}
+
+Point<double> velocity_at(const FluidField& field, const Spot& spot) {
+    const FrozenTriangle& triangle = field.mesh.triangles[spot.triangle];
+    const Eigen::Matrix<double, 6, 1> shapes = quadratic_shapes(spot.at);
+    Point<double> velocity(0, 0);
+    for (int i = 0; const std::uint32_t node : triangle.nodes) {
+        velocity += shapes[i++] * field.velocity[node];
+    }
+    return velocity;
+}
+
+double pressure_at(const FluidField& field, const Spot& spot) {
+    const std::array<double, 3>& p = field.pressure[spot.triangle];
+    return spot.at[0] * p[0] + spot.at[1] * p[1] + spot.at[2] * p[2];
+}
+
+} // namespace dsc

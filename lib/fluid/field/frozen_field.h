@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Velocity and pressure in a copy of the mesh that they were found in: later steps look them up
+// there, so that nothing has to be carried through the edits of the mesh.
+#pragma once
+
+#include "dsc/base/archive.h"
+#include "fluid/field/quadratic.h"
+
+#include <vector>
+
+namespace dsc {
+
+/// A triangle with its six nodes.
+struct FrozenTriangle {
+    /// The vertices, counter-clockwise, then the midpoints of the edges opposite to them.
+    std::array<std::uint32_t, 6> nodes;
+    std::array<std::uint32_t, 3> across; ///< triangles beyond these edges; no_id: outside
+    Phase phase;                         ///< of the fluid
+};
+
+/// An edge between two phases.
+struct FrozenEdge {
+    std::uint32_t from;   ///< a vertex
+    std::uint32_t to;     ///< the other end
+    std::uint32_t middle; ///< the node between them
+    Phase left;           ///< of the triangle on the left of the way
+    Phase right;          ///< of the triangle on the right
+};
+
+/// A copy of a complex with a number for each edge. Node i is the vertex of that id, for i below
+/// `vertex_bound`; the others are the midpoints of edges.
+struct FrozenMesh {
+    Rectangle domain;                       ///< the box around all vertices
+    std::uint32_t vertex_bound = 0;         ///< of the complex
+    std::vector<Point<double>> nodes;       ///< positions; (0, 0) for free ids
+    std::vector<FrozenTriangle> triangles;  ///< the living ones
+    std::vector<FrozenEdge> interface;      ///< each edge between two phases once
+    std::vector<std::uint32_t> triangle_at; ///< by vertex id: one of its triangles, or no_id
+};
+
+/// O(n).
+[[nodiscard]] FrozenMesh freeze(const Complex<double>& complex);
+
+/// The area of a triangle. O(1).
+[[nodiscard]] double area(const FrozenMesh& mesh, const FrozenTriangle& triangle);
+
+/// Where a search may begin: at the triangle of a vertex that had this id in the mesh, else at the
+/// first one. Which triangle is found, and with it the last bits, depends on nothing else.
+[[nodiscard]] std::uint32_t start_at(const FrozenMesh& mesh, std::uint32_t vertex);
+
+/// A point of a mesh.
+struct Spot {
+    std::uint32_t triangle = 0; ///< that contains it, up to rounding
+    Barycentric at{};           ///< its coordinates there
+};
+
+/// The spot of a point, which is first moved into the domain. It begins at the triangle `start`.
+/// O(triangles on the way).
+[[nodiscard]] Spot find_spot(const FrozenMesh& mesh, Point<double> point, std::uint32_t start);
+
+/// A solution at one time. Reading is thread-safe.
+struct FluidField {
+    FrozenMesh mesh; ///< in which it was found
+    double time = 0; ///< of the solution
+    /// By node; linear along each interface edge, quadratic elsewhere.
+    std::vector<Point<double>> velocity = {};
+    /// By triangle, at its vertices: linear, continuous in each phase, with a jump where phases
+    /// meet. Its mean over the domain is 0, unless a void is there, in which it is 0 itself.
+    /// Stress: force per length.
+    std::vector<std::array<double, 3>> pressure = {};
+};
+
+/// Throws FileError for numbers that name nothing. O(n).
+void archive(Archive& archive, FluidField& field);
+
+/// The velocity at a spot of the field's mesh. O(1).
+[[nodiscard]] Point<double> velocity_at(const FluidField& field, const Spot& spot);
+/// The pressure there, of the phase of the spot's triangle. O(1).
+[[nodiscard]] double pressure_at(const FluidField& field, const Spot& spot);
+
+} // namespace dsc

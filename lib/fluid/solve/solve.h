@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Solves for velocities and pressures.
+#pragma once
+
+#include "fluid/solve/solve_report.h"
+#include "fluid/system/assembly.h"
+
+namespace dsc {
+
+/// The solution by factorisation and refinement. Throws SolveError if the residual stays above 1e-9
+/// of the forces. The same bits for any number of threads. About O(n^1.5).
+[[nodiscard]] Eigen::VectorXd solve(const FluidSystem& system, const Dissection& dissection,
+                                    const FluidNumbering& numbers, std::uint32_t threads,
+                                    SolveReport& report);
+
+/// Velocities and pressures from the unknowns.
+[[nodiscard]] FluidField field_of(FrozenMesh mesh, const FluidNumbering& numbers,
+                                  const Eigen::VectorXd& unknowns, double time);
+
+} // namespace dsc

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The linear system of a step: quadratic velocities and linear pressures (P2-P1).
+#pragma once
+
+#include "fluid/field/convection.h"
+#include "fluid/system/numbering.h"
+
+namespace dsc {
+
+/// What a triangle contributes to the equations. Unknown 2 i + k is component k of the velocity at
+/// node i, unknown 12 + i the pressure at vertex i.
+struct FluidElement {
+    std::array<int, 15> unknowns;         ///< their numbers, or `no_unknown`
+    Eigen::Matrix<double, 15, 15> matrix; ///< symmetric
+    Eigen::Matrix<double, 15, 1> forces;
+    /// About its share of the pivot of a pressure where the pressure varies least, over the whole
+    /// domain: a third of the area over viscosity and inertia.
+    double pressure_scale;
+};
+
+/// The symmetric system (A, B'; B, 0) of velocities and pressures: the sum of its elements.
+struct FluidSystem {
+    int size = 0;                       ///< how many unknowns there are
+    std::vector<FluidElement> elements; ///< by triangle
+};
+
+/// The equations at `time` in the mesh of that time. `past` may be empty for
+/// `FluidEquations::stokes`. The tension of an edge pulls at its ends, along the edge; beside that
+/// it resists what the velocity changes since the last step. Throws InputError if a phase or a pair
+/// that meets has no properties. The same bits for any number of threads. O(n).
+[[nodiscard]] FluidSystem assemble(const FrozenMesh& mesh, const FluidNumbering& numbers,
+                                   const FluidOptions& options, const FluidPast& past, double time);
+
+} // namespace dsc

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "thesis/algorithm/centred_difference.h"
+
+#include <cstddef>
+
+namespace dsc {
+
+namespace {
+
+constexpr const char* name_of_past = "thesis.past";
+
+/// The attribute where it is known to be there: several threads may ask at once.
+template <class Real>
+VertexAttribute<Past<Real>>& known_past(Complex<Real>& complex) {
+    return complex.attributes.template get<Vertex, Past<Real>>(name_of_past);
+}
+
+template <class Real>
+class CentredDifference final : public CustomIntegrator<Real> {
+public:
+    void begin(Complex<Real>& complex) const override { past_of(complex); }
+
+    // The polynomial of second order through the last two positions, with the velocity here: for
+    // equal steps the leapfrog x(t + dt) = x(t - dt) + 2 dt v(t).
+    Real integrate(const IntegratorStep<Real>& step, const Velocity<Real>& velocity, Real time,
+                   IntegratorScratch<Real>& scratch) const override {
+        const auto& pasts = known_past(step.complex);
+        const Real dt = step.dt;
+        const auto serves = [&](std::size_t i) {
+            const Past<Real>& past = pasts[Vertex{step.vertices[i]}];
+            return past.serves(dt) && past.leads_to(scratch.first[i]);
+        };
+        bool all = true;
+        for (std::size_t i = 0; i < step.vertices.size() && all; ++i) {
+            all = serves(i);
+        }
+        if (!all) {
+            dsc::integrate<Real>(Integrator::midpoint, velocity, step.positions, time, dt,
+                                 step.targets, scratch);
+        }
+        for (std::size_t i = 0; i < step.vertices.size(); ++i) {
+            if (serves(i)) {
+                const Past<Real>& past = pasts[Vertex{step.vertices[i]}];
+                const Real ratio = dt / past.dt;
+                step.targets[i] = step.positions[i] + (1 + ratio) * dt * scratch.first[i] -
+                                  ratio * ratio * past.way;
+            }
+        }
+        return 0;
+    }
+
+    void accept(const IntegratorStep<Real>& step) const override {
+        auto& pasts = known_past(step.complex);
+        for (std::size_t i = 0; i < step.vertices.size(); ++i) {
+            const Point<Real> way = step.targets[i] - step.positions[i];
+            const bool is_known = step.held[i] == 0 && way.allFinite();
+            Past<Real>& past = pasts[Vertex{step.vertices[i]}];
+            const Real growth = past.serves(step.dt) ? past.growth_after(step.dt) : Real(1);
+            past = is_known ? Past<Real>{way, step.dt, growth} : Past<Real>{};
+        }
+    }
+
+    void forget(Complex<Real>& complex, std::span<const std::uint32_t> vertices) const override {
+        auto& pasts = past_of(complex);
+        for (const std::uint32_t v : vertices) {
+            pasts[Vertex{v}] = {};
+        }
+    }
+};
+
+} // namespace
+
+template <class Real>
+VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex) {
+    if (complex.attributes.contains(name_of_past)) {
+        return known_past(complex);
+    }
+    return complex.attributes.template add<Vertex>(
+        name_of_past, Past<Real>{},
+        [](const Past<Real>&, const Past<Real>&, double) { return Past<Real>{}; });
+}
+
+template <class Real>
+std::shared_ptr<const CustomIntegrator<Real>> centred_difference() {
+    static const auto one = std::make_shared<const CentredDifference<Real>>();
+    return one;
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template VertexAttribute<Past<Real>>& past_of(Complex<Real>&);                                 \
+    template std::shared_ptr<const CustomIntegrator<Real>> centred_difference();
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc

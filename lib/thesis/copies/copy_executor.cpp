@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "thesis/copies/copy_executor.h"
+
+#include "dsc/base/error.h"
+#include "dsc/parallel/parallel.h"
+#include "dsc/passes/interface/list.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dsc {
+
+namespace {
+
+/// Free ids of a submesh, in addition to two for each of its interface vertices: a sub-step of at
+/// most one edge length creates about one vertex for each. What does not fit is put off, never
+/// lost.
+constexpr std::size_t spare_ids = 256;
+
+template <class Real>
+void forget(Work<Real>& work) {
+    work.interface.clear();
+    work.movers.clear();
+    work.active.clear();
+    work.resized.clear();
+    work.deferred.clear();
+    work.changed_interface.clear(); // nobody reads it here
+}
+
+} // namespace
+
+template <class Real>
+CopyExecutor<Real>::CopyExecutor(Complex<Real>& complex, const Options<Real>& options,
+                                 Algorithm<Real> algorithm, const CopyOptions& copy)
+    : Executor<Real>(complex, options, std::move(algorithm)), copy_(copy) {
+    check_division({copy.submeshes, copy.normal_x, copy.normal_y});
+    require(copy.threads >= 1 && copy.threads <= 1024, "threads", copy.threads, "1 to 1024");
+}
+
+template <class Real>
+void CopyExecutor<Real>::begin_step() {
+    Executor<Real>::begin_step();
+    ++costs_.steps;
+}
+
+template <class Real>
+MoveReport CopyExecutor<Real>::move() {
+    progress_ = Progress::under_way;
+    MoveReport report;
+    whole_.movers.clear();
+    report.held = collect_movers(whole_);
+    // Algorithm 6.3: the mesh is divided anew until nothing is put off, except for what two colours
+    // cannot do. A vertex that is blocked although nothing is put off has had all the room that
+    // there is.
+    const bool is_left = run_round(RedBlack::red, report) && run_round(RedBlack::black, report);
+    Timer timer;
+    if (is_left) {
+        report.passes += run_motion(whole_, algorithm_.motion, epoch_);
+    }
+    report.unreached = give_up_movers(whole_) + report.held;
+    whole_.deferred.clear();
+    costs_.whole_s += timer.lap();
+    this->end_movement();
+    return report;
+}
+
+// What is left to do is in `whole_` again, under the new ids.
+template <class Real>
+bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
+    Timer timer;
+    create_submeshes(complex_, {copy_.submeshes, copy_.normal_x, copy_.normal_y, colour},
+                     submeshes_);
+    hand_out();
+    costs_.create_s += timer.lap();
+    run_tasks();
+    costs_.run_s += timer.lap();
+    merge_submeshes(submeshes_, complex_);
+    if (whole_.log.readers > 0) {
+        whole_.log.records.push_back({.kind = EditKind::rebuild});
+    }
+    const bool is_put_off = take_back();
+    costs_.merge_s += timer.lap();
+    ++costs_.rounds;
+    for (const auto& task : tasks_) {
+        report.passes = std::max(report.passes, task->passes);
+    }
+    return is_put_off;
+}
+
+template <class Real>
+void CopyExecutor<Real>::hand_out() {
+    while (tasks_.size() < submeshes_.list.size()) {
+        tasks_.push_back(std::make_unique<Task>(submeshes_.list[tasks_.size()]->complex, options_));
+    }
+    for (const auto& task : tasks_) {
+        forget(task->work);
+        task->passes = 0;
+        // The stamps of a new submesh are 0.
+        task->work.epoch = 1;
+        task->work.time = whole_.time;
+    }
+    waiting_movers_.clear();
+    waiting_active_.clear();
+    const auto work_of = [&](std::uint32_t vertex) -> Work<Real>* {
+        const std::uint32_t owner = submeshes_.owner[vertex];
+        return owner < tasks_.size() ? &tasks_[owner]->work : nullptr;
+    };
+    for (const Mover<Real>& mover : whole_.movers) {
+        if (Work<Real>* work = work_of(mover.vertex)) {
+            work->movers.push_back({submeshes_.local[mover.vertex], mover.x, mover.y});
+        } else {
+            waiting_movers_.push_back(mover);
+        }
+    }
+    for (const std::uint32_t v : whole_.resized) {
+        if (complex_.is_alive(Vertex{v})) {
+            whole_.activate(v);
+        }
+    }
+    whole_.resized.clear();
+    for (const std::uint32_t v : whole_.active) {
+        if (Work<Real>* work = work_of(v)) {
+            work->activate(submeshes_.local[v]);
+        } else {
+            waiting_active_.push_back(v);
+        }
+    }
+    for (const std::uint32_t v : whole_.interface) {
+        if (Work<Real>* work = work_of(v)) {
+            work->interface.push_back(submeshes_.local[v]);
+        }
+    }
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+        Task& task = *tasks_[i];
+        task.given = task.work.interface;
+        lend_ids(*submeshes_.list[i], spare_ids + 2 * task.given.size());
+        // One submesh is the whole mesh: there are no others that could move first.
+        task.work.submesh.region = tasks_.size() > 1 ? submeshes_.list[i]->region() : Region{};
+    }
+}
+
+template <class Real>
+void CopyExecutor<Real>::run_tasks() {
+    const auto count = static_cast<std::ptrdiff_t>(tasks_.size());
+    const int threads = static_cast<int>(std::min(copy_.threads, copy_.submeshes));
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1) if (threads > 1)
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        Task& task = *tasks_[static_cast<std::size_t>(i)];
+        try {
+            std::uint32_t epoch = task.work.epoch;
+            task.passes = run_motion(task.work, algorithm_.motion, epoch);
+        } catch (...) {
+            task.failure = std::current_exception();
+        }
+    }
+    std::exception_ptr first;
+    for (const auto& task : tasks_) {
+        whole_.log.counts += std::exchange(task->work.log.counts, {});
+        std::exception_ptr failure = std::exchange(task->failure, nullptr);
+        if (!first) {
+            first = failure;
+        }
+    }
+    if (first) {
+        std::rethrow_exception(first);
+    }
+}
+
+template <class Real>
+bool CopyExecutor<Real>::take_back() {
+    // In the merged complex all stamps are 0.
+    whole_.movers.clear();
+    whole_.active.clear();
+    whole_.epoch = this->new_stamp();
+    for (const Mover<Real>& mover : waiting_movers_) {
+        whole_.movers.push_back({submeshes_.merged_vertex(mover.vertex), mover.x, mover.y});
+    }
+    for (const std::uint32_t v : waiting_active_) {
+        if (const std::uint32_t merged = submeshes_.merged_vertex(v); merged != no_id) {
+            whole_.activate(merged);
+        }
+    }
+    bool is_put_off = !waiting_movers_.empty() || !waiting_active_.empty();
+    bool is_as_given = true;
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+        const Work<Real>& work = tasks_[i]->work;
+        const auto& merged = submeshes_.list[i]->merged;
+        // A vertex that is blocked here may find room once others have moved.
+        const auto take_mover = [&](const Mover<Real>& mover) {
+            whole_.movers.push_back({merged[mover.vertex], mover.x, mover.y});
+        };
+        const auto take_star = [&](std::uint32_t v) {
+            if (merged[v] != no_id) {
+                whole_.activate(merged[v]);
+            }
+        };
+        std::ranges::for_each(work.movers, take_mover);
+        std::ranges::for_each(work.active, take_star);
+        for (const std::uint32_t v : work.resized) {
+            if (merged[v] != no_id) {
+                whole_.resized.push_back(merged[v]);
+            }
+        }
+        for (const Deferred<Real>& one : work.deferred.entries) {
+            if (one.kind == DeferredKind::mover) {
+                take_mover(one.mover());
+                is_put_off = true;
+            } else if (one.kind == DeferredKind::star) {
+                take_star(one.vertex);
+                is_put_off = true;
+            }
+        }
+        is_as_given = is_as_given && work.interface == tasks_[i]->given;
+    }
+    take_interface_back(is_as_given);
+    std::erase_if(whole_.movers, [](const auto& mover) { return mover.vertex == no_id; });
+    return is_put_off;
+}
+
+// The order of the list is kept, unless passes of an application rewrote it.
+template <class Real>
+void CopyExecutor<Real>::take_interface_back(bool is_as_given) {
+    if (!is_as_given) {
+        whole_.interface = collect_moved(complex_, options_);
+        return;
+    }
+    for (std::uint32_t& v : whole_.interface) {
+        v = submeshes_.merged_vertex(v);
+    }
+    std::erase(whole_.interface, no_id);
+}
+
+// Drops the vertices that were on the way, and looks for the interface again. The active vertices
+// are those of the complex as it is; stars that changed before the exception are looked at in the
+// next step. O(mesh).
+template <class Real>
+void CopyExecutor<Real>::recover() {
+    const std::vector<std::uint32_t> active = std::move(whole_.active);
+    forget(whole_);
+    whole_.epoch = this->new_stamp();
+    for (const std::uint32_t v : active) {
+        if (complex_.is_alive(Vertex{v})) {
+            whole_.activate(v);
+        }
+    }
+    this->list_interface();
+}
+
+template <class Real>
+void CopyExecutor<Real>::end_step() {
+    if (progress_ == Progress::under_way) {
+        recover();
+    }
+    Executor<Real>::end_step();
+}
+
+template <class Real>
+void CopyExecutor<Real>::archive(Archive& archive) {
+    Executor<Real>::archive(archive);
+    archive(costs_.steps, costs_.rounds);
+}
+
+namespace {
+
+template <class Real>
+std::unique_ptr<Executor<Real>> make_copies(Complex<Real>& complex, const Options<Real>& options,
+                                            const Parallel& parallel, Algorithm<Real> algorithm) {
+    return std::make_unique<CopyExecutor<Real>>(
+        complex, options, std::move(algorithm),
+        CopyOptions{.submeshes = submeshes_of(parallel), .threads = parallel.threads});
+}
+
+} // namespace
+
+constinit const Division copy_division{
+    "copy", "submeshes created and merged (thesis, algorithms 6.1 and 6.2)",
+    CopyOptions{}.submeshes, make_copies<double>, make_copies<float>};
+
+template class CopyExecutor<double>;
+template class CopyExecutor<float>;
+
+} // namespace dsc
