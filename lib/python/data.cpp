@@ -67,9 +67,10 @@ void write(Complex<double>& complex, const std::string& name, const double* valu
         complex.attributes.add<Simplex>(name, initial);
     }
     auto& attribute = complex.attributes.get<Simplex, T>(name); // refused if it is of another type
+    constexpr int width = std::is_same_v<T, double> ? 1 : 2;
     for (const Simplex each : range_of(complex, Simplex())) {
         std::memcpy(static_cast<void*>(&attribute[each]), values, sizeof(T));
-        values += sizeof(T) / sizeof(double);
+        values += width;
     }
 }
 

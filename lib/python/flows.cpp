@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <ranges>
+#include <numeric>
 #include <utility>
 
 namespace dsc::python {
@@ -50,13 +50,13 @@ py::array arms_in(const InterfaceView<double>& view) {
 }
 
 py::object interface_of(const InterfaceView<double>& view) {
+    std::vector<std::size_t> vertices(view.size());
+    std::iota(vertices.begin(), vertices.end(), 0U);
     const auto numbers = [](auto list) { return array_over(list, number_or_none); };
     const auto flags = [&](InterfaceFlag flag) {
         return array_over(view.flags, [=](std::uint8_t all) { return (all & flag) != 0; });
     };
-    const auto measured = [&](auto measure) {
-        return array_over(std::views::iota(std::size_t{0}, view.size()), measure);
-    };
+    const auto measured = [&](auto measure) { return array_over(vertices, measure); };
     return py::module_::import("dsc.records")
         .attr("Interface")(
             "positions"_a = array_of(view.positions), "previous"_a = numbers(view.previous),
@@ -142,7 +142,7 @@ AnyFlow curvature_flow_of(double tension, double mobility, const std::map<Phase,
 } // namespace
 
 void add_flows(py::module_& module) {
-    py::class_<AnyFlow>(module, "Flow");
+    const py::class_<AnyFlow> type(module, "Flow");
     module.def("velocity", [](const py::function& f) { return along(velocity_of(f)); });
     module.def("interface_flow", &interface_flow_of);
     module.def("swirl", [](double amplitude, double period) {

@@ -217,15 +217,15 @@ std::optional<Parallel> Choices::parallel() const {
 }
 
 void apply(Choices& choices, const py::dict& given, Use use) {
-    for (const auto& [key, value] : given) {
-        const auto wanted = key.cast<std::string>();
+    for (const auto& keyword : given) {
+        const auto wanted = keyword.first.cast<std::string>();
         bool is_known = false;
         std::string names;
         for_each_option(choices, use, [&](const std::string& name, auto& field, auto) {
             names += (names.empty() ? "" : ", ") + name;
             if (name == wanted) {
                 is_known = true;
-                set(field, name, value);
+                set(field, name, keyword.second);
             }
         });
         if (!is_known) {

@@ -12,7 +12,7 @@ try:
 except ImportError:
     RegularGridInterpolator = None
 from documented_test import fields
-from meshes import DOMAIN, H, disc, disc_mesh, swirl
+from meshes import DOMAIN, H, disc_mesh, swirl
 
 
 def grown(flow, steps=10, **options):

@@ -7,7 +7,7 @@ import unittest
 
 import dsc
 import numpy as np
-from meshes import H, disc, disc_mesh, swirl
+from meshes import disc
 
 
 def bubble(**options):

@@ -55,6 +55,10 @@ class Measures(unittest.TestCase):
         angles = np.degrees(np.arctan2(np.cross(ahead, behind), (ahead * behind).sum(axis=2)))
         self.assertTrue(np.allclose(angles.min(axis=1), mesh.min_angles))
 
+    def test_phases_may_be_numbers_of_numpy(self):
+        mesh = dsc.initial_complex(DOMAIN, {np.uint32(1): disc()}, edge_length=H)
+        self.assertEqual(mesh.mesh_hash, disc_mesh().mesh_hash)
+
     def test_a_circle_without_a_radius_is_refused(self):
         with self.assertRaises(dsc.InputError):
             dsc.circle((0, 0), -1, 0.1)
