@@ -11,6 +11,7 @@ class Flow:
     """
 
     def __init__(self, name, *given):
+        """By the function of the compiled part that has this name, with what it takes."""
         self._name = name
         self._given = given
         self._compiled = getattr(_dsc, name)(*given)

@@ -31,6 +31,7 @@ class Fluid(_dsc.Fluid):
 
     def __init__(self, sim, phases, tensions, *, gravity=(0, 0), slip=(), inertia=True, tolerance=0,
                  threads=1):
+        """At rest, at time 0; without inertia at the velocity that the interface gives."""
         for side in slip:
             if side not in SIDES:
                 arrays.refuse("no side of the domain", "slip", repr(side), ", ".join(SIDES))

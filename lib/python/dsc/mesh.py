@@ -21,6 +21,7 @@ class Mesh(_dsc.Mesh):
     """
 
     def __init__(self, points, triangles, phases):
+        """From arrays; `initial_complex` makes a mesh of shapes."""
         triangles = arrays.whole_numbers(triangles, "triangles", "(m, 3)", 2)
         phases = arrays.whole_numbers(phases, "phases", "(m,)", 1)
         if triangles.shape != (len(phases), 3):

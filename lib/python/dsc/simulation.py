@@ -21,6 +21,7 @@ flow : Flow, optional
 {_dsc.option_help}"""
 
     def __init__(self, mesh, flow=None, **options):
+        """At time 0. The mesh belongs to the simulation until that is gone."""
         super().__init__(mesh, getattr(flow, "_compiled", flow), options)
         self._flow = flow
 
