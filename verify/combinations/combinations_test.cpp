@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Every pair of values of all features stands in two rows, and what is known of the row's parts
-// holds of the whole: exact shapes, what is conserved, other numbers of threads, resumed and
-// replayed runs, runs without an interruption. The long program has triples, and pairs in finer
-// meshes. A row that fails belongs into found.txt, with no more features than it needs for that.
+// holds of the whole: exact shapes, what is conserved, other numbers of threads, other units,
+// resumed and replayed runs, runs without an interruption. The long program has triples, and pairs
+// in finer meshes. A row that fails belongs into found.txt, with no more features than it needs for
+// that.
 #include "combinations/rows.h"
 #include "combinations/trial.h"
 

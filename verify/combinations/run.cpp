@@ -9,7 +9,6 @@
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
-#include "geometric_flows/curvature_flow.h"
 #include "geometric_flows/growth_corners.h"
 #include "replay/replay.h"
 
@@ -65,7 +64,7 @@ public:
             step(i);
         }
         outcome_.last = shapes_of(*complex_, scene_);
-        outcome_.hash = mesh_hash(*complex_);
+        outcome_.hash = hash_in_first_units(*complex_);
         note(field_fault(*complex_));
         if (is_replayed && outcome_.problems.empty()) {
             Complex<Real> again = first_complex();
@@ -81,8 +80,9 @@ private:
         simulation_.reset();
         complex_ = std::make_unique<Complex<Real>>(first_complex());
         const auto options = options_of<Real>(row_, scene_, 0);
-        auto algorithm = is_normal(row_) ? growth_algorithm<Real>(*complex_, growth_of<Real>(row_))
-                                         : default_algorithm<Real>();
+        auto algorithm = is_normal(row_)
+                             ? growth_algorithm<Real>(*complex_, growth_of<Real>(row_, scene_))
+                             : default_algorithm<Real>();
         std::unique_ptr<Executor<Real>> executor;
         if (row_.way == Way::sequential) {
             executor = std::make_unique<Executor<Real>>(*complex_, options, std::move(algorithm));
@@ -102,6 +102,14 @@ private:
             {.edge_length = scene_.h, .sizes = sizes_in<double>(options.sizes)});
         add_field(complex);
         return complex;
+    }
+
+    [[nodiscard]] std::uint64_t hash_in_first_units(Complex<Real> complex) const {
+        for (auto& vertex : complex.vertices) {
+            vertex.x /= static_cast<Real>(scene_.length_unit);
+            vertex.y /= static_cast<Real>(scene_.length_unit);
+        }
+        return mesh_hash(complex);
     }
 
     // --- flows -----------------------------------------------------------------------------------
@@ -131,7 +139,7 @@ private:
                 InterfaceMotion<Real>([&](const InterfaceView<Real>& view, Real at, Real for_dt,
                                           std::span<Point<Real>> ways) {
                     throw_if_asked();
-                    curvature_flow<Real>()(view, at, for_dt, ways);
+                    curvature_flow<Real>(bending_of(scene_))(view, at, for_dt, ways);
                 }),
                 time, dt);
         }
@@ -146,7 +154,7 @@ private:
                                         std::size_t end, Real at, auto values) {
                     if (is_normal(row_)) {
                         throw_if_asked();
-                        growth<Real>(growth_of<Real>(row_))(view, begin, end, at, values);
+                        growth<Real>(growth_of<Real>(row_, scene_))(view, begin, end, at, values);
                     } else {
                         velocity(view.positions.subspan(begin, end - begin), at,
                                  values.subspan(begin, end - begin));

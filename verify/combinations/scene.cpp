@@ -341,4 +341,23 @@ Scene scene_of(const Row& row, double fineness) {
     return scene;
 }
 
+Scene in_units(Scene scene, double length, double time) {
+    scene.length_unit *= length;
+    scene.time_unit *= time;
+    scene.h *= length;
+    scene.end *= time;
+    scene.domain = {length * scene.domain.low, length * scene.domain.high};
+    for (Curve& curve : scene.curves) {
+        for (P& p : curve.points) {
+            p *= length;
+        }
+    }
+    if (scene.velocity) {
+        scene.velocity = [=, velocity = std::move(scene.velocity)](const P& p, double t) {
+            return P(length / time * velocity(p / length, t / time));
+        };
+    }
+    return scene;
+}
+
 } // namespace dsc::combinations

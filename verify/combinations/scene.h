@@ -15,6 +15,8 @@
 namespace dsc::combinations {
 
 struct Scene {
+    double length_unit = 1; ///< that lengths are given in
+    double time_unit = 1;
     double h = 0.04;
     Rectangle domain;
     std::vector<Curve> curves;
@@ -52,5 +54,10 @@ struct Scene {
 
 /// With edges of the usual length over `fineness`.
 [[nodiscard]] Scene scene_of(const Row& row, double fineness);
+
+/// The same scene with all lengths and times multiplied by these. Coordinates are only names of
+/// places: by powers of two everything in it has the same bits, since lengths are never compared
+/// with absolute numbers. The members that serve tolerances alone stay as they are.
+[[nodiscard]] Scene in_units(Scene scene, double length, double time);
 
 } // namespace dsc::combinations

@@ -6,6 +6,7 @@
 #include "support/topology/changing.h"
 
 #include "dsc/parallel/parallel.h"
+#include "geometric_flows/curvature_flow.h"
 #include "geometric_flows/growth.h"
 #include "thesis/divisions.h"
 
@@ -33,8 +34,9 @@ template <class Real>
     sizes.changes_in_time = row.sizes == Sizes::in_time;
     if (row.sizes == Sizes::by_place || row.sizes == Sizes::in_time) {
         const Real speed = sizes.changes_in_time ? 1 / static_cast<Real>(scene.end) : 0;
-        sizes.by_place = [h, speed](const Point<Real>& p, Real time, Phase) {
-            return h * (Real(2.5) + Real(1.5) * std::sin(9 * (p.x() + speed * time)));
+        const Real unit = static_cast<Real>(scene.length_unit);
+        sizes.by_place = [h, speed, unit](const Point<Real>& p, Real time, Phase) {
+            return h * (Real(2.5) + Real(1.5) * std::sin(9 * (p.x() / unit + speed * time)));
         };
     }
     return sizes;
@@ -69,8 +71,9 @@ template <class Real>
 
 /// Of `grow` and `shrink`.
 template <class Real>
-[[nodiscard]] GrowthOptions<Real> growth_of(const Row& row) {
-    const double speed = row.motion == Motion::grow ? 1 : -1;
+[[nodiscard]] GrowthOptions<Real> growth_of(const Row& row, const Scene& scene) {
+    const double unit = scene.length_unit / scene.time_unit;
+    const double speed = row.motion == Motion::grow ? unit : -unit;
     GrowthOptions<Real> options;
     options.speeds = {{1, 0, speed}};
     if (row.phases == Phases::nested) {
@@ -79,6 +82,11 @@ template <class Real>
         options.speeds.push_back({2, 0, speed});
     }
     return options;
+}
+
+/// Of `curvature` and `vanish`.
+[[nodiscard]] inline CurvatureFlowOptions bending_of(const Scene& scene) {
+    return {.mobility = scene.length_unit * scene.length_unit / scene.time_unit};
 }
 
 /// Of all ways but the sequential one.
