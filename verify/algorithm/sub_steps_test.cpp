@@ -106,12 +106,7 @@ TEST(SubSteps, AreAsManyAsTheWayAsksFor) {
 class Turning : public testing::Test {
 protected:
     static Complex<double> disc(double h) {
-        std::vector<Point<double>> outline;
-        for (int i = 0; i < 40; ++i) {
-            const double angle = 2 * M_PI * i / 40;
-            outline.emplace_back(0.5 + 0.2 * std::cos(angle), 0.5 + 0.2 * std::sin(angle));
-        }
-        const std::vector<Shape> shapes{{outline, 1}};
+        const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.2, 40), 1}};
         return initial_complex<double>({}, shapes, {.edge_length = h});
     }
     static double farthest_from_circle(const Complex<double>& complex,

@@ -186,11 +186,7 @@ TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
             Parallel{.threads = threads, .always_all_threads = always_all});
         const SubmeshExecutor<double>& seen = *executor;
         Simulation<double> simulation(complex, options, std::move(executor));
-        const Velocity<double> rest = [](std::span<const Point<double>>, double,
-                                         std::span<Point<double>> velocities) {
-            std::ranges::fill(velocities, Point<double>(0, 0));
-        };
-        (void)simulation.step(rest, 0, 1);
+        (void)simulation.step(test::constant<double>(0, 0), 0, 1);
         EXPECT_EQ(seen.view().partition.colours.front().regions.size(), 4U);
         return seen.view().threads_used;
     };
@@ -202,28 +198,16 @@ TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
 }
 
 TEST(SubmeshExecutor, ThreadsAreBusyForAPartOfTheirSections) {
-    constexpr double h = 0.02;
     for (const std::uint32_t threads : {1U, 3U}) {
-        auto complex = test::disc_complex<double>(h);
-        Options<double> options;
-        options.edge_length = h;
-        auto executor = std::make_unique<SubmeshExecutor<double>>(
-            complex, options, default_algorithm<double>(),
-            std::make_unique<SlabPartitioner<double>>(
-                SlabOptions{.submeshes = 4, .least_width = 4}),
-            Parallel{.threads = threads, .always_all_threads = true});
-        const SubmeshExecutor<double>& seen = *executor;
-        Simulation<double> simulation(complex, options, std::move(executor));
-        const Velocity<double> move = [](std::span<const Point<double>>, double,
-                                         std::span<Point<double>> velocities) {
-            std::ranges::fill(velocities, Point<double>(0.1, 0));
-        };
+        Growing disc(std::make_unique<SlabPartitioner<double>>(
+                         SlabOptions{.submeshes = 4, .least_width = 4}),
+                     threads);
         Timer timer;
         for (int step = 0; step < 5; ++step) {
-            (void)simulation.step(move, 0.1 * step, 0.1);
+            (void)disc.simulation->step(disc.grow, 0, Growing::h);
         }
         const double wall_s = timer.lap();
-        const ThreadWork& work = seen.view().work;
+        const ThreadWork& work = disc.seen->view().work;
         ASSERT_EQ(work.busy_s.size(), threads);
         for (const double busy_s : work.busy_s) {
             EXPECT_GE(busy_s, 0);

@@ -37,15 +37,10 @@ TEST(UpkeepList, VerticesOfNoInterfaceLeaveIt) {
 
 TEST(UpkeepList, AVertexOfTooManyTrianglesStaysOnIt) {
     constexpr std::uint32_t degree = Ring<double>::capacity + 4;
-    std::vector<Point<double>> points{{0, 0}};
-    std::vector<test::Indices> triangles;
-    std::vector<Phase> phases;
-    for (std::uint32_t i = 0; i < degree; ++i) {
-        points.emplace_back(std::cos(2 * pi * i / degree), std::sin(2 * pi * i / degree));
-        triangles.push_back({0, i + 1, (i + 1) % degree + 1});
-        phases.push_back(i < degree / 2 ? 1 : 0);
+    auto complex = test::wheel<double>(degree);
+    for (std::uint32_t i = 0; i < degree / 2; ++i) {
+        complex.set_phase(Triangle{i + 1}, 1);
     }
-    auto complex = test::build<double>(points, triangles, phases);
     const auto options = options_for<double>(1);
     Work<double> work(complex, options);
     work.interface = {0};
