@@ -23,7 +23,7 @@ constexpr double own_area_error = 0.01; ///< unless a case says otherwise
 constexpr int most_submeshes = 65536;
 
 // 0: chosen during the run.
-std::uint32_t submeshes_of(const Case& c, Strategy strategy, std::uint32_t threads) {
+std::uint32_t submeshes_of(const SuiteCase& c, Strategy strategy, std::uint32_t threads) {
     const CaseReader& reader = *c.reader;
     if (!reader.has("submeshes")) {
         const std::uint32_t own = scenes::submeshes_of(strategy, {});
@@ -81,8 +81,8 @@ std::string key_of(const Workload& workload, const std::string& scene) {
     return key;
 }
 
-std::string name_of(const Case& c, const std::string& of, const std::string& size, const Row& row,
-                    bool names_submeshes) {
+std::string name_of(const SuiteCase& c, const std::string& of, const std::string& size,
+                    const Row& row, bool names_submeshes) {
     std::string name = of + (c.measure == Measure::run ? "_run" : "_step") +
                        "/strategy:" + scenes::to_string(row.strategy) + '/' + size;
     if (scenes::is_parallel(row.strategy)) {
@@ -97,7 +97,7 @@ std::string name_of(const Case& c, const std::string& of, const std::string& siz
     return c.measure == Measure::model ? name + "/modelled:1" : name;
 }
 
-void add_rows_of(const Case& c, const std::string& name, const std::string& size,
+void add_rows_of(const SuiteCase& c, const std::string& name, const std::string& size,
                  const scenes::Scene& scene, const std::shared_ptr<Start>& start, Suite& suite) {
     const bool names_submeshes = c.measure != Measure::run || c.reader->has("submeshes");
     for (const int between_us : c.between_us) {
@@ -121,7 +121,7 @@ void add_rows_of(const Case& c, const std::string& name, const std::string& size
     }
 }
 
-void add_comparison(const Case& c, const std::string& name, const scenes::Scene& scene,
+void add_comparison(const SuiteCase& c, const std::string& name, const scenes::Scene& scene,
                     scenes::Parameters without, Suite& suite) {
     if (!c.reader->has("option")) {
         c.reader->refuse("option", "the option that is compared is missing",
@@ -137,7 +137,7 @@ void add_comparison(const Case& c, const std::string& name, const scenes::Scene&
 }
 
 // What dsc_scene would refuse, before the first of many runs.
-void check_results(const Case& c, const Workload& workload) {
+void check_results(const SuiteCase& c, const Workload& workload) {
     for (const char* key : {"threads", "submeshes"}) {
         if (c.reader->has(key) && c.reader->is_text(key)) {
             c.reader->refuse(key, "bad value", "whole numbers in measure = \"result\"");
@@ -166,7 +166,7 @@ scenes::RunOptions Row::options(std::uint32_t on_threads) const {
     return options;
 }
 
-void add_rows(const Case& c, Suite& suite) {
+void add_rows(const SuiteCase& c, Suite& suite) {
     const CaseReader& reader = *c.reader;
     suite.has_results = suite.has_results || c.measure == Measure::result;
     for (std::size_t i = 0; i < c.scenes.size(); ++i) {

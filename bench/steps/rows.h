@@ -12,7 +12,7 @@
 namespace dsc::bench {
 
 /// A [[case]], read as far as its keys do not depend on its scenes.
-struct Case {
+struct SuiteCase {
     const scenes::CaseReader* reader = nullptr; ///< outlives it
     std::vector<std::string> scenes{};
     std::vector<std::string> names{}; ///< of the scenes; empty: that of the scene itself
@@ -25,6 +25,6 @@ struct Case {
 
 /// Prepares the scenes without making their meshes, and adds their rows or comparisons to the
 /// suite. Throws InputError for keys that do not suit a scene.
-void add_rows(const Case& c, Suite& suite);
+void add_rows(const SuiteCase& c, Suite& suite);
 
 } // namespace dsc::bench

@@ -136,8 +136,9 @@ std::vector<std::string> keys_of(Measure measure) {
 }
 
 // What does not depend on the scenes.
-Case read_keys(const CaseReader& reader) {
-    Case c{.reader = &reader, .scenes = texts(reader, "scene"), .measure = read_measure(reader)};
+SuiteCase read_keys(const CaseReader& reader) {
+    SuiteCase c{
+        .reader = &reader, .scenes = texts(reader, "scene"), .measure = read_measure(reader)};
     c.names = read_names(reader, c.scenes.size());
     c.sizes = scenes::read_sizes(reader);
     if (c.measure != Measure::option) {
