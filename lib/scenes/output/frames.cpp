@@ -136,9 +136,7 @@ void Frames::finish(std::span<const Event> events) const {
     }
 }
 
-void Frames::archive(Archive& archive) {
-    archive(entries_);
-}
+void Frames::archive(Archive& archive) { archive(entries_); }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::string Frames::write(int, double, const Complex<Real>&,                          \

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "dsc/base/archive.h"
-#include "scenes/run/standard_archive.h"
 #include "scenes/run/run.h"
+#include "scenes/run/standard_archive.h"
 
 namespace dsc {
 

@@ -35,8 +35,7 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
                                        std::unique_ptr<Partitioner<Real>> partitioner,
                                        const Parallel& parallel)
     : Executor<Real>(complex, options, std::move(algorithm)), partitioner_(std::move(partitioner)),
-      parallel_(parallel), choice_(parallel.threads),
-      joined_(complex, options_) {
+      parallel_(parallel), choice_(parallel.threads), joined_(complex, options_) {
     check_options(options); // a partitioner uses the edge length
     require(parallel.threads >= 1 && parallel.threads <= 1024, "threads", parallel.threads,
             "1 to 1024");
