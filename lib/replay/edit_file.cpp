@@ -14,7 +14,7 @@ namespace dsc {
 
 namespace {
 
-constexpr std::string_view header = "dsc edits 1";
+constexpr std::string_view first_line = "dsc edits 1";
 constexpr std::string_view trailer = "end ";
 
 // The fields of one line, one after the other; `good` is false from the first bad one on.
@@ -75,7 +75,7 @@ bool parse(std::string_view line, Edit& edit) {
 
 } // namespace
 
-EditFile::EditFile(std::string path) : file_(std::move(path)) { file_ << header << '\n'; }
+EditFile::EditFile(std::string path) : file_(std::move(path)) { file_ << first_line << '\n'; }
 
 void EditFile::write(std::span<const Edit> edits) {
     for (const Edit& edit : edits) {
@@ -109,8 +109,8 @@ std::vector<Edit> read_edits(const std::string& path) {
         throw FileError("cannot be opened for reading", path, errno);
     }
     std::string line;
-    if (!std::getline(file, line) || line != header) {
-        throw FileError("is no log of edits: its first line is not '" + std::string(header) + "'",
+    if (!std::getline(file, line) || line != first_line) {
+        throw FileError("is no log of edits: its first line is not '" + std::string(first_line) + "'",
                         path);
     }
     std::vector<Edit> edits;
