@@ -110,8 +110,8 @@ std::vector<Edit> read_edits(const std::string& path) {
     }
     std::string line;
     if (!std::getline(file, line) || line != first_line) {
-        throw FileError("is no log of edits: its first line is not '" + std::string(first_line) + "'",
-                        path);
+        throw FileError(
+            "is no log of edits: its first line is not '" + std::string(first_line) + "'", path);
     }
     std::vector<Edit> edits;
     while (std::getline(file, line)) {
