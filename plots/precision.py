@@ -123,9 +123,13 @@ def seconds(value, _=None):
 def logarithmic(axes):
     axes.set_xscale("log")
     axes.set_yscale("log")
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(LogLocator(numticks=8))
-        axis.set_minor_formatter(NullFormatter())
+
+
+def set_ticks(axis):
+    """Powers of ten, or their double and half as well where hardly one of them would be in view."""
+    low, high = axis.get_view_interval()
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)) if high < 30 * low else LogLocator(numticks=8))
+    axis.set_minor_formatter(NullFormatter())
 
 
 def _keys(lines, peers, marks):
@@ -171,7 +175,6 @@ def _one(flow, lines, peers, marks):
             _lines(axes, some, moment)
             if moment == "last":
                 _peers(axes, beside[0])
-            axes.yaxis.set_major_formatter(FuncFormatter(seconds))
             axes.margins(0.07)
             if row == 0:
                 axes.set_title(MOMENTS[moment][0].upper() + MOMENTS[moment][1:])
@@ -180,6 +183,9 @@ def _one(flow, lines, peers, marks):
         low, high = grid[row][0].get_xlim()
         grid[row][0].set_xlim(low / (high / low) ** 0.13, high)  # room for the edge lengths
         for axes, moment in zip(grid[row], moments):
+            set_ticks(axes.xaxis)
+            set_ticks(axes.yaxis)
+            axes.yaxis.set_major_formatter(FuncFormatter(seconds))
             if panel != "other":  # too full for words; the panels below have the same line
                 _lengths(axes, some.get(data.DEFAULT, []), moment)
         legend = grid[row][-1].legend(
