@@ -5,9 +5,11 @@ touches only what changed grows with the interface, one that sweeps the mesh wit
 
 step_cost.py FILE.json... --out PICTURE.pdf
 
-The files are results of dsc_bench with rows NAME_step; modelled ones stay out.
+The files are results of dsc_bench with rows NAME_step; modelled ones stay out. With rows operation/NAME
+and kernel/gather_ring, a dash shows what the stars and edits of a step take by themselves.
 """
 import math
+import statistics
 import sys
 
 from look import script, style  # first: it says which Python has no matplotlib
@@ -21,6 +23,13 @@ GUIDES = ((1.0, "grows with the mesh", "-"), (0.5, "grows with its square root",
 PEER_SCENES = {"scaling_step": "speedup-scaling", "four_circles_step": "speedup-four-circles",
                "swirl_step": "swirl"}
 DOUBTFUL = "oversubscribed or under load"
+# What a step counts; the row that times one of them by itself, and its items for one: gather_ring counts
+# triangles, of which there are two for each vertex.
+PARTS = {"examined_per_step": ("kernel", "gather_ring", 2), "flips_per_step": ("operation", "edge_flip", 1),
+         "splits_per_step": ("operation", "edge_split", 1),
+         "collapses_per_step": ("operation", "edge_collapse", 1)}
+FLOOR = "bound, modelled: stars read once and edits alone"
+BOUND = {"marker": "_", "markersize": 11, "markeredgewidth": 1.8}
 
 
 def chosen(found):
@@ -56,6 +65,20 @@ def per_vertex(row):
     values = row.measurement.counters.get("us_per_vertex_step", [])
     vertices = row.measurement.counter("interface_vertices")
     return values or ([t / vertices for t in row.times] if vertices else [])
+
+
+def floor(bench, row):
+    """Microseconds that a step of the row takes at least, if it reads each star that it examines once
+    and does nothing else but its edits; None where a part of this was not counted or measured."""
+    total = 0
+    for counter, (family, name, items) in PARTS.items():
+        rates = [rate for m in bench.measurements if m.family == family and m.positions[:1] == [name]
+                 for rate in m.counters.get("items_per_second", [])]
+        count = row.measurement.counter(counter)
+        if count is None or not rates:
+            return None
+        total += count * items * 1e6 / statistics.median(rates)
+    return total
 
 
 def _sequential(lines):
@@ -94,20 +117,25 @@ def draw(bench, published):
     if not lines:
         return []
     title = "Time of a step against the size of the mesh"
-    fig = _figure(lines, lambda r: r.times, bench.context, title, published)
+    floors = {id(r): us for these in lines.values() for r in _sequential(these)
+              if (us := floor(bench, r)) is not None}
+    fig = _figure(lines, lambda r: r.times, bench.context, title, published, floors)
     pictures = [style.Picture("step_cost", title, plain(lines), fig, *_table(lines))]
     kept = {f: {k: some for k, line in these.items() if (some := [r for r in line if per_vertex(r)])}
             for f, these in lines.items()}
     kept = {f: these for f, these in kept.items() if these}
     if kept:
         title = "Time per interface vertex and step"
-        fig = _figure(kept, per_vertex, bench.context, title, {})
+        of_vertex = {id(r): floors[id(r)] / r.measurement.counter("interface_vertices")
+                     for these in kept.values() for r in _sequential(these) if id(r) in floors}
+        fig = _figure(kept, per_vertex, bench.context, title, {}, of_vertex)
         pictures.append(style.Picture("step_cost_per_vertex", title, plain_per_vertex(kept), fig))
     return pictures
 
 
-def _figure(lines, values, context, title, published):
-    """A panel for each scene, narrow where it has one size only; values(row): one a repetition."""
+def _figure(lines, values, context, title, published, floors):
+    """A panel for each scene, narrow where it has one size only; values(row): one a repetition;
+    floors: {id of a row on one thread: its bound}."""
     rows = [r for these in lines.values() for line in these.values() for r in line]
     sizes = sorted({r.triangles for r in rows})
     names = {label: line[0].label for these in lines.values() for label, line in these.items()}
@@ -138,6 +166,9 @@ def _figure(lines, values, context, title, published):
         axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: style.tick(value)))
         axes.yaxis.set_minor_formatter(NullFormatter())
         line = _sequential(these)
+        bounds = [(r.triangles, floors[id(r)]) for r in line if id(r) in floors]
+        axes.plot([x for x, _ in bounds], [us for _, us in bounds], color=style.INK, linestyle="none", zorder=4,
+                  **BOUND)
         for power, _, dash in GUIDES if len(line) > 1 and values is not per_vertex else ():
             guided, ends = True, [line[0].triangles, line[-1].triangles]
             axes.plot(ends, [line[0].median, line[0].median * (ends[1] / ends[0]) ** power],
@@ -153,6 +184,8 @@ def _figure(lines, values, context, title, published):
         handles.append(style.key(DOUBTFUL, style.MUTED, "o", "none", style.doubtful))
     handles += [style.key(name, style.MUTED, line=(0, (1, 1.5)), width=0.9, marks=style.other(marker))
                 for name, marker in others.items()]
+    if floors:
+        handles.append(style.key(FLOOR, style.INK, line="none", marks=BOUND))
     handles += [style.key(name, style.FAINT, line=dash) for _, name, dash in GUIDES if guided]
     style.finish(fig, title, style.caption_text(
         context, style.bars_text([len(r.times) for r in rows])

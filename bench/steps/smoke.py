@@ -27,7 +27,7 @@ STEP = {**ITERATION, **dict.fromkeys((
     "us_per_step", "cpu_us_per_step", "us_per_vertex_step", "interface_vertices", "triangles",
     "min_quality", "area_error_rel", "load", "oversubscribed", "threads_used", "utilisation",
     "serial_share", "peak_memory_mb",
-    "flips_per_step", "examined_per_step"), "number")}
+    "examined_per_step", "flips_per_step", "splits_per_step", "collapses_per_step"), "number")}
 MODEL = {**ITERATION, **dict.fromkeys((
     "us_per_step", "modelled", "serial_share", "busy_share", "fork_join_us", "section_start_us",
     "bandwidth_of_one_gb_s", "bandwidth_of_all_gb_s", "load", "us_serial", "us_tasks", "us_starts",

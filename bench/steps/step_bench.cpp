@@ -83,8 +83,14 @@ void measure(benchmark::State& state, const Row& row) {
         report(state, row, run, expected, load);
         auto& counters = state.counters;
         counters["peak_memory_mb"] = peak_mb;
-        counters["flips_per_step"] = static_cast<double>(run.operations.flips) / run.steps;
-        counters["examined_per_step"] = static_cast<double>(run.operations.examined) / run.steps;
+        const auto per_step = [&](std::uint64_t count) {
+            return static_cast<double>(count) / run.steps;
+        };
+        const OperationCounts& did = run.operations;
+        counters["examined_per_step"] = per_step(did.examined);
+        counters["flips_per_step"] = per_step(did.flips);
+        counters["splits_per_step"] = per_step(did.splits + did.interface_splits);
+        counters["collapses_per_step"] = per_step(did.collapses + did.interface_collapses);
         const auto& reference = reference_times()[&start];
         if (row.strategy == Strategy::sequential && !reference.empty()) {
             counters["speedup_vs_reference"] = median(reference) / (run.wall_s * 1e6 / run.steps);

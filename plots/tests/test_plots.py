@@ -161,6 +161,20 @@ class Plots(Case):
             benchmarks=row("operation/edge_flip", [100.0], items_per_second=2.5e7)))
         self.assertEqual(operations.costs(found), [("edge flip", [40.0])])
 
+    def test_a_step_has_its_stars_and_edits_as_a_bound(self):
+        counts = {"examined_per_step": 100, "flips_per_step": 10, "splits_per_step": 2, "collapses_per_step": 1}
+        step = row("scaling_step/strategy:sequential/triangles:28000", [50.0], interface_vertices=40, **counts)
+        costs = [part for name, rate in (("kernel/gather_ring", 2e7), ("operation/edge_flip", 1e7),
+                                         ("operation/edge_split", 5e6), ("operation/edge_collapse", 2e6))
+                 for part in row(name, [100.0], items_per_second=rate)]
+        found = self.bench(lambda data: data.update(benchmarks=step + costs))
+        self.assertAlmostEqual(step_cost.floor(found, series.rows(found)[0]),
+                               100 * 2 / 20 + 10 / 10 + 2 / 5 + 1 / 2)
+        for part in range(len(costs)):
+            fewer = self.bench(lambda data: data.update(
+                benchmarks=step + [c for c in costs if c["run_name"] != costs[part]["run_name"]]))
+            self.assertIsNone(step_cost.floor(fewer, series.rows(fewer)[0]))
+
     def test_histogram_median_and_distance(self):
         found = load.read_verify([self.write("v.json", verify())])
         shapes = histograms.groups([], found)[("speedup-scaling", "area")]
