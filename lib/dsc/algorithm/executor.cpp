@@ -79,7 +79,8 @@ template <class Real>
 Executor<Real>::Executor(Complex<Real>& complex, const Options<Real>& options,
                          Algorithm<Real> algorithm)
     : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
-      whole_(complex, options_), works_{&whole_}, sight_(std::make_unique<InterfaceSight<Real>>()) {
+      whole_(complex, options_), works_{&whole_},
+      sight_(std::make_unique<InterfaceSight<Real>>(in_shares_)) {
     // Stamps of an earlier run must not be mistaken for those of this one.
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
@@ -183,8 +184,7 @@ AimReport<Real> Executor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) 
     whole_.dt = dt;
     keep_up_whole();
     const std::size_t end = whole_.interface.size();
-    const AimReport<Real> report = sight_->aim(
-        whole_, std::span(&end, 1), [](const auto& run) { run(0); }, flow, time, dt);
+    const AimReport<Real> report = sight_->aim(whole_, std::span(&end, 1), flow, time, dt);
     progress_ = Progress::aimed;
     return report;
 }

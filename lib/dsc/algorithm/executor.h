@@ -97,6 +97,8 @@ public:
     virtual void end_step();
 
     // Afterwards.
+    /// The threads of the step, for serial work that can be shared.
+    [[nodiscard]] const InShares& in_shares() const { return in_shares_; }
     /// The number of interface vertices.
     [[nodiscard]] std::size_t interface_size() const;
     /// Appends them, roughly in the order of the curve.
@@ -151,6 +153,7 @@ protected:
     std::uint64_t steps_ = 0;        ///< begun so far
     /// At the end of a step `none`, unless it gave up or something threw.
     Progress progress_ = Progress::none;
+    InShares in_shares_ = one_by_one; ///< where a class derived from this has no threads
     std::unique_ptr<InterfaceSight<Real>> sight_; ///< aims the whole interface at once
 
 private:

@@ -161,7 +161,8 @@ void InterfaceGraph<Real>::join() {
 
 template <class Real>
 InterfaceView<Real> InterfaceGraph<Real>::view(const Complex<Real>& complex,
-                                               std::span<const Point<Real>> positions) const {
+                                               std::span<const Point<Real>> positions,
+                                               const InShares& in_shares) const {
     return {.complex = complex,
             .vertices = vertices_,
             .positions = positions,
@@ -172,14 +173,14 @@ InterfaceView<Real> InterfaceGraph<Real>::view(const Complex<Real>& complex,
             .flags = flags_,
             .junctions = junctions_.indices,
             .arm_begin = junctions_.begin,
-            .arms = junctions_.arms};
+            .arms = junctions_.arms,
+            .in_shares = in_shares};
 }
 
 template <class Real>
-void InterfaceSight<Real>::look(std::span<const std::size_t> ends, RunRanges run_ranges) {
+void InterfaceSight<Real>::look(std::span<const std::size_t> ends) {
     Work<Real>& work = *work_;
     ends_.assign(ends.begin(), ends.end());
-    run_ranges_ = std::move(run_ranges);
     graph_.resize(work.interface.size(), ends.size());
     const std::span<const std::uint32_t> list = work.interface;
     const auto number = [&](std::size_t range) {
@@ -189,8 +190,8 @@ void InterfaceSight<Real>::look(std::span<const std::size_t> ends, RunRanges run
     const auto connect = [&](std::size_t range) {
         graph_.connect(work.complex, range, begin_of(range), ends_[range], work.stars);
     };
-    run_ranges_(std::cref(number)); // by reference: no allocation
-    run_ranges_(std::cref(connect));
+    in_shares_(ends_.size(), std::cref(number)); // by reference: no allocation
+    in_shares_(ends_.size(), std::cref(connect));
     graph_.join();
 }
 
@@ -215,13 +216,13 @@ void InterfaceSight<Real>::evaluate(std::span<const Point<Real>> positions, Real
         stage_[i] = is_seen_moved ? positions[i] : work_->aim.positions[i];
     }
     std::ranges::fill(velocities, Point<Real>(0, 0));
-    const InterfaceView<Real> view = graph_.view(work_->complex, stage_);
+    const InterfaceView<Real> view = graph_.view(work_->complex, stage_, in_shares_);
     const auto ask = [&](std::size_t range) {
         if (begin_of(range) < ends_[range]) {
             (*flow_)(view, begin_of(range), ends_[range], time, velocities);
         }
     };
-    run_ranges_(std::cref(ask));
+    in_shares_(ends_.size(), std::cref(ask));
     for (std::size_t i = 0; i < positions.size(); ++i) {
         if (stays(i)) {
             velocities[i].setZero();
@@ -231,13 +232,12 @@ void InterfaceSight<Real>::evaluate(std::span<const Point<Real>> positions, Real
 
 template <class Real>
 AimReport<Real> InterfaceSight<Real>::aim(Work<Real>& work, std::span<const std::size_t> ends,
-                                          RunRanges run_ranges, const Flow<Real>& flow, Real time,
-                                          Real dt) {
+                                          const Flow<Real>& flow, Real time, Real dt) {
     work_ = &work;
     if (flow.velocity() != nullptr) {
         return aim_along(work, *flow.velocity(), time, dt);
     }
-    look(ends, std::move(run_ranges));
+    look(ends);
     if (flow.motion() == nullptr) {
         return aim_along(work, velocity(*flow.seeing()), time, dt);
     }
@@ -279,7 +279,7 @@ Reach<Real> InterfaceSight<Real>::displace(const InterfaceMotion<Real>& motion, 
     std::vector<Point<Real>>& displacements = aim.scratch.first;
     std::ranges::fill(displacements, Point<Real>(0, 0));
     if (!displacements.empty()) {
-        motion(graph_.view(work_->complex, aim.positions), time, dt, displacements);
+        motion(graph_.view(work_->complex, aim.positions, in_shares_), time, dt, displacements);
     }
     Real farthest = 0;
     for (std::size_t i = 0; i < displacements.size(); ++i) {

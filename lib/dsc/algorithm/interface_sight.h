@@ -37,9 +37,11 @@ public:
     /// Puts the junctions of all ranges together. O(junctions).
     void join();
 
-    /// `positions`: those of the stage, one for each vertex. What is returned refers to all three.
+    /// `positions`: those of the stage, one for each vertex. What is returned refers to all of
+    /// this.
     [[nodiscard]] InterfaceView<Real> view(const Complex<Real>& complex,
-                                           std::span<const Point<Real>> positions) const;
+                                           std::span<const Point<Real>> positions,
+                                           const InShares& in_shares = one_by_one) const;
 
 private:
     struct Junctions { // of one range; the last entry of `begin` is the number of arms
@@ -61,24 +63,24 @@ private:
     std::vector<Junctions> found_; // by range
 };
 
-/// Calls `run` for ranges 0, 1, ..., at once or one after the other, and returns when all are done.
-using RunRanges = std::function<void(const std::function<void(std::size_t range)>& run)>;
-
 /// Aims the whole interface at once by a flow of any kind. Reuses its memory.
 template <class Real>
 class InterfaceSight : public Unmovable {
 public:
+    /// `in_shares`: the threads of each step; outlives it.
+    explicit InterfaceSight(const InShares& in_shares) : in_shares_(in_shares) {}
+
     /// Finds the velocities of `work.interface` at `time`, and targets at time + dt. It must be the
     /// whole interface, and is divided into ranges that end at `ends`: a flow that sees the
     /// interface is asked for each of them. O(its stars), shared among the ranges, if the flow sees
     /// it; else O(interface vertices).
-    AimReport<Real> aim(Work<Real>& work, std::span<const std::size_t> ends, RunRanges run_ranges,
-                        const Flow<Real>& flow, Real time, Real dt);
+    AimReport<Real> aim(Work<Real>& work, std::span<const std::size_t> ends, const Flow<Real>& flow,
+                        Real time, Real dt);
     /// New targets of the same work and flow for another dt. A vertex that is held stays held.
     Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt);
 
 private:
-    void look(std::span<const std::size_t> ends, RunRanges run_ranges);
+    void look(std::span<const std::size_t> ends);
     /// The flow as a function of the positions of all of the interface, in the order of its list.
     /// Valid while `flow` exists. Locked and held vertices, and those whose stage is not finite,
     /// are seen at their present positions: a failure at one vertex must not affect its neighbours.
@@ -91,10 +93,10 @@ private:
     }
     [[nodiscard]] bool stays(std::size_t i) const;
 
+    const InShares& in_shares_;
     InterfaceGraph<Real> graph_;
     Work<Real>* work_ = nullptr;
     std::vector<std::size_t> ends_;
-    RunRanges run_ranges_;
     const InterfaceFlow<Real>* flow_ = nullptr;
     std::vector<Point<Real>> stage_;
 };

@@ -204,7 +204,8 @@ std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, std::uint64_t unr
                     .edge_length = options_.edge_length,
                     .time = time,
                     .dt = dt,
-                    .unreached = unreached});
+                    .unreached = unreached,
+                    .in_shares = executor_->in_shares()});
         const std::span<const Edit> edits(complex_.journal.records);
         if (absorbed_ < edits.size()) {
             has_edited = true;

@@ -33,6 +33,7 @@ struct Between {
     Real time;                                ///< at the end of the sub-step
     Real dt;                                  ///< the duration of the sub-step
     std::uint64_t unreached;                  ///< vertices that did not arrive in it
+    const InShares& in_shares;                ///< the threads of the step, to share reading among
 };
 
 /// A stage of a simulation. Called by the thread that calls `Simulation::step`; what it throws

@@ -13,6 +13,18 @@
 
 namespace dsc {
 
+/// Calls `task(share)` once for each share, from 0 to `shares` - 1, and returns when all are done:
+/// several at the same time on the threads of the step, in any order. Shares should take more than
+/// some microseconds. What a task throws comes out of the call.
+using InShares =
+    std::function<void(std::size_t shares, const std::function<void(std::size_t share)>& task)>;
+/// By the calling thread.
+inline const InShares one_by_one = [](std::size_t shares, const auto& task) {
+    for (std::size_t share = 0; share < shares; ++share) {
+        task(share);
+    }
+};
+
 /// Bits of `InterfaceView::flags`.
 enum InterfaceFlag : std::uint8_t {
     /// Not an ordinary point of a curve: it has arms, and no previous and next vertex. Three phases
@@ -58,6 +70,10 @@ struct InterfaceView {
     std::span<const std::uint32_t> junctions; ///< their indices, ascending
     std::span<const std::uint32_t> arm_begin; ///< junction k: arms arm_begin[k] to arm_begin[k + 1]
     std::span<const InterfaceArm> arms;       ///< counter-clockwise about each junction
+
+    /// The threads of the step, for a motion of the whole interface to share its work among. A flow
+    /// is called by several threads as it is, and must not use it.
+    const InShares& in_shares;
 
     /// The number of interface vertices.
     [[nodiscard]] std::size_t size() const { return vertices.size(); }
@@ -140,8 +156,9 @@ template <class Real, class Function>
 /// vertex is held and counted.
 ///
 /// It is called once for a sub-step, before anything moves, and again whenever the driver changes
-/// dt, which is more than 0; by one thread at a time, so that the result is the same to the bit for
-/// any number of threads. The integrator of the options has no part in it: the targets are the
+/// dt, which is more than 0; by one thread at a time. What it shares among several by
+/// `view.in_shares` must not depend on who does it: then the result is the same to the bit for any
+/// number of threads. The integrator of the options has no part in it: the targets are the
 /// positions plus the displacements. The driver chooses its sub-steps by displacement / dt. What it
 /// throws comes out of `Simulation::step`, and leaves a valid complex.
 template <class Real>

@@ -45,6 +45,13 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
                           .value = "null",
                           .allowed = "an object"});
     }
+    this->in_shares_ = [this](std::size_t shares, const std::function<void(std::size_t)>& task) {
+        if (sharing_.tasks.size() != shares) {
+            sharing_.tasks.clear();
+            sharing_.tasks.add_colour(shares);
+        }
+        sharing_.run(pool_, threads_, parallel_.assignment, task);
+    };
     // Everything that takes longer in a large mesh is done here rather than in a step: dividing it
     // for the first time, making room, lending ids, and starting threads.
     divide();

@@ -102,6 +102,7 @@ private:
     std::size_t first_colour_ = 0;                   // parts of the first colour
     Schedule aiming_;
     Schedule moving_;
+    Schedule sharing_;
     ThreadPool pool_;
     ThreadChoice choice_;
     Timer step_timer_;

@@ -30,11 +30,7 @@ void SubmeshExecutor<Real>::join_interface() {
 template <class Real>
 AimReport<Real> SubmeshExecutor<Real>::aim_together(const Flow<Real>& flow, Real time, Real dt) {
     join_interface();
-    const auto run_ranges = [this](const auto& run) {
-        aiming_.run(pool_, threads_, parallel_.assignment, run);
-        run(first_colour_); // those in no submesh: few
-    };
-    const AimReport<Real> report = this->sight_->aim(joined_, ends_, run_ranges, flow, time, dt);
+    const AimReport<Real> report = this->sight_->aim(joined_, ends_, flow, time, dt);
     hand_out_aims();
     return report;
 }
