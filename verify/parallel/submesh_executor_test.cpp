@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -171,6 +172,41 @@ TEST(SubmeshExecutor, RefusesOptionsThatMakeNoSense) {
 }
 
 // --- threads and memory -------------------------------------------------------------------------
+
+// A stage, and a motion of the whole interface, share their work among the threads of the step:
+// each share is done once, whatever their number, and what one of them throws comes out.
+struct Sharing final : Stage<double> {
+    void run(const Between<double>& between) override { share(between.in_shares); }
+    void share(const InShares& in_shares) {
+        for (const std::size_t shares : {3U, 64U, 1U}) {
+            std::vector<std::atomic<int>> done(shares);
+            in_shares(shares, [&](std::size_t share) { ++done.at(share); });
+            for (const std::atomic<int>& times : done) {
+                EXPECT_EQ(times, 1);
+            }
+            EXPECT_THROW(in_shares(shares, [](std::size_t) { throw Fault("as seeded"); }), Fault);
+        }
+        ++calls;
+    }
+    int calls = 0;
+};
+
+TEST(SubmeshExecutor, ThreadsOfAStepShareTheWorkOfStagesAndMotions) {
+    for (const std::uint32_t submeshes : {1U, 4U}) {
+        Growing disc(std::make_unique<SlabPartitioner<double>>(
+                         SlabOptions{.submeshes = submeshes, .least_width = 4}),
+                     3);
+        const auto stage = std::make_shared<Sharing>();
+        disc.simulation->add_stage(stage);
+        const InterfaceMotion<double> still = [&](const InterfaceView<double>& view, double, double,
+                                                  std::span<Point<double>>) {
+            stage->share(view.in_shares);
+        };
+        (void)disc.simulation->step(still, 0, 1);
+        EXPECT_EQ(stage->calls, 2);
+        disc.expect_good();
+    }
+}
 
 TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
     // A thread for each 32 vertices of the interface.
