@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
-#include <utility>
 
 namespace dsc::bench {
 

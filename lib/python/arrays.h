@@ -14,9 +14,7 @@
 #include <cstring>
 #include <functional>
 #include <memory>
-#include <ranges>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace dsc::python {

@@ -7,7 +7,6 @@
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"
 
-#include <string>
 #include <vector>
 
 namespace dsc::python {

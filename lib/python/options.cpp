@@ -4,7 +4,6 @@
 #include "thesis/divisions.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 
 namespace dsc::python {

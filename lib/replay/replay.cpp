@@ -5,7 +5,6 @@
 #include "dsc/complex/complex.h"
 #include "dsc/complex/rewire.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 

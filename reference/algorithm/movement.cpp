@@ -4,7 +4,6 @@
 #include "reference/complex/geometry.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace dsc::reference {
 

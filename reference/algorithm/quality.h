@@ -5,7 +5,6 @@
 
 #include "reference/complex/complex.h"
 
-#include <limits>
 
 namespace dsc::reference {
 

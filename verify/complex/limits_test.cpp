@@ -10,8 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
 
 namespace dsc::limits_test {
 namespace {

@@ -15,9 +15,7 @@
 
 #include <sys/prctl.h>
 
-#include <cmath>
 #include <fstream>
-#include <functional>
 #include <string>
 
 namespace dsc::touched_memory_test {

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 
 namespace dsc::scenes::eroded_dumbbell_test {
 namespace {

@@ -3,7 +3,6 @@
 // shorter input means the same as a longer one that ends with zeros.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>

@@ -5,8 +5,6 @@
 #include "judge.h"
 
 #include <filesystem>
-#include <optional>
-#include <string>
 
 namespace dsc::gate {
 

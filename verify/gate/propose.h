@@ -5,7 +5,6 @@
 
 #include "suite.h"
 
-#include <string>
 #include <vector>
 
 namespace dsc::gate {

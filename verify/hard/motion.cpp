@@ -9,7 +9,6 @@
 #include "shapes/shapes.h"
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 

@@ -9,9 +9,7 @@
 #include "support/frame_testing.h"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
-#include <utility>
 
 namespace dsc::hard {
 

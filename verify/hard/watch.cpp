@@ -7,7 +7,6 @@
 #include "dsc/geometry/predicates.h"
 #include "dsc/queries/validate.h"
 
-#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -14,7 +14,6 @@
 
 #include <gtest/gtest.h>
 
-#include <utility>
 #include <vector>
 
 namespace dsc::limits_test {

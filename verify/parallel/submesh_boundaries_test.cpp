@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
-#include <string>
 #include <vector>
 
 namespace dsc::submesh_boundaries_test {

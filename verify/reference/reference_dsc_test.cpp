@@ -7,8 +7,6 @@
 #include "reference/algorithm/dsc.h"
 #include "reference/algorithm/selection.h"
 
-#include <algorithm>
-#include <numbers>
 
 namespace dsc::reference::reference_dsc_test {
 namespace {

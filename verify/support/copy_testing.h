@@ -7,7 +7,6 @@
 #include "dsc/algorithm/simulation.h"
 #include "thesis/copies/copy_executor.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace dsc::test {

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstring>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace dsc::test {

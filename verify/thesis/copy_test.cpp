@@ -23,7 +23,6 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>

@@ -11,7 +11,6 @@
 #include "topology/films/film_region.h"
 #include "topology/region.h"
 
-#include <array>
 #include <cmath>
 #include <string>
 

@@ -8,7 +8,6 @@
 #include "dsc/motion/interface_flow.h"
 #include "dsc/passes/algorithm.h"
 
-#include <functional>
 #include <span>
 #include <vector>
 

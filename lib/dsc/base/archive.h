@@ -12,8 +12,6 @@
 #include "dsc/base/types.h"
 
 #include <array>
-#include <bit>
-#include <concepts>
 #include <cstring>
 #include <string>
 #include <utility>

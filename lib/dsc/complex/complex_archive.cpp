@@ -2,7 +2,6 @@
 #include "dsc/complex/complex.h"
 
 #include <algorithm>
-#include <string>
 
 namespace dsc {
 

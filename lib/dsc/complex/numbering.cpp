@@ -6,7 +6,6 @@
 #include "dsc/complex/rewire.h"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>

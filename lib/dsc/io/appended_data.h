@@ -3,7 +3,6 @@
 // compressed, with a header that says how long they are; in base64, so that the file is still XML.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -7,9 +7,7 @@
 #include "dsc/queries/phases.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 

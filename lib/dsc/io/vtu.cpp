@@ -7,7 +7,6 @@
 #include "dsc/io/appended_data.h"
 #include "dsc/io/part_file.h"
 
-#include <algorithm>
 #include <set>
 #include <type_traits>
 

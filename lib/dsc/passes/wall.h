@@ -10,7 +10,6 @@
 #include "dsc/quality/measures.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dsc {
 

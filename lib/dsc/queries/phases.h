@@ -9,7 +9,6 @@
 #include "dsc/complex/ranges.h"
 
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace dsc {

@@ -7,8 +7,6 @@
 #include "dsc/complex/ranges.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace dsc {
 

@@ -7,7 +7,6 @@
 #include "dsc/geometry/predicates.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace dsc {

@@ -4,7 +4,6 @@
 #include "topology/films/bridge.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace dsc {

@@ -14,7 +14,6 @@
 #include <limits>
 #include <tuple>
 #include <unordered_map>
-#include <utility>
 
 namespace dsc {
 

@@ -5,7 +5,6 @@
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -7,7 +7,6 @@
 #include "dsc/operations/edge_split.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dsc::initial {
 

@@ -12,7 +12,6 @@
 #include <exception>
 #include <functional>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace dsc {

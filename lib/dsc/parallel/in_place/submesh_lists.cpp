@@ -3,7 +3,6 @@
 // of the submesh that owns it.
 #include "dsc/parallel/in_place/submesh_part.h"
 
-#include <algorithm>
 
 namespace dsc {
 

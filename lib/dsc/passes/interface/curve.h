@@ -10,7 +10,6 @@
 #include "dsc/motion/interpolation.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dsc {
 
