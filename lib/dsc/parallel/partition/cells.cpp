@@ -187,36 +187,44 @@ void CellPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut recu
         const auto& record = input.complex.vertices[input.interface[i]];
         return Site{static_cast<double>(record.x), static_cast<double>(record.y), input.work[i]};
     };
-    if (recut == Recut::all) {
-        const std::uint32_t cells =
-            options_.submeshes > 0 ? options_.submeshes : cells_that_pay(input.interface.size());
+    const std::size_t size = input.interface.size();
+    partition.colours.resize(1);
+    std::vector<Region>& regions = partition.colours.front().regions;
+    const auto cut = [&](std::uint32_t cells) {
         sites_.clear();
-        for (std::size_t i = 0; cells > 1 && i < input.interface.size(); ++i) {
+        for (std::size_t i = 0; cells > 1 && i < size; ++i) {
             sites_.push_back(site_of(i));
         }
-        partition.colours.assign(1, {});
-        partition.colours.front().regions = divide_sites(sites_, cells, rules);
+        regions = divide_sites(sites_, cells, rules);
+    };
+    const auto collect_near_cuts = [&] {
+        sites_.clear();
+        std::size_t at = 0;
+        for (std::size_t i = 0; regions.size() > 1 && i < size; ++i) {
+            const Site site = site_of(i);
+            at = partition.colours.front().locate(input.interface[i], site.x, site.y, at);
+            if (is_near_side(regions[std::min(at, regions.size() - 1)], site, rules.band)) {
+                sites_.push_back({site.x, site.y, 1.0F});
+            }
+        }
+    };
+    if (recut == Recut::all) {
+        cut(options_.submeshes > 0 ? options_.submeshes : cells_that_pay(size));
     }
-    partition.colours.resize(1);
-    if (partition.colours.front().regions.size() < 2) {
-        return;
+    collect_near_cuts();
+    // A network that fills the plane has more of its work near cuts than a curve of its length.
+    // Eight cells are kept: enough for four threads.
+    auto cells = static_cast<std::uint32_t>(regions.size());
+    if (recut == Recut::all && options_.submeshes == 0 && cells > 8 && 2 * sites_.size() > size) {
+        cut(cells / 2);
+        collect_near_cuts();
+        cells = static_cast<std::uint32_t>(regions.size());
     }
     // Later colours: what lies near the cuts of the first, then of the first two. Their cuts follow
     // the gaps between their few sites rather than the balance.
     rules.tolerance = 0.5;
     rules.band_price = 8;
     rules.least_sites = 4;
-    sites_.clear();
-    const Colour& first = partition.colours.front();
-    const auto cells = static_cast<std::uint32_t>(first.regions.size());
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < input.interface.size(); ++i) {
-        const Site site = site_of(i);
-        at = first.locate(input.interface[i], site.x, site.y, at);
-        if (is_near_side(first.regions[std::min(at, first.regions.size() - 1)], site, rules.band)) {
-            sites_.push_back({site.x, site.y, 1.0F});
-        }
-    }
     for (std::size_t later = 1; later < most_colours && !sites_.empty(); ++later) {
         Colour colour;
         colour.regions = divide_sites(sites_, cells, rules);
