@@ -3,7 +3,6 @@
 
 #include "dsc/base/error.h"
 #include "flows/arcs.h"
-#include "flows/two_discs.h"
 
 #include <array>
 #include <cmath>
@@ -42,22 +41,16 @@ void append_both(const Point<double>& centre, std::span<const Arc> right, ExactS
     append_arcs({.origin = centre}, arcs, shape);
 }
 
-/// Appends the outline of a dumbbell that has grown by `growth`, as one curve: from the neck below
-/// along the right half to the neck above, and then along the left half.
-void append_in_one_piece(const Dumbbell& d, double growth, ExactShape& shape) {
+/// Appends the outline as one curve: from the neck below along the right half to the neck above,
+/// and then along the left half.
+void append_in_one_piece(const Dumbbell& d, double depth, ExactShape& shape) {
     const Half half(d);
-    const double radius = d.radius + growth;
-    const double rounding = d.rounding - growth;
-    if (rounding > 0) {
-        append_both(d.centre,
-                    std::array{Arc{half.below, rounding, pi / 2, half.angle},
-                               Arc{half.disc, radius, half.angle - pi, pi - half.angle},
-                               Arc{half.above, rounding, -half.angle, -pi / 2}},
-                    shape);
-        return;
-    }
-    const double notch = std::asin((d.neck / 2 + growth) / radius);
-    append_both(d.centre, std::array{Arc{half.disc, radius, notch - pi, pi - notch}}, shape);
+    const double rounding = d.rounding + depth;
+    append_both(d.centre,
+                std::array{Arc{half.below, rounding, pi / 2, half.angle},
+                           Arc{half.disc, d.radius - depth, half.angle - pi, pi - half.angle},
+                           Arc{half.above, rounding, -half.angle, -pi / 2}},
+                shape);
 }
 
 void append_lobes(const Dumbbell& d, double depth, ExactShape& shape) {
@@ -85,30 +78,10 @@ ExactShape eroded_dumbbell(const Dumbbell& d, double depth) {
         return shape;
     }
     if (depth < d.neck / 2) {
-        append_in_one_piece(d, -depth, shape);
+        append_in_one_piece(d, depth, shape);
     } else {
         append_lobes(d, depth, shape);
     }
-    return shape;
-}
-
-ExactShape grown_dumbbell(const Dumbbell& d, double distance) {
-    require(std::isfinite(distance) && distance >= 0, "distance", distance,
-            "a finite length of 0 or more");
-    // Where the discs cross above the neck, they have covered it.
-    const double crossing =
-        (d.radius + distance - d.distance / 2) * (d.radius + distance + d.distance / 2);
-    const double neck = d.neck / 2 + distance;
-    ExactShape shape;
-    (void)rounding_offset(d);
-    if (distance >= d.rounding && crossing > neck * neck) {
-        const Point<double> to(d.distance / 2, 0);
-        shape = grown_discs({.first = d.centre - to, .second = d.centre + to, .radius = d.radius},
-                            distance);
-    } else {
-        append_in_one_piece(d, distance, shape);
-    }
-    shape.description = "a dumbbell in closed form, grown by " + std::to_string(distance);
     return shape;
 }
 

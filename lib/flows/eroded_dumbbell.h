@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A dumbbell that shrinks or grows along its normals: the exact shapes by the principle of Huygens,
-// in arcs of circles and straight sides.
+// A dumbbell that shrinks along its normals: the exact shapes by the principle of Huygens, in arcs
+// of circles and straight sides.
 #pragma once
 
 #include "shapes/outline.h"
@@ -15,11 +15,5 @@ namespace dsc::scenes {
 /// the radius of the discs. Throws InputError for a depth that is negative or not finite, or an
 /// invalid dumbbell.
 [[nodiscard]] ExactShape eroded_dumbbell(const Dumbbell& dumbbell, double depth);
-
-/// The points no farther than `distance` from the dumbbell. Its roundings lose that much of their
-/// radius. Once nothing is left of them, there are notches between the discs and the neck; in the
-/// end the discs cover these. Throws InputError for a distance that is negative or not finite, or
-/// an invalid dumbbell.
-[[nodiscard]] ExactShape grown_dumbbell(const Dumbbell& dumbbell, double distance);
 
 } // namespace dsc::scenes

@@ -146,12 +146,14 @@ double rounding_error(std::span<const Outline> outlines) {
     return 4.0 * std::numeric_limits<double>::epsilon() * size * perimeter(outlines);
 }
 
-ExactShape rigid(std::span<const Outline> first, const FlowMap& map,
-                 const std::string& description) {
+template <class Move>
+ExactShape rigid(std::span<const Outline> first, Move move, const std::string& description) {
     ExactShape shape;
     shape.outlines.assign(first.begin(), first.end());
     for (Outline& outline : shape.outlines) {
-        map(outline);
+        for (Point<double>& p : outline) {
+            p = move(p);
+        }
     }
     shape.area = signed_area(first);
     shape.description = description;
@@ -162,21 +164,23 @@ ExactShape rigid(std::span<const Outline> first, const FlowMap& map,
 } // namespace
 
 ExactShape translated_shape(std::span<const Outline> first, const Point<double>& displacement) {
-    return rigid(first, translation_map(displacement), "first outlines, translated");
+    const auto move = [&](const Point<double>& p) -> Point<double> { return p + displacement; };
+    return rigid(first, move, "first outlines, translated");
 }
 
 ExactShape rotated_shape(std::span<const Outline> first, const Point<double>& centre,
                          double angle) {
-    return rigid(first, rotation_map(centre, angle), "first outlines, rotated");
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const auto move = [&](const Point<double>& p) -> Point<double> {
+        const Point<double> d = p - centre;
+        return centre + Point<double>{c * d.x() - s * d.y(), s * d.x() + c * d.y()};
+    };
+    return rigid(first, move, "first outlines, rotated");
 }
 
 ExactShape exact_circle(const Point<double>& centre, double radius, int vertices) {
-    if (vertices < 8) {
-        throw InputError({.what = "number of vertices",
-                          .where = "exact_circle",
-                          .value = std::to_string(vertices),
-                          .allowed = "at least 8"});
-    }
+    require(vertices >= 8, "vertices of an exact circle", vertices, "at least 8");
     const ParametricCurve curve = circle_curve(centre, radius);
     const double angle = 2.0 * pi / vertices;
     const ParametricCurve outer = circle_curve(centre, radius * std::sqrt(angle / std::sin(angle)));
@@ -199,13 +203,8 @@ ExactShape exact_circle(const Point<double>& centre, double radius, int vertices
 
 ExactShape mapped_shape(const ParametricCurve& curve, const FlowMap& map, const FlowMap& rough,
                         const std::string& description, const MarkerOptions& options) {
-    if (!(options.spacing > 0.0) || !(options.deviation > 0.0)) {
-        throw InputError(
-            {.what = "spacing and deviation of markers",
-             .where = "mapped_shape",
-             .value = std::to_string(options.spacing) + ", " + std::to_string(options.deviation),
-             .allowed = "above 0"});
-    }
+    require(options.spacing > 0.0, "spacing of markers", options.spacing, "above 0");
+    require(options.deviation > 0.0, "deviation of markers", options.deviation, "above 0");
     const double unit = std::sqrt(curve.area);
     const double spacing = options.spacing * unit;
     const double deviation = options.deviation * unit;

@@ -57,64 +57,10 @@ void advance(const Stretch& stretch, std::span<Point<double>> points) {
 
 } // namespace
 
-FlowMap translation_map(const Point<double>& displacement) {
-    return [displacement](std::span<Point<double>> points) {
-        for (Point<double>& p : points) {
-            p += displacement;
-        }
-    };
-}
-
-FlowMap rotation_map(const Point<double>& centre, double angle) {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    return [centre, c, s](std::span<Point<double>> points) {
-        for (Point<double>& p : points) {
-            const Point<double> d = p - centre;
-            p = centre + Point<double>{c * d.x() - s * d.y(), s * d.x() + c * d.y()};
-        }
-    };
-}
-
-FlowMap radial_map(const Radial& field, double time) {
-    return [field, time](std::span<Point<double>> points) {
-        for (Point<double>& p : points) {
-            const Point<double> d = p - field.centre;
-            const double distance = std::hypot(d.x(), d.y());
-            if (distance > 0.0) {
-                p = field.centre + (1.0 + field.speed * time / distance) * d;
-            }
-        }
-    };
-}
-
-FlowMap vortex_map(const Vortex& field, double time) {
-    return [field, time](std::span<Point<double>> points) {
-        for (Point<double>& p : points) {
-            const Point<double> d = p - field.centre;
-            const double distance = std::hypot(d.x(), d.y());
-            if (distance > 0.0) {
-                const double c = std::cos(field.speed * time / distance);
-                const double s = std::sin(field.speed * time / distance);
-                p = field.centre + Point<double>{c * d.x() - s * d.y(), s * d.x() + c * d.y()};
-            }
-        }
-    };
-}
-
 FlowMap runge_kutta_map(Flow flow, double begin, double end, int steps) {
-    if (!(begin <= end) || !std::isfinite(begin) || !std::isfinite(end)) {
-        throw InputError({.what = "end of the time",
-                          .where = "runge_kutta_map",
-                          .value = std::to_string(end),
-                          .allowed = "finite, from " + std::to_string(begin)});
-    }
-    if (steps < 1) {
-        throw InputError({.what = "number of steps",
-                          .where = "runge_kutta_map",
-                          .value = std::to_string(steps),
-                          .allowed = "at least 1"});
-    }
+    require(begin <= end && std::isfinite(begin) && std::isfinite(end), "end of a flow map", end,
+            "finite, from " + to_text(begin));
+    require(steps >= 1, "steps of a flow map", steps, "at least 1");
     std::vector<double> ends;
     for (const Leg& leg : flow) {
         if (leg.end > begin && leg.end < end) {

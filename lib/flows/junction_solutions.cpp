@@ -129,18 +129,10 @@ Part part_of_ray(double theta, double side, double top) {
 
 } // namespace
 
-double lens_radius(double area) {
-    require(area > 0 && std::isfinite(area), "area of the lens", area, "finite and above 0");
-    return std::sqrt(area / (2 * pi / 3 - std::numbers::sqrt3 / 2));
-}
-
-std::array<Point<double>, 2> lens_tips(const Lens& lens) {
-    const Point<double> to = lens_radius(lens.area) * std::sin(pi / 3) * frame_of(lens).axis;
-    return {lens.centre - to, lens.centre + to};
-}
-
 ExactShape lens_shape(const Lens& lens) {
-    const double r = lens_radius(lens.area);
+    require(lens.area > 0 && std::isfinite(lens.area), "area of the lens", lens.area,
+            "finite and above 0");
+    const double r = std::sqrt(lens.area / (2 * pi / 3 - std::numbers::sqrt3 / 2));
     const Point<double> to(0, r * std::cos(pi / 3)); // the centre of the arc below
     ExactShape shape;
     append_arcs(frame_of(lens),

@@ -21,13 +21,8 @@ struct Lens {
     double area = 0.1;
 };
 
-/// The radius of the arcs: the square root of area / (2 pi / 3 - sqrt(3) / 2). Throws InputError
-/// for an area that is not positive and finite.
-[[nodiscard]] double lens_radius(double area);
-
-/// The two tips, first the one against the axis; and the shape. Both throw InputError for an area
-/// that is not positive and finite, or an axis without a direction.
-[[nodiscard]] std::array<Point<double>, 2> lens_tips(const Lens& lens);
+/// Its shape. Throws InputError for an area that is not positive and finite, or an axis without a
+/// direction.
 [[nodiscard]] ExactShape lens_shape(const Lens& lens);
 
 /// Four phases that meet in one point at time 0, along straight interfaces at the angles theta,

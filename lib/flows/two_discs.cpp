@@ -33,21 +33,12 @@ void append(const Frame& frame, std::initializer_list<Arc> arcs, ExactShape& sha
     append_arcs({frame.middle, frame.axis}, arcs, shape);
 }
 
-double radius_after(const TwoDiscs& discs, double growth) {
-    const double radius = discs.radius + growth;
-    require(std::isfinite(growth) && std::isfinite(radius) && radius > 0, "growth", growth,
-            "a finite length, and more than minus the radius");
-    return radius;
-}
-
 } // namespace
 
-ExactShape grown_discs(const TwoDiscs& discs, double growth) {
-    return shrunk_discs(discs, growth, 0);
-}
-
 ExactShape shrunk_discs(const TwoDiscs& discs, double growth, double shrinkage) {
-    const double grown = radius_after(discs, growth);
+    const double grown = discs.radius + growth;
+    require(std::isfinite(growth) && std::isfinite(grown) && grown > 0, "growth", growth,
+            "a finite length, and more than minus the radius");
     require(std::isfinite(shrinkage) && shrinkage >= 0, "shrinkage", shrinkage,
             "a finite length of 0 or more");
     const Frame frame(discs);
@@ -93,12 +84,6 @@ ExactShape shrunk_discs(const TwoDiscs& discs, double growth, double shrinkage) 
     append(frame, {about_right, {above, shrinkage, -phi, -tip}, {below, shrinkage, tip, phi}},
            shape);
     return shape;
-}
-
-double neck_width(const TwoDiscs& discs, double growth, double shrinkage) {
-    const double grown = radius_after(discs, growth);
-    const double d = Frame(discs).half;
-    return 2 * (std::sqrt(grown * grown - d * d) - shrinkage);
 }
 
 } // namespace dsc::scenes

@@ -11,21 +11,27 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <string>
 #include <utility>
 
 namespace dsc::scenes {
 
 namespace {
 
-using Positions = std::span<const Point<double>>;
-using Velocities = std::span<Point<double>>;
-
 // A batch is read as one sequence of coordinates: x, y, x, y, ...
 static_assert(sizeof(Point<double>) == 2 * sizeof(double));
 
 /// Points per block of the swirl: its sines and cosines stay in the first-level cache.
 constexpr std::size_t block = 128;
+
+// Writes what `field` is at the way from the centre to each position.
+template <class Field>
+void write_about(const Point<double>& centre, Positions positions, Velocities velocities,
+                 Field field) {
+    assert(positions.size() == velocities.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        velocities[i] = field(positions[i].x() - centre.x(), positions[i].y() - centre.y());
+    }
+}
 
 } // namespace
 
@@ -35,34 +41,25 @@ void Translation::operator()(Positions positions, double /*time*/, Velocities ve
 }
 
 void Radial::operator()(Positions positions, double /*time*/, Velocities velocities) const {
-    assert(positions.size() == velocities.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const double x = positions[i].x() - centre.x();
-        const double y = positions[i].y() - centre.y();
+    write_about(centre, positions, velocities, [this](double x, double y) -> Point<double> {
         const double distance = std::sqrt(x * x + y * y);
         const double factor = distance > 0.0 ? speed / distance : 0.0;
-        velocities[i] = {factor * x, factor * y};
-    }
+        return {factor * x, factor * y};
+    });
 }
 
 void Rotation::operator()(Positions positions, double /*time*/, Velocities velocities) const {
-    assert(positions.size() == velocities.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const double x = positions[i].x() - centre.x();
-        const double y = positions[i].y() - centre.y();
-        velocities[i] = {-angular_speed * y, angular_speed * x};
-    }
+    write_about(centre, positions, velocities, [this](double x, double y) -> Point<double> {
+        return {-angular_speed * y, angular_speed * x};
+    });
 }
 
 void Vortex::operator()(Positions positions, double /*time*/, Velocities velocities) const {
-    assert(positions.size() == velocities.size());
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const double x = positions[i].x() - centre.x();
-        const double y = positions[i].y() - centre.y();
+    write_about(centre, positions, velocities, [this](double x, double y) -> Point<double> {
         const double distance = std::sqrt(x * x + y * y);
         const double factor = distance > 0.0 ? speed / distance : 0.0;
-        velocities[i] = {-factor * y, factor * x};
-    }
+        return {-factor * y, factor * x};
+    });
 }
 
 void Swirl::operator()(Positions positions, double time, Velocities velocities) const {
@@ -98,14 +95,15 @@ Point<double> Falling::carried(const Point<double>& point, double time) const {
     return {point.x(), surface + depth * std::asinh(height)};
 }
 
-void Reversed::operator()(Positions positions, double time, Velocities velocities) const {
-    velocity(positions, time, velocities);
-    for (Point<double>& value : velocities) {
-        value = -value;
-    }
+Velocity reversed(Velocity velocity) {
+    return
+        [velocity = std::move(velocity)](Positions positions, double time, Velocities velocities) {
+            velocity(positions, time, velocities);
+            for (Point<double>& value : velocities) {
+                value = -value;
+            }
+        };
 }
-
-Velocity reversed(Velocity velocity) { return Reversed{std::move(velocity)}; }
 
 Flow steady(Velocity velocity) {
     return {{std::numeric_limits<double>::infinity(), std::move(velocity)}};
@@ -116,12 +114,7 @@ Flow there_and_back(const Velocity& velocity, double half_time) {
 }
 
 const Velocity& velocity_of_step(const Flow& flow, double begin, double end) {
-    if (flow.empty()) {
-        throw InputError({.what = "flow without legs",
-                          .where = "velocity_of_step",
-                          .value = "0",
-                          .allowed = "at least 1"});
-    }
+    require(!flow.empty(), "legs of a flow", 0, "at least 1");
     const double middle = 0.5 * (begin + end);
     for (const Leg& leg : flow) {
         if (middle < leg.end) {

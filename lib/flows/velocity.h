@@ -12,40 +12,38 @@
 
 namespace dsc::scenes {
 
-/// Writes the velocity at each position at one time. The two spans have the same size and may be
-/// the same memory. Safe to call from several threads at once.
-using Velocity = std::function<void(std::span<const Point<double>> positions, double time,
-                                    std::span<Point<double>> velocities)>;
+/// Where velocities are asked for, and where they are written: as many, maybe in the same memory.
+using Positions = std::span<const Point<double>>;
+using Velocities = std::span<Point<double>>;
+
+/// Writes the velocity at each position at one time. Safe to call from several threads at once.
+using Velocity = std::function<void(Positions positions, double time, Velocities velocities)>;
 
 /// Equation 7: the same velocity everywhere.
 struct Translation {
     Point<double> velocity{0.0, 0.0};
-    void operator()(std::span<const Point<double>> positions, double time,
-                    std::span<Point<double>> velocities) const;
+    void operator()(Positions positions, double time, Velocities velocities) const;
 };
 
 /// Equation 8: away from a centre at a constant speed; zero at the centre itself.
 struct Radial {
     Point<double> centre{0.0, 0.0};
     double speed = 1.0;
-    void operator()(std::span<const Point<double>> positions, double time,
-                    std::span<Point<double>> velocities) const;
+    void operator()(Positions positions, double time, Velocities velocities) const;
 };
 
 /// Equation 9: counter-clockwise around a centre at a constant angular speed (radians per time).
 struct Rotation {
     Point<double> centre{0.0, 0.0};
     double angular_speed = 1.0;
-    void operator()(std::span<const Point<double>> positions, double time,
-                    std::span<Point<double>> velocities) const;
+    void operator()(Positions positions, double time, Velocities velocities) const;
 };
 
 /// Equation 10: counter-clockwise around a centre at a constant speed; zero at the centre itself.
 struct Vortex {
     Point<double> centre{0.0, 0.0};
     double speed = 1.0;
-    void operator()(std::span<const Point<double>> positions, double time,
-                    std::span<Point<double>> velocities) const;
+    void operator()(Positions positions, double time, Velocities velocities) const;
 };
 
 /// The field of the stream function of equation 11, times a factor:
@@ -56,8 +54,7 @@ struct Vortex {
 struct Swirl {
     double amplitude = 1.0;
     double period = 0.0; ///< time from start to return; 0 for a steady flow
-    void operator()(std::span<const Point<double>> positions, double time,
-                    std::span<Point<double>> velocities) const;
+    void operator()(Positions positions, double time, Velocities velocities) const;
 };
 
 /// Straight down towards a surface at which everything comes to rest:
@@ -66,19 +63,13 @@ struct Falling {
     double surface = 0.0;
     double depth = 1.0; ///< below this height above the surface the fall slows down
     double speed = 1.0; ///< far above
-    void operator()(std::span<const Point<double>> positions, double time,
-                    std::span<Point<double>> velocities) const;
+    void operator()(Positions positions, double time, Velocities velocities) const;
     /// The place to which the flow carries the point in this time: sinh((y - surface) / depth)
     /// decays as exp(-time speed / depth).
     [[nodiscard]] Point<double> carried(const Point<double>& point, double time) const;
 };
 
 /// The opposite flow.
-struct Reversed {
-    Velocity velocity;
-    void operator()(std::span<const Point<double>> positions, double time,
-                    std::span<Point<double>> velocities) const;
-};
 [[nodiscard]] Velocity reversed(Velocity velocity);
 
 /// A velocity that applies until a time.

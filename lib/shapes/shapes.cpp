@@ -230,16 +230,4 @@ Outline star(const Point<double>& centre, double outer_radius, double inner_radi
     return polygon(corners, edge_length);
 }
 
-std::vector<Outline> four_circles(const Point<double>& centre, double spacing, double radius,
-                                  double edge_length) {
-    require(spacing > 2.0 * radius, "four_circles: spacing", spacing, "more than the diameter");
-    const double half = 0.5 * spacing;
-    std::vector<Outline> outlines;
-    for (const auto& [x, y] :
-         {std::pair(-half, -half), {half, -half}, {-half, half}, {half, half}}) {
-        outlines.push_back(circle(centre + Point<double>{x, y}, radius, edge_length));
-    }
-    return outlines;
-}
-
 } // namespace dsc::scenes

@@ -71,9 +71,4 @@ struct Dumbbell {
 [[nodiscard]] Outline star(const Point<double>& centre, double outer_radius, double inner_radius,
                            int tips, double edge_length);
 
-/// Circles of one size around the four corners of a square with sides of length `spacing` (thesis,
-/// section 9.7).
-[[nodiscard]] std::vector<Outline> four_circles(const Point<double>& centre, double spacing,
-                                                double radius, double edge_length);
-
 } // namespace dsc::scenes

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace dsc::scenes::exact_test {
@@ -116,6 +117,17 @@ TEST(Velocity, FieldsOfTheThesis) {
     EXPECT_EQ(velocities(reversed(Rotation{centre, 2}), at, 0)[0], (Point<double>{8, -6}));
 }
 
+// The vortex about the origin, of speed 1, after a time: each circle turns rigidly.
+FlowMap vortex_map(double time) {
+    return [time](std::span<Point<double>> points) {
+        for (Point<double>& p : points) {
+            const double c = std::cos(time / p.norm());
+            const double s = std::sin(time / p.norm());
+            p = Point<double>{c * p.x() - s * p.y(), s * p.x() + c * p.y()};
+        }
+    };
+}
+
 TEST(FlowMap, ReversalKeepsFourthOrder) {
     // A step that saw the sign of the wrong leg would make this first order.
     const Flow flow = there_and_back(Vortex{{0, 0}, 1.0}, 2.6);
@@ -125,7 +137,7 @@ TEST(FlowMap, ReversalKeepsFourthOrder) {
         Outline exact = half;
         runge_kutta_map(flow, 0.0, 2.6, steps)(half);
         runge_kutta_map(flow, 0.0, 5.2, 2 * steps)(back);
-        vortex_map({{0, 0}, 1.0}, 2.6)(exact);
+        vortex_map(2.6)(exact);
         return std::max((half[0] - exact[0]).norm(), (back[0] - Point<double>{0.5, 0.25}).norm());
     };
     EXPECT_NEAR(std::log2(error(40) / error(80)), 4.0, 0.3);
@@ -134,9 +146,6 @@ TEST(FlowMap, ReversalKeepsFourthOrder) {
     EXPECT_EQ(&velocity_of_step(flow, 2.6, 2.7), &flow[1].velocity);
     EXPECT_THROW((void)velocity_of_step({}, 0, 1), InputError);
     EXPECT_THROW((void)runge_kutta_map(flow, 1.0, 0.0, 10), InputError);
-    Outline grown{{3, 4}};
-    radial_map({{0, 0}, 2.0}, 2.5)(grown);
-    EXPECT_NEAR((grown[0] - Point<double>{6, 8}).norm(), 0.0, 1e-14);
 }
 
 TEST(Exact, CircleHasTheAreaAndTheErrorItStates) {
@@ -216,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(Swirls, FarthestOut,
 TEST(Exact, TwistedSquareAgreesWithItsClosedForm) {
     const Vortex field{{0, 0}, 1.0};
     const ParametricCurve curve = polygon_curve(square(-50, -50, 100));
-    const FlowMap map = vortex_map(field, 125.0);
+    const FlowMap map = vortex_map(125.0);
     const MarkerOptions options{.spacing = 4e-3, .deviation = 3e-6};
     const ExactShape closed = mapped_shape(curve, map, map, "twisted square", options);
     const ExactShape stepped = advected_shape(curve, steady(field), 125.0, 500, options);

@@ -69,15 +69,10 @@ TEST(Shapes, KeepTheirAreaCornersAndEdgeLength) {
     expect_sound(crescent(moon, 1e-3), 1e-3, bitten.only_first, 1e-6);
 
     expect_sound(star({0, 0}, 1.0, 0.4, 5, 0.05), 0.05, 5 * 0.4 * std::sin(pi / 5), 1e-14);
-    const std::vector<Outline> four = four_circles({0.5, 0.5}, 0.4, 0.1, 0.01);
-    EXPECT_TRUE(test::is_simple(four));
-    EXPECT_EQ(four.size(), 4U);
-    EXPECT_NEAR(signed_area(four), 4.0 * 0.5 * 63 * 0.01 * std::sin(2.0 * pi / 63), 1e-15);
     EXPECT_THROW((void)circle({0, 0}, -1.0, 0.1), InputError);
     EXPECT_THROW((void)circle({0, 0}, 1.0, NAN), InputError);
     EXPECT_THROW((void)slotted_disc({.slot_width = 0.4}, 0.1), InputError);
     EXPECT_THROW((void)crescent({{0, 0}, 1.0, {3, 0}, 1.0}, 0.1), InputError);
-    EXPECT_THROW((void)four_circles({0, 0}, 0.1, 0.1, 0.1), InputError);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ Setup two_discs_there_and_back(const Parameters& p) {
     setup.exact = [discs, turn](double time) {
         const double grown = speed * std::min(time, turn);
         const double shrunk = speed * std::max(time - turn, 0.0);
-        return shrunk > 0 ? shrunk_discs(discs, grown, shrunk) : grown_discs(discs, grown);
+        return shrunk_discs(discs, grown, shrunk);
     };
     return setup;
 }

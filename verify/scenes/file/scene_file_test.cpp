@@ -69,7 +69,9 @@ TEST(SceneFile, HasFlowsOneAfterTheOther) {
     EXPECT_EQ(setup.flow[0].end, 1);
     ASSERT_NE(setup.flow[0].velocity.target<Swirl>(), nullptr);
     EXPECT_EQ(setup.flow[0].velocity.target<Swirl>()->amplitude, 2);
-    EXPECT_NE(setup.flow[1].velocity.target<Reversed>(), nullptr);
+    Point<double> back(4, 0);
+    setup.flow[1].velocity({&back, 1}, 0, {&back, 1});
+    EXPECT_EQ(back.x(), -4);
     EXPECT_TRUE(std::isinf(setup.flow[2].end));
 }
 
