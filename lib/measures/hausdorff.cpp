@@ -4,7 +4,6 @@
 // largest distance found so far is halved.
 #include "measures/hausdorff.h"
 
-#include "dsc/base/error.h"
 #include "measures/segment_tree.h"
 
 #include <algorithm>
@@ -21,6 +20,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// After more halvings, nothing of an edge is left in double precision.
 constexpr int most_halvings = 60;
+
+/// Of the result; both curves are about as large as 1.
+constexpr double tolerance = 1e-10;
 
 struct Farthest {
     double distance = 0.0;
@@ -43,7 +45,7 @@ double bound(const Part& part, const std::vector<Segment>& others) {
     return std::min(by_a, by_b);
 }
 
-Farthest directed(const std::vector<Segment>& from, const SegmentTree& to, double tolerance) {
+Farthest directed(const std::vector<Segment>& from, const SegmentTree& to) {
     Farthest farthest;
     const auto look = [&](const Point<double>& p, std::size_t guess) {
         const Near near = to.nearest(p, guess, farthest.distance);
@@ -82,14 +84,7 @@ Farthest directed(const std::vector<Segment>& from, const SegmentTree& to, doubl
 
 } // namespace
 
-HausdorffDistance hausdorff(std::span<const Outline> first, std::span<const Outline> second,
-                            const HausdorffOptions& options) {
-    if (!(options.tolerance > 0.0)) {
-        throw InputError({.what = "tolerance",
-                          .where = "hausdorff",
-                          .value = std::to_string(options.tolerance),
-                          .allowed = "above 0"});
-    }
+HausdorffDistance hausdorff(std::span<const Outline> first, std::span<const Outline> second) {
     const double scale = unit_scale(first, second, "hausdorff");
     HausdorffDistance result;
     if (first.empty() || second.empty()) {
@@ -99,8 +94,8 @@ HausdorffDistance hausdorff(std::span<const Outline> first, std::span<const Outl
     }
     const SegmentTree tree1(segments_of(first, scale));
     const SegmentTree tree2(segments_of(second, scale));
-    const Farthest there = directed(tree1.segments(), tree2, options.tolerance);
-    const Farthest back = directed(tree2.segments(), tree1, options.tolerance);
+    const Farthest there = directed(tree1.segments(), tree2);
+    const Farthest back = directed(tree2.segments(), tree1);
     result.first_to_second = there.distance / scale;
     result.second_to_first = back.distance / scale;
     result.farthest = (there.distance > back.distance ? there.point : back.point) / scale;

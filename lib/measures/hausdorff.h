@@ -8,10 +8,6 @@
 
 namespace dsc::scenes {
 
-struct HausdorffOptions {
-    double tolerance = 1e-10; ///< of the result, relative to the size of the box around both
-};
-
 struct HausdorffDistance {
     double first_to_second = 0.0; ///< largest distance from a point of the first to the second
     double second_to_first = 0.0;
@@ -23,12 +19,10 @@ struct HausdorffDistance {
 };
 
 /// The distance between two sets of closed polylines: of all points of their edges, not only of
-/// vertices. Never above the true value (except for rounding) and below it by no more than the
-/// tolerance. Infinite if exactly one of the sets is empty. Throws InputError for an outline with
-/// fewer than three points, or with a point that is not finite, and for a tolerance that is not
-/// above zero.
+/// vertices. Never above the true value (except for rounding) and below it by no more than 1e-10 of
+/// the size of the box around both. Infinite if exactly one of the sets is empty. Throws InputError
+/// for an outline with fewer than three points, or with a point that is not finite.
 [[nodiscard]] HausdorffDistance hausdorff(std::span<const Outline> first,
-                                          std::span<const Outline> second,
-                                          const HausdorffOptions& options = {});
+                                          std::span<const Outline> second);
 
 } // namespace dsc::scenes

@@ -34,6 +34,10 @@ namespace {
 /// Small enough that projections of a sound polygon are always farther apart.
 constexpr double shortest_stretch = 0.25;
 
+/// A vertex may turn by so many times the exact curve's turn, and by this more.
+constexpr double turn_factor = 2.0;
+constexpr double turn_slack_deg = 2.0;
+
 double turn_deg(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
     return turn_angle<double>(a, b, c) * (180.0 / std::numbers::pi);
 }
@@ -72,7 +76,8 @@ public:
         if (direction.dot(nearest.b - nearest.a) < 0.0) {
             near = tree_.nearest_along(p, direction, near.distance + reach).value_or(near);
         }
-        const double fraction = tree_.segments()[near.segment].nearest_fraction(p);
+        const Segment& found = tree_.segments()[near.segment];
+        const double fraction = nearest_fraction<double>(p, found.a, found.b);
         return {near.segment, begin_[near.segment] +
                                   fraction * (begin_[near.segment + 1] - begin_[near.segment])};
     }
@@ -124,8 +129,7 @@ double exact_turn_deg(const ExactCurves& curves, const Place& a, const Place& p,
 
 } // namespace
 
-Jaggedness measure_jaggedness(std::span<const Outline> polygons, std::span<const Outline> exact,
-                              const JaggednessOptions& options) {
+Jaggedness measure_jaggedness(std::span<const Outline> polygons, std::span<const Outline> exact) {
     const double scale = unit_scale(polygons, exact, "measure_jaggedness");
     Jaggedness result;
     if (polygons.empty() || exact.empty()) {
@@ -133,6 +137,7 @@ Jaggedness measure_jaggedness(std::span<const Outline> polygons, std::span<const
     }
     const ExactCurves curves(exact, scale);
     CompensatedSum squares;
+    std::uint64_t vertices = 0;
     std::size_t guess = 0;
     for (const Outline& polygon : polygons) {
         const std::size_t n = polygon.size();
@@ -157,22 +162,18 @@ Jaggedness measure_jaggedness(std::span<const Outline> polygons, std::span<const
             const double turn = turn_deg(points[before], points[i], points[after]);
             const double exact_turn = exact_turn_deg(curves, places[before], places[i],
                                                      places[after], edges[i], edges[after]);
-            if (std::abs(turn) >= result.largest_turn_deg) {
-                result.largest_turn_deg = std::abs(turn);
-                result.exact_turn_deg = std::abs(exact_turn);
-            }
             const double excess =
-                std::abs(turn) - (options.factor * std::abs(exact_turn) + options.slack_deg);
+                std::abs(turn) - (turn_factor * std::abs(exact_turn) + turn_slack_deg);
             if (excess > result.largest_excess_deg) {
                 result.largest_excess_deg = excess;
                 result.worst = polygon[i];
             }
             result.beyond += excess > 0.0 ? 1U : 0U;
             squares.add((turn - exact_turn) * (turn - exact_turn));
-            ++result.vertices;
+            ++vertices;
         }
     }
-    result.rms_deg = std::sqrt(squares.value() / static_cast<double>(result.vertices));
+    result.rms_deg = std::sqrt(squares.value() / static_cast<double>(vertices));
     return result;
 }
 

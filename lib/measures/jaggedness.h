@@ -11,20 +11,12 @@
 
 namespace dsc::scenes {
 
-/// A vertex is jagged if it turns by more than `factor` times the exact curve's turn plus `slack`.
-struct JaggednessOptions {
-    double factor = 2.0;
-    double slack_deg = 2.0;
-};
-
-/// Turning angles in degrees, without their sign except for `rms_deg`.
+/// Turning angles in degrees, without their sign except for `rms_deg`. A vertex is jagged if it
+/// turns by more than twice the exact curve's turn plus 2 degrees.
 struct Jaggedness {
-    std::uint64_t vertices = 0;    ///< examined
-    std::uint64_t beyond = 0;      ///< of these, jagged
-    double largest_turn_deg = 0.0; ///< of any vertex
-    double exact_turn_deg = 0.0;   ///< of the exact curve at that vertex
-    /// The largest excess of a turn over what the options allow; not above 0 if no vertex is
-    /// jagged, minus infinity if there are no vertices.
+    std::uint64_t beyond = 0; ///< vertices that are jagged
+    /// The largest excess of a turn over what is allowed; not above 0 if no vertex is jagged, minus
+    /// infinity if there are no vertices.
     double largest_excess_deg = -std::numeric_limits<double>::infinity();
     Point<double> worst{0.0, 0.0}; ///< the vertex of the largest excess
     double rms_deg = 0.0;          ///< root of the mean square of turn - exact turn, with signs
@@ -35,7 +27,6 @@ struct Jaggedness {
 /// ones. No vertex is examined if either set is empty. Throws InputError for an outline with fewer
 /// than three points, or with a point that is not finite.
 [[nodiscard]] Jaggedness measure_jaggedness(std::span<const Outline> polygons,
-                                            std::span<const Outline> exact,
-                                            const JaggednessOptions& options = {});
+                                            std::span<const Outline> exact);
 
 } // namespace dsc::scenes

@@ -20,10 +20,7 @@ double said(const Moment& moment, const char* name) { return number(*moment.figu
 
 Value jaggedness_of(const Moment& moment) {
     const Jaggedness j = measure_jaggedness(moment.polygons, moment.exact->outlines);
-    return Figures{{"vertices", j.vertices},
-                   {"beyond", j.beyond},
-                   {"largest_turn_deg", j.largest_turn_deg},
-                   {"exact_turn_deg", j.exact_turn_deg},
+    return Figures{{"beyond", j.beyond},
                    {"largest_excess_deg", j.largest_excess_deg},
                    {"worst", j.worst},
                    {"rms_deg", j.rms_deg}};
@@ -87,9 +84,9 @@ const std::vector<Measure>& default_measures() {
     return measures;
 }
 
-std::vector<Measure> select_measures(const std::vector<std::string>& names,
-                                     const std::vector<Measure>& measures) {
-    std::set<std::string> wanted;
+std::vector<Measure> select_measures(const std::vector<std::string>& names) {
+    const std::vector<Measure>& measures = default_measures();
+    std::set<std::string> wanted(names.begin(), names.end());
     for (const std::string& name : names) {
         if (std::ranges::find(measures, name, &Measure::name) == measures.end()) {
             std::string known;
@@ -98,10 +95,9 @@ std::vector<Measure> select_measures(const std::vector<std::string>& names,
             }
             throw InputError({.what = "unknown measure",
                               .where = "measures",
-                              .value = name,
-                              .allowed = "one of: " + known});
+                              .value = "'" + name + "'",
+                              .allowed = known});
         }
-        wanted.insert(name);
     }
     // Backwards, because a measure uses only those before it.
     for (std::size_t i = measures.size(); i-- > 0;) {

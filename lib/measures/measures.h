@@ -33,12 +33,6 @@ enum class Needs : std::uint8_t {
     mesh,
 };
 
-inline constexpr std::array needs_names{
-    Named{Needs::outlines, "outlines"},
-    Named{Needs::exact_shape, "exact shape"},
-    Named{Needs::mesh, "mesh"},
-};
-
 struct Measure {
     std::string name;        ///< of its value; results at the end and half-way add _last and _half
     std::string unit;        ///< "1" if it has none
@@ -51,11 +45,9 @@ struct Measure {
 /// The measures of a run by default.
 [[nodiscard]] const std::vector<Measure>& default_measures();
 
-/// The measures of these names, and the measures that these use, in the order of `measures`. Throws
-/// InputError for a name that `measures` does not have. O(measures * names).
-[[nodiscard]] std::vector<Measure>
-select_measures(const std::vector<std::string>& names,
-                const std::vector<Measure>& measures = default_measures());
+/// Those of these names, and those that they use, in the same order. Throws InputError for a name
+/// that there is not. O(measures * names).
+[[nodiscard]] std::vector<Measure> select_measures(const std::vector<std::string>& names);
 
 /// The value of each measure, in their order. `moment.figures` need not be set. Throws what the
 /// measures throw.

@@ -20,10 +20,6 @@ constexpr std::size_t leaf = 4;
 
 double Segment::distance(const Point<double>& p) const { return dsc::distance<double>(p, a, b); }
 
-double Segment::nearest_fraction(const Point<double>& p) const {
-    return dsc::nearest_fraction<double>(p, a, b);
-}
-
 std::vector<Segment> segments_of(std::span<const Outline> outlines, double scale) {
     std::vector<Segment> segments;
     for (const Outline& outline : outlines) {
@@ -37,15 +33,7 @@ std::vector<Segment> segments_of(std::span<const Outline> outlines, double scale
 
 double unit_scale(std::span<const Outline> first, std::span<const Outline> second,
                   const std::string& where) {
-    Eigen::AlignedBox2d box;
-    for (const std::span<const Outline> outlines : {first, second}) {
-        for (const Outline& outline : outlines) {
-            check_outline(outline, where);
-            for (const Point<double>& p : outline) {
-                box.extend(p);
-            }
-        }
-    }
+    const Eigen::AlignedBox2d box = box_around(first, second, where);
     const double size = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
     int exponent = 0;
     if (size > 0.0 && std::isfinite(size)) {

@@ -21,8 +21,6 @@ struct Segment {
     Point<double> b;
 
     [[nodiscard]] double distance(const Point<double>& p) const;
-    /// The point nearest to p, as a fraction of the way from a (0) to b (1).
-    [[nodiscard]] double nearest_fraction(const Point<double>& p) const;
 };
 
 /// The edges of all outlines in their order, scaled.

@@ -63,15 +63,7 @@ double offset(double low, double high) {
 }
 
 Frame frame_of(const Region& first, const Region& second) {
-    Eigen::AlignedBox2d box;
-    for (const Region* region : {&first, &second}) {
-        for (const Outline& outline : region->outlines) {
-            check_outline(outline, "overlap_areas");
-            for (const Point<double>& p : outline) {
-                box.extend(p);
-            }
-        }
-    }
+    const Eigen::AlignedBox2d box = box_around(first.outlines, second.outlines, "overlap_areas");
     Frame frame;
     const double extent = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
     if (extent > 0.0 && std::isfinite(extent)) {

@@ -78,4 +78,18 @@ void check_outline(const Outline& outline, const std::string& where) {
     }
 }
 
+Eigen::AlignedBox2d box_around(std::span<const Outline> first, std::span<const Outline> second,
+                               const std::string& where) {
+    Eigen::AlignedBox2d box;
+    for (const std::span<const Outline> outlines : {first, second}) {
+        for (const Outline& outline : outlines) {
+            check_outline(outline, where);
+            for (const Point<double>& p : outline) {
+                box.extend(p);
+            }
+        }
+    }
+    return box;
+}
+
 } // namespace dsc::scenes

@@ -4,6 +4,8 @@
 
 #include "dsc/base/types.h"
 
+#include <Eigen/Geometry>
+
 #include <span>
 #include <string>
 #include <vector>
@@ -31,6 +33,11 @@ using Outline = std::vector<Point<double>>;
 
 /// Throws InputError unless the outline has at least three points and all of them are finite.
 void check_outline(const Outline& outline, const std::string& where);
+
+/// The box around both sets of outlines, each of which is checked.
+[[nodiscard]] Eigen::AlignedBox2d box_around(std::span<const Outline> first,
+                                             std::span<const Outline> second,
+                                             const std::string& where);
 
 /// The shape that an exact method would have at a time; all others are measured against it.
 struct ExactShape {

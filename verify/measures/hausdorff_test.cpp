@@ -48,7 +48,8 @@ TEST(Hausdorff, ClosedForms) {
                 hausdorff(inner, outer), 1e-15);
     EXPECT_EQ(dsc::scenes::hausdorff({}, bar).distance(), INFINITY);
     EXPECT_EQ(dsc::scenes::hausdorff({}, {}).distance(), 0.0);
-    EXPECT_THROW((void)dsc::scenes::hausdorff(bar, ends, {.tolerance = 0.0}), InputError);
+    const std::vector<Outline> line{{{0, 0}, {1, 0}}};
+    EXPECT_THROW((void)dsc::scenes::hausdorff(bar, line), InputError);
 }
 
 double sampled_distance(const Outline& from, const Outline& to, int samples) {

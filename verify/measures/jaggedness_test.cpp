@@ -49,18 +49,9 @@ TEST(Jaggedness, OfAnInscribedPolygonIsThatOfTheCircle) {
     for (const double angle : angles) {
         polygon.emplace_back(0.5 + 0.3 * std::cos(angle), 0.4 + 0.3 * std::sin(angle));
     }
-    double largest = 0.0;
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-        const double before = i == 0 ? angles.back() - 2.0 * pi : angles[i - 1];
-        const double after = i + 1 == angles.size() ? 2.0 * pi : angles[i + 1];
-        largest = std::max(largest, degrees(0.5 * (after - before)));
-    }
     const ExactShape exact = exact_circle({0.5, 0.4}, 0.3);
     const Jaggedness j = jaggedness(polygon, exact.outlines.front());
-    EXPECT_EQ(j.vertices, angles.size());
     EXPECT_EQ(j.beyond, 0U);
-    EXPECT_NEAR(j.largest_turn_deg, largest, 1e-9);
-    EXPECT_NEAR(j.exact_turn_deg, largest, 1e-3);
     EXPECT_LT(j.largest_excess_deg, -2.0);
     EXPECT_LT(j.rms_deg, 1e-3);
 }
@@ -74,17 +65,10 @@ TEST(Jaggedness, FindsATooth) {
     const std::size_t tooth = index_of(polygon, {0.5, 0});
     polygon[tooth].y() -= 0.1 * std::tan(1.5 * pi / 180);
     const Jaggedness j = jaggedness(polygon, plain_square);
-    EXPECT_EQ(j.vertices, 40U);
     EXPECT_EQ(j.beyond, 1U) << "its neighbours turn by 1.5 degrees only";
     EXPECT_EQ(j.worst, polygon[tooth]);
     EXPECT_NEAR(j.largest_excess_deg, 1.0, 1e-9);
     EXPECT_NEAR(j.rms_deg, std::sqrt((9.0 + 2 * 2.25) / 40), 1e-9);
-    EXPECT_NEAR(j.largest_turn_deg, 90.0, 1e-12);
-    EXPECT_NEAR(j.exact_turn_deg, 90.0, 1e-12);
-    const auto strict = measure_jaggedness(std::span(&polygon, 1), std::span(&plain_square, 1),
-                                           {.factor = 1.0, .slack_deg = 1.0});
-    EXPECT_EQ(strict.beyond, 3U);
-    EXPECT_NEAR(strict.largest_excess_deg, 2.0, 1e-9);
 }
 
 TEST(Jaggedness, ComparesSignsInTheMean) {
@@ -105,7 +89,6 @@ TEST(Jaggedness, CornersOfTheExactShapeAreNone) {
         const Outline polygon = slotted_disc({}, h);
         const Jaggedness whole = jaggedness(polygon, exact);
         EXPECT_EQ(whole.beyond, 0U);
-        EXPECT_GT(whole.largest_turn_deg, 89.0);
         EXPECT_LT(whole.rms_deg, 0.02) << "facets of the exact outline";
         // Without the vertices at the corners: two turns instead of one.
         Outline cut;
@@ -126,7 +109,6 @@ TEST(Jaggedness, AFoldExcusesNothing) {
     const Jaggedness j = jaggedness(polygon, plain_square);
     EXPECT_EQ(j.beyond, 2U);
     EXPECT_NEAR(j.largest_excess_deg, 178.0, 1e-9);
-    EXPECT_NEAR(j.exact_turn_deg, 0.0, 1e-9);
     // Beside a corner that lies nearer than the fold is long, but not within the fold.
     const Outline beside{{0, 0}, {0.5, 0}, {0.15, 0}, {0.6, 0}, {1, 0}, {1, 1}, {0, 1}};
     const Jaggedness k = jaggedness(beside, plain_square);
@@ -151,7 +133,7 @@ TEST(Jaggedness, TheFarSideOfAFilamentExcusesNothing) {
 
 TEST(Jaggedness, OfNothing) {
     const Outline one = fine_square();
-    EXPECT_EQ(measure_jaggedness({}, std::span(&one, 1)).vertices, 0U);
+    EXPECT_EQ(measure_jaggedness({}, std::span(&one, 1)).largest_excess_deg, -INFINITY);
     EXPECT_EQ(measure_jaggedness(std::span(&one, 1), {}).largest_excess_deg, -INFINITY);
     const Outline bad{{0, 0}, {1, 0}, {NAN, 1}};
     EXPECT_THROW((void)jaggedness(bad, one), InputError);

@@ -2,12 +2,10 @@
 #include "scenes/file/figure_limits.h"
 
 #include "dsc/base/error.h"
-#include "scenes/file/excerpt.h"
 #include "scenes/name_list.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -56,22 +54,11 @@ FigureLimit read_limit(const TableReader& reader, const std::string& key, std::s
 
 std::vector<Measure> read_measures(const TableReader& reader) {
     const std::string key = "measures";
-    const std::vector<Measure>& known = default_measures();
     const std::vector<std::string> names = reader.texts(key);
     if (names.empty()) {
-        reader.refuse(key, "no measure", name_list(known, &Measure::name));
+        reader.refuse(key, "no measure", name_list(default_measures(), &Measure::name));
     }
-    std::set<std::string> before;
-    for (const std::string& name : names) {
-        if (std::ranges::find(known, name, &Measure::name) == known.end()) {
-            reader.refuse(key, "unknown measure " + quoted_excerpt(name),
-                          name_list(known, &Measure::name));
-        }
-        if (!before.insert(name).second) {
-            reader.refuse(key, "a measure that is there twice, " + name, "each of them once");
-        }
-    }
-    return select_measures(names);
+    return at_key(reader, key, [&] { return select_measures(names); });
 }
 
 std::vector<FigureLimit> read_limits(const TableReader& reader) {

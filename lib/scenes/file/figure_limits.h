@@ -22,8 +22,8 @@ struct FigureLimit {
     std::string where{}; ///< file, line and key
 };
 
-/// [measure] measures: a list of names of `default_measures`. Throws InputError for another name,
-/// one that is there twice, and an empty list.
+/// [measure] measures: a list of names of `default_measures`. Throws InputError for another name
+/// and an empty list.
 [[nodiscard]] std::vector<Measure> read_measures(const TableReader& reader);
 
 /// [limits]: at least one. Throws InputError for a name that no figure has, and for a bound that is

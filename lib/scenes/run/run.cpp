@@ -2,6 +2,8 @@
 #include "scenes/run/run.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
+#include "dsc/quality/measures.h"
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"
 #include "replay/mesh_hash.h"
@@ -318,10 +320,19 @@ private:
         result_.junctions = summarise(measure_junctions(complex()));
         look_at_the_worst();
         const double h = result_.parameters.h;
-        result_.area_histogram = area_histogram(
-            complex(), {.bins = 60, .low = 0, .high = 3 * std::sqrt(3.0) / 4 * h * h});
-        result_.quality_histogram = quality_histogram(complex(), {.bins = 50});
-        result_.angle_histogram = min_angle_histogram(complex(), {.bins = 60});
+        const auto histogram = [&](double high, std::size_t bins, auto measure) {
+            std::vector<double> values;
+            for (const Triangle t : triangles(complex())) {
+                values.push_back(static_cast<double>(measure(t)));
+            }
+            return make_histogram(values, 0, high, bins);
+        };
+        result_.area_histogram = histogram(3 * std::sqrt(3.0) / 4 * h * h, 60,
+                                           [&](Triangle t) { return area(complex(), t); });
+        result_.quality_histogram =
+            histogram(1, 50, [&](Triangle t) { return quality(complex(), t); });
+        result_.angle_histogram =
+            histogram(60, 60, [&](Triangle t) { return min_angle_deg(complex(), t); });
         if (!step_us.empty()) {
             result_.first_step_us = step_us.front();
             const auto half = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);

@@ -75,7 +75,6 @@ TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
          {"s.toml:10", "sd_last", "not measured against"}},
         {few_steps + "[measure]\nmeasures = ['aera']\n",
          {"s.toml:6", "[measure] measures", "'aera'", "area", "min_quality"}},
-        {few_steps + "[measure]\nmeasures = ['area', 'area']\n", {"s.toml:6", "twice, area"}},
         {few_steps + "[measure]\nmeasures = []\n", {"s.toml:6", "no measure", "area"}},
         {few_steps + "[measure]\nmeasures = 'area'\n", {"s.toml:6", "list of texts"}},
     };
