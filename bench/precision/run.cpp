@@ -4,7 +4,6 @@
 #include "dsc/base/error.h"
 #include "markers.h"
 #include "scenes/catalogue/catalogue.h"
-#include "scenes/digits.h"
 #include "scenes/output/machine.h"
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"
@@ -39,17 +38,16 @@ std::map<std::string, std::string> settings_of(const Case& item) {
     const Flow& flow = *item.flow;
     const int steps = steps_of(item);
     const double duration = flow.there_and_back ? flow.duration / 2 : flow.duration;
-    std::map<std::string, std::string> result{{"h", scenes::shortest_digits(item.h)},
-                                              {"dt", scenes::shortest_digits(duration / steps)},
+    std::map<std::string, std::string> result{{"h", to_text(item.h)},
+                                              {"dt", to_text(duration / steps)},
                                               {"steps", std::to_string(steps)}};
     if (flow.period > 0) {
-        result["period"] = scenes::shortest_digits(flow.period);
+        result["period"] = to_text(flow.period);
     }
     for (const Setting& setting : item.method->settings) {
-        result[setting.key] =
-            !setting.word.empty()
-                ? setting.word
-                : scenes::shortest_digits(setting.factor * std::pow(item.h, setting.power));
+        result[setting.key] = !setting.word.empty()
+                                  ? setting.word
+                                  : to_text(setting.factor * std::pow(item.h, setting.power));
     }
     return result;
 }
@@ -134,8 +132,7 @@ std::vector<Case> cases_of(const std::vector<const Flow*>& flows,
 }
 
 std::string file_name(const Case& item) {
-    std::string name =
-        item.flow->name + "--" + item.method->name + "--" + scenes::shortest_digits(item.h);
+    std::string name = item.flow->name + "--" + item.method->name + "--" + to_text(item.h);
     std::string result;
     for (const char c : name) {
         const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '-';

@@ -3,7 +3,7 @@
 
 #include "context.h"
 
-#include "scenes/digits.h"
+#include "dsc/base/error.h"
 #include "scenes/run/usage.h"
 
 #include <algorithm>
@@ -76,7 +76,7 @@ std::string key_of(const Workload& workload, const std::string& scene) {
                       std::to_string(static_cast<int>(workload.part));
     for (const double value :
          {workload.around, workload.dt_over_h.value_or(-1), workload.area_error.value_or(-1)}) {
-        key += '/' + scenes::shortest_digits(value);
+        key += '/' + to_text(value);
     }
     return key;
 }
@@ -194,8 +194,7 @@ void add_rows(const SuiteCase& c, Suite& suite) {
             const auto start =
                 start_of(workload, key_of(workload, c.scenes[i]), reader.where("scene"));
             add_rows_of(c, name,
-                        size.name.empty() ? "h:" + scenes::shortest_digits(workload.parameters.h)
-                                          : size.name,
+                        size.name.empty() ? "h:" + to_text(workload.parameters.h) : size.name,
                         scene, start, suite);
         }
     }

@@ -2,7 +2,6 @@
 #include "scenes/keys.h"
 
 #include "dsc/base/error.h"
-#include "scenes/digits.h"
 #include "scenes/name_list.h"
 
 #include <algorithm>
@@ -28,29 +27,35 @@ bool read_number(const std::string& text, Number low, Number high, Number& numbe
     return true;
 }
 
-// In these rows `field` gives a reference to the field of the key, for const and non-const
-// Parameters.
-
+// In these rows `field` leads to the field of the key: a member, or a function of the parameters.
 template <class Number, class Field>
-Key number(std::string name, Number low, Number high, std::string allowed, Field field) {
+Key number(std::string name, Field field, Number low, Number high, std::string allowed) {
     return {std::move(name), std::move(allowed),
             [=](Parameters& p, const std::string& text) {
-                return read_number(text, low, high, field(p));
+                return read_number(text, low, high, std::invoke(field, p));
             },
-            [=](const Parameters& p) { return Setting(field(p)); }};
+            [=](const Parameters& p) { return Setting(std::invoke(field, p)); }};
 }
 
 template <class Enum, std::size_t n, class Field>
-Key choice(std::string name, const EnumTable<Enum, n>& table, Field field) {
+Key choice(std::string name, Field field, const EnumTable<Enum, n>& table) {
     return {std::move(name), names_in(table),
             [=](Parameters& p, const std::string& text) {
                 const auto value = value_in(table, text);
                 if (value) {
-                    field(p) = *value;
+                    std::invoke(field, p) = *value;
                 }
                 return value.has_value();
             },
-            [=](const Parameters& p) { return Setting(std::string(name_in(table, field(p)))); }};
+            [=](const Parameters& p) {
+                return Setting(std::string(name_in(table, std::invoke(field, p))));
+            }};
+}
+
+// A member of the thresholds of the interface.
+template <class Value>
+auto of_interface(Value InterfaceThresholds::*member) {
+    return [member](auto& p) -> auto& { return p.interface.*member; };
 }
 
 Key for_some_scenes(Key key) {
@@ -59,85 +64,42 @@ Key for_some_scenes(Key key) {
 }
 
 std::vector<Key> make_keys() {
+    using P = Parameters;
+    using I = InterfaceThresholds;
     return {
-        number(
-            "h", 1e-5, 1.0, "a length from 1e-5 to 1, in units of the domain",
-            [](auto& p) -> auto& { return p.h; }),
-        number(
-            "dt", 1e-12, 1e3, "a time from 1e-12 to 1000", [](auto& p) -> auto& { return p.dt; }),
-        number(
-            "steps", 1, 100'000'000, "a whole number from 1 to 100000000",
-            [](auto& p) -> auto& { return p.steps; }),
-        for_some_scenes(number(
-            "period", 1e-6, 1e6, "a time from 1e-6 to 1e6",
-            [](auto& p) -> auto& { return p.period; })),
-        for_some_scenes(number(
-            "angle", 5.0, 45.0, "5 to 45 degrees", [](auto& p) -> auto& { return p.angle; })),
-        for_some_scenes(number(
-            "grains", 4, 1'000'000, "a whole number from 4 to 1000000",
-            [](auto& p) -> auto& { return p.grains; })),
-        for_some_scenes(choice(
-            "inside", fineness_names, [](auto& p) -> auto& { return p.inside; })),
-        for_some_scenes(choice(
-            "outside", fineness_names, [](auto& p) -> auto& { return p.outside; })),
-        for_some_scenes(choice(
-            "ramp", ramp_names, [](auto& p) -> auto& { return p.ramp; })),
-        choice(
-            "integrator", integrator_choice_names, [](auto& p) -> auto& { return p.integrator; }),
-        number(
-            "tolerance", 1e-12, 1.0, "1e-12 to 1, an error in edge lengths",
-            [](auto& p) -> auto& { return p.tolerance; }),
-        choice(
-            "insertion", insertion_names, [](auto& p) -> auto& { return p.insertion; }),
-        choice(
-            "coarsening", coarsening_names,
-            [](auto& p) -> auto& { return p.interface.coarsening; }),
-        choice(
-            "reading", reading_names, [](auto& p) -> auto& { return p.interface.reading; }),
-        number(
-            "longest", 0.1, 10.0, "0.1 to 10, in edge lengths",
-            [](auto& p) -> auto& { return p.interface.longest; }),
-        number(
-            "shortest", 0.0, 5.0, "0 to 5, in edge lengths",
-            [](auto& p) -> auto& { return p.interface.shortest; }),
-        number(
-            "deviation", 0.0, 1.0, "0 to 1, in edge lengths",
-            [](auto& p) -> auto& { return p.interface.deviation; }),
-        number(
-            "turn", 0.0, 180.0, "0 (off), 1 to 180 degrees",
-            [](auto& p) -> auto& { return p.interface.turn_degrees; }),
-        number(
-            "corner", 0.0, 180.0, "0 to 180 degrees: sharper turns at the start are corners",
-            [](auto& p) -> auto& { return p.interface.corner_degrees; }),
-        number(
-            "gap", 0.0, 100.0, "0 (off), 0.1 to 100",
-            [](auto& p) -> auto& { return p.interface.gap; }),
-        number(
-            "grading", 0.0, 100.0, "0 (off), 2 to 100",
-            [](auto& p) -> auto& { return p.interface.grading; }),
-        number(
-            "finest", 1e-3, 1.0, "0.001 to 1, in edge lengths",
-            [](auto& p) -> auto& { return p.interface.finest; }),
-        number(
-            "grade", 0.0, 2.0, "0 (all edges of one length), above 1, up to 2",
-            [](auto& p) -> auto& { return p.grade; }),
-        choice(
-            "topology", topology_names, [](auto& p) -> auto& { return p.topology; }),
-        number(
-            "contact", 0.0, 1.0, "0 (0.4 edge lengths), or a length, no wider than a phase",
-            [](auto& p) -> auto& { return p.contact; }),
-        number(
-            "least_area", 1e-3, 1e3, "0.001 to 1000, in squared edge lengths",
-            [](auto& p) -> auto& { return p.least_area; }),
-        choice(
-            "seams", no_or_yes, [](auto& p) -> auto& { return p.follows_seams; }),
-        choice(
-            "give_back", no_or_yes, [](auto& p) -> auto& { return p.gives_back; }),
-        choice(
-            "real", real_type_names, [](auto& p) -> auto& { return p.real; }),
-        number(
-            "seed", std::uint64_t{0}, UINT64_MAX, "a whole number from 0 to 2^64 - 1",
-            [](auto& p) -> auto& { return p.seed; }),
+        number("h", &P::h, 1e-5, 1.0, "a length from 1e-5 to 1, in units of the domain"),
+        number("dt", &P::dt, 1e-12, 1e3, "a time from 1e-12 to 1000"),
+        number("steps", &P::steps, 1, 100'000'000, "a whole number from 1 to 100000000"),
+        for_some_scenes(number("period", &P::period, 1e-6, 1e6, "a time from 1e-6 to 1e6")),
+        for_some_scenes(number("angle", &P::angle, 5.0, 45.0, "5 to 45 degrees")),
+        for_some_scenes(
+            number("grains", &P::grains, 4, 1'000'000, "a whole number from 4 to 1000000")),
+        for_some_scenes(choice("inside", &P::inside, fineness_names)),
+        for_some_scenes(choice("outside", &P::outside, fineness_names)),
+        for_some_scenes(choice("ramp", &P::ramp, ramp_names)),
+        choice("integrator", &P::integrator, integrator_choice_names),
+        number("tolerance", &P::tolerance, 1e-12, 1.0, "1e-12 to 1, an error in edge lengths"),
+        choice("insertion", &P::insertion, insertion_names),
+        choice("coarsening", of_interface(&I::coarsening), coarsening_names),
+        choice("reading", of_interface(&I::reading), reading_names),
+        number("longest", of_interface(&I::longest), 0.1, 10.0, "0.1 to 10, in edge lengths"),
+        number("shortest", of_interface(&I::shortest), 0.0, 5.0, "0 to 5, in edge lengths"),
+        number("deviation", of_interface(&I::deviation), 0.0, 1.0, "0 to 1, in edge lengths"),
+        number("turn", of_interface(&I::turn_degrees), 0.0, 180.0, "0 (off), 1 to 180 degrees"),
+        number("corner", of_interface(&I::corner_degrees), 0.0, 180.0,
+               "0 to 180 degrees: sharper turns at the start are corners"),
+        number("gap", of_interface(&I::gap), 0.0, 100.0, "0 (off), 0.1 to 100"),
+        number("grading", of_interface(&I::grading), 0.0, 100.0, "0 (off), 2 to 100"),
+        number("finest", of_interface(&I::finest), 1e-3, 1.0, "0.001 to 1, in edge lengths"),
+        number("grade", &P::grade, 0.0, 2.0, "0 (all edges of one length), above 1, up to 2"),
+        choice("topology", &P::topology, topology_names),
+        number("contact", &P::contact, 0.0, 1.0,
+               "0 (0.4 edge lengths), or a length, no wider than a phase"),
+        number("least_area", &P::least_area, 1e-3, 1e3, "0.001 to 1000, in squared edge lengths"),
+        choice("seams", &P::follows_seams, no_or_yes),
+        choice("give_back", &P::gives_back, no_or_yes),
+        choice("real", &P::real, real_type_names),
+        number("seed", &P::seed, std::uint64_t{0}, UINT64_MAX, "a whole number from 0 to 2^64 - 1"),
     };
 }
 
@@ -145,7 +107,7 @@ std::vector<Key> make_keys() {
 
 std::string text_of(const Setting& setting) {
     struct Writer {
-        std::string operator()(double value) const { return shortest_digits(value); }
+        std::string operator()(double value) const { return to_text(value); }
         std::string operator()(int value) const { return std::to_string(value); }
         std::string operator()(std::uint64_t value) const { return std::to_string(value); }
         std::string operator()(const std::string& value) const { return value; }
@@ -172,7 +134,7 @@ std::vector<std::string> common_keys(std::initializer_list<const char*> more) {
 std::string text_of(const Parameters& parameters) {
     std::string text;
     for (const Key& key : parameter_keys()) {
-        text += '/' + text_of(key.value(parameters));
+        text += ' ' + key.name + '=' + text_of(key.value(parameters));
     }
     return text;
 }

@@ -34,7 +34,7 @@ struct Key {
 /// The names of those that every scene takes, and of more.
 [[nodiscard]] std::vector<std::string> common_keys(std::initializer_list<const char*> more = {});
 
-/// The values of all keys with slashes between them: the same for no two different parameters.
+/// All keys with their values, " h=0.02 dt=0.01": the same for no two different parameters.
 [[nodiscard]] std::string text_of(const Parameters& parameters);
 
 /// Sets one key from text. Throws InputError for a key that is not one of `keys` (naming those), a

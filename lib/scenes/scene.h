@@ -58,23 +58,6 @@ struct EdgesToInterface {
     double operator()(double distance) const { return std::max(finest, distance / number); }
 };
 
-/// Edges that get longer or shorter from the left end of a growing circle to its right end, and
-/// moves with these ends; beyond them, as at the nearer end. For triangles and the interface.
-struct LengthAcross {
-    double centre = 0.5; ///< of the circle, its x
-    double radius = 0;   ///< at the start
-    double speed = 0;    ///< at which it grows
-    double left = 0;     ///< length at the left end
-    double right = 0;    ///< length at the right end
-
-    double operator()(const Point<double>& p, double time) const {
-        const double now = radius + speed * time;
-        const double share = (p.x() - (centre - now)) / (2 * now);
-        return left + (right - left) * std::min(std::max(share, 0.0), 1.0);
-    }
-    double operator()(const Point<double>& p, double time, Phase) const { return (*this)(p, time); }
-};
-
 /// Edges of one length in each phase, by its number; the last holds for all that follow.
 struct LengthByPhase {
     std::vector<double> lengths;
@@ -82,13 +65,6 @@ struct LengthByPhase {
     double operator()(const Point<double>&, double, Phase phase) const {
         return lengths[std::min<std::size_t>(phase, lengths.size() - 1)];
     }
-};
-
-/// Edges of one length along the interface.
-struct OneLength {
-    double length = 0;
-
-    double operator()(const Point<double>&, double) const { return length; }
 };
 
 /// The application's interpolator of a circle that is to stay round (thesis, section 9.2): a new

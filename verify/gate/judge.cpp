@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "judge.h"
 
-#include "scenes/digits.h"
+#include "dsc/base/error.h"
 #include "scenes/file/excerpt.h"
 #include "scenes/name_list.h"
 
@@ -97,8 +97,7 @@ Row judge(const Task& task, std::span<const Outcome* const> outcomes,
         if (row.pass && strictness.drift &&
             row.limit.worse_by(measured.value, at_least) > *strictness.drift) {
             row.pass = false;
-            row.failure = "within its limit, but worse than the " +
-                          scenes::shortest_digits(*row.limit.measured) +
+            row.failure = "within its limit, but worse than the " + to_text(*row.limit.measured) +
                           " that the limit was made from";
         }
     } catch (const GaveUp& error) {

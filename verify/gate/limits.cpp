@@ -4,7 +4,6 @@
 #include "checks.h"
 
 #include "dsc/base/error.h"
-#include "scenes/digits.h"
 #include "scenes/file/case_reader.h"
 #include "scenes/name_list.h"
 
@@ -96,9 +95,8 @@ void check_rule(const TableReader& limits, const Check& check, const Limit& limi
     if (!(ratio >= rule.least && ratio <= rule.most)) {
         limits.refuse(check.name,
                       "a limit that does not follow its rule, " + rule.name + " of " +
-                          scenes::shortest_digits(measured),
-                      scenes::shortest_digits(rule.least) + " to " +
-                          scenes::shortest_digits(rule.most) + " times that");
+                          to_text(measured),
+                      to_text(rule.least) + " to " + to_text(rule.most) + " times that");
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "place.h"
 
+#include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/geometry/triangle.h"
@@ -9,7 +10,6 @@
 #include "measures/hausdorff.h"
 #include "measures/interface_outlines.h"
 #include "measures/jaggedness.h"
-#include "scenes/digits.h"
 
 #include <algorithm>
 #include <cctype>
@@ -192,8 +192,8 @@ Place find_place(const Row& row, const Runs& runs, const std::filesystem::path& 
     };
     (void)scenes::run_scene(scene, run.parameters, options);
     if (place.at) {
-        place.command += " --frames frames --pictures phases,edges,interface --at " +
-                         scenes::shortest_digits(place.time);
+        place.command +=
+            " --frames frames --pictures phases,edges,interface --at " + to_text(place.time);
     }
     return place;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "propose.h"
 
-#include "scenes/digits.h"
+#include "dsc/base/error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,7 @@ double rounded(double value, bool up) {
     const double whole = std::abs(steps - std::round(steps)) < 1e-9
                              ? std::round(steps)
                              : (up ? std::ceil(steps) : std::floor(steps));
-    return std::stod(scenes::shortest_digits(whole) + 'e' +
-                     std::to_string(std::lround(std::log10(unit))));
+    return std::stod(to_text(whole) + 'e' + std::to_string(std::lround(std::log10(unit))));
 }
 
 bool is_count(const Check& check) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "suite.h"
 
-#include "scenes/digits.h"
+#include "dsc/base/error.h"
 #include "scenes/file/case_reader.h"
 #include "scenes/file/text_file.h"
 #include "scenes/run/usage.h"
@@ -30,12 +30,6 @@ std::string read_text(const std::string& path) {
                           .value = "'" + path + "'",
                           .allowed = "a suite or a scene file that can be read"});
     }
-}
-
-std::vector<Strategy> parallel_strategies() {
-    std::vector<Strategy> all;
-    std::ranges::copy_if(scenes::all_strategies(), std::back_inserter(all), scenes::is_parallel);
-    return all;
 }
 
 /// What holds for all cases of a suite.
@@ -96,7 +90,7 @@ void read_held(const CaseReader& reader, const Common& common, Case& c) {
 }
 
 void read_strategies(const CaseReader& reader, Case& c) {
-    c.strategies = parallel_strategies();
+    c.strategies = scenes::parallel_strategies();
     if (reader.has("strategies")) {
         c.strategies.clear();
         for (const std::string& name : texts(reader, "strategies")) {
@@ -162,9 +156,7 @@ void read_rows(const CaseReader& reader, const Common& common, std::optional<std
         for (const CaseSize& size : sizes) {
             Case sized = c;
             sized.parameters.h = size.h > 0 ? size.h : sized.parameters.h;
-            sized.name =
-                name +
-                (sizes.size() > 1 ? " h:" + scenes::shortest_digits(sized.parameters.h) : "");
+            sized.name = name + (sizes.size() > 1 ? " h:" + to_text(sized.parameters.h) : "");
             if (reader.has("dt_over_h")) {
                 sized.parameters.dt =
                     sized.parameters.h * reader.of("dt_over_h").number("dt_over_h", {1e-6, 1e3});
@@ -267,7 +259,7 @@ Case case_of_scene(const std::string& scene) {
            .path = is_file ? scene : ""};
     c.name = c.file.scene.name;
     c.parameters = c.file.scene.defaults;
-    c.strategies = parallel_strategies();
+    c.strategies = scenes::parallel_strategies();
     return c;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "update.h"
 
-#include "scenes/digits.h"
+#include "dsc/base/error.h"
 #include "scenes/file/excerpt.h"
 #include "scenes/output/machine.h"
 
@@ -56,14 +56,13 @@ private:
 std::string limit_text(const Band& band, const toml::table* known, const std::string& at) {
     const Limit& limit = band.limit;
     if (!limit.measured) {
-        return scenes::shortest_digits(limit.value);
+        return to_text(limit.value);
     }
     const auto is_known = [&](const char* key, const auto& value) {
         return known != nullptr && (*known)[key].value<std::decay_t<decltype(value)>>() == value;
     };
     std::string text = std::string(band.check->at_least ? "{ at_least = " : "{ at_most = ") +
-                       scenes::shortest_digits(limit.value) +
-                       ", measured = " + few_digits(*limit.measured, 3);
+                       to_text(limit.value) + ", measured = " + few_digits(*limit.measured, 3);
     if (limit.rule != "required" && !is_known("rule", limit.rule)) {
         text += ", rule = \"" + limit.rule + '"';
     }

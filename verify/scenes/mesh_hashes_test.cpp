@@ -112,7 +112,8 @@ TEST_P(MeshHashes, AreThoseOfTheTable) {
     const Scene& scene = find_scene(GetParam());
     const bool are_recorded = test::are_asked_for("record");
     Table table = read_table(DSC_HASHES_FILE);
-    for (const Strategy strategy : all_strategies()) {
+    for (const StrategyEntry& entry : strategies()) {
+        const Strategy strategy = entry.strategy;
         for (const RealType real : {RealType::double_precision, RealType::single_precision}) {
             if (!runs(scene, strategy, real)) {
                 continue;

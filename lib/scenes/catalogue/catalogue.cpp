@@ -55,11 +55,7 @@ const Scene& find_scene(const std::string& name, const std::vector<Scene>& scene
 }
 
 InterfaceThresholds coarse_interface() {
-    InterfaceThresholds thresholds;
-    thresholds.longest = 1.4;
-    thresholds.shortest = 0.45;
-    thresholds.deviation = 0.02;
-    return thresholds;
+    return {.longest = 1.4, .shortest = 0.45, .deviation = 0.02};
 }
 
 } // namespace dsc::scenes

@@ -16,13 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// Curvature flow smooths every corner at once: none is kept.
-InterfaceThresholds without_corners() {
-    InterfaceThresholds thresholds;
-    thresholds.corner_degrees = 180;
-    return thresholds;
-}
-
 // --- a lens -------------------------------------------------------------------------------------
 
 // The upper half of a circle from right to left, or the lower one from left to right; both ends are
@@ -135,7 +128,8 @@ Setup voronoi_foam(const Parameters& p) {
 } // namespace
 
 std::vector<Scene> network_scenes() {
-    const InterfaceThresholds smooth = without_corners();
+    // Curvature flow smooths every corner at once: none is kept.
+    const InterfaceThresholds smooth{.corner_degrees = 180};
     return {
         {.name = "three-phases",
          .description = "a disc between two half-planes becomes a lens of angles of 120 degrees",

@@ -32,17 +32,25 @@ Setup grow_in_two_sizes(const Parameters& p) {
     const double outside = length(p.outside);
     Setup setup = scaling_scene({}, p.h).prepare(p);
     setup.sizes.by_place = LengthByPhase{{outside, inside}};
-    setup.sizes.on_interface = OneLength{std::min(inside, outside)};
+    setup.sizes.on_interface = [finer = std::min(inside, outside)](const auto&, double) {
+        return finer;
+    };
     return setup;
 }
 
-// Long edges at the circle's left end, short ones at its right end, of triangles and of the
-// interface.
+// Long edges at the growing circle's left end, short ones at its right end, and beyond them as at
+// the nearer end, of triangles and of the interface.
 Setup grow_across_sizes(const Parameters& p) {
-    const LengthAcross length{
-        .radius = 0.1, .speed = 1, .left = coarse_over_fine * p.h, .right = p.h};
+    const auto length = [h = p.h](const Point<double>& place, double time) {
+        const double radius = 0.1 + time;
+        const double share = (place.x() - (0.5 - radius)) / (2 * radius);
+        const double longest = coarse_over_fine * h;
+        return longest + (h - longest) * std::clamp(share, 0.0, 1.0);
+    };
     Setup setup = scaling_scene({}, p.h).prepare(p);
-    setup.sizes.by_place = length;
+    setup.sizes.by_place = [length](const Point<double>& place, double time, Phase) {
+        return length(place, time);
+    };
     setup.sizes.on_interface = length;
     setup.sizes.changes_in_time = true;
     return setup;

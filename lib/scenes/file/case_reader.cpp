@@ -20,21 +20,15 @@ auto one_or_more(const CaseReader& reader, const std::string& key, One one, Many
 
 } // namespace
 
-const std::vector<std::string>& keys_of_verify() {
-    static const std::vector<std::string> keys{"limits", "defaults", "every_case_has",
-                                               "measured_at"};
-    return keys;
+std::vector<std::string> keys_of_verify() {
+    return {"limits", "defaults", "every_case_has", "measured_at"};
 }
 
-const std::vector<std::string>& case_keys_of_verify() {
-    static const std::vector<std::string> keys{"limits", "series", "starts"};
-    return keys;
-}
+std::vector<std::string> case_keys_of_verify() { return {"limits", "series", "starts"}; }
 
-const std::vector<std::string>& case_keys_of_bench() {
-    static const std::vector<std::string> keys{"measure", "submeshes", "area_error", "between_us",
-                                               "at",      "option",    "same_mesh",  "seeds"};
-    return keys;
+std::vector<std::string> case_keys_of_bench() {
+    return {"measure", "submeshes", "area_error", "between_us",
+            "at",      "option",    "same_mesh",  "seeds"};
 }
 
 std::vector<std::string> texts(const CaseReader& reader, const std::string& key) {

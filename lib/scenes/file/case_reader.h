@@ -14,10 +14,10 @@
 namespace dsc::scenes {
 
 /// The keys that dsc_verify alone reads, of the whole suite and of a case.
-[[nodiscard]] const std::vector<std::string>& keys_of_verify();
-[[nodiscard]] const std::vector<std::string>& case_keys_of_verify();
+[[nodiscard]] std::vector<std::string> keys_of_verify();
+[[nodiscard]] std::vector<std::string> case_keys_of_verify();
 /// Those of a case that dsc_bench alone reads.
-[[nodiscard]] const std::vector<std::string>& case_keys_of_bench();
+[[nodiscard]] std::vector<std::string> case_keys_of_bench();
 
 /// A [[case]] and one of its `rows`, whose keys win over those of the case.
 class CaseReader {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/file/describe.h"
 
-#include "scenes/digits.h"
+#include "dsc/base/error.h"
 #include "scenes/keys.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ std::string describe(const Scene& scene, const Parameters& parameters) {
     const Setup setup = scene.prepare(parameters);
     return "# The scene " + scene.name +
            " as a file: change what you like, and run it by `dsc_scene run FILE.toml`.\n# It has " +
-           std::to_string(setup.steps) + " steps of " + shortest_digits(setup.dt) +
+           std::to_string(setup.steps) + " steps of " + to_text(setup.dt) +
            ". A table of its own takes the place of the scene's: [domain], [[shape]] or\n"
            "# [[curve]]; [flow], [curvature], [growth] or [fluid]; [sizes]; [exact].\n"
            "name = " +

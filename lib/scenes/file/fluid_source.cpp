@@ -2,7 +2,6 @@
 #include "scenes/file/fluid_source.h"
 
 #include "dsc/base/error.h"
-#include "scenes/digits.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/file/table_reader.h"
 
-#include "scenes/digits.h"
+#include "dsc/base/error.h"
 #include "scenes/file/excerpt.h"
 #include "scenes/name_list.h"
 
@@ -50,7 +50,7 @@ std::optional<Value> exact(const toml::node& node) {
 }
 
 std::string range(const std::string& kind, double low, double high) {
-    return kind + " from " + shortest_digits(low) + " to " + shortest_digits(high);
+    return kind + " from " + to_text(low) + " to " + to_text(high);
 }
 
 const std::string a_point = "two numbers [x, y] from -1e+06 to 1e+06";
@@ -242,7 +242,7 @@ std::string TableReader::setting(const std::string& key) const {
         return std::to_string(*integer);
     }
     if (const auto number = node.value_exact<double>()) {
-        return shortest_digits(*number);
+        return to_text(*number);
     }
     refuse(key, "bad value", "a number, or a text in quotes");
 }

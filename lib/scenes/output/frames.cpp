@@ -3,7 +3,6 @@
 
 #include "dsc/base/error.h"
 #include "dsc/io/part_file.h"
-#include "scenes/digits.h"
 #include "scenes/output/event_lines.h"
 #include "scenes/output/outlines_file.h"
 #include "scenes/output/write_file.h"
@@ -50,8 +49,8 @@ void check_times(const FramePlan& plan, const FrameSchedule& schedule) {
         if (!(time >= 0 && step_that_reaches(time, schedule.dt) <= schedule.steps)) {
             throw InputError({.what = "no such time in this run",
                               .where = "--at",
-                              .value = shortest_digits(time),
-                              .allowed = "0 to " + shortest_digits(end)});
+                              .value = to_text(time),
+                              .allowed = "0 to " + to_text(end)});
         }
     }
 }
@@ -116,7 +115,7 @@ std::string Frames::write(int step, double time, const Complex<Real>& complex,
             ++told;
         }
         write_picture(complex, plan_.layers, more, events.subspan(told),
-                      name_ + ", time " + shortest_digits(time), path_of(step) + ".svg");
+                      name_ + ", time " + to_text(time), path_of(step) + ".svg");
     }
     entries_.emplace_back(time, std::filesystem::path(path).filename().string());
     return path;

@@ -2,6 +2,7 @@
 #include "scenes/output/outlines_file.h"
 
 #include "dsc/queries/phases.h"
+#include "shapes/outline.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,19 +14,7 @@ namespace dsc::scenes {
 
 namespace {
 
-using Ring = std::vector<Point<double>>;
-
-double enclosed_by(const Ring& ring) {
-    double doubled = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point<double> a = ring[i] - ring[0]; // far from the origin, digits would be lost
-        const Point<double> b = ring[(i + 1) % ring.size()] - ring[0];
-        doubled += a.x() * b.y() - a.y() * b.x();
-    }
-    return doubled / 2;
-}
-
-nlohmann::ordered_json positions_of(const Ring& ring) {
+nlohmann::ordered_json positions_of(const Outline& ring) {
     auto list = nlohmann::ordered_json::array();
     for (const Point<double>& p : ring) {
         list.push_back({p.x(), p.y()});
@@ -40,9 +29,9 @@ template <class Real>
 std::string outlines_to_geojson(const Complex<Real>& complex) {
     using Json = nlohmann::ordered_json;
     const Components parts = components(complex);
-    std::vector<std::vector<Ring>> rings(parts.list.size());
+    std::vector<std::vector<Outline>> rings(parts.list.size());
     for_each_outline(complex, [&](std::span<const Corner> corners) {
-        Ring ring;
+        Outline ring;
         for (const Corner c : corners) {
             ring.push_back(
                 complex.position(Vertex{complex.vertex(next(c))}).template cast<double>());
@@ -55,10 +44,11 @@ std::string outlines_to_geojson(const Complex<Real>& complex) {
             continue;
         }
         // The one around the component, which encloses it; holes are negative.
-        const auto outer = std::ranges::max_element(rings[i], {}, enclosed_by);
+        const auto outer = std::ranges::max_element(
+            rings[i], {}, [](const Outline& ring) { return signed_area(ring); });
         std::iter_swap(rings[i].begin(), outer);
         Json lines = Json::array();
-        for (const Ring& ring : rings[i]) {
+        for (const Outline& ring : rings[i]) {
             lines.push_back(positions_of(ring));
         }
         features.push_back(

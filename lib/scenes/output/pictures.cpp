@@ -5,7 +5,6 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/io/pictures.h"
 #include "dsc/quality/measures.h"
-#include "scenes/digits.h"
 
 #include <algorithm>
 #include <sstream>
@@ -135,10 +134,10 @@ void write_picture(const Complex<Real>& complex, const Layers& layers,
     }
     if (layers.contains(Layer::events)) {
         for (const Event& event : events) {
-            options.marks.push_back({.x = event.x,
-                                     .y = event.y,
-                                     .text = std::string(to_string(event.kind)) + " at " +
-                                             shortest_digits(event.time)});
+            options.marks.push_back(
+                {.x = event.x,
+                 .y = event.y,
+                 .text = std::string(to_string(event.kind)) + " at " + to_text(event.time)});
         }
     }
     write_svg(complex, path, options);

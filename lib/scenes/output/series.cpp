@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/output/series.h"
 
-#include "scenes/digits.h"
+#include "dsc/base/error.h"
 
 #include <algorithm>
 #include <array>
@@ -13,9 +13,7 @@ namespace dsc::scenes {
 
 namespace {
 
-std::string cell(double value) {
-    return std::isfinite(value) ? shortest_digits(value) : std::string();
-}
+std::string cell(double value) { return std::isfinite(value) ? to_text(value) : std::string(); }
 
 std::string cell(std::uint64_t value) { return std::to_string(value); }
 

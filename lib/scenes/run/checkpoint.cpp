@@ -8,13 +8,13 @@ namespace dsc::scenes {
 namespace {
 
 /// To be raised with every change of what a run writes.
-const SealedKind checkpoint_kind{.name = "dsc-run", .version = 6};
+const SealedKind checkpoint_kind{.name = "dsc-run", .version = 7};
 
 } // namespace
 
 void archive(Archive& archive, RunOrigin& origin) {
     archive(origin.scene, origin.text, origin.settings);
-    archive.choice(origin.strategy, static_cast<std::uint32_t>(all_strategies().size()));
+    archive.choice(origin.strategy, static_cast<std::uint32_t>(strategies().size()));
     archive(origin.submeshing.threads, origin.submeshing.submeshes, origin.submeshing.degrees,
             origin.submeshing.follow_shape, origin.submeshing.always_all_threads, origin.commit);
 }

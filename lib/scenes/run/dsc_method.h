@@ -244,7 +244,6 @@ private:
                              std::to_string(report.speed);
         }
         vertex_steps_ += report.interface_vertices;
-        result.vertex_passes += std::uint64_t{report.passes} * report.interface_vertices;
         add_operations(result, report.operations);
         if (topology_) {
             result.area += topology_->take_area();

@@ -128,21 +128,15 @@ double neck_error(const std::vector<FluidMoment>& moments) {
     return largest;
 }
 
-std::vector<double> heights(const std::vector<FluidMoment>& moments, double FluidMoment::*height) {
-    std::vector<double> list;
-    for (const FluidMoment& moment : moments) {
-        list.push_back(moment.*height);
-    }
-    return list;
-}
-
-// When a series is zero for the last time, and how often it has been so.
+// When a height is zero for the last time, and how often it has been so.
 std::pair<int, double> last_zero(const std::vector<FluidMoment>& moments,
-                                 const std::vector<double>& values) {
+                                 double FluidMoment::*height) {
     std::pair<int, double> last{0, unknown};
-    for (std::size_t i = 1; i < values.size(); ++i) {
-        if ((values[i - 1] > 0) != (values[i] > 0)) {
-            const double share = values[i - 1] / (values[i - 1] - values[i]);
+    for (std::size_t i = 1; i < moments.size(); ++i) {
+        const double before = moments[i - 1].*height;
+        const double now = moments[i].*height;
+        if ((before > 0) != (now > 0)) {
+            const double share = before / (before - now);
             last = {last.first + 1,
                     moments[i - 1].time + share * (moments[i].time - moments[i - 1].time)};
         }
@@ -153,8 +147,8 @@ std::pair<int, double> last_zero(const std::vector<FluidMoment>& moments,
 // By how much the wave's frequency is off, by the time of its last zero; NaN where it does not
 // oscillate, or not as often as it should.
 double frequency_error(const std::vector<FluidMoment>& moments) {
-    const auto own = last_zero(moments, heights(moments, &FluidMoment::amplitude));
-    const auto exact = last_zero(moments, heights(moments, &FluidMoment::exact_amplitude));
+    const auto own = last_zero(moments, &FluidMoment::amplitude);
+    const auto exact = last_zero(moments, &FluidMoment::exact_amplitude);
     return own.first == exact.first && own.first > 0 ? std::abs(exact.second / own.second - 1)
                                                      : unknown;
 }

@@ -152,7 +152,6 @@ std::string to_json(const RunResult& r) {
         {"first_step_us", r.first_step_us},
         {"step_us_median", r.step_us_median},
         {"us_per_vertex_step", r.us_per_vertex_step},
-        {"passes_per_vertex_step", finite(r.passes_per_vertex_step)},
         {"peak_memory_mb", r.peak_memory_mb},
         {"threads", r.threads},
         {"threads_used", r.threads_used},

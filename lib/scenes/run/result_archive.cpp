@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/run/result_archive.h"
 
-#include "scenes/digits.h"
+#include "dsc/base/error.h"
 
 namespace dsc {
 
@@ -28,19 +28,16 @@ void archive(Archive& archive, RunResult& result) {
     archive(result.steps, result.gave_up, result.triangles_first, result.interface_vertices_first,
             result.area_first, result.area_exact_first, result.half, result.min_quality_ever,
             result.quality_sampled_every, result.inverted, result.unreached, result.held,
-            result.sub_steps, result.vertex_passes, result.operations, result.events, result.area,
-            result.series, result.cpu_s, result.wall_s, result.busy_s);
+            result.sub_steps, result.operations, result.events, result.area, result.series,
+            result.cpu_s, result.wall_s, result.busy_s);
 }
 
 std::string identity_of(const RunResult& result, const Submeshing& submeshing) {
-    std::string text = result.scene;
-    for (const Key& key : parameter_keys()) {
-        text += " " + key.name + "=" + text_of(key.value(result.parameters));
-    }
+    std::string text = result.scene + text_of(result.parameters);
     text += " strategy=" + to_string(result.strategy);
     if (is_parallel(result.strategy)) {
-        text += " submeshes=" + std::to_string(result.submeshes) + " angle=" +
-                (submeshing.follow_shape ? "shape" : shortest_digits(submeshing.degrees));
+        text += " submeshes=" + std::to_string(result.submeshes) +
+                " angle=" + (submeshing.follow_shape ? "shape" : to_text(submeshing.degrees));
     }
     return text;
 }

@@ -343,10 +343,6 @@ private:
             result_.us_per_vertex_step =
                 result_.cpu_s * 1e6 / static_cast<double>(method_.vertex_steps());
         }
-        if (result_.vertex_passes > 0) {
-            result_.passes_per_vertex_step = static_cast<double>(result_.vertex_passes) /
-                                             static_cast<double>(method_.vertex_steps());
-        }
     }
 
     const Setup& setup_;

@@ -78,8 +78,6 @@ struct RunResult {
     std::uint64_t unreached = 0;
     std::uint64_t held = 0; ///< of these, because of a velocity that was not finite
     std::uint64_t sub_steps = 0;
-    /// Passes of movement and mesh update, each as often as there were interface vertices.
-    std::uint64_t vertex_passes = 0;
     std::map<std::string, std::uint64_t> operations;
     std::vector<Event> events;     ///< changes of topology
     AreaAccount area;              ///< of these, if it was to be given back
@@ -94,8 +92,6 @@ struct RunResult {
     double first_step_us = 0; ///< wall time, as the next
     double step_us_median = 0;
     double us_per_vertex_step = 0; ///< CPU time over interface vertices, summed over steps
-    /// Passes that an interface vertex went through in a step; NaN where they are not counted.
-    double passes_per_vertex_step = std::numeric_limits<double>::quiet_NaN();
     std::uint64_t mesh_hash = 0;
     double peak_memory_mb = 0;   ///< of the process, so far
     Histogram area_histogram;    ///< over 0 to 3 areas of an equilateral triangle of edge h

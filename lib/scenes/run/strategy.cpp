@@ -37,24 +37,12 @@ const StrategyEntry& entry_of(Strategy strategy) {
     return strategies().at(static_cast<std::size_t>(strategy));
 }
 
-const std::vector<Strategy>& all_strategies() {
-    static const std::vector<Strategy> all = [] {
-        std::vector<Strategy> values;
-        for (const StrategyEntry& entry : strategies()) {
-            values.push_back(entry.strategy);
-        }
-        return values;
-    }();
-    return all;
-}
-
 std::string to_string(Strategy strategy) { return entry_of(strategy).name; }
 
 Strategy parse_strategy(const std::string& name) {
-    for (const StrategyEntry& entry : strategies()) {
-        if (entry.name == name) {
-            return entry.strategy;
-        }
+    const auto found = std::ranges::find(strategies(), name, &StrategyEntry::name);
+    if (found != strategies().end()) {
+        return found->strategy;
     }
     throw InputError({.what = "unknown strategy",
                       .where = "--strategy",
@@ -64,10 +52,14 @@ Strategy parse_strategy(const std::string& name) {
 
 bool is_parallel(Strategy strategy) { return entry_of(strategy).division != nullptr; }
 
-std::string parallel_strategies() {
+std::vector<Strategy> parallel_strategies() {
     std::vector<Strategy> parallel;
-    std::ranges::copy_if(all_strategies(), std::back_inserter(parallel), is_parallel);
-    return name_list(parallel, [](Strategy one) { return to_string(one); });
+    for (const StrategyEntry& entry : strategies()) {
+        if (entry.division != nullptr) {
+            parallel.push_back(entry.strategy);
+        }
+    }
+    return parallel;
 }
 
 std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing) {

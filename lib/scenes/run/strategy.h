@@ -48,14 +48,13 @@ struct StrategyEntry {
 [[nodiscard]] const std::vector<StrategyEntry>& strategies();
 [[nodiscard]] const StrategyEntry& entry_of(Strategy strategy);
 
-[[nodiscard]] const std::vector<Strategy>& all_strategies();
 [[nodiscard]] std::string to_string(Strategy strategy);
 /// Throws InputError, naming the strategies that exist.
 [[nodiscard]] Strategy parse_strategy(const std::string& name);
 /// Neither sequential nor the reference.
 [[nodiscard]] bool is_parallel(Strategy strategy);
-/// "fixed, counting, ...": those of which is_parallel is true.
-[[nodiscard]] std::string parallel_strategies();
+/// Those of which is_parallel is true.
+[[nodiscard]] std::vector<Strategy> parallel_strategies();
 
 /// The number of submeshes that results: the number asked for, or the strategy's default; 0: chosen
 /// during the run.

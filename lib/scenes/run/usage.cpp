@@ -2,58 +2,37 @@
 #include "scenes/run/usage.h"
 
 #include "dsc/base/error.h"
+#include "scenes/name_list.h"
 
 namespace dsc::scenes {
 
-namespace {
-
-void check_reference(const Scene& scene, const Setup& setup, const Parameters& parameters,
-                     const RunOptions& options) {
-    if (!options.checkpoint.path.empty() || options.resume != nullptr) {
-        throw InputError({.what = "the reference keeps no checkpoints",
-                          .where = "--strategy",
-                          .value = "'reference'",
-                          .allowed = "another strategy"});
-    }
-    if (parameters.real != RealType::double_precision) {
-        throw InputError({.what = "the reference is written for double",
-                          .where = "--set real",
-                          .value = "'float'",
-                          .allowed = "double"});
-    }
-    if (setup.sees_interface() || !setup.carried.empty()) {
-        throw InputError({.what = "the reference moves the interface alone, by velocities",
-                          .where = "--strategy",
-                          .value = "'reference'",
-                          .allowed = "another strategy for the scene " + scene.name});
-    }
-}
-
-void check_fluid_run(const Scene& scene, const Parameters& parameters) {
-    if (parameters.real != RealType::double_precision) {
-        throw InputError({.what = "a fluid is solved for in double",
-                          .where = "--set real",
-                          .value = "'float'",
-                          .allowed = "double for the scene " + scene.name});
-    }
-}
-
-} // namespace
-
 void check_usage(const Scene& scene, const Setup& setup, const Parameters& parameters,
                  const RunOptions& options) {
-    const Submeshing& submeshing = options.submeshing;
-    if (!is_parallel(options.strategy) && submeshing.threads > 1) {
-        throw InputError({.what = "this strategy runs on one thread",
-                          .where = "--threads",
-                          .value = std::to_string(submeshing.threads),
-                          .allowed = "1, or one of the strategies " + parallel_strategies()});
+    const auto refuse = [](const char* what, const char* where, const std::string& value,
+                           const std::string& allowed) {
+        throw InputError({.what = what, .where = where, .value = value, .allowed = allowed});
+    };
+    const bool is_reference = options.strategy == Strategy::reference;
+    const bool is_float = parameters.real != RealType::double_precision;
+    if (!is_parallel(options.strategy) && options.submeshing.threads > 1) {
+        const auto name = [](Strategy one) { return to_string(one); };
+        refuse("this strategy runs on one thread", "--threads", to_text(options.submeshing.threads),
+               "1, or one of the strategies " + name_list(parallel_strategies(), name));
     }
-    if (setup.fluid) {
-        check_fluid_run(scene, parameters);
+    if (setup.fluid && is_float) {
+        refuse("a fluid is solved for in double", "--set real", "'float'",
+               "double for the scene " + scene.name);
     }
-    if (options.strategy == Strategy::reference) {
-        check_reference(scene, setup, parameters, options);
+    if (is_reference && is_float) {
+        refuse("the reference is written for double", "--set real", "'float'", "double");
+    }
+    if (is_reference && (!options.checkpoint.path.empty() || options.resume != nullptr)) {
+        refuse("the reference keeps no checkpoints", "--strategy", "'reference'",
+               "another strategy");
+    }
+    if (is_reference && (setup.sees_interface() || !setup.carried.empty())) {
+        refuse("the reference moves the interface alone, by velocities", "--strategy",
+               "'reference'", "another strategy for the scene " + scene.name);
     }
 }
 

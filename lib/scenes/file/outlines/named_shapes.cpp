@@ -159,14 +159,11 @@ constexpr std::array named_shapes{
 
 } // namespace
 
-const std::vector<std::string>& shape_names() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all;
-        for (const NameOfShape& shape : named_shapes) {
-            all.emplace_back(shape.name);
-        }
-        return all;
-    }();
+std::vector<std::string> shape_names() {
+    std::vector<std::string> names;
+    for (const NameOfShape& shape : named_shapes) {
+        names.emplace_back(shape.name);
+    }
     return names;
 }
 

@@ -26,7 +26,7 @@ struct NamedShape {
 };
 
 /// In the order above.
-[[nodiscard]] const std::vector<std::string>& shape_names();
+[[nodiscard]] std::vector<std::string> shape_names();
 
 /// The shape that the table `name` of `reader` describes. Throws InputError for unknown keys, and
 /// for sizes that make no shape.

@@ -29,7 +29,7 @@ std::vector<Piece> read_outline_file(const TableReader& reader, bool close) {
 
 std::vector<std::string> source_keys() {
     std::vector<std::string> keys{"points", "file"};
-    keys.insert(keys.end(), shape_names().begin(), shape_names().end());
+    std::ranges::copy(shape_names(), std::back_inserter(keys));
     return keys;
 }
 
