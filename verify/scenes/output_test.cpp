@@ -106,8 +106,7 @@ TEST(Progress, ShowsNothingBeforeTwoSeconds) {
     std::ostringstream out;
     double now = 100;
     {
-        Progress progress(
-            out, [&] { return now; }, "swirl", 0, 100);
+        Progress progress(&out, "swirl", 0, 100, [&] { return now; });
         now += 1.9;
         progress.show(10, 3000);
         EXPECT_EQ(out.str(), "");
@@ -127,8 +126,7 @@ TEST(Progress, CountsFromWhereTheRunWentOn) {
          {std::pair{1000, "0:10 left"}, {950 + 5 * 7325, "2:02:05 left"}}) {
         std::ostringstream out;
         double now = 0;
-        Progress progress(
-            out, [&] { return now; }, "grains", 900, steps);
+        Progress progress(&out, "grains", 900, steps, [&] { return now; });
         now = 10;
         progress.show(950, 1);
         EXPECT_NE(out.str().find(left), std::string::npos) << out.str();

@@ -3,7 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "flows/exact.h"
-#include "scenes/file/formula/formula_flow.h"
+#include "scenes/file/formula/formula_length.h"
 
 #include <cmath>
 #include <limits>
@@ -91,16 +91,12 @@ ExactSource read_carried(const TableReader& reader) {
 ExactSource read_exact_circle(const TableReader& circle) {
     circle.allow({"centre", "radius"});
     const Point<double> centre = circle.point("centre");
-    const FormulaFlow radius(
-        {.u = circle.text("radius"), .v = "0", .where_u = circle.where("radius")});
+    const FormulaLength radius(circle.text("radius"), {}, circle.where("radius"));
     return [=](const Parameters&, const Setup&, const std::vector<FirstShape>&) -> ExactFunction {
         return [=](double time) {
-            const Point<double> here = centre;
-            Point<double> result;
-            radius({&here, 1}, time, {&result, 1});
-            return result.x() > 0 && result.x() <= largest_coordinate
-                       ? exact_circle(centre, result.x())
-                       : unknown_shape();
+            const double now = radius(centre, time);
+            return now > 0 && now <= largest_coordinate ? exact_circle(centre, now)
+                                                        : unknown_shape();
         };
     };
 }

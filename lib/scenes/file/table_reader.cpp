@@ -57,15 +57,18 @@ const std::string a_point = "two numbers [x, y] from -1e+06 to 1e+06";
 
 } // namespace
 
-std::string TableReader::where(const std::string& key) const {
-    const toml::node* node = key.empty() ? nullptr : table_->get(key);
-    const auto line = (node != nullptr ? node : table_)->source().begin.line;
+std::string TableReader::place(const toml::source_region& source, const std::string& key) const {
     std::string text = file_->string();
-    if (line > 0) {
-        text += ':' + std::to_string(line);
+    if (source.begin.line > 0) {
+        text += ':' + std::to_string(source.begin.line);
     }
     text += (name_.empty() ? "" : ": [" + name_ + "]");
     return key.empty() ? text : text + (name_.empty() ? ": " : " ") + key;
+}
+
+std::string TableReader::where(const std::string& key) const {
+    const toml::node* node = key.empty() ? nullptr : table_->get(key);
+    return place((node != nullptr ? node : table_)->source(), key);
 }
 
 void TableReader::refuse(const std::string& key, const std::string& what,
@@ -113,15 +116,20 @@ auto TableReader::converted(const std::string& key, Convert convert,
 
 template <class Convert>
 auto TableReader::list(const std::string& key, Convert convert, const std::string& allowed) const {
-    std::vector<typename decltype(convert(at(key)))::value_type> values;
     const toml::array* array = at(key).as_array();
-    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
-        if (const auto value = convert((*array)[i])) {
-            values.push_back(*value);
-        }
+    if (array == nullptr || array->size() > most_points) {
+        refuse(key, "bad value", "a list of at most " + to_text(most_points) + ' ' + allowed);
     }
-    if (array == nullptr || values.size() != array->size()) {
-        refuse(key, "bad value", "a list of " + allowed);
+    std::vector<typename decltype(convert(at(key)))::value_type> values;
+    for (const toml::node& node : *array) {
+        const auto value = convert(node);
+        if (!value) {
+            throw InputError({.what = "bad value " + std::to_string(values.size() + 1),
+                              .where = place(node.source(), key),
+                              .value = as_written(node),
+                              .allowed = allowed});
+        }
+        values.push_back(*value);
     }
     return values;
 }
@@ -175,26 +183,7 @@ Point<double> TableReader::point_or(const Point<double>& otherwise, const std::s
 }
 
 std::vector<Point<double>> TableReader::points(const std::string& key) const {
-    const toml::array* array = at(key).as_array();
-    if (array == nullptr || array->size() > most_points) {
-        refuse(key, "bad value",
-               "a list of at most " + std::to_string(most_points) + " points [x, y]");
-    }
-    std::vector<Point<double>> list;
-    list.reserve(array->size());
-    for (const toml::node& node : *array) {
-        const auto value = finite_point(node);
-        if (!value) {
-            throw InputError({.what = "bad point " + std::to_string(list.size() + 1),
-                              .where = file_->string() + ':' +
-                                       std::to_string(node.source().begin.line) + ": [" + name_ +
-                                       "] " + key,
-                              .value = as_written(node),
-                              .allowed = a_point});
-        }
-        list.push_back(*value);
-    }
-    return list;
+    return list(key, finite_point, "points: " + a_point);
 }
 
 TableReader TableReader::table(const std::string& key) const {
@@ -202,7 +191,7 @@ TableReader TableReader::table(const std::string& key) const {
     if (table == nullptr) {
         refuse(key, "bad value", "a table: [" + key + "], or " + key + " = { ... }");
     }
-    return {*table, name_.empty() ? key : name_ + "." + key, *file_};
+    return reader(*table, key);
 }
 
 std::optional<TableReader> TableReader::table_if_one(const std::string& key) const {
@@ -210,24 +199,17 @@ std::optional<TableReader> TableReader::table_if_one(const std::string& key) con
 }
 
 std::vector<TableReader> TableReader::tables(const std::string& key) const {
-    std::vector<TableReader> list;
     if (!has(key)) {
-        return list;
+        return {};
     }
     if (at(key).is_table()) {
-        list.push_back(table(key));
-        return list;
+        return {table(key)};
     }
-    const toml::array* array = at(key).as_array();
-    for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
-        if (const toml::table* one = (*array)[i].as_table()) {
-            list.emplace_back(*one, name_.empty() ? key : name_ + "." + key, *file_);
-        }
-    }
-    if (array == nullptr || list.size() != array->size()) {
-        refuse(key, "bad value", "tables: [[" + key + "]]");
-    }
-    return list;
+    const auto reader_of = [&](const toml::node& node) -> std::optional<TableReader> {
+        const toml::table* one = node.as_table();
+        return one == nullptr ? std::nullopt : std::optional(reader(*one, key));
+    };
+    return list(key, reader_of, "tables: [[" + key + "]]");
 }
 
 std::string TableReader::setting(const std::string& key) const {
@@ -251,11 +233,8 @@ void TableReader::allow(std::span<const std::string> keys) const {
     for (const auto& entry : *table_) {
         const std::string key(entry.first.str());
         if (std::ranges::find(keys, key) == keys.end()) {
-            const std::string at_line = file_->string() + ':' +
-                                        std::to_string(entry.first.source().begin.line) +
-                                        (name_.empty() ? "" : ": [" + name_ + "]");
             throw InputError({.what = "unknown key",
-                              .where = at_line,
+                              .where = place(entry.first.source(), ""),
                               .value = quoted_excerpt(key),
                               .allowed = name_list(keys)});
         }

@@ -5,6 +5,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/base/types.h"
+#include "scenes/file/excerpt.h"
 
 #include <toml++/toml.h>
 
@@ -82,6 +83,11 @@ public:
 
 private:
     [[nodiscard]] const toml::node& at(const std::string& key) const;
+    [[nodiscard]] std::string place(const toml::source_region& source,
+                                    const std::string& key) const;
+    [[nodiscard]] TableReader reader(const toml::table& table, const std::string& key) const {
+        return {table, name_.empty() ? key : name_ + "." + key, *file_};
+    }
     /// The value that `convert` makes of the node, or the list of those that it makes of the nodes
     /// of an array; refused where it makes none.
     template <class Convert>
@@ -105,7 +111,7 @@ auto at_key(const TableReader& reader, const std::string& key, What what) {
     } catch (const InputError& error) {
         throw InputError({.what = error.problem(),
                           .where = reader.where(key),
-                          .value = error.value(),
+                          .value = excerpt(error.value()),
                           .allowed = error.allowed()});
     }
 }

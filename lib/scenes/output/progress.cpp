@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <utility>
 
 namespace dsc::scenes {
@@ -14,11 +13,6 @@ namespace {
 constexpr double first_after_s = 2; // shorter runs need no line
 constexpr double shortest_wait_s = 0.1;
 constexpr const char* clear_line = "\r\033[K";
-
-double steady_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
 
 std::string hours_and_minutes(double seconds) {
     const auto whole = static_cast<long long>(std::clamp(seconds, 0.0, 3.6e8) + 0.5);
@@ -34,16 +28,14 @@ std::string hours_and_minutes(double seconds) {
 
 } // namespace
 
-Progress::Progress(std::ostream& out, Clock clock, std::string name, int begin, int steps)
-    : out_(&out), clock_(std::move(clock)), name_(std::move(name)), begin_(begin), steps_(steps),
-      started_(clock_()), next_(started_ + first_after_s) {}
-
-Progress::Progress(bool enabled, std::string name, int begin, int steps)
-    : Progress(std::cerr, steady_seconds, std::move(name), begin, steps) {
-    if (!enabled) {
-        out_ = nullptr;
-    }
+double steady_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
+
+Progress::Progress(std::ostream* out, std::string name, int begin, int steps, Clock clock)
+    : out_(out), clock_(std::move(clock)), name_(std::move(name)), begin_(begin), steps_(steps),
+      started_(clock_()), next_(started_ + first_after_s) {}
 
 Progress::~Progress() {
     if (is_shown_) {

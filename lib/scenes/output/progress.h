@@ -10,14 +10,17 @@
 
 namespace dsc::scenes {
 
+/// Seconds that have passed since some moment.
+[[nodiscard]] double steady_seconds();
+
 class Progress {
 public:
     using Clock = std::function<double()>; ///< seconds, from any beginning
 
-    /// `begin`: the step after which the run begins, 0 unless it goes on from a checkpoint.
-    Progress(bool enabled, std::string name, int begin, int steps);
-    /// For tests: another stream, another clock.
-    Progress(std::ostream& out, Clock clock, std::string name, int begin, int steps);
+    /// `out`: null where nobody is watching; `begin`: the step after which the run begins, 0 unless
+    /// it goes on from a checkpoint.
+    Progress(std::ostream* out, std::string name, int begin, int steps,
+             Clock clock = steady_seconds);
     /// Removes the line.
     ~Progress();
     Progress(const Progress&) = delete;
@@ -29,7 +32,7 @@ public:
     void show(int step, std::uint64_t triangles);
 
 private:
-    std::ostream* out_ = nullptr; ///< null: nobody is watching
+    std::ostream* out_;
     Clock clock_;
     std::string name_;
     int begin_;

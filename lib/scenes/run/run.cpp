@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <utility>
 
@@ -48,7 +49,8 @@ public:
             first();
             frame(0);
         }
-        Progress progress(options_.progress, result_.scene, result_.steps, setup_.steps);
+        Progress progress(options_.progress ? &std::cerr : nullptr, result_.scene, result_.steps,
+                          setup_.steps);
         for (int step = result_.steps + 1; step <= setup_.steps && result_.gave_up.empty();
              ++step) {
             if (is_interrupted()) {

@@ -168,7 +168,7 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {shape + "circle = { centre = 5, radius = 1 }\n", {"s.toml:6", "centre", "5", "[x, y]"}},
         {shape + "cricle = 5\n", {"s.toml:6", "'cricle'", "circle"}},
         {shape + "points = [[0,0],[1,0],[1,1]]\nfile = 'a.txt'\n", {"s.toml:7", "points and file"}},
-        {shape + "points = [[0,0],\n[1,0],\n[1]]\n", {"s.toml:8", "bad point 3", "[x, y]"}},
+        {shape + "points = [[0,0],\n[1,0],\n[1]]\n", {"s.toml:8", "bad value 3", "[x, y]"}},
         {shape + "points = [[0,0],[1,0]]\n", {"s.toml:5", "2 points", "3 points or more"}},
         {shape + "polygon = { corners = [[0,0],[1,1]] }\n", {"s.toml:6", "corners", "at least 3"}},
         {shape + "crescent = { centre = [0,0], radius = 1, bite_centre = [5,0], bite_radius = 1 }",

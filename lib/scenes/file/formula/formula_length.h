@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A length of edges by place and time, given by a formula in x, y and t.
+// A length by place and time, given by a formula in x, y and t.
 #pragma once
 
 #include "scenes/file/formula/formula_flow.h"
@@ -8,7 +8,8 @@
 
 namespace dsc::scenes {
 
-/// For the targets of `SizeOptions`. Safe to call from several threads at once; O(formula).
+/// For radii, and the targets of `SizeOptions`. Safe to call from several threads at once;
+/// O(formula).
 class FormulaLength {
 public:
     /// `where` says whose formula it is, for errors. Throws InputError for one that cannot be
