@@ -41,22 +41,11 @@ Histogram make_histogram(std::span<const double> values, double low, double high
 }
 
 double histogram_distance(const Histogram& a, const Histogram& b) {
-    if (a.edges != b.edges) {
-        throw InputError({.what = "the bins differ",
-                          .where = "histogram_distance",
-                          .value = std::to_string(a.counts.size()) + " and " +
-                                   std::to_string(b.counts.size()) + " bins",
-                          .allowed = "two histograms over the same edges"});
-    }
+    require(a.edges == b.edges, "bins of the second histogram",
+            static_cast<double>(b.counts.size()), "those of the first one");
     const auto total_a = static_cast<double>(a.total());
     const auto total_b = static_cast<double>(b.total());
-    if (!(total_a > 0) || !(total_b > 0)) {
-        throw InputError(
-            {.what = "a histogram is empty",
-             .where = "histogram_distance",
-             .value = std::to_string(a.total()) + " and " + std::to_string(b.total()) + " values",
-             .allowed = "one or more in each"});
-    }
+    require(total_a > 0 && total_b > 0, "values in a histogram", 0, "1 or more");
     std::uint64_t sum_a = 0;
     std::uint64_t sum_b = 0;
     double largest = 0;

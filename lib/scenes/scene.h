@@ -138,7 +138,7 @@ struct Scene {
     std::string description;
     std::string section; ///< the section of the thesis that it comes from
     Parameters defaults{};
-    std::function<Setup(const Parameters&)> prepare;
+    std::function<Setup(const Parameters&)> prepare{};
     std::vector<std::string> keys = common_keys(); ///< the keys that --set accepts
     bool counts_steps_each_way = false; ///< the key `steps`; otherwise it counts them all
 };

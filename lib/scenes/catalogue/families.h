@@ -22,34 +22,20 @@ namespace dsc::scenes {
 [[nodiscard]] std::vector<Scene> pool_scenes();
 [[nodiscard]] std::vector<Scene> fluid_scenes();
 
-/// What a list of scenes and its help say about a scene.
-struct About {
-    std::string name;
-    std::string description;
-    std::string section;
-};
-
-struct Schedule {
-    double dt;
-    int steps;
-};
-
-/// Time step and number of steps: given values are kept; missing ones follow from the duration.
-/// Throws InputError for more than 100,000,000 steps.
-[[nodiscard]] Schedule schedule(const Parameters& parameters, double duration, double default_dt);
-
-/// An empty scene with this schedule.
+/// An empty scene with a time step and a number of steps: given values are kept; missing ones
+/// follow from the duration. Throws InputError for more than 100,000,000 steps.
 [[nodiscard]] Setup scheduled(const Parameters& parameters, double duration, double default_dt);
 
-/// A circle in the middle of the domain that grows to four times its radius.
-[[nodiscard]] Scene scaling_scene(About about, double h);
+// `about` has the name of the scene, its description and its section.
 
+/// A circle in the middle of the domain that grows to four times its radius.
+[[nodiscard]] Scene scaling_scene(Scene about, double h);
 /// One rigid turn about the middle of the domain, in `steps` steps.
-[[nodiscard]] Scene rotation_scene(About about, double h, int steps,
+[[nodiscard]] Scene rotation_scene(Scene about, double h, int steps,
                                    std::function<std::vector<Outline>(double h)> outlines);
 
 /// A curve that a flow takes away and back: `steps` is the number of steps each way.
-[[nodiscard]] Scene there_and_back_scene(About about, double h, double dt, int steps,
+[[nodiscard]] Scene there_and_back_scene(Scene about, double h, double dt, int steps,
                                          const Velocity& velocity, const ParametricCurve& curve,
                                          std::function<Outline(double h)> outline);
 

@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 /// A scene of a fluid. All lengths are in units of the domain.
 struct Tank {
-    About about;
+    Scene about; ///< its name, description and section
     double h = 0.04;
     double duration = 1;
     double dt = 0.01; ///< the time step
@@ -38,39 +38,35 @@ struct Tank {
 };
 
 Scene scene_of(const Tank& tank) {
-    InterfaceThresholds interface;
-    interface.longest = 1.05; // as long as they are at the start
-    return {.name = tank.about.name,
-            .description = tank.about.description,
-            .section = tank.about.section,
-            .defaults = {.h = tank.h,
-                         .dt = 0,
-                         .interface = interface,
-                         .topology = tank.topology,
-                         .contact = tank.contact,
-                         .least_area = tank.least_area,
-                         .follows_seams = tank.follows_seams,
-                         .grade = 1.3,
-                         .gives_back = tank.topology == Topology::change},
-            .prepare = [tank](const Parameters& p) {
-                Setup setup = scheduled(p, tank.duration, tank.dt);
-                setup.domain = tank.domain;
-                tank.fill(p.h, setup);
-                setup.measured = 1;
-                setup.fluid =
-                    FluidMotion{.options = tank.fluids, .wave = tank.wave, .neck = tank.neck};
-                setup.fluid->options.tolerance = tank.tolerance * p.h * p.h;
-                setup.sizes.longest = tank.longest * p.h;
-                if (tank.edges) {
-                    setup.sizes.on_interface = [edges = tank.edges, h = p.h](const auto& place,
-                                                                             double time) {
-                        return h * edges(place, time);
-                    };
-                    setup.sizes.changes_in_time = true;
-                    setup.sizes.shortest = tank.shortest * p.h;
-                }
-                return setup;
-            }};
+    Scene scene = tank.about;
+    scene.defaults = {.h = tank.h,
+                      .dt = 0,
+                      .interface = {.longest = 1.05}, // as long as they are at the start
+                      .topology = tank.topology,
+                      .contact = tank.contact,
+                      .least_area = tank.least_area,
+                      .follows_seams = tank.follows_seams,
+                      .grade = 1.3,
+                      .gives_back = tank.topology == Topology::change};
+    scene.prepare = [tank](const Parameters& p) {
+        Setup setup = scheduled(p, tank.duration, tank.dt);
+        setup.domain = tank.domain;
+        tank.fill(p.h, setup);
+        setup.measured = 1;
+        setup.fluid = FluidMotion{.options = tank.fluids, .wave = tank.wave, .neck = tank.neck};
+        setup.fluid->options.tolerance = tank.tolerance * p.h * p.h;
+        setup.sizes.longest = tank.longest * p.h;
+        if (tank.edges) {
+            setup.sizes.on_interface = [edges = tank.edges, h = p.h](const auto& place,
+                                                                     double time) {
+                return h * edges(place, time);
+            };
+            setup.sizes.changes_in_time = true;
+            setup.sizes.shortest = tank.shortest * p.h;
+        }
+        return setup;
+    };
+    return scene;
 }
 
 FluidOptions two_fluids(const FluidPhase& around, const FluidPhase& inside, double tension,

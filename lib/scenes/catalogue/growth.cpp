@@ -20,16 +20,14 @@ constexpr double distance = 0.1;
 Setup two_discs_there_and_back(const Parameters& p) {
     static constexpr double speed = 1;
     const TwoDiscs discs;
-    const Schedule half = schedule(p, distance / speed, step_in_edges * p.h / speed);
-    const double turn = half.steps * half.dt;
-    Setup setup;
+    Setup setup = scheduled(p, distance / speed, step_in_edges * p.h / speed); // until they turn
+    const double turn = setup.steps * setup.dt;
     for (const auto& centre : {discs.first, discs.second}) {
         setup.outlines.push_back(circle(centre, discs.radius, p.h));
     }
     setup.growth = Growth{.speed = speed, .turns_at = turn};
-    setup.dt = half.dt;
-    setup.steps = 2 * half.steps;
-    setup.half_step = half.steps;
+    setup.half_step = setup.steps;
+    setup.steps *= 2;
     setup.exact = [discs, turn](double time) {
         const double grown = speed * std::min(time, turn);
         const double shrunk = speed * std::max(time - turn, 0.0);

@@ -32,17 +32,15 @@ ExactShape drop_and_pool_at(double time) {
 }
 
 Setup drop_and_pool(const Parameters& p) {
-    const Schedule half = schedule(p, 0.35, 0.3 * p.h / fall.speed);
+    Setup setup = scheduled(p, 0.35, 0.3 * p.h / fall.speed); // half of it
     Outline drop = circle(first_centre, drop_radius, p.h);
     drop.push_back(drop.front());
-    Setup setup;
     setup.curves = {{drop, 1, exterior_phase},
                     {{{0, fall.surface}, {1, fall.surface}}, exterior_phase, 1}};
     setup.measured = 1;
     setup.flow = steady(fall);
-    setup.dt = half.dt;
-    setup.steps = 2 * half.steps;
-    setup.half_step = half.steps;
+    setup.half_step = setup.steps;
+    setup.steps *= 2;
     setup.exact = drop_and_pool_at;
     return setup;
 }

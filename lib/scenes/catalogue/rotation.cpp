@@ -8,23 +8,21 @@
 
 namespace dsc::scenes {
 
-Scene rotation_scene(About about, double h, int steps,
+Scene rotation_scene(Scene about, double h, int steps,
                      std::function<std::vector<Outline>(double h)> outlines) {
-    return {.name = std::move(about.name),
-            .description = std::move(about.description),
-            .section = std::move(about.section),
-            .defaults = {.h = h, .dt = 0},
-            .prepare = [outlines = std::move(outlines), steps](const Parameters& p) {
-                constexpr double whole_turn = 2 * std::numbers::pi;
-                const Point<double> middle(0.5, 0.5);
-                Setup setup = scheduled(p, 1.0, 1.0 / steps);
-                setup.outlines = outlines(p.h);
-                setup.flow = steady(Rotation{middle, whole_turn});
-                setup.exact = [first = setup.outlines, middle](double t) {
-                    return rotated_shape(first, middle, whole_turn * t);
-                };
-                return setup;
-            }};
+    about.defaults = {.h = h, .dt = 0};
+    about.prepare = [outlines = std::move(outlines), steps](const Parameters& p) {
+        constexpr double whole_turn = 2 * std::numbers::pi;
+        const Point<double> middle(0.5, 0.5);
+        Setup setup = scheduled(p, 1.0, 1.0 / steps);
+        setup.outlines = outlines(p.h);
+        setup.flow = steady(Rotation{middle, whole_turn});
+        setup.exact = [first = setup.outlines, middle](double t) {
+            return rotated_shape(first, middle, whole_turn * t);
+        };
+        return setup;
+    };
+    return about;
 }
 
 std::vector<Scene> rotation_scenes() {

@@ -30,12 +30,10 @@ Setup grow_round(const Parameters& p) {
 
 } // namespace
 
-Scene scaling_scene(About about, double h) {
-    return {.name = std::move(about.name),
-            .description = std::move(about.description),
-            .section = std::move(about.section),
-            .defaults = {.h = h, .dt = 0, .interface = coarse_interface()},
-            .prepare = grow};
+Scene scaling_scene(Scene about, double h) {
+    about.defaults = {.h = h, .dt = 0, .interface = coarse_interface()};
+    about.prepare = grow;
+    return about;
 }
 
 std::vector<Scene> scaling_scenes() {

@@ -7,30 +7,19 @@
 
 namespace dsc::scenes {
 
-Schedule schedule(const Parameters& p, double duration, double default_dt) {
-    Schedule s{p.dt > 0 ? p.dt : (p.steps > 0 ? duration / p.steps : default_dt), p.steps};
-    if (s.steps == 0) {
-        const double count = std::max(1.0, std::round(duration / s.dt));
-        if (count > 1e8) {
-            throw InputError({.what = "time step too small",
-                              .where = "--set dt",
-                              .value = std::to_string(s.dt),
-                              .allowed = "at most 100000000 steps for a duration of " +
-                                         std::to_string(duration)});
-        }
-        s.steps = static_cast<int>(count);
+Setup scheduled(const Parameters& p, double duration, double default_dt) {
+    Setup setup;
+    setup.dt = p.dt > 0 ? p.dt : (p.steps > 0 ? duration / p.steps : default_dt);
+    setup.steps = p.steps;
+    if (setup.steps == 0) {
+        const double count = std::max(1.0, std::round(duration / setup.dt));
+        require(count <= 1e8, "--set dt", setup.dt,
+                "at most 100000000 steps for a duration of " + to_text(duration));
+        setup.steps = static_cast<int>(count);
         if (p.dt <= 0) {
-            s.dt = duration / s.steps; // a whole number of steps ends where the scene ends
+            setup.dt = duration / setup.steps; // a whole number of steps ends where the scene ends
         }
     }
-    return s;
-}
-
-Setup scheduled(const Parameters& parameters, double duration, double default_dt) {
-    const Schedule s = schedule(parameters, duration, default_dt);
-    Setup setup;
-    setup.dt = s.dt;
-    setup.steps = s.steps;
     return setup;
 }
 

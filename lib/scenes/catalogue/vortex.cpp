@@ -8,29 +8,25 @@
 
 namespace dsc::scenes {
 
-Scene there_and_back_scene(About about, double h, double dt, int steps, const Velocity& velocity,
+Scene there_and_back_scene(Scene about, double h, double dt, int steps, const Velocity& velocity,
                            const ParametricCurve& curve, std::function<Outline(double h)> outline) {
-    return {.name = std::move(about.name),
-            .description = std::move(about.description),
-            .section = std::move(about.section),
-            .defaults = {.h = h, .dt = dt, .steps = steps},
-            .prepare =
-                [velocity, curve, outline = std::move(outline)](const Parameters& p) {
-                    Setup setup;
-                    setup.outlines = {outline(p.h)};
-                    setup.dt = p.dt;
-                    setup.steps = 2 * p.steps;
-                    setup.half_step = p.steps;
-                    const double half = p.steps * p.dt;
-                    setup.flow = there_and_back(velocity, half);
-                    setup.exact = [curve, flow = setup.flow, half](double t) {
-                        return std::abs(t - 2 * half) < 1e-9 * half
-                                   ? unmoved_shape(curve)
-                                   : advected_shape(curve, flow, t);
-                    };
-                    return setup;
-                },
-            .counts_steps_each_way = true};
+    about.defaults = {.h = h, .dt = dt, .steps = steps};
+    about.counts_steps_each_way = true;
+    about.prepare = [velocity, curve, outline = std::move(outline)](const Parameters& p) {
+        Setup setup;
+        setup.outlines = {outline(p.h)};
+        setup.dt = p.dt;
+        setup.steps = 2 * p.steps;
+        setup.half_step = p.steps;
+        const double half = p.steps * p.dt;
+        setup.flow = there_and_back(velocity, half);
+        setup.exact = [curve, flow = setup.flow, half](double t) {
+            return std::abs(t - 2 * half) < 1e-9 * half ? unmoved_shape(curve)
+                                                        : advected_shape(curve, flow, t);
+        };
+        return setup;
+    };
+    return about;
 }
 
 std::vector<Scene> vortex_scenes() {

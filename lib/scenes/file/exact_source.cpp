@@ -65,12 +65,8 @@ ExactFunction carried_by(const Flow& flow, double period, const std::vector<Firs
 ExactSource read_back(const TableReader& reader) {
     return [where = reader.where("back")](const Parameters& parameters, const Setup&,
                                           const std::vector<FirstShape>& shapes) {
-        if (!(parameters.period > 0)) {
-            throw InputError({.what = "the time when the flow is back is not given",
-                              .where = where,
-                              .value = "no period",
-                              .allowed = "a `period` in [options]"});
-        }
+        require(parameters.period > 0, where + ": period", parameters.period,
+                "above 0: the time when the flow is back, in [options]");
         return back_at(parameters.period, shapes);
     };
 }

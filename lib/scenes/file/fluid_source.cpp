@@ -9,7 +9,6 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr int last_phase = 1'000'000;
 /// Of densities, viscosities and tensions; larger ones are wrong units.
 constexpr double largest_property = 1e12;
 constexpr Bounds property{0, largest_property};
@@ -32,10 +31,6 @@ Walls read_walls(const TableReader& reader) {
     return {wall("left"), wall("right"), wall("bottom"), wall("top")};
 }
 
-Phase phase_at(const TableReader& reader, const std::string& key) {
-    return static_cast<Phase>(reader.integer(key, 0, last_phase));
-}
-
 } // namespace
 
 FluidOptions read_fluid(const TableReader& reader) {
@@ -52,18 +47,18 @@ FluidOptions read_fluid(const TableReader& reader) {
         phase.allow({"phase", "density", "viscosity", "void"});
         if (phase.flag_or(false, "void")) {
             phase.allow({"phase", "void"});
-            options.phases.push_back({.phase = phase_at(phase, "phase"), .is_void = true});
+            options.phases.push_back({.phase = phase.phase("phase"), .is_void = true});
             continue;
         }
-        options.phases.push_back({.phase = phase_at(phase, "phase"),
+        options.phases.push_back({.phase = phase.phase("phase"),
                                   .density = phase.number("density", property),
                                   .viscosity = phase.number("viscosity", positive_property)});
     }
     for (const TableReader& pair : reader.tables("tensions")) {
         pair.allow({"one", "other", "tension", "contact-angle"});
         options.tensions.push_back(
-            {.one = phase_at(pair, "one"),
-             .other = phase_at(pair, "other"),
+            {.one = pair.phase("one"),
+             .other = pair.phase("other"),
              .tension = pair.number("tension", property),
              .contact_angle = pair.number_or(90, "contact-angle", {0, 180})});
     }

@@ -45,8 +45,8 @@ struct SceneParts {
     }
 };
 
-// The time step and the number of steps that a file of its own gives.
-void set_schedule(const SceneParts& parts, const Parameters& p, Setup& setup) {
+// With the time step and the number of steps that a file of its own gives.
+Setup scheduled_by(const SceneParts& parts, const Parameters& p) {
     if ((p.dt > 0) + (p.steps > 0) + (p.period > 0) < 2) {
         throw InputError({.what = "the time step and the number of steps are not given",
                           .where = parts.where,
@@ -56,24 +56,20 @@ void set_schedule(const SceneParts& parts, const Parameters& p, Setup& setup) {
                                                   : "none of dt, steps and period",
                           .allowed = "two of dt, steps and period in [options]"});
     }
-    const Schedule s = schedule(p, p.period, 0);
-    setup.dt = s.dt;
-    setup.steps = s.steps;
-    const bool ends_with_period = std::abs(s.steps * s.dt - p.period) < 1e-9 * p.period;
-    if (s.steps % 2 == 0 && ends_with_period) {
-        setup.half_step = s.steps / 2;
+    Setup setup = scheduled(p, p.period, 0);
+    const bool ends_with_period = std::abs(setup.steps * setup.dt - p.period) < 1e-9 * p.period;
+    if (setup.steps % 2 == 0 && ends_with_period) {
+        setup.half_step = setup.steps / 2;
     }
+    return setup;
 }
 
 void check_size(const SceneParts& parts, double h, const Setup& setup) {
     const Point<double> size = setup.domain.high - setup.domain.low;
     const double triangles = 4 / std::sqrt(3.0) * size.prod() / (h * h);
-    if (!(size.maxCoeff() / h <= most_edges_of_side && triangles <= most_triangles_of_file)) {
-        throw InputError({.what = "edge length too small for the domain",
-                          .where = parts.where,
-                          .value = std::to_string(h),
-                          .allowed = "at most 100000 edges along a side, and 20000000 triangles"});
-    }
+    require(size.maxCoeff() / h <= most_edges_of_side && triangles <= most_triangles_of_file,
+            parts.where + ": edge length", h,
+            "at most 100000 edges along a side, and 20000000 triangles");
 }
 
 // What moves the interface: one thing.
@@ -92,13 +88,10 @@ void set_motion(const SceneParts& parts, const Parameters& p, Setup& setup) {
 }
 
 Setup prepare(const SceneParts& parts, const Parameters& p) {
-    Setup setup;
     if (parts.base) {
         check_grains(*parts.base, p, parts.where);
-        setup = parts.base->prepare(p);
-    } else {
-        set_schedule(parts, p, setup);
     }
+    Setup setup = parts.base ? parts.base->prepare(p) : scheduled_by(parts, p);
     setup.domain = parts.domain.value_or(setup.domain);
     setup.clamped = parts.domain ? parts.is_clamped : setup.clamped;
     check_size(parts, p.h, setup);
@@ -130,7 +123,7 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
 void read_measure(const TableReader& reader, SceneParts& parts, SceneFile& file) {
     reader.allow({"phase", "half_step", "shape", "measures"});
     if (reader.has("phase")) {
-        parts.measured = static_cast<Phase>(reader.integer("phase", 1, 1'000'000));
+        parts.measured = reader.phase("phase", 1);
     }
     if (reader.has("half_step")) {
         parts.half_step = reader.integer("half_step", 0, 100'000'000);
@@ -181,9 +174,7 @@ void read_motion(const TableReader& top, SceneParts& parts) {
 // What is asked of the mesh.
 void read_upkeep(const TableReader& top, SceneParts& parts) {
     if (top.has("carried")) {
-        for (const int phase : top.integers("carried", 0, 1'000'000)) {
-            parts.carried.push_back(static_cast<Phase>(phase));
-        }
+        parts.carried = top.phases("carried");
     }
     if (top.has("sizes")) {
         parts.sizes = read_sizes(top.table("sizes"));

@@ -10,14 +10,9 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr int largest_phase = 1'000'000;
 constexpr int most_grains = 20'000;
 constexpr double finest_grains = 1e-3;
 constexpr Bounds multiplier{1e-9, 1e9};
-
-Phase read_phase(const TableReader& reader, const std::string& key, Phase otherwise) {
-    return reader.has(key) ? static_cast<Phase>(reader.integer(key, 0, largest_phase)) : otherwise;
-}
 
 std::vector<std::string> with_source_keys(std::vector<std::string> keys) {
     keys.insert(keys.end(), {"scale", "move"});
@@ -41,14 +36,14 @@ Rectangle read_domain(const TableReader& reader) {
 
 ShapeSource read_shape(const TableReader& reader) {
     reader.allow(with_source_keys({"phase", "hole_phase"}));
-    return {read_outline_source(reader, true), read_phase(reader, "phase", 1),
-            read_phase(reader, "hole_phase", exterior_phase), reader.where()};
+    return {read_outline_source(reader, true), reader.phase_or(1, "phase"),
+            reader.phase_or(exterior_phase, "hole_phase"), reader.where()};
 }
 
 CurveSource read_curve(const TableReader& reader) {
     reader.allow(with_source_keys({"left", "right"}));
-    return {read_outline_source(reader, false), read_phase(reader, "left", 1),
-            read_phase(reader, "right", exterior_phase)};
+    return {read_outline_source(reader, false), reader.phase_or(1, "left"),
+            reader.phase_or(exterior_phase, "right")};
 }
 
 CurvatureMotion read_curvature(const TableReader& reader) {
@@ -56,16 +51,13 @@ CurvatureMotion read_curvature(const TableReader& reader) {
     CurvatureMotion motion;
     for (const TableReader& pair : reader.tables("pairs")) {
         pair.allow({"one", "other", "tension", "mobility"});
-        motion.pairs.push_back(
-            {.one = static_cast<Phase>(pair.integer("one", 0, largest_phase)),
-             .other = static_cast<Phase>(pair.integer("other", 0, largest_phase)),
-             .tension = pair.number_or(1, "tension", multiplier),
-             .mobility = pair.number_or(1, "mobility", multiplier)});
+        motion.pairs.push_back({.one = pair.phase("one"),
+                                .other = pair.phase("other"),
+                                .tension = pair.number_or(1, "tension", multiplier),
+                                .mobility = pair.number_or(1, "mobility", multiplier)});
     }
     if (reader.has("keeps")) {
-        for (const int phase : reader.integers("keeps", 1, largest_phase)) {
-            motion.keeps.push_back(static_cast<Phase>(phase));
-        }
+        motion.keeps = reader.phases("keeps", 1);
     }
     return motion;
 }
@@ -80,10 +72,9 @@ Growth read_growth(const TableReader& reader) {
 std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableReader& reader) {
     reader.allow(
         {"edges_to_interface", "longest", "shortest", "by_phase", "by_place", "on_interface"});
-    const double number =
-        reader.has("edges_to_interface") ? reader.number("edges_to_interface", {1, 1e4}) : 0;
-    const double longest = reader.has("longest") ? reader.number("longest", positive_length) : 0;
-    const double least = reader.has("shortest") ? reader.number("shortest", positive_length) : 0;
+    const double number = reader.number_or(0, "edges_to_interface", {1, 1e4});
+    const double longest = reader.number_or(0, "longest", positive_length);
+    const double least = reader.number_or(0, "shortest", positive_length);
     const LengthByPhase by_phase{reader.has("by_phase")
                                      ? reader.numbers("by_phase", positive_length)
                                      : std::vector<double>{}};

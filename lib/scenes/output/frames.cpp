@@ -46,12 +46,8 @@ void write_collection(const std::vector<std::pair<double, std::string>>& frames,
 void check_times(const FramePlan& plan, const FrameSchedule& schedule) {
     const double end = schedule.steps * schedule.dt;
     for (const double time : plan.times) {
-        if (!(time >= 0 && step_that_reaches(time, schedule.dt) <= schedule.steps)) {
-            throw InputError({.what = "no such time in this run",
-                              .where = "--at",
-                              .value = to_text(time),
-                              .allowed = "0 to " + to_text(end)});
-        }
+        require(time >= 0 && step_that_reaches(time, schedule.dt) <= schedule.steps, "--at", time,
+                "0 to " + to_text(end));
     }
 }
 

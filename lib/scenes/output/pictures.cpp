@@ -41,12 +41,8 @@ const Values* find_array(std::span<const VtuArray> arrays, const std::string& na
 } // namespace
 
 SvgFill fill_by_value(std::string name, std::span<const double> values, double low, double high) {
-    if (!(low < high) || !std::isfinite(low) || !std::isfinite(high)) {
-        throw InputError({.what = "not a range of values",
-                          .where = "fill_by_value",
-                          .value = std::to_string(low) + " to " + std::to_string(high),
-                          .allowed = "finite, the first below the second"});
-    }
+    require(low < high && std::isfinite(low) && std::isfinite(high), "fill_by_value: high", high,
+            "finite, and above " + to_text(low));
     SvgFill fill{std::move(name), {viridis.begin(), viridis.end()}, {}};
     const double steps = static_cast<double>(viridis.size());
     fill.of.reserve(values.size());

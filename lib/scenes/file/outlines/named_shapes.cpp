@@ -23,12 +23,8 @@ NamedShape checked(const TableReader& reader, double length,
                    std::optional<ParametricCurve> curve = {}) {
     at_key(reader, "", [&] { (void)outline(std::max(length / 100, 1e-9)); });
     auto bounded = [outline = std::move(outline), length, where = reader.where()](double h) {
-        if (!(length / h <= most_edges_of_shape)) {
-            throw InputError({.what = "edge length too small for the shape",
-                              .where = where,
-                              .value = std::to_string(h),
-                              .allowed = "at most 1000000 edges"});
-        }
+        require(length / h <= most_edges_of_shape, where + ": edge length", h,
+                "at most 1000000 edges of the shape");
         return outline(h);
     };
     return {std::move(bounded), std::move(curve)};
